@@ -1,0 +1,236 @@
+//! Runs every case.
+
+use std::hint::black_box;
+
+use c2warp::{
+    Error, Picture, Solution, Solver, Stage,
+    distance::{Navigation, Propagation},
+    project::{Project, Shape},
+    sample::Samples,
+};
+use glam::DVec2;
+
+use crate::{
+    cases::{Scene, TABLE_1, TABLE_2, gingerbread, one_more, spread, table_1},
+    clock::Clock,
+    measure::{Effort, median, median_ms, runs},
+    results::{Evaluation, Solve, Timings, Yardstick},
+};
+
+/// Samples that answer quickly, and serve finer meshes by evaluation.
+pub const SMALL: u32 = 10_000;
+/// Virtual sites of the dense case.
+pub const DENSE: u32 = 60;
+/// The least number of samples that a project may ask for.
+const LEAST_SAMPLES: u32 = 100;
+
+/// Where, how long and how large the cases run.
+#[derive(Debug, Clone, Copy)]
+pub struct Suite {
+    /// What tells the time.
+    pub clock: Clock,
+    /// What goes into each figure.
+    pub effort: Effort,
+    /// Share of the samples and points that the cases are meant to have: 1, or less for a trial.
+    pub share: f64,
+}
+
+/// Milliseconds of one solve.
+#[derive(Debug, Clone, Copy, Default)]
+struct Stages {
+    sampling: f64,
+    regions: f64,
+    weights: f64,
+    whole: f64,
+}
+
+impl Suite {
+    /// All cases as they are meant.
+    #[must_use]
+    pub fn full(clock: Clock) -> Self {
+        Self { clock, effort: Effort::FULL, share: 1.0 }
+    }
+
+    /// Runs every case, and tells the name of each before.
+    ///
+    /// # Errors
+    /// None, unless a scene cannot be solved any more.
+    pub fn timings(&self, mut tell: impl FnMut(&str)) -> Result<Timings, Error> {
+        let mut scenes = Vec::new();
+        for (scene, paper) in table_1().iter().zip(TABLE_1) {
+            tell(paper.name);
+            let project = scene.project(self.count(paper.samples), paper.virtual_sites);
+            scenes.push(self.solved(scene, &project)?.0);
+        }
+        let figure = gingerbread();
+        let project = |samples: u32, virtual_sites| figure.project(self.count(samples), virtual_sites);
+        let [coarse, middle, fine] = TABLE_2.map(|row| project(row.samples, 0));
+        tell("Gingerbread figure, three resolutions");
+        let coarse_solve = self.solved(&figure, &coarse)?.0;
+        let (middle_solve, middle_solution) = self.solved(&figure, &middle)?;
+        let (fine_solve, fine_solution) = self.solved(&figure, &fine)?;
+        tell("Evaluation at every vertex");
+        let vertices = &fine_solution.mesh.vertices[..fine_solution.samples];
+        let (small, small_solution) = self.solved(&figure, &project(SMALL, 0))?;
+        let serving_ms = self.evaluation(&small_solution, vertices, Solution::weights_at);
+        tell("Distances");
+        let yardstick = self.yardstick(&middle_solution, &middle);
+        tell("Virtual sites and evaluation");
+        let (dense, dense_solution) = self.solved(&figure, &project(TABLE_2[1].samples, DENSE))?;
+        let evaluation = self.evaluations(&dense_solution, &figure);
+        tell("One more handle");
+        let insertion = self.insertion(&figure, &middle)?;
+        let resolutions = [coarse_solve, middle_solve, fine_solve];
+        Ok(Timings { scenes, resolutions, small, dense, insertion, yardstick, evaluation, serving_ms })
+    }
+
+    fn count(&self, samples: u32) -> u32 {
+        ((f64::from(samples) * self.share) as u32).max(LEAST_SAMPLES)
+    }
+
+    /// Solves a project again and again with one solver, as an editor does: the outline stays.
+    fn solved(&self, scene: &Scene, project: &Project) -> Result<(Solve, Solution), Error> {
+        let picture = scene.picture()?;
+        let mut solver = Solver::new();
+        let stages = runs(self.clock, self.effort, || self.stages(&mut solver, project, &picture))?;
+        let solution = solver.into_solution().expect("solved at least once");
+        Ok((solve(&stages, &solution), solution))
+    }
+
+    /// From a solution to that with one more handle.
+    fn insertion(&self, scene: &Scene, project: &Project) -> Result<Solve, Error> {
+        let picture = scene.picture()?;
+        let mut more = project.clone();
+        more.handles.push(one_more());
+        let mut solver = Solver::new();
+        let stages = runs(self.clock, self.effort, || {
+            self.stages(&mut solver, project, &picture)?;
+            self.stages(&mut solver, &more, &picture)
+        })?;
+        Ok(solve(&stages, solver.solution()))
+    }
+
+    fn stages(&self, solver: &mut Solver, project: &Project, picture: &Picture) -> Result<Stages, Error> {
+        let mut stages = Stages::default();
+        let start = (self.clock)();
+        solver.begin(project, picture)?;
+        let mut last = start;
+        while let Some(stage) = solver.advance()? {
+            let now = (self.clock)();
+            match stage {
+                Stage::Domain => {}
+                Stage::Sampling => stages.sampling = now - last,
+                Stage::Regions => stages.regions = now - last,
+                Stage::Weights => stages.weights = now - last,
+            }
+            last = now;
+        }
+        stages.whole = last - start;
+        Ok(stages)
+    }
+
+    /// A pass and a Dijkstra over the same samples, from each handle in turn.
+    fn yardstick(&self, solution: &Solution, project: &Project) -> Yardstick {
+        let navigation = Navigation::new(solution.domain());
+        let sources: Vec<DVec2> = project.handles.iter().filter_map(|handle| point(&handle.shape)).collect();
+        let samples = Samples::new(solution.domain(), &navigation, &sources, project.samples as usize);
+        let points = &samples.mesh.vertices;
+        let mut propagation = Propagation::default();
+        let mut distances = vec![0.0; samples.len()];
+        let passes = median_ms(self.clock, self.effort, || {
+            for &source in &sources {
+                let place = navigation.place(source).expect("handles lie in the domain");
+                let field = propagation.field(&navigation, place, source, f64::INFINITY);
+                for ((distance, &place), &p) in distances.iter_mut().zip(&samples.places).zip(points) {
+                    *distance = field.distance(place, p);
+                }
+                black_box(&mut distances);
+            }
+        });
+        let graphs = median_ms(self.clock, self.effort, || {
+            for &source in &samples.at_sites {
+                black_box(samples.graph.distances(points, source as usize));
+            }
+        });
+        let sources = sources.len() as f64;
+        Yardstick { pass_ms: passes / sources, graph_ms: graphs / sources }
+    }
+
+    /// Times for a million points all over the domain.
+    fn evaluations(&self, solution: &Solution, scene: &Scene) -> Evaluation {
+        let image = &scene.project.image;
+        let size = DVec2::new(f64::from(image.width), f64::from(image.height));
+        let inside = |&p: &DVec2| solution.weights_at(p).is_some();
+        let count = (100_000.0 * self.share).ceil();
+        let points: Vec<DVec2> = spread(size).filter(inside).take(count as usize).collect();
+        let million = 1e6 / count;
+        Evaluation {
+            influences_ms: self.evaluation(solution, &points, Solution::influences_at) * million,
+            weights_ms: self.evaluation(solution, &points, Solution::weights_at) * million,
+        }
+    }
+
+    fn evaluation<T>(&self, solution: &Solution, points: &[DVec2], at: impl Fn(&Solution, DVec2) -> T) -> f64 {
+        median_ms(self.clock, self.effort, || {
+            for &p in points {
+                black_box(at(solution, p));
+            }
+        })
+    }
+}
+
+/// The medians of many solves with the same outcome.
+fn solve(stages: &[Stages], solution: &Solution) -> Solve {
+    let of = |part: fn(&Stages) -> f64| median(stages.iter().map(part));
+    Solve {
+        samples: solution.samples,
+        virtual_sites: solution.sites.iter().filter(|site| site.handle.is_none()).count(),
+        sampling_ms: of(|s| s.sampling),
+        regions_ms: of(|s| s.regions),
+        weights_ms: of(|s| s.weights),
+        solve_ms: of(|s| s.regions + s.weights),
+        whole_ms: of(|s| s.whole),
+    }
+}
+
+fn point(shape: &Shape) -> Option<DVec2> {
+    match shape {
+        Shape::Point { rest, .. } => Some(*rest),
+        Shape::Bar { .. } | Shape::Polygon { .. } => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::clock::native_ms;
+
+    #[test]
+    fn every_case_solves() {
+        let suite = Suite { clock: native_ms, effort: Effort::TRIAL, share: 0.02 };
+        let mut told = Vec::new();
+        let timings = suite.timings(|name| told.push(name.to_owned())).unwrap();
+        assert_eq!(told[..6], TABLE_1.map(|scene| scene.name.to_owned()));
+        for (scene, paper) in timings.scenes.iter().zip(TABLE_1) {
+            assert!(scene.virtual_sites >= paper.virtual_sites as usize, "{}: {scene:?}", paper.name);
+        }
+        for solve in timings.resolutions.iter().chain([&timings.small]) {
+            assert_eq!(solve.virtual_sites, 0, "the figure needs no virtual site: {solve:?}");
+            assert!(solve.whole_ms >= solve.sampling_ms && solve.solve_ms > 0.0, "{solve:?}");
+        }
+        assert!((60..66).contains(&timings.dense.virtual_sites), "{:?}", timings.dense);
+        let Yardstick { pass_ms, graph_ms } = timings.yardstick;
+        assert!(pass_ms > 0.0 && graph_ms > 0.0 && timings.serving_ms > 0.0);
+    }
+
+    #[test]
+    fn the_figure_has_about_the_samples_of_table_2() {
+        let suite = Suite { clock: native_ms, effort: Effort::TRIAL, share: 1.0 };
+        let figure = gingerbread();
+        let [coarse, middle, _] = TABLE_2.map(|row| row.samples);
+        for (asked, share) in [(coarse, 0.1), (middle, 0.01)] {
+            let (solve, _) = suite.solved(&figure, &figure.project(asked, 0)).unwrap();
+            assert!((solve.samples as f64 / f64::from(asked) - 1.0).abs() < share, "{asked}: {}", solve.samples);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+/** The engine: solving in the worker, overtaking, and workers that die. */
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import type { Project } from '../../web/src/document/project';
+import { expect, test } from './fixtures';
+
+const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+const SAMPLE = path('../../web/public/samples/gingerbread.c2warp.json');
+
+const project: Project = {
+  format: 'c2warp/1',
+  image: { src: 'drawn.png', width: 256, height: 256 },
+  samples: 3000,
+  handles: [
+    { id: 'left', kind: 'point', rest: [40, 128], posed: [30, 128] },
+    { id: 'island', kind: 'point', rest: [208, 128], posed: [216, 140] },
+  ],
+};
+const outside: Project = {
+  ...project,
+  handles: [{ id: 'stray', kind: 'point', rest: [250, 10], posed: [250, 10] }],
+};
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('/harness/');
+});
+
+test('solves in stages, to arrays that fit together', async ({ page }) => {
+  const result = await page.evaluate(async (project) => {
+    const engine = await harness.startedEngine();
+    const stages: string[] = [];
+    const solution = await engine.solve(project, (stage) => stages.push(stage));
+    const poser = engine.poser(solution);
+    const motions = poser.pose(JSON.stringify(project.handles));
+    const vertices = solution.positions.length / 2;
+    const rowSums = Array.from({ length: vertices }, (_, v) =>
+      solution.weights.subarray(solution.offsets[v], solution.offsets[v + 1]).reduce((sum, w) => sum + w, 0),
+    );
+    return {
+      stages,
+      vertices,
+      rows: solution.offsets.length - 1,
+      entries: [solution.sites.length, solution.weights.length, solution.offsets.at(-1)],
+      motions: motions.length / 8,
+      sites: [solution.siteRest.length / 2, solution.siteHandle.length],
+      furthestSum: Math.max(...rowSums.filter((sum) => sum > 0).map((sum) => Math.abs(sum - 1))),
+      largestVertex: solution.triangles.reduce((most, v) => Math.max(most, v), 0),
+      report: solution.report,
+    };
+  }, project);
+  expect(result.stages).toEqual(['domain', 'sampling', 'regions', 'weights']);
+  expect(result.rows).toBe(result.vertices);
+  expect(new Set(result.entries).size).toBe(1);
+  expect(result.sites).toEqual([result.motions, result.motions]);
+  expect(result.furthestSum).toBeLessThan(1e-5);
+  expect(result.largestVertex).toBeLessThan(result.vertices);
+  expect(result.report).toMatchObject({ islands: 2, holes: 2, point_handles: 2, real_sites: 2 });
+});
+
+test('a newer solve overtakes an older one, before it begins and while it runs', async ({ page }) => {
+  const outcomes = await page.evaluate(async (project) => {
+    const engine = await harness.startedEngine();
+    const named = (promise: Promise<unknown>) =>
+      promise.then(
+        () => 'solved',
+        (error: Error) => error.name,
+      );
+    const queued = named(engine.solve(project));
+    let newest: Promise<string> | undefined;
+    const running = new Promise<string>((resolve) => {
+      const solve: Promise<string> = named(
+        engine.solve(project, () => {
+          newest ??= named(engine.solve(project));
+        }),
+      );
+      void solve.then(resolve);
+    });
+    return [await queued, await running, await newest];
+  }, project);
+  expect(outcomes).toEqual(['AbortError', 'AbortError', 'solved']);
+});
+
+test('a refused project names its reason, and the next solve works', async ({ page }) => {
+  const [refused, code, next] = await page.evaluate(
+    async ([outside, project]) => {
+      const engine = await harness.startedEngine();
+      const error = await engine.solve(outside).catch((reason: Error & { code?: string }) => reason);
+      const solution = await engine.solve(project);
+      return error instanceof Error
+        ? [error.message, error.code, solution.positions.length > 0]
+        : ['solved', '', false];
+    },
+    [outside, project] as const,
+  );
+  expect(code).toBe('handle-outside');
+  expect(refused).toContain('stray');
+  expect(next).toBe(true);
+});
+
+test('a project file is read strictly, and the offending key named', async ({ page }) => {
+  const [good, bad] = await page.evaluate(async (project) => {
+    const engine = await harness.startedEngine();
+    const checked = engine.checkProject(JSON.stringify(project));
+    try {
+      engine.checkProject(
+        JSON.stringify({ ...project, handles: [{ ...project.handles[0], rest: ['x', 1] }] }),
+      );
+    } catch (error) {
+      return [checked, { message: String(error), code: (error as { code?: string }).code }] as const;
+    }
+    return [checked, undefined] as const;
+  }, project);
+  expect(good.handles).toHaveLength(2);
+  expect(bad?.message).toContain('handles[0].rest[0]');
+  expect(bad?.code).toBe('project');
+});
+
+test('a worker that dies is replaced, and what it was asked is asked again', async ({ page }) => {
+  const result = await page.evaluate(async (project) => {
+    const workers: Worker[] = [];
+    const OriginalWorker = globalThis.Worker;
+    globalThis.Worker = class extends OriginalWorker {
+      constructor(url: string | URL, options?: WorkerOptions) {
+        super(url, options);
+        workers.push(this);
+      }
+    };
+    const dies = () =>
+      workers
+        .at(-1)
+        ?.dispatchEvent(new MessageEvent('message', { data: { kind: 'died', message: 'unreachable' } }));
+    const engine = await harness.startedEngine();
+    await engine.solve(project);
+    const again = engine.solve(project);
+    await new Promise(requestAnimationFrame);
+    dies();
+    const vertices = (await again).positions.length;
+    const twice = engine.warp(project).catch((error: { code?: string }) => error.code);
+    await Promise.resolve();
+    dies();
+    dies();
+    const code = await twice;
+    const afterwards = (await engine.solve(project)).positions.length;
+    return { vertices, code, afterwards, workers: workers.length };
+  }, project);
+  expect(result.vertices).toBeGreaterThan(0);
+  expect(result.afterwards).toBe(result.vertices);
+  expect(result.code).toBe('engine');
+  expect(result.workers).toBe(4);
+});
+
+test('exports at any scale, in straight alpha', async ({ page }) => {
+  const sizes = await page.evaluate(async (project) => {
+    const engine = await harness.startedEngine();
+    const [whole, half] = [await engine.warp(project), await engine.warp(project, 0.5)];
+    return [whole, half].map(({ width, height, rgba }) => [width, height, rgba.length]);
+  }, project);
+  expect(sizes).toEqual([
+    [256, 256, 256 * 256 * 4],
+    [128, 128, 128 * 128 * 4],
+  ]);
+});
+
+test('native code and WebAssembly give the same weights, bit for bit', async ({ page }) => {
+  test.setTimeout(300_000);
+  const native = spawnSync(
+    'cargo',
+    ['run', '--quiet', '--package', 'c2warp-cli', '--', 'inspect', SAMPLE, '--json'],
+    {
+      cwd: path('../..'),
+      encoding: 'utf8',
+    },
+  );
+  expect(native.stderr).toBe('');
+  const report = await page.evaluate(
+    async (text) => {
+      const file = await (await fetch('/samples/gingerbread.png')).blob();
+      const picture = await harness.decodePicture(file);
+      const engine = await harness.Engine.start();
+      engine.setPicture(picture.width, picture.height, picture.rgba);
+      return (await engine.solve(engine.checkProject(text))).report;
+    },
+    readFileSync(SAMPLE, 'utf8'),
+  );
+  expect(report.weights_hash).toMatch(/^[0-9a-f]{8,}$/);
+  expect(report.weights_hash).toBe(JSON.parse(native.stdout).weights_hash);
+});

@@ -1,0 +1,166 @@
+/** Opening, saving, exporting, coming back after a reload, and files that are refused. */
+import { decode, encode } from 'fast-png';
+import { apart, bytes, Editor, SAME } from './editor';
+import { expect, test } from './fixtures';
+
+/** A small picture: an opaque disc, or nothing at all. */
+function disc(size: number, radius = size * 0.4): Buffer {
+  const data = new Uint8Array(size * size * 4);
+  for (let pixel = 0; pixel < size * size; pixel++) {
+    const [x, y] = [(pixel % size) + 0.5 - size / 2, Math.floor(pixel / size) + 0.5 - size / 2];
+    data.set([200, 80, 40, Math.hypot(x, y) < radius ? 255 : 0], pixel * 4);
+  }
+  return Buffer.from(encode({ width: size, height: size, data, channels: 4 }));
+}
+
+const png = (name: string, buffer: Buffer) => ({ name, mimeType: 'image/png', buffer });
+
+const project = (value: unknown, name = 'other.c2warp.json') => ({
+  name,
+  mimeType: 'application/json',
+  buffer: Buffer.from(typeof value === 'string' ? value : JSON.stringify(value)),
+});
+
+/** Carries out `event` on the editor with files as a drop or a paste brings them. */
+async function bring(editor: Editor, event: 'drop' | 'paste', file: ReturnType<typeof png>): Promise<void> {
+  await editor.page.locator('c2-warp').evaluate(
+    (element, { event, name, type, base64 }) => {
+      const transfer = new DataTransfer();
+      const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+      transfer.items.add(new File([content], name, { type }));
+      const init = { bubbles: true, cancelable: true, composed: true };
+      element.dispatchEvent(
+        event === 'drop'
+          ? new DragEvent('drop', { ...init, dataTransfer: transfer })
+          : new ClipboardEvent('paste', { ...init, clipboardData: transfer }),
+      );
+    },
+    { event, name: file.name, type: file.mimeType, base64: file.buffer.toString('base64') },
+  );
+}
+
+test('the project is saved, and opens exactly as it was', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: 30, y: -50 });
+  const told = await editor.told('right hand');
+  const saved = await editor.download('Save the project file');
+  expect(saved.suggestedFilename()).toBe('gingerbread.c2warp.json');
+  const text = (await bytes(saved)).toString();
+  expect(JSON.parse(text)).toMatchObject({
+    format: 'c2warp/1',
+    image: { src: 'gingerbread.png', width: 1024, height: 1280 },
+  });
+
+  await editor.button('Reset all handles').click();
+  await editor.choose(project(text, 'gingerbread.c2warp.json'));
+  await expect(editor.button('Undo: open gingerbread.c2warp.json')).toBeEnabled();
+  expect(await editor.told('right hand')).toEqual(told);
+  expect((await bytes(await editor.download('Save the project file'))).toString()).toBe(text);
+});
+
+test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: 0, y: -80 });
+  const exported = await editor.download('Export a PNG at full size');
+  expect(exported.suggestedFilename()).toBe('gingerbread-warped.png');
+  const { width, height, channels, data } = decode(await bytes(exported));
+  expect([width, height, channels]).toEqual([1024, 1280, 4]);
+  const alpha = (x: number, y: number) => data[(Math.round(y) * width + Math.round(x)) * 4 + 3];
+  const hand = await editor.told('right hand');
+  expect(alpha(hand.x, hand.y)).toBe(255);
+  expect(alpha(900, 560)).toBe(0);
+  expect(alpha(2, 2)).toBe(0);
+});
+
+test('a reload brings everything back: picture, pose, history', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.choose(png('disc.png', disc(96)));
+  await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
+  await expect(editor.status).toContainText('96 × 96 px');
+  await page.keyboard.press('p');
+  await page.keyboard.press('Enter');
+  await expect(editor.handles).toHaveCount(1);
+  await page.keyboard.press('ArrowRight');
+  const told = await editor.told('handle 1');
+
+  // What was done a moment ago is being written; nothing on the page tells when it is.
+  await page.waitForTimeout(500);
+  await page.reload();
+  await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
+  await expect(editor.handles).toHaveCount(1);
+  expect(await editor.told('handle 1')).toEqual(told);
+  await editor.button('Undo: move handle 1').click();
+  await editor.button('Undo: add handle').click();
+  await expect(editor.handles).toHaveCount(0);
+  await editor.button('Redo: add handle').click();
+  await expect(editor.handles).toHaveCount(1);
+});
+
+for (const event of ['drop', 'paste'] as const) {
+  test(`a picture is opened by ${event}, and the way back keeps the work`, async ({ page }) => {
+    const editor = await Editor.open(page);
+    await editor.dragHandle('left hand', { x: 20, y: -40 });
+    const told = await editor.told('left hand');
+    await bring(editor, event, png('disc.png', disc(64)));
+    await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
+    await expect(editor.handles).toHaveCount(0);
+    await editor.button('Back to gingerbread.png').click();
+    await expect(editor.handles).toHaveCount(5);
+    // The hand's own turn is known once the picture is solved again.
+    await expect.poll(() => editor.told('left hand')).toEqual(told);
+  });
+}
+
+test('a project without its picture asks for it, and takes it when it comes', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const other = {
+    format: 'c2warp/1',
+    image: { src: 'disc.png', width: 64, height: 64 },
+    handles: [{ id: 'middle', kind: 'point', rest: [32, 32], posed: [36, 30] }],
+  };
+  await editor.choose(project(other));
+  await expect(page.getByText('belongs to the picture disc.png (64 × 64 px)')).toBeVisible();
+  await expect(editor.handles).toHaveCount(5);
+  const asked = page.waitForEvent('filechooser');
+  await editor.button('Open picture').click();
+  await (await asked).setFiles(png('disc.png', disc(64)));
+  expect(await editor.told('middle')).toEqual({ x: 36, y: 30, rotation: 0 });
+});
+
+const sample = (handles: unknown[]) => ({
+  format: 'c2warp/1',
+  image: { src: 'gingerbread.png', width: 1024, height: 1280 },
+  handles,
+});
+const at = (id: string, rest: unknown) => ({ id, kind: 'point', rest, posed: [512, 300] });
+
+const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] = [
+  ['an empty file', png('empty.png', Buffer.alloc(0)), /empty\.png: The file is empty/],
+  ['a text', png('notes.txt', Buffer.from('no picture')), /notes\.txt: This is not a picture/],
+  ['a truncated picture', png('cut.png', disc(64).subarray(0, 200)), /cut\.png: The picture is cut off/],
+  ['one pixel', png('dot.png', disc(1)), /dot\.png: .*at least 2 × 2/],
+  ['a picture without an opaque pixel', png('clear.png', disc(64, 0)), /opaque|transparent/],
+  ['a project that is no JSON', project('{'), /other\.c2warp\.json: /],
+  ['a wrong type', project(sample([at('a', ['512', 300])])), /handles\[0\]\.rest\[0\]/],
+  ['an unknown key', project({ ...sample([]), colour: 'red' }), /colour/],
+  ['a handle outside', project(sample([at('lost', [20, 20])])), /lost/],
+  ['two handles on one spot', project(sample([at('a', [512, 300]), at('b', [512, 300])])), /"?a"?.*"?b"?/],
+];
+
+for (const [title, file, message] of REFUSED) {
+  test(`${title} is refused in a notice, and the work stays`, async ({ page }) => {
+    const editor = await Editor.open(page);
+    await editor.dragHandle('left hand', { x: 20, y: -40 });
+    const [told, hand] = [await editor.told('left hand'), await editor.place('left hand')];
+    const before = await editor.look(hand, 12);
+    await editor.choose(file);
+    await expect(editor.notice).toContainText(message);
+    await expect(editor.handles).toHaveCount(5);
+    await expect.poll(() => editor.told('left hand')).toEqual(told);
+    await expect.poll(async () => apart(before, await editor.look(hand, 12))).toBeLessThan(SAME);
+    await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
+    await expect(editor.notice).toBeHidden();
+    await editor.button('Undo: move left hand').click();
+    expect(await editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+  });
+}

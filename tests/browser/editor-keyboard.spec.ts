@@ -1,0 +1,103 @@
+/** The editor without a pointer, and what it says to those who do not see it. */
+import { apart, Editor, SAME } from './editor';
+import { expect, test } from './fixtures';
+
+test('Tab goes from handle to handle, and arrow keys move what has the focus', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.keyboard.press('Tab');
+  await expect(editor.handle('left hand')).toBeFocused();
+  await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
+  for (const key of ['ArrowRight', 'Shift+ArrowUp', 'ArrowLeft', 'ArrowRight'])
+    await page.keyboard.press(key);
+  const told = await editor.told('left hand');
+  expect(told).toMatchObject({ x: 125, y: 506 });
+  await expect(page.getByText(`left hand: x 125, y 506, rotation ${told.rotation} degrees`)).toBeAttached();
+
+  // Nudges in a row are one step.
+  await page.keyboard.press('Control+z');
+  expect(await editor.told('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });
+  await expect(page.getByText('Undone: Move left hand')).toBeAttached();
+});
+
+test('comma and full stop turn', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.keyboard.press('.');
+  await page.keyboard.press('Shift+Period');
+  expect((await editor.told('head')).rotation).toBe(16);
+  await page.keyboard.press('Shift+Comma');
+  await page.keyboard.press(',');
+  expect((await editor.told('head')).rotation).toBe(0);
+});
+
+test('a handle is placed, selected and deleted by keys', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('p');
+  await expect(editor.button('Add a point handle')).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(editor.handles).toHaveCount(6);
+  await expect(editor.handle('handle 6')).toBeFocused();
+  await page.keyboard.press('Delete');
+  await expect(editor.handles).toHaveCount(5);
+  await expect(page.getByText('Delete handle 6')).toBeAttached();
+  // The focus was on what is gone; keys go on working.
+  await page.keyboard.press('Control+z');
+  await expect(editor.handles).toHaveCount(6);
+});
+
+test('Control A selects all, Escape lets go', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('Control+a');
+  await expect(page.getByRole('heading', { name: '5 handles' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'false');
+});
+
+test('O shows the original for as long as it is held', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const hand = await editor.place('right hand');
+  const before = await editor.look(hand, 16);
+  await editor.dragHandle('right hand', { x: 0, y: -90 });
+  const bent = await editor.look(hand, 16);
+  await page.keyboard.down('o');
+  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  expect(apart(before, await editor.look(hand, 16))).toBeLessThan(SAME);
+  await page.keyboard.up('o');
+  expect(apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
+});
+
+test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const fitted = await editor.zoom();
+  await page.keyboard.press('1');
+  expect(await editor.zoom()).toBe(1);
+  await page.keyboard.press('0');
+  expect(await editor.zoom()).toBe(fitted);
+
+  const hand = await editor.place('left hand');
+  await page.mouse.move(hand.x, hand.y);
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, -120);
+  await page.keyboard.up('Control');
+  await expect.poll(() => editor.zoom()).toBeGreaterThan(fitted);
+  const after = await editor.place('left hand');
+  expect(Math.hypot(after.x - hand.x, after.y - hand.y)).toBeLessThan(1);
+
+  await page.mouse.wheel(0, 50);
+  await expect.poll(async () => (await editor.place('left hand')).y).toBeCloseTo(after.y - 50, 0);
+  await page.keyboard.down('Space');
+  await editor.drag({ x: hand.x + 60, y: hand.y + 200 }, { x: 30, y: 50 });
+  await page.keyboard.up('Space');
+  expect((await editor.place('left hand')).x).toBeCloseTo(after.x + 30, 0);
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('every control has a name', async ({ page }) => {
+  await Editor.open(page);
+  await page.keyboard.press('Control+a');
+  for (const control of await page.locator('c2-warp').locator('button:visible, input:visible').all()) {
+    await expect(control).toHaveAccessibleName(/\w/);
+  }
+});

@@ -1,0 +1,85 @@
+/** A picture that bends rigidly: handles that turn by themselves, pinning them, and the other way to bend. */
+import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+const rotationInFile = (editor: Editor, id: string) =>
+  editor.page
+    .locator('c2-warp')
+    .evaluate(
+      (element, name) => (element as C2Warp).project.handles.find((handle) => handle.id === name)?.rotation,
+      id,
+    );
+
+const turn = async (editor: Editor) => Number(await editor.field('rotation').inputValue());
+
+test('a dragged hand turns by itself, and its field tells how far', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: -60, y: -110 });
+  // The arm points up now: against the clock.
+  await expect.poll(() => turn(editor)).toBeLessThan(-15);
+  expect(await rotationInFile(editor, 'right-hand')).toBe('auto');
+  await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'true');
+  expect((await editor.told('right hand')).rotation).toBe(Math.round(await turn(editor)));
+
+  await editor.button('Reset to rest').click();
+  expect(await rotationInFile(editor, 'right-hand')).toBe('auto');
+  await expect.poll(() => turn(editor)).toBeCloseTo(0, 1);
+});
+
+test('pinned, a hand keeps its turn wherever it goes, until it is freed', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: -60, y: -110 });
+  await expect.poll(() => turn(editor)).toBeLessThan(-15);
+  const shown = await turn(editor);
+  const toggle = editor.button('Automatic turn');
+  await toggle.click();
+  await expect(toggle).toHaveAttribute('aria-pressed', 'false');
+  expect(await turn(editor)).toBe(shown);
+  await editor.dragHandle('right hand', { x: 40, y: 150 });
+  expect(await turn(editor)).toBe(shown);
+
+  await toggle.click();
+  await expect.poll(() => turn(editor)).not.toBe(shown);
+  await page.keyboard.press('Control+z');
+  expect(await turn(editor)).toBe(shown);
+});
+
+test('the ring takes an automatic turn on from where it is', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: -60, y: -110 });
+  await expect.poll(() => turn(editor)).toBeLessThan(-15);
+  const shown = await turn(editor);
+  const hand = await editor.place('right hand');
+  await editor.drag({ x: hand.x + 40, y: hand.y }, { x: -40, y: 40 });
+  expect(Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
+  await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'false');
+});
+
+test('another way to bend is one click and one undo step', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const settings = () =>
+    page.locator('c2-warp').evaluate((element) => {
+      const { pose, weighting } = (element as C2Warp).project;
+      return [pose?.mode, pose?.density, weighting?.support];
+    });
+  const [rigid, smooth] = ['Rigid', 'Smooth'].map((name) => page.getByRole('button', { name, exact: true }));
+  if (!rigid || !smooth) throw new Error('two ways to bend');
+  await expect(rigid).toHaveAttribute('aria-pressed', 'true');
+  await smooth.focus();
+  await page.keyboard.press('Enter');
+  await expect(smooth).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('group', { name: 'Detail' })).toBeHidden();
+  expect(await settings()).toEqual(['harmonic', 0, 'paper']);
+
+  await page.keyboard.press('Control+z');
+  await expect(rigid).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Undo')).toBeDisabled();
+  expect(await settings()).toEqual(['rigid', 30, 'smooth']);
+
+  const solved = page.locator('c2-warp .solved');
+  const before = await solved.textContent();
+  await page.getByRole('button', { name: 'Fine', exact: true }).click();
+  await expect(solved).not.toHaveText(before ?? '');
+  expect(await settings()).toEqual(['rigid', 60, 'smooth']);
+});

@@ -1,0 +1,16 @@
+/** A page that hands the parts under the editor to the browser tests. */
+import { Engine } from '../../../web/src/compute/engine';
+import { decodePicture } from '../../../web/src/io/decode';
+import { encodePng } from '../../../web/src/io/encode';
+import { Renderer } from '../../../web/src/render/renderer';
+import { drawnPicture } from './drawn_picture';
+import { drawnTwice, startedEngine } from './scenes';
+
+const parts = { Engine, Renderer, decodePicture, encodePng, drawnPicture, drawnTwice, startedEngine };
+
+declare global {
+  /** Defined once the harness page has loaded. */
+  var harness: typeof parts;
+}
+
+globalThis.harness = parts;

@@ -1,0 +1,53 @@
+/** Pictures drawn with and without the graphics card, for comparison. */
+import { Engine } from '../../../web/src/compute/engine';
+import type { Project } from '../../../web/src/document/project';
+import { decodePicture } from '../../../web/src/io/decode';
+import { encodePng } from '../../../web/src/io/encode';
+import { Renderer } from '../../../web/src/render/renderer';
+import { drawnPicture } from './drawn_picture';
+
+/** One project drawn by WebGL and by the solver's own rasteriser, as PNG in base64, both in straight alpha. */
+export async function drawnTwice(project: Project, file: Blob, scale: number) {
+  const picture = await decodePicture(file);
+  const engine = await Engine.start();
+  engine.setPicture(picture.width, picture.height, picture.rgba);
+  const solution = await engine.solve(project);
+  const poser = engine.poser(solution);
+
+  const renderer = new Renderer(document.createElement('canvas'));
+  renderer.setPicture(picture.bitmap);
+  renderer.setSolution(solution);
+  renderer.setMotions(poser.pose(JSON.stringify(project.handles)));
+  const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
+  const webgl = straight(renderer.readPixels({ scale, x: 0, y: 0, width, height }));
+  const cpu = await engine.warp(project, scale);
+  engine.dispose();
+  renderer.dispose();
+  return {
+    webgl: await base64(await encodePng(width, height, webgl)),
+    cpu: await base64(await encodePng(cpu.width, cpu.height, cpu.rgba)),
+  };
+}
+
+function straight(premultiplied: Uint8Array): Uint8Array {
+  return premultiplied.map((value, i) => {
+    const alpha = premultiplied[i | 3] ?? 0;
+    return i % 4 === 3 || alpha === 0 ? value : Math.min(255, Math.round((value * 255) / alpha));
+  });
+}
+
+function base64(blob: Blob): Promise<string> {
+  return new Promise((resolve) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(String(reader.result).replace(/^.*,/, ''));
+    reader.readAsDataURL(blob);
+  });
+}
+
+/** An engine that knows the drawn picture. */
+export async function startedEngine(): Promise<Engine> {
+  const picture = await decodePicture(await drawnPicture());
+  const engine = await Engine.start();
+  engine.setPicture(picture.width, picture.height, picture.rgba);
+  return engine;
+}

@@ -1,0 +1,81 @@
+/** Opening and writing pictures: exact bytes, and a clear sentence for everything that is no whole picture. */
+import { expect, test } from './fixtures';
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('/harness/');
+});
+
+test('a PNG keeps its bytes, also under transparent pixels, through reading and writing', async ({
+  page,
+}) => {
+  const differing = await page.evaluate(async () => {
+    // Wider than one tile of the reader, and every value of every channel.
+    const [width, height] = [2100, 3];
+    const rgba = Uint8Array.from({ length: width * height * 4 }, (_, i) => (i * 7919) >> 3);
+    const file = await harness.encodePng(width, height, rgba);
+    const picture = await harness.decodePicture(file);
+    return picture.width === width && picture.height === height
+      ? picture.rgba.reduce((count, value, i) => count + (value === rgba[i] ? 0 : 1), 0)
+      : -1;
+  });
+  expect(differing).toBe(0);
+});
+
+test('a photograph is opened upright', async ({ page }) => {
+  const [width, height] = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(40, 20);
+    canvas.getContext('2d')?.fillRect(0, 0, 20, 20);
+    const jpeg = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg' })).arrayBuffer());
+    // An EXIF segment that says: turned by 90°.
+    const tiff = [0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0];
+    const exif = [0x45, 0x78, 0x69, 0x66, 0, 0, ...tiff];
+    const segment = Uint8Array.from([0xff, 0xe1, 0, exif.length + 2, ...exif]);
+    const picture = await harness.decodePicture(new Blob([jpeg.slice(0, 2), segment, jpeg.slice(2)]));
+    return [picture.width, picture.height];
+  });
+  expect([width, height]).toEqual([20, 40]);
+});
+
+const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp][] = [
+  ['an empty file', () => new Blob([]), /^The file is empty\.$/],
+  ['a text', () => new Blob(['hello, I am no picture']), /^This is not a picture/],
+  ['a drawing', () => new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>']), /^An SVG is a drawing/],
+  ['a PNG cut short', async () => (await harness.drawnPicture()).slice(0, 2000), /^The picture is cut off/],
+  [
+    'a JPEG cut short',
+    async () => {
+      const canvas = new OffscreenCanvas(300, 300);
+      canvas.getContext('2d')?.fillRect(0, 0, 90, 200);
+      return (await canvas.convertToBlob({ type: 'image/jpeg' })).slice(0, -200);
+    },
+    /^The picture is cut off/,
+  ],
+  [
+    'a damaged PNG',
+    async () => {
+      const bytes = new Uint8Array(await (await harness.drawnPicture()).arrayBuffer());
+      return new Blob([bytes.fill(0, 200, 1200)]);
+    },
+    /^The picture is damaged/,
+  ],
+  ['one pixel', () => harness.encodePng(1, 1, new Uint8Array(4)), /1 × 1 px; at least 2 × 2/],
+  [
+    'a strip of 20,000 × 20 px',
+    () => harness.encodePng(20_000, 20, new Uint8Array(20_000 * 20 * 4)),
+    /20000 × 20 px; a side may have 16,384 px at most/,
+  ],
+];
+
+for (const [title, make, message] of REFUSED) {
+  test(`${title} is refused with one clear sentence`, async ({ page }) => {
+    const file = await page.evaluateHandle(make);
+    const error = await file.evaluate((blob) =>
+      harness.decodePicture(blob).then(
+        () => ({ code: 'none', message: 'it was opened' }),
+        (reason: Error & { code?: string }) => ({ code: reason.code, message: reason.message }),
+      ),
+    );
+    expect(error.message).toMatch(message);
+    expect(error.code).toBe('picture');
+  });
+}

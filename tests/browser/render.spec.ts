@@ -1,0 +1,150 @@
+/** The WebGL renderer alone, on meshes whose picture is known. */
+import { expect, test } from './fixtures';
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('/harness/');
+});
+
+test('draws the picture as it is while nothing is solved', async ({ page }) => {
+  const differing = await page.evaluate(async () => {
+    const { bitmap, rgba } = await harness.decodePicture(await harness.drawnPicture(64));
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    renderer.setPicture(bitmap);
+    const drawn = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 64, height: 64 });
+    return drawn.filter((value, i) => {
+      const alpha = (rgba[i | 3] ?? 0) / 255;
+      return Math.abs(value - (rgba[i] ?? 0) * (i % 4 === 3 ? 1 : alpha)) > 1;
+    }).length;
+  });
+  expect(differing).toBe(0);
+});
+
+test('blends motions by weight, and leaves vertices without weights at rest (eq. 1)', async ({ page }) => {
+  const corners = await page.evaluate(async () => {
+    const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
+    const { bitmap } = await harness.decodePicture(white);
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    renderer.setPicture(bitmap);
+    // Two triangles apart: the first blends a shift by (16, 0) at 1/4 with one by (0, 16) at 3/4, the second rests.
+    renderer.setSolution({
+      positions: new Float32Array([0, 0, 8, 0, 0, 8, 24, 24, 32, 24, 24, 32]),
+      triangles: new Uint32Array([0, 1, 2, 3, 4, 5]),
+      offsets: new Uint32Array([0, 2, 4, 6, 6, 6, 6]),
+      sites: new Uint32Array([0, 1, 0, 1, 0, 1]),
+      weights: new Float32Array([0.25, 0.75, 0.25, 0.75, 0.25, 0.75]),
+      siteRest: [0, 0, 3, 3],
+    });
+    renderer.setMotions(new Float32Array([1, 0, 0, 0, 16, 0, 0, 0, 1, 0, 3, 3, 3, 19, 0, 0]));
+    const pixels = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 40, height: 40 });
+    const alphaAt = (x: number, y: number) => pixels[(y * 40 + x) * 4 + 3];
+    return [alphaAt(1, 1), alphaAt(5, 13), alphaAt(3, 13), alphaAt(5, 11), alphaAt(25, 25), alphaAt(23, 25)];
+  });
+  expect(corners).toEqual([0, 255, 0, 0, 255, 0]);
+});
+
+test('turns clockwise on screen by a positive angle, about the place where the site rests', async ({
+  page,
+}) => {
+  const drawn = await page.evaluate(async () => {
+    const rgba = new Uint8Array(16 * 16 * 4);
+    // A red mark right of the centre.
+    for (let y = 7; y < 9; y++) for (let x = 12; x < 14; x++) rgba.set([255, 0, 0, 255], (y * 16 + x) * 4);
+    const { bitmap } = await harness.decodePicture(await harness.encodePng(16, 16, rgba));
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    renderer.setPicture(bitmap);
+    renderer.setSolution({
+      positions: new Float32Array([0, 0, 16, 0, 0, 16, 16, 16]),
+      triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
+      offsets: new Uint32Array([0, 1, 2, 3, 4]),
+      sites: new Uint32Array(4),
+      weights: new Float32Array(4).fill(1),
+      siteRest: [8, 8],
+    });
+    renderer.setMotions(new Float32Array([0, 1, 8, 8, 8, 8, 0, 0]));
+    const pixels = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 16, height: 16 });
+    return [pixels[(12 * 16 + 8) * 4], pixels[(8 * 16 + 12) * 4]];
+  });
+  expect(drawn).toEqual([255, 0]);
+});
+
+test('leaves no seam between triangles', async ({ page }) => {
+  const holes = await page.evaluate(async () => {
+    const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
+    const { bitmap } = await harness.decodePicture(white);
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    renderer.setPicture(bitmap);
+    const [positions, triangles]: number[][] = [[], []];
+    const n = 20;
+    for (let j = 0; j <= n; j++) {
+      for (let i = 0; i <= n; i++) {
+        positions?.push((8 * (i + 0.3 * Math.sin(j))) / n, (8 * (j + 0.3 * Math.sin(2 * i))) / n);
+        const v = j * (n + 1) + i;
+        if (i < n && j < n) triangles?.push(v, v + 1, v + n + 1, v + n + 1, v + 1, v + n + 2);
+      }
+    }
+    renderer.setSolution({
+      positions: new Float32Array(positions ?? []),
+      triangles: new Uint32Array(triangles ?? []),
+      offsets: new Uint32Array((n + 1) ** 2 + 1),
+      sites: new Uint32Array(),
+      weights: new Float32Array(),
+      siteRest: [],
+    });
+    const pixels = renderer.readPixels({ scale: 20.3, x: -20, y: -20, width: 120, height: 120 });
+    return pixels.filter((value) => value !== 255).length;
+  });
+  expect(holes).toBe(0);
+});
+
+test('shows single pixels as squares above 400 %', async ({ page }) => {
+  const row = await page.evaluate(async () => {
+    const rgba = Uint8Array.from({ length: 64 }, (_, i) => (i % 4 === 3 || (i >> 2) % 2 ? 255 : 0));
+    const { bitmap } = await harness.decodePicture(await harness.encodePng(4, 4, rgba));
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    renderer.setPicture(bitmap);
+    const pixels = renderer.readPixels({ scale: 5, x: 0, y: 0, width: 20, height: 20 });
+    return Array.from({ length: 20 }, (_, x) => pixels[x * 4]);
+  });
+  expect(row).toEqual([0, 255, 0, 255].flatMap((value) => Array.from({ length: 5 }, () => value)));
+});
+
+test('draws the same again after the browser took the context away', async ({ page }) => {
+  const result = await page.evaluate(async () => {
+    const { bitmap } = await harness.decodePicture(await harness.drawnPicture(64));
+    const canvas = document.createElement('canvas');
+    const renderer = new harness.Renderer(canvas);
+    renderer.setPicture(bitmap);
+    renderer.setSolution({
+      positions: new Float32Array([0, 0, 64, 0, 0, 64, 64, 64]),
+      triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
+      offsets: new Uint32Array([0, 1, 2, 3, 3]),
+      sites: new Uint32Array(3),
+      weights: new Float32Array(3).fill(1),
+      siteRest: [32, 32],
+    });
+    renderer.setMotions(new Float32Array([0.9, 0.2, 32, 32, 35, 30, 0, 0]));
+    const view = { scale: 1, x: 0, y: 0, width: 64, height: 64, overlays: { mesh: true } };
+    const before = renderer.readPixels(view);
+    const control = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+    const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve));
+    control?.loseContext();
+    await lost;
+    // The browser takes note of the wish to get it back only after the event.
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    const whileLost = renderer.lost;
+    renderer.draw(view);
+    const restored = new Promise<void>((resolve) => {
+      renderer.onrestore = resolve;
+    });
+    control?.restoreContext();
+    await restored;
+    const after = renderer.readPixels(view);
+    return {
+      whileLost,
+      afterwards: renderer.lost,
+      blank: before.every((value) => value === 0),
+      differing: after.filter((value, i) => value !== before[i]).length,
+    };
+  });
+  expect(result).toEqual({ whileLost: true, afterwards: false, blank: false, differing: 0 });
+});

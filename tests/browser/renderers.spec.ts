@@ -1,0 +1,56 @@
+/** One picture, two renderers: the WebGL canvas and the solver's own rasteriser draw the same. */
+import type { Project } from '../../web/src/document/project';
+import { expect, test } from './fixtures';
+import { type Difference, difference } from './images';
+
+test.beforeEach(async ({ page }) => {
+  await page.goto('/harness/');
+});
+
+function expectAgreement({ mean, close, opaque }: Difference): void {
+  expect(opaque).toBeGreaterThan(1000);
+  expect(mean).toBeLessThanOrEqual(2);
+  expect(close).toBeGreaterThanOrEqual(0.99);
+}
+
+test('the sample picture, bent and shown at half its size', async ({ page }, info) => {
+  const { webgl, cpu } = await page.evaluate(async () => {
+    const project: Project = await (await fetch('/samples/gingerbread.c2warp.json')).json();
+    const file = await (await fetch('/samples/gingerbread.png')).blob();
+    const offsets = [30, -20, 12, -35, 18];
+    const handles = project.handles.map((handle, i) =>
+      handle.kind === 'point'
+        ? {
+            ...handle,
+            posed: [handle.rest[0] + (offsets[i] ?? 0), handle.rest[1] + 20] as const,
+            rotation: i * 6,
+          }
+        : handle,
+    );
+    return harness.drawnTwice({ ...project, handles }, file, 0.5);
+  });
+  expectAgreement(await difference(webgl, cpu, info));
+});
+
+for (const scale of [1, 0.4, 1.7]) {
+  test(`a picture with holes and islands, at ${scale} times its size`, async ({ page }, info) => {
+    const { webgl, cpu } = await page.evaluate(async (scale) => {
+      const file = await harness.drawnPicture();
+      return harness.drawnTwice(
+        {
+          format: 'c2warp/1',
+          image: { src: 'drawn.png', width: 256, height: 256 },
+          handles: [
+            { id: 'top', kind: 'point', rest: [40, 50], posed: [52, 44], rotation: 12 },
+            { id: 'middle', kind: 'point', rest: [150, 130], posed: [138, 136] },
+            { id: 'foot', kind: 'point', rest: [50, 200], posed: [58, 196], scale: 1.1 },
+            { id: 'island', kind: 'point', rest: [208, 128], posed: [214, 150], rotation: 30 },
+          ],
+        },
+        file,
+        scale,
+      );
+    }, scale);
+    expectAgreement(await difference(webgl, cpu, info));
+  });
+}

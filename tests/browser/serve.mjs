@@ -1,0 +1,67 @@
+/**
+ * Serves what the browser tests look at, as it would be deployed: the built editor at /, the harness at /harness/.
+ *
+ * Built in memory, so that two runs side by side do not disturb each other; served under the strictest Content Security
+ * Policy that the program promises to work with.
+ */
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const path = (/** @type {string} */ relative) => fileURLToPath(new URL(relative, import.meta.url));
+
+const TYPES = /** @type {Record<string, string>} */ ({
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.json': 'application/json',
+  '.wasm': 'application/wasm',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+});
+
+const POLICY = "script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; object-src 'none'";
+
+/** @type {Map<string, string | Uint8Array>} */
+const files = new Map();
+await add('', {});
+await add('harness/', { root: path('harness'), publicDir: false });
+
+createServer(async (request, response) => {
+  const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+  const name = decodeURIComponent(pathname.slice(1)).replace(/(^|\/)$/, '$1index.html');
+  const content = files.get(name) ?? (await publicFile(name));
+  if (content === undefined) {
+    response.writeHead(404).end();
+    return;
+  }
+  const type = TYPES[extname(name)] ?? 'application/octet-stream';
+  response.writeHead(200, { 'Content-Type': type, 'Content-Security-Policy': POLICY }).end(content);
+}).listen(Number(process.env.PORT), 'localhost');
+
+/**
+ * @param {string} prefix
+ * @param {import('vite').UserConfig} overrides Of the editor's configuration.
+ */
+async function add(prefix, overrides) {
+  const result = await build({
+    ...overrides,
+    configFile: path('../../web/vite.config.ts'),
+    logLevel: 'warn',
+    build: { write: false },
+  });
+  for (const bundle of [result].flat()) {
+    if (!('output' in bundle)) continue;
+    for (const file of bundle.output)
+      files.set(prefix + file.fileName, file.type === 'asset' ? file.source : file.code);
+  }
+}
+
+/** @param {string} name */
+function publicFile(name) {
+  const root = path('../../web/public/');
+  const file = normalize(join(root, name));
+  return file.startsWith(root) ? readFile(file).catch(() => undefined) : undefined;
+}

@@ -1,0 +1,52 @@
+//! Runs the binary that this workspace builds.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+/// The binary beside this test, built if need be: cargo does so by itself only for tests of the binary's own package.
+fn binary() -> &'static Path {
+    static BINARY: OnceLock<PathBuf> = OnceLock::new();
+    BINARY.get_or_init(|| {
+        let test = std::env::current_exe().unwrap();
+        let folder = test.ancestors().nth(2).expect("tests are built into PROFILE/deps");
+        let profile = match folder.file_name().and_then(|name| name.to_str()) {
+            Some("debug") | None => "dev",
+            Some(profile) => profile,
+        };
+        let built = Command::new(env!("CARGO"))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .args(["build", "--quiet", "--package", "c2warp-cli", "--profile", profile, "--target-dir"])
+            .arg(folder.parent().unwrap())
+            .status()
+            .unwrap();
+        assert!(built.success());
+        folder.join("c2warp").with_extension(std::env::consts::EXE_EXTENSION)
+    })
+}
+
+/// The command with its arguments, parted by spaces, to be run in a folder.
+pub(crate) fn command(folder: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(binary());
+    command.current_dir(folder).args(arguments.split_whitespace());
+    command
+}
+
+/// Runs the command and expects it to succeed in silence; gives what it printed.
+pub(crate) fn succeed(folder: &Path, arguments: &str) -> Vec<u8> {
+    let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
+    assert!(status.success() && stderr.is_empty(), "{arguments}: {status}: {}", String::from_utf8_lossy(&stderr));
+    stdout
+}
+
+/// Runs the command, expects it to refuse in one line, and gives the line without the command's name.
+pub(crate) fn refuse(folder: &Path, arguments: &str) -> String {
+    let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
+    let text = String::from_utf8(stderr).unwrap();
+    assert_eq!(status.code(), Some(1), "{arguments}: {text}");
+    assert!(stdout.is_empty(), "{arguments} printed");
+    let line = text.strip_prefix("c2warp: ").and_then(|text| text.strip_suffix('\n'));
+    let line = line.unwrap_or_else(|| panic!("{arguments}: {text:?}"));
+    assert!(!line.contains('\n') && line.len() < 300, "{arguments}: {line}");
+    line.to_owned()
+}

@@ -1,0 +1,123 @@
+//! `c2warp warp`.
+
+use image::codecs::jpeg::JpegEncoder;
+use image::{ImageEncoder, RgbImage, Rgba};
+
+use crate::command::{command, succeed};
+use crate::workplace::Workplace;
+
+const WARP: &str = "warp scene.c2warp.json -o out.png";
+
+#[test]
+fn a_scene_at_rest_is_the_picture_to_the_byte() {
+    let place = Workplace::with("strip").at_rest();
+    succeed(place.folder(), WARP);
+    assert!(place.picture("out.png") == place.picture("strip.png"));
+}
+
+#[test]
+fn a_scene_without_handles_is_the_picture_to_the_byte() {
+    let place = Workplace::with("untouched");
+    succeed(place.folder(), WARP);
+    assert!(place.picture("out.png") == place.picture("strip.png"));
+}
+
+#[test]
+fn a_ring_at_rest_keeps_its_inside_and_its_rim() {
+    let place = Workplace::with("ring").at_rest();
+    succeed(place.folder(), WARP);
+    let (before, after) = (place.picture("ring.png"), place.picture("out.png"));
+    for (x, y, &Rgba([r, g, b, a])) in before.enumerate_pixels() {
+        let warped = after.get_pixel(x, y).0;
+        if a == 255 {
+            assert_eq!(warped, [r, g, b, a], "at {x}, {y}");
+        }
+        assert!(warped[3].abs_diff(a) <= 4, "at {x}, {y}: {} was {a}", warped[3]);
+    }
+}
+
+#[test]
+fn one_handle_alone_moves_its_island_and_no_other() {
+    let place = Workplace::with("islands");
+    succeed(place.folder(), WARP);
+    let (before, after) = (place.picture("islands.png"), place.picture("out.png"));
+    for (x, y, pixel) in before.enumerate_pixels().filter(|(_, _, pixel)| pixel[3] == 255) {
+        let (x, y) = if x < 60 { (x + 5, y - 3) } else { (x, y) };
+        assert_eq!(after.get_pixel(x, y), pixel, "at {x}, {y}");
+    }
+}
+
+#[test]
+fn a_handle_takes_the_picture_with_it() {
+    let place = Workplace::with("strip");
+    succeed(place.folder(), WARP);
+    let after = place.picture("out.png");
+    // The square of the checkerboard under the handle `middle`, from (48, 24) to (50, 18).
+    let difference = |a: Rgba<u8>, b: Rgba<u8>| a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+    let before = place.picture("strip.png");
+    assert!(difference(*after.get_pixel(52, 21), *before.get_pixel(51, 27)) < 12);
+    assert!(after != before);
+}
+
+#[test]
+fn the_scale_is_that_of_the_result() {
+    let place = Workplace::with("strip").at_rest();
+    for (scale, size) in [("0.5", (48, 24)), ("2", (192, 96)), ("1.01", (97, 48))] {
+        succeed(place.folder(), &format!("{WARP} --scale {scale}"));
+        let after = place.picture("out.png");
+        assert_eq!(after.dimensions(), size);
+        assert!(after.pixels().all(|pixel| pixel[3] == 255), "at scale {scale}");
+    }
+}
+
+#[test]
+fn the_same_project_gives_the_same_file() {
+    let place = Workplace::with("ring");
+    succeed(place.folder(), WARP);
+    succeed(place.folder(), "warp scene.c2warp.json -o again.png");
+    let bytes = |name| std::fs::read(place.file(name)).unwrap();
+    assert!(bytes("out.png") == bytes("again.png"));
+}
+
+#[test]
+fn another_picture_may_take_the_place_of_the_projects() {
+    let place = Workplace::with("strip").at_rest();
+    let mut grey = place.picture("strip.png");
+    grey.pixels_mut().for_each(|pixel| pixel.0 = [7, 7, 7, 255]);
+    // The type is told from the contents.
+    grey.save_with_format(place.file("grey.jpg"), image::ImageFormat::WebP).unwrap();
+    std::fs::remove_file(place.file("strip.png")).unwrap();
+    succeed(place.folder(), &format!("{WARP} --image grey.jpg"));
+    assert!(place.picture("out.png") == grey);
+}
+
+#[test]
+fn a_photograph_taken_sideways_stands_upright() {
+    let place = Workplace::with("untouched");
+    // Lies on its side: red on the left becomes red on top when turned clockwise by a quarter.
+    let sideways = RgbImage::from_fn(48, 96, |x, _| if x < 24 { [250, 0, 0] } else { [0, 0, 250] }.into());
+    // A TIFF header and one entry: tag 0x0112 (orientation), one short, 6 (turn clockwise by a quarter).
+    let exif = [b"II*\0\x08\0\0\0".as_slice(), b"\x01\0", b"\x12\x01\x03\0\x01\0\0\0\x06\0\0\0", b"\0\0\0\0"].concat();
+    let mut jpeg = Vec::new();
+    let mut encoder = JpegEncoder::new_with_quality(&mut jpeg, 100);
+    encoder.set_exif_metadata(exif).unwrap();
+    encoder.encode_image(&sideways).unwrap();
+    place.write("photo.jpg", jpeg);
+    succeed(place.folder(), &format!("{WARP} --image photo.jpg"));
+    let upright = place.picture("out.png");
+    assert_eq!(upright.dimensions(), (96, 48));
+    assert!(upright.get_pixel(48, 4)[0] > 240 && upright.get_pixel(48, 44)[2] > 240);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_and_a_pipe_are_written_through() {
+    let place = Workplace::with("untouched");
+    place.write("real.png", "");
+    std::os::unix::fs::symlink("real.png", place.file("out.png")).unwrap();
+    succeed(place.folder(), WARP);
+    assert!(place.file("out.png").is_symlink());
+    let piped = command(place.folder(), "warp scene.c2warp.json -o /dev/stdout").output().unwrap().stdout;
+    assert!(piped == std::fs::read(place.file("real.png")).unwrap());
+    assert_eq!(place.listing(), ["out.png", "real.png", "scene.c2warp.json", "strip.png"]);
+}

@@ -1,0 +1,130 @@
+//! Outlines from alpha: where they run, and that nothing thin is cut and nothing narrow bridged.
+
+use c2warp::{Error, Picture, domain::Domain};
+use glam::DVec2;
+
+const SIZE: u32 = 120;
+
+/// The domain of a picture whose alpha is the share of each pixel that lies within a distance field's zero.
+fn domain(depth: impl Fn(DVec2) -> f64) -> Result<Domain, Error> {
+    let mut rgba = vec![0; (SIZE * SIZE * 4) as usize];
+    for (i, pixel) in rgba.chunks_exact_mut(4).enumerate() {
+        let i = i as u32;
+        let centre = DVec2::new(f64::from(i % SIZE), f64::from(i / SIZE)) + 0.5;
+        pixel[3] = (255.0 * (depth(centre) + 0.5).clamp(0.0, 1.0)).round() as u8;
+    }
+    Domain::from_alpha(&Picture::new(SIZE, SIZE, &rgba).expect("a valid picture"), 0.5)
+}
+
+fn disc(centre: DVec2, radius: f64) -> impl Fn(DVec2) -> f64 {
+    move |p| radius - p.distance(centre)
+}
+
+/// A stroke with round ends.
+fn stroke(a: DVec2, b: DVec2, width: f64) -> impl Fn(DVec2) -> f64 {
+    move |p| {
+        let along = b - a;
+        let t = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        width / 2.0 - p.distance(a + along * t)
+    }
+}
+
+#[test]
+fn the_outline_of_a_disc_is_within_a_fraction_of_a_pixel() {
+    let centre = DVec2::new(60.3, 59.8);
+    let domain = domain(disc(centre, 40.0)).expect("a disc");
+    assert_eq!((domain.islands(), domain.holes(), domain.specks()), (1, 0, 0));
+    // Alpha tells a pixel's distance up to half a pixel; beyond it is full or empty, and the crossing between such a pixel and
+    // its neighbour is off by up to a tenth.
+    for p in &domain.rings()[0] {
+        assert!((p.distance(centre) - 40.0).abs() < 0.15);
+    }
+    let area = std::f64::consts::PI * 1600.0;
+    assert!((domain.area() - area).abs() < 0.01 * area);
+    assert!(domain.rings()[0].len() < 60);
+}
+
+#[test]
+fn a_whisker_two_pixels_wide_holds_together_in_every_direction() {
+    for step in 0..24 {
+        let along = DVec2::from_angle(std::f64::consts::TAU * f64::from(step) / 24.0);
+        let (body, tip) = (DVec2::new(60.2, 60.7), DVec2::new(60.2, 60.7) + 55.0 * along);
+        let (head, whisker) = (disc(body, 12.0), stroke(body, tip, 2.0));
+        let domain = domain(|p| head(p).max(whisker(p))).expect("a head");
+        assert_eq!((domain.islands(), domain.holes()), (1, 0), "step {step}");
+        let reach = domain.rings()[0].iter().map(|p| p.distance(body)).fold(0.0, f64::max);
+        assert!(reach > 54.0, "step {step} reaches {reach}");
+    }
+}
+
+#[test]
+fn two_fingers_two_pixels_apart_stay_apart_in_every_direction() {
+    for step in 0..24 {
+        let along = DVec2::from_angle(std::f64::consts::TAU * f64::from(step) / 24.0);
+        let side = 4.0 * along.perp();
+        let palm = DVec2::new(60.4, 59.9) - 30.0 * along;
+        let finger = |side: DVec2| stroke(palm + side, palm + side + 60.0 * along, 6.0);
+        let (left, right, hand) = (finger(side), finger(-side), disc(palm, 14.0));
+        let domain = domain(|p| left(p).max(right(p)).max(hand(p))).expect("a hand");
+        assert_eq!((domain.islands(), domain.holes()), (1, 0), "step {step}");
+        // A shortest path from one tip to the other goes around by the palm.
+        let navigation = c2warp::distance::Navigation::new(&domain);
+        let [a, b] = [side, -side].map(|side| palm + side + 58.0 * along);
+        let place = |p| navigation.place(p).expect("a tip");
+        let field = c2warp::distance::Propagation::default().field(&navigation, place(a), a, f64::INFINITY);
+        assert!(field.distance(place(b), b) > 80.0, "step {step}");
+    }
+}
+
+#[test]
+fn holes_and_islands_are_kept_and_specks_counted() {
+    let ring = |p: DVec2| 10.0 - (p.distance(DVec2::new(35.0, 35.0)) - 20.0).abs();
+    let (island, dust, grain) =
+        (disc(DVec2::new(90.0, 80.0), 18.0), disc(DVec2::new(90.0, 20.0), 0.9), disc(DVec2::new(20.0, 100.0), 0.8));
+    let domain = domain(|p| ring(p).max(island(p)).max(dust(p)).max(grain(p))).expect("a ring");
+    assert_eq!((domain.islands(), domain.holes(), domain.specks()), (2, 1, 2));
+}
+
+#[test]
+fn a_picture_with_nothing_opaque_is_refused_and_so_is_dust() {
+    assert_eq!(domain(|_| -1.0), Err(Error::NothingOpaque { threshold: 0.5 }));
+    let dust = disc(DVec2::new(60.0, 60.0), 0.9);
+    assert_eq!(domain(dust), Err(Error::OnlySpecks { threshold: 0.5, specks: 1 }));
+}
+
+#[test]
+fn opaque_up_to_the_rim_reaches_the_rim() {
+    let domain = domain(|p| 200.0 - p.x).expect("a picture");
+    let (low, high) = domain.bounds();
+    assert_eq!((low, high), (DVec2::ZERO, DVec2::splat(f64::from(SIZE))));
+    assert!((domain.area() - f64::from(SIZE * SIZE)).abs() < 1.0);
+}
+
+#[test]
+fn rings_that_are_none_are_refused_by_name() {
+    let ring = |points: &[(f64, f64)]| -> Vec<DVec2> { points.iter().map(|&p| p.into()).collect() };
+    let square = ring(&[(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)]);
+    let refused = |rings: &[Vec<DVec2>]| Domain::from_polygon(rings, 100, 100).expect_err("not a domain").to_string();
+    let with = |other: &[(f64, f64)]| refused(&[square.clone(), ring(other)]);
+    assert_eq!(with(&[(20.0, 20.0), (30.0, 20.0)]), "domain.rings[1] has 2 points; a ring needs at least 3");
+    assert_eq!(with(&[(20.0, 20.0), (f64::NAN, 20.0), (20.0, 30.0)]), "domain.rings[1][1] is not a finite point");
+    assert!(
+        with(&[(20.0, 20.0), (130.0, 20.0), (20.0, 30.0)]).starts_with("domain.rings[1][1] = (130, 20) lies outside")
+    );
+    assert_eq!(
+        with(&[(20.0, 20.0), (30.0, 20.0), (30.0, 30.0), (20.0, 20.0)]),
+        "domain.rings[1][3] stands on the same spot as domain.rings[1][0]"
+    );
+    assert_eq!(
+        refused(&[ring(&[(10.0, 10.0), (90.0, 90.0), (90.0, 10.0), (10.0, 90.0)])]),
+        "domain.rings[0] at point 2 crosses domain.rings[0] at point 0"
+    );
+    assert_eq!(
+        with(&[(50.0, 50.0), (95.0, 50.0), (50.0, 60.0)]),
+        "domain.rings[1] at point 0 crosses domain.rings[0] at point 1"
+    );
+    assert_eq!(
+        refused(&[ring(&[(10.0, 10.0), (50.0, 50.0), (90.0, 90.0), (30.0, 30.0)])]),
+        "domain.rings[0] at point 3 crosses domain.rings[0] at point 0"
+    );
+}

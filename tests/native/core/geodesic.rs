@@ -1,0 +1,103 @@
+//! Intrinsic distances against the geodesic of the polygon, computed by other means.
+
+use c2warp::{
+    distance::{Navigation, Propagation},
+    domain::Domain,
+};
+use glam::DVec2;
+
+use crate::{
+    outlines::{self, SIZE},
+    visibility::{Viewpoint, VisibilityGraph},
+};
+
+/// Points of a low-discrepancy sequence that lie in the domain.
+fn points(graph: &VisibilityGraph, count: usize, start: usize) -> Vec<DVec2> {
+    // The plastic number's multiples spread evenly in the square (Roberts' R2 sequence).
+    let at = |i: usize| {
+        let i = (start + i) as f64;
+        DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)
+    };
+    (0..).map(at).filter(|&p| graph.contains(p)).take(count).collect()
+}
+
+/// Greatest relative error from several sources to many points, and that of the points next to corners.
+fn worst_error(domain: &Domain) -> f64 {
+    let graph = VisibilityGraph::new(domain.rings());
+    let navigation = Navigation::new(domain);
+    let mut propagation = Propagation::default();
+    let mut targets = points(&graph, 400, 1000);
+    // Shadow lines meet at corners: errors would be largest next to them.
+    for ring in domain.rings() {
+        let near = ring.iter().flat_map(|&corner| (0..6).map(move |k| corner + 0.7 * DVec2::from_angle(f64::from(k))));
+        targets.extend(near.filter(|&p| graph.contains(p)).step_by(7));
+    }
+    let targets: Vec<Viewpoint> = targets.into_iter().map(|p| graph.viewpoint(p)).collect();
+    let mut sources = points(&graph, 5, 0);
+    // On the outline, and on a corner.
+    sources.push((domain.rings()[0][0] + domain.rings()[0][1]) / 2.0);
+    sources.push(domain.rings()[0][3]);
+    let mut worst = 0.0_f64;
+    for source in sources {
+        let place = navigation.place(source).expect("the source lies in the domain");
+        let field = propagation.field(&navigation, place, source, f64::INFINITY);
+        let expected = graph.distances(source, &targets);
+        for (&Viewpoint { at: p, .. }, expected) in targets.iter().zip(expected) {
+            assert!(expected.is_finite());
+            let place = navigation.place(p).expect("the point lies in the domain");
+            let found = field.distance(place, p);
+            let error = (found - expected).abs() / expected.max(1.0);
+            if error > 1e-6 {
+                eprintln!("{source} → {p}: {found} for {expected}");
+            }
+            worst = worst.max(error);
+        }
+    }
+    worst
+}
+
+// Both sides sum square roots of the same lengths: what is left is rounding, some 1e-15 for each corner on the way. Points
+// within the slack of a shadow line (1e-9 px) may differ by as much.
+const EXACT: f64 = 1e-9;
+
+#[test]
+fn exact_on_a_gingerbread_figure() {
+    assert!(worst_error(&outlines::polygon(&outlines::gingerbread())) < EXACT);
+}
+
+#[test]
+fn exact_in_a_spiral() {
+    assert!(worst_error(&outlines::polygon(&outlines::spiral())) < EXACT);
+}
+
+#[test]
+fn exact_around_a_hole() {
+    assert!(worst_error(&outlines::polygon(&outlines::holed_square())) < EXACT);
+}
+
+#[test]
+fn exact_in_a_comb() {
+    assert!(worst_error(&outlines::polygon(&outlines::comb())) < EXACT);
+}
+
+#[test]
+fn exact_in_the_outline_of_a_picture() {
+    let domain = outlines::alpha();
+    assert!(domain.rings().iter().map(Vec::len).sum::<usize>() > 500);
+    assert_eq!(domain.holes(), 2);
+    assert!(worst_error(&domain) < EXACT);
+}
+
+#[test]
+fn straight_in_a_convex_domain() {
+    let domain = outlines::polygon(&outlines::disc());
+    let graph = VisibilityGraph::new(domain.rings());
+    let navigation = Navigation::new(&domain);
+    let source = DVec2::new(333.0, 444.0);
+    let place = navigation.place(source).expect("inside");
+    let field = Propagation::default().field(&navigation, place, source, f64::INFINITY);
+    for p in points(&graph, 2000, 0) {
+        let place = navigation.place(p).expect("inside");
+        assert!((field.distance(place, p) - source.distance(p)).abs() <= 1e-12 * source.distance(p));
+    }
+}

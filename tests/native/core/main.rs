@@ -1,0 +1,13 @@
+//! What the core promises, on domains that are hard for it.
+
+mod alpha;
+mod cloud;
+mod geodesic;
+mod given;
+mod noise;
+mod outlines;
+mod properties;
+mod quality;
+mod rigid;
+mod scenes;
+mod visibility;

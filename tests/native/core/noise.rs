@@ -1,0 +1,87 @@
+//! Pictures that no one would draw: noise of every grain, up to the rim, at every threshold. Nothing may panic, and whatever is
+//! solved must have weights that sum to 1.
+
+use c2warp::{
+    Error, Picture,
+    project::{DomainSpec, ImageRef, Project},
+    solve,
+};
+use glam::DVec2;
+
+use crate::scenes::handle;
+
+/// Numbers that look random (splitmix64).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, limit: u64) -> u64 {
+        self.next() % limit
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.below(1 << 32) as f64 / (1_u64 << 32) as f64
+    }
+}
+
+#[test]
+fn noise_of_every_grain_is_solved_or_refused() {
+    let mut random = Random(7);
+    let (mut solved, mut refused) = (0, 0);
+    for case in 0..160 {
+        let (width, height) = (2 + random.below(90) as u32, 2 + random.below(90) as u32);
+        // Blocks of a few pixels, of alpha all or nothing or anything in between, more or less of them opaque.
+        let (grain, hard, share) = (1 + random.below(9) as u32, random.below(2) == 0, random.unit());
+        let columns = width.div_ceil(grain);
+        let blocks: Vec<u8> = (0..columns * height.div_ceil(grain))
+            .map(|_| match (hard, random.unit() < share) {
+                (true, true) => 255,
+                (true, false) => 0,
+                (false, opaque) => (random.below(128) + if opaque { 128 } else { 0 }) as u8,
+            })
+            .collect();
+        let alpha = |i: u32| blocks[(i / width / grain * columns + i % width / grain) as usize];
+        let rgba: Vec<u8> = (0..width * height).flat_map(|i| [200, 100, 50, alpha(i)]).collect();
+        let picture = Picture::new(width, height, &rgba).expect("a valid size");
+        let mut project = Project::new(ImageRef { src: "noise.png".into(), width, height });
+        project.samples = 100 + random.below(900) as u32;
+        let threshold = [0.004, 0.1, 0.5, 0.502, 0.9, 1.0][random.below(6) as usize];
+        project.domain = Some(DomainSpec::Alpha { threshold });
+        // Handles on opaque pixels, now and then two on neighbouring ones.
+        let opaque: Vec<u32> = (0..width * height).filter(|&i| f64::from(alpha(i)) >= threshold * 255.0).collect();
+        for id in 0..random.below(6) as usize {
+            let Some(&at) = opaque.get(random.below(opaque.len().max(1) as u64) as usize) else { break };
+            let place = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
+            project.handles.push(handle(id, place, place + DVec2::new(3.0, -2.0), 30.0));
+        }
+        match solve(&project, &picture) {
+            Ok(solution) => {
+                solved += 1;
+                for v in 0..solution.weights.len() {
+                    let sum: f64 = solution.weights.row(v).map(|(_, w)| w).sum();
+                    let reached = solution.weights.row(v).next().is_some();
+                    assert!(!reached || (sum - 1.0).abs() <= 1e-12, "case {case}: {sum}");
+                }
+                let pose = solution.poser().pose(&project.handles).expect("finite");
+                assert!(solution.posed_vertices(&pose).iter().all(|p| p.is_finite()), "case {case}");
+            }
+            // A handle may stand on a speck, which is no part of the domain, or on another handle.
+            Err(
+                Error::NothingOpaque { .. }
+                | Error::OnlySpecks { .. }
+                | Error::HandleOutside { .. }
+                | Error::HandlesTooClose { .. },
+            ) => refused += 1,
+            Err(other) => panic!("case {case}: {other}"),
+        }
+    }
+    eprintln!("{solved} solved, {refused} refused");
+    assert!(solved > 60 && refused > 10);
+}

@@ -1,0 +1,219 @@
+//! The properties of section III-C, on random scenes.
+
+use c2warp::{Solution, project::Support};
+use glam::DVec2;
+use proptest::prelude::*;
+
+use crate::scenes::{handle, project, scenes, solved, spread};
+
+/// Sums of a dozen weights, each rounded to 1e-16.
+const UNITY: f64 = 1e-12;
+
+fn config() -> ProptestConfig {
+    // The seed is fixed, so that a run says the same everywhere.
+    ProptestConfig {
+        cases: 64,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+fn check_weights(weights: &[(usize, f64)], p: DVec2) -> Result<(), TestCaseError> {
+    prop_assert!(weights.iter().all(|&(_, weight)| weight >= 0.0), "a negative weight at {p}");
+    let sum: f64 = weights.iter().map(|&(_, weight)| weight).sum();
+    prop_assert!(weights.is_empty() || (sum - 1.0).abs() <= UNITY, "weights at {p} sum to {sum}");
+    Ok(())
+}
+
+/// Islands on which a handle stands must be covered everywhere.
+fn is_reached(solution: &Solution, sample: usize) -> bool {
+    solution.nearest[sample] != u32::MAX
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn weights_sum_to_one_and_none_is_negative((rings, places, support) in scenes()) {
+        let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
+        for vertex in 0..solution.weights.len() {
+            let row: Vec<(usize, f64)> = solution.weights.row(vertex).collect();
+            check_weights(&row, solution.mesh.vertices[vertex])?;
+        }
+        for p in spread(500) {
+            if let Some(weights) = solution.weights_at(p) {
+                check_weights(&weights, p)?;
+            }
+        }
+    }
+
+    #[test]
+    fn every_point_of_an_island_with_a_handle_is_covered((rings, places, support) in scenes()) {
+        let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
+        for sample in (0..solution.samples).filter(|&sample| is_reached(&solution, sample)) {
+            prop_assert!(solution.phi_sums[sample] > 0.0);
+            prop_assert!(solution.weights.row(sample).next().is_some());
+        }
+        // Between the samples: a point has weights exactly where the corners of its island have.
+        let islands_without_handles = solution.nearest.contains(&u32::MAX);
+        for p in spread(500) {
+            if let Some(weights) = solution.weights_at(p) {
+                prop_assert!(!weights.is_empty() || islands_without_handles, "nothing covers {p}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_handle_has_all_the_weight_at_its_own_place((rings, places, support) in scenes()) {
+        let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
+        for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.handle.is_some()) {
+            prop_assert_eq!(solution.weights_at(real.rest), Some(vec![(site, 1.0)]));
+        }
+    }
+
+    #[test]
+    fn every_support_is_clear_of_other_real_sites_and_covers_its_cell((rings, places, support) in scenes()) {
+        let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
+        let reals: Vec<DVec2> = solution.sites.iter().filter(|s| s.handle.is_some()).map(|s| s.rest).collect();
+        for site in &solution.sites {
+            prop_assert!(site.cell_radius < site.support_radius);
+            let others: Vec<DVec2> = reals.iter().copied().filter(|&real| real != site.rest).collect();
+            let distances = solution.distances(site.rest, &others).expect("sites lie in the domain");
+            for d in distances.into_iter().flatten() {
+                prop_assert!(site.support_radius <= d);
+            }
+        }
+    }
+
+    #[test]
+    fn one_motion_of_all_handles_moves_every_point_by_it(
+        (rings, places, support) in scenes(),
+        shift in (-50.0..50.0_f64, -50.0..50.0_f64),
+    ) {
+        let shift = DVec2::from(shift);
+        let mut project = project(&rings, &places, support);
+        let solution = solved(&project).expect("a valid scene");
+        project.handles = places.iter().enumerate().map(|(id, &p)| handle(id, p, p + shift, 0.0)).collect();
+        let pose = solution.poser().pose(&project.handles).expect("finite");
+        for p in spread(300) {
+            let moved = solution.weights_at(p).is_some_and(|weights| !weights.is_empty());
+            if let Some(mapped) = solution.map(&pose, p).filter(|_| moved) {
+                prop_assert!((mapped.posed - p - shift).length() <= 1e-9);
+                prop_assert!((mapped.det - 1.0).abs() <= 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn the_order_of_handles_does_not_matter((rings, places, support) in scenes(), by in 1..6_usize) {
+        let there = project(&rings, &places, support);
+        let mut back = there.clone();
+        back.handles.rotate_left(by % places.len());
+        let (there, back) = (solved(&there).expect("a valid scene"), solved(&back).expect("a valid scene"));
+        prop_assert_eq!(&there.weights, &back.weights);
+        prop_assert_eq!(&there.mesh.vertices, &back.mesh.vertices);
+        for p in spread(50) {
+            prop_assert_eq!(there.weights_at(p), back.weights_at(p));
+        }
+    }
+
+    #[test]
+    fn harmonic_shares_are_none_negative_and_sum_to_one((rings, places, support) in scenes()) {
+        let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
+        for row in &solution.harmonic.rows {
+            prop_assert!(row.iter().all(|&(_, share)| share >= 0.0));
+            prop_assert!((row.iter().map(|&(_, share)| share).sum::<f64>() - 1.0).abs() <= UNITY);
+        }
+        // Converged: at a virtual site each share is the mean of its neighbours'.
+        let share = |site: usize, real: u32| {
+            solution.harmonic.rows[site].iter().find(|&&(of, _)| of == real).map_or(0.0, |&(_, share)| share)
+        };
+        for (real, _) in solution.sites.iter().enumerate().filter(|(_, site)| site.handle.is_some()) {
+            let mut residual = vec![0.0; solution.sites.len()];
+            for (&[i, j], weight) in solution.graph.links.iter().zip(&solution.graph.weights) {
+                let flow = weight * (share(i as usize, real as u32) - share(j as usize, real as u32));
+                residual[i as usize] += flow;
+                residual[j as usize] -= flow;
+            }
+            for (site, _) in solution.sites.iter().enumerate().filter(|(_, site)| site.handle.is_none()) {
+                prop_assert!(residual[site].abs() <= 1e-10);
+            }
+        }
+    }
+
+    #[test]
+    fn one_handle_alone_moves_everything_rigidly(
+        rings in crate::scenes::domains(),
+        degrees in -400.0..400.0_f64,
+    ) {
+        let rest = rings[0].iter().sum::<DVec2>() / rings[0].len() as f64;
+        let mut project = project(&rings, &[rest], Support::Paper);
+        let Ok(solution) = solved(&project) else { return Ok(()) };
+        let posed = rest + DVec2::new(12.0, -7.0);
+        project.handles = vec![handle(0, rest, posed, degrees)];
+        let pose = solution.poser().pose(&project.handles).expect("finite");
+        for p in spread(100) {
+            let weights = solution.weights_at(p);
+            if weights.is_some_and(|weights| !weights.is_empty()) {
+                let expected = posed + DVec2::from_angle(degrees.to_radians()).rotate(p - rest);
+                let mapped = solution.map(&pose, p).expect("inside");
+                prop_assert!(mapped.posed.distance(expected) <= 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_scene_moves_and_the_result_moves_with_it() {
+    // Far from the origin, where digits are fewer: 1e-12 of 10,000 px.
+    let ring = |shift: DVec2| -> Vec<DVec2> {
+        let corners = [(20.0, 30.0), (180.0, 20.0), (190.0, 190.0), (120.0, 100.0), (30.0, 180.0)];
+        corners.iter().map(|&corner| DVec2::from(corner) + shift).collect()
+    };
+    let places = [DVec2::new(40.0, 50.0), DVec2::new(160.0, 60.0), DVec2::new(50.0, 150.0)];
+    let posed_points = |shift: DVec2| -> Vec<DVec2> {
+        let moved: Vec<DVec2> = places.iter().map(|&p| p + shift).collect();
+        let mut project = project(&[ring(shift)], &moved, Support::Paper);
+        (project.image.width, project.image.height) = (10_300, 300);
+        project.handles[0] = handle(0, moved[0], moved[0] + DVec2::new(5.0, 25.0), 40.0);
+        let solution = solved(&project).expect("a valid scene");
+        let pose = solution.poser().pose(&project.handles).expect("finite");
+        let inside = spread(2000).filter_map(|p| solution.map(&pose, p + shift));
+        inside.map(|mapped| mapped.posed - shift).collect()
+    };
+    let (near, far) = (posed_points(DVec2::ZERO), posed_points(DVec2::new(10_000.0, 100.0)));
+    assert!(near.len() > 100 && near.len() == far.len());
+    for (a, b) in near.iter().zip(&far) {
+        assert!(a.distance(*b) < 1e-6, "{a} and {b}");
+    }
+}
+
+#[test]
+fn a_symmetric_scene_has_a_symmetric_result() {
+    let mirror = |p: DVec2| DVec2::new(400.0 - p.x, p.y);
+    let half =
+        [(200.0, 30.0), (330.0, 60.0), (260.0, 150.0), (380.0, 220.0), (270.0, 260.0), (300.0, 380.0), (200.0, 300.0)];
+    let right = half.iter().map(|&p| DVec2::from(p));
+    let left = half.iter().rev().map(|&p| mirror(p.into())).filter(|p| p.x < 200.0);
+    let ring: Vec<DVec2> = right.chain(left).collect();
+    let places = [(200.0, 60.0), (350.0, 215.0), (50.0, 215.0), (192.0, 290.0), (208.0, 290.0)].map(DVec2::from);
+    let mut project = project(&[ring], &places, Support::Paper);
+    project.handles = vec![
+        handle(0, places[0], places[0] + DVec2::new(0.0, -15.0), 0.0),
+        handle(1, places[1], places[1] + DVec2::new(20.0, -60.0), -35.0),
+        handle(2, places[2], places[2] + DVec2::new(-20.0, -60.0), 35.0),
+        handle(3, places[3], places[3] + DVec2::new(-4.0, 3.0), 10.0),
+        handle(4, places[4], places[4] + DVec2::new(4.0, 3.0), -10.0),
+    ];
+    let solution = solved(&project).expect("a valid scene");
+    assert!(solution.sites.len() > 8);
+    let pose = solution.poser().pose(&project.handles).expect("finite");
+    let mut compared = 0;
+    for p in spread(4000) {
+        let (Some(here), Some(there)) = (solution.map(&pose, p), solution.map(&pose, mirror(p))) else { continue };
+        assert!(mirror(here.posed).distance(there.posed) <= 1e-6, "{p}");
+        compared += 1;
+    }
+    assert!(compared > 1000);
+}

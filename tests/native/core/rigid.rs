@@ -1,0 +1,110 @@
+//! The rigid pose mode: it needs no rotations, keeps handles in place, and bends with little distortion.
+
+use c2warp::{
+    Solution,
+    pose::Pose,
+    project::{PoseMode, Project, Rotation, Support},
+};
+use glam::{DMat2, DVec2};
+
+use crate::scenes::{handle, project, solved, spread};
+
+/// A project whose handles rest and go, with rotations left to the solver.
+fn posed(rings: &[Vec<DVec2>], moves: &[(DVec2, DVec2)], mode: PoseMode) -> Project {
+    let places: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
+    let mut project = project(rings, &places, Support::Smooth);
+    (project.pose.mode, project.pose.density) = (mode, 60);
+    project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| handle(id, rest, posed, 0.0)).collect();
+    for handle in &mut project.handles {
+        handle.rotation = Rotation::Auto;
+    }
+    project
+}
+
+fn pose_of(project: &Project) -> (Solution, Pose) {
+    let solution = solved(project).expect("a valid scene");
+    let pose = solution.poser().pose(&project.handles).expect("finite");
+    (solution, pose)
+}
+
+/// A strip of 320 by 80 px, bent upwards in the middle by three pins.
+fn bent_strip(mode: PoseMode) -> Project {
+    let ring = [(40.0, 160.0), (360.0, 160.0), (360.0, 240.0), (40.0, 240.0)].map(DVec2::from).to_vec();
+    let moves = [((60.0, 200.0), (90.0, 250.0)), ((200.0, 200.0), (200.0, 150.0)), ((340.0, 200.0), (310.0, 250.0))];
+    posed(&[ring], &moves.map(|(rest, to)| (rest.into(), to.into())), mode)
+}
+
+/// Median and 90 % of |J|² + |J⁻¹|² − 4 over the domain: the symmetric Dirichlet energy, 0 for a rigid motion. The mean says
+/// nothing here: at the crease of a strip bent by a right angle the energy has no bound.
+fn distortion(solution: &Solution, pose: &Pose) -> [f64; 2] {
+    let step = 1e-3;
+    let at = |p: DVec2| solution.map(pose, p).map(|mapped| mapped.posed);
+    let mut energies: Vec<f64> = spread(4000)
+        .filter_map(|p| {
+            let [right, left, down, up] =
+                [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].map(|axis| at(p + step * axis));
+            let jacobian = DMat2::from_cols((right? - left?) / (2.0 * step), (down? - up?) / (2.0 * step));
+            let square = |m: DMat2| m.x_axis.length_squared() + m.y_axis.length_squared();
+            Some(square(jacobian) + square(jacobian.inverse()) - 4.0)
+        })
+        .collect();
+    assert!(energies.len() > 300);
+    energies.sort_by(f64::total_cmp);
+    [energies[energies.len() / 2], energies[energies.len() * 9 / 10]]
+}
+
+#[test]
+fn a_strip_bends_by_three_pins_with_a_fraction_of_the_harmonic_modes_distortion() {
+    let [harmonic, rigid] = [PoseMode::Harmonic, PoseMode::Rigid].map(|mode| {
+        let (solution, pose) = pose_of(&bent_strip(mode));
+        distortion(&solution, &pose)
+    });
+    eprintln!("symmetric Dirichlet energy, median and 90 %: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
+    assert!(rigid[0] < 0.1 && rigid[1] < 0.6, "{rigid:?}");
+    assert!(rigid[0] < harmonic[0] / 8.0 && rigid[1] < harmonic[1] / 8.0, "{rigid:?} and {harmonic:?}");
+}
+
+#[test]
+fn handles_go_where_they_are_taken() {
+    let project = bent_strip(PoseMode::Rigid);
+    let (solution, pose) = pose_of(&project);
+    for (rest, to) in [((60.0, 200.0), (90.0, 250.0)), ((200.0, 200.0), (200.0, 150.0))] {
+        let mapped = solution.map(&pose, rest.into()).expect("inside");
+        assert!(mapped.posed.distance(to.into()) <= 1e-6);
+    }
+}
+
+#[test]
+fn a_turned_scene_is_turned_whole() {
+    let turn = |p: DVec2| DVec2::splat(200.0) + DVec2::from_angle(0.9).rotate(p - 200.0) + DVec2::new(5.0, -9.0);
+    let ring = [(40.0, 160.0), (360.0, 160.0), (330.0, 300.0), (200.0, 220.0), (40.0, 240.0)].map(DVec2::from).to_vec();
+    let places = [(60.0, 200.0), (200.0, 200.0), (320.0, 270.0)].map(DVec2::from);
+    let (solution, pose) = pose_of(&posed(&[ring], &places.map(|p| (p, turn(p))), PoseMode::Rigid));
+    for p in spread(500) {
+        if let Some(mapped) = solution.map(&pose, p) {
+            // The turns end when no site moves by more than a millionth of the scene.
+            assert!(mapped.posed.distance(turn(p)) < 0.05, "{p} goes to {}", mapped.posed);
+        }
+    }
+}
+
+#[test]
+fn a_symmetric_pose_is_symmetric() {
+    let (solution, pose) = pose_of(&bent_strip(PoseMode::Rigid));
+    let mirror = |p: DVec2| DVec2::new(400.0 - p.x, p.y);
+    for p in spread(2000) {
+        if let (Some(here), Some(there)) = (solution.map(&pose, p), solution.map(&pose, mirror(p))) {
+            assert!(mirror(here.posed).distance(there.posed) <= 1e-6, "{p}");
+        }
+    }
+}
+
+#[test]
+fn a_set_rotation_is_kept() {
+    let mut project = bent_strip(PoseMode::Rigid);
+    project.handles[1].rotation = Rotation::Degrees(25.0);
+    let (solution, pose) = pose_of(&project);
+    let site = solution.sites.iter().position(|site| site.handle == Some(1)).expect("a real site");
+    assert_eq!(pose.motions()[site].angle, 25.0_f64.to_radians());
+    assert!(pose.motions().iter().any(|motion| motion.angle.abs() > 0.3));
+}

@@ -1,0 +1,112 @@
+//! Random scenes for the properties: domains of every sort with handles in them.
+
+use c2warp::{
+    Error, Picture, Solution,
+    project::{DomainSpec, Handle, ImageRef, Project, Rotation, Shape, Support},
+    solve,
+};
+use glam::DVec2;
+use proptest::prelude::*;
+
+/// Pictures are this many pixels wide and high.
+pub(crate) const SIZE: u32 = 400;
+
+/// A star-shaped ring about a centre, with a radius for each direction.
+fn star(centre: DVec2, radii: &[f64]) -> Vec<DVec2> {
+    let turn = std::f64::consts::TAU / radii.len() as f64;
+    radii.iter().enumerate().map(|(i, &radius)| centre + radius * DVec2::from_angle(turn * i as f64)).collect()
+}
+
+fn convex() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
+    (120.0..180.0_f64, 5..40_usize).prop_map(|(radius, n)| vec![star(DVec2::splat(200.0), &vec![radius; n])])
+}
+
+fn concave() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
+    proptest::collection::vec(60.0..190.0_f64, 6..30).prop_map(|radii| vec![star(DVec2::splat(200.0), &radii)])
+}
+
+fn with_holes() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
+    let hole = || proptest::collection::vec(8.0..35.0_f64, 4..12);
+    (proptest::collection::vec(150.0..190.0_f64, 12..30), hole(), hole()).prop_map(|(outer, first, second)| {
+        vec![
+            star(DVec2::splat(200.0), &outer),
+            star(DVec2::new(150.0, 190.0), &first),
+            star(DVec2::new(245.0, 215.0), &second),
+        ]
+    })
+}
+
+fn islands() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
+    let island = || proptest::collection::vec(35.0..90.0_f64, 5..20);
+    (island(), island())
+        .prop_map(|(left, right)| vec![star(DVec2::new(100.0, 200.0), &left), star(DVec2::new(300.0, 200.0), &right)])
+}
+
+/// Rings of a domain: convex, concave, with holes, or of two islands.
+pub(crate) fn domains() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
+    prop_oneof![convex(), concave(), with_holes(), islands()]
+}
+
+/// Places for handles anywhere, the last two perhaps close to one another.
+pub(crate) fn places() -> impl Strategy<Value = Vec<DVec2>> {
+    let anywhere = || (10.0..390.0_f64, 10.0..390.0_f64).prop_map(DVec2::from);
+    (proptest::collection::vec(anywhere(), 1..7), proptest::option::of((-2.0..1.5_f64, 0.0..6.0_f64))).prop_map(
+        |(mut places, close)| {
+            if let Some((exponent, angle)) = close {
+                // From 0.01 to 30 px apart.
+                let gap = 10.0_f64.powf(exponent) + 0.001;
+                places.push(places[0] + gap * DVec2::from_angle(angle));
+            }
+            places
+        },
+    )
+}
+
+pub(crate) fn handle(id: usize, rest: DVec2, posed: DVec2, degrees: f64) -> Handle {
+    let shape = Shape::Point { rest, posed };
+    Handle { id: format!("h{id}"), shape, rotation: Rotation::Degrees(degrees), scale: 1.0, depth: 0.0 }
+}
+
+/// A project with point handles at rest.
+pub(crate) fn project(rings: &[Vec<DVec2>], places: &[DVec2], support: Support) -> Project {
+    let mut project = Project::new(ImageRef { src: "white.png".into(), width: SIZE, height: SIZE });
+    project.domain = Some(DomainSpec::Polygon { rings: rings.to_vec() });
+    project.samples = 1500;
+    project.weighting.support = support;
+    project.handles = places.iter().enumerate().map(|(id, &p)| handle(id, p, p, 0.0)).collect();
+    project
+}
+
+/// Solves a project on a white picture.
+pub(crate) fn solved(project: &Project) -> Result<Solution, Error> {
+    let (width, height) = (project.image.width, project.image.height);
+    let rgba = vec![255; width as usize * height as usize * 4];
+    solve(project, &Picture::new(width, height, &rgba).expect("a picture of fair size"))
+}
+
+/// A scene that can be solved: handles that fell outside the domain are left out, and there is at least one.
+pub(crate) fn scenes() -> impl Strategy<Value = (Vec<Vec<DVec2>>, Vec<DVec2>, Support)> {
+    let support = prop_oneof![Just(Support::Paper), Just(Support::Smooth)];
+    (domains(), places(), support).prop_filter_map("no handle in the domain", |(rings, places, support)| {
+        let inside = |p: &DVec2| rings.iter().filter(|ring| contains(ring, *p)).count() % 2 == 1;
+        let places: Vec<DVec2> = places.into_iter().filter(inside).collect();
+        (!places.is_empty()).then_some((rings, places, support))
+    })
+}
+
+fn contains(ring: &[DVec2], p: DVec2) -> bool {
+    let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+    let crossings =
+        edges.filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x));
+    crossings.count() % 2 == 1
+}
+
+/// Points spread over the picture.
+pub(crate) fn spread(count: usize) -> impl Iterator<Item = DVec2> {
+    // Roberts' R2 sequence: multiples of the plastic number's powers.
+    let at = |i: usize| {
+        let i = i as f64;
+        DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)
+    };
+    (1..=count).map(at)
+}

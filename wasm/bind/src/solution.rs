@@ -1,0 +1,134 @@
+//! A solution as typed arrays.
+
+use glam::DVec2;
+use wasm_bindgen::prelude::*;
+
+/// The arrays that the page draws and poses with. Every getter copies once: ask once, then free.
+#[wasm_bindgen(inspectable)]
+#[derive(Debug)]
+pub struct Solution {
+    positions: Vec<f32>,
+    triangles: Vec<u32>,
+    offsets: Vec<u32>,
+    sites: Vec<u32>,
+    weights: Vec<f32>,
+    site_rest: Vec<f64>,
+    site_handle: Vec<i32>,
+    site_edges: Vec<u32>,
+    cells: Vec<u32>,
+    rings: Vec<f32>,
+    ring_offsets: Vec<u32>,
+    poser: Vec<u8>,
+    report: String,
+}
+
+impl Solution {
+    pub(crate) fn new(solution: &c2warp::Solution, report: String) -> Self {
+        let rings = solution.rings();
+        let mut ring_offsets = vec![0];
+        ring_offsets.extend(rings.iter().scan(0, |sum, ring| {
+            *sum += ring.len() as u32;
+            Some(*sum)
+        }));
+        Self {
+            positions: flat(solution.mesh.vertices.iter().map(DVec2::to_array)),
+            triangles: solution.mesh.triangles.concat(),
+            offsets: solution.weights.offsets.clone(),
+            sites: solution.weights.sites.clone(),
+            weights: solution.weights.weights.iter().map(|&weight| weight as f32).collect(),
+            site_rest: solution.sites.iter().flat_map(|site| site.rest.to_array()).collect(),
+            site_handle: solution.sites.iter().map(|site| site.handle.map_or(-1, |handle| handle as i32)).collect(),
+            site_edges: solution.graph.links.concat(),
+            cells: solution.nearest.clone(),
+            rings: flat(rings.iter().flatten().map(DVec2::to_array)),
+            ring_offsets,
+            poser: solution.poser().to_bytes(),
+            report,
+        }
+    }
+}
+
+fn flat(points: impl Iterator<Item = [f64; 2]>) -> Vec<f32> {
+    points.flatten().map(|coordinate| coordinate as f32).collect()
+}
+
+#[wasm_bindgen]
+impl Solution {
+    /// Vertices × 2: rest places in image pixels, the samples first, then the rim.
+    #[wasm_bindgen(getter)]
+    pub fn positions(&self) -> Vec<f32> {
+        self.positions.clone()
+    }
+
+    /// Triangles × 3 vertex numbers, in drawing order.
+    #[wasm_bindgen(getter)]
+    pub fn triangles(&self) -> Vec<u32> {
+        self.triangles.clone()
+    }
+
+    /// Vertices + 1: where each vertex's entries begin in `sites` and `weights`.
+    #[wasm_bindgen(getter)]
+    pub fn offsets(&self) -> Vec<u32> {
+        self.offsets.clone()
+    }
+
+    /// Entries: the site.
+    #[wasm_bindgen(getter)]
+    pub fn sites(&self) -> Vec<u32> {
+        self.sites.clone()
+    }
+
+    /// Entries: the weight. A vertex's weights sum to 1; a vertex without entries stays.
+    #[wasm_bindgen(getter)]
+    pub fn weights(&self) -> Vec<f32> {
+        self.weights.clone()
+    }
+
+    /// Sites × 2: rest places in image pixels.
+    #[wasm_bindgen(getter)]
+    pub fn site_rest(&self) -> Vec<f64> {
+        self.site_rest.clone()
+    }
+
+    /// Sites: index of the handle in the project, −1 for a virtual site.
+    #[wasm_bindgen(getter)]
+    pub fn site_handle(&self) -> Vec<i32> {
+        self.site_handle.clone()
+    }
+
+    /// Links of the cell graph × 2 sites.
+    #[wasm_bindgen(getter)]
+    pub fn site_edges(&self) -> Vec<u32> {
+        self.site_edges.clone()
+    }
+
+    /// Samples: the nearest site, 2³² − 1 for none.
+    #[wasm_bindgen(getter)]
+    pub fn cells(&self) -> Vec<u32> {
+        self.cells.clone()
+    }
+
+    /// Points of the outline × 2, ring after ring.
+    #[wasm_bindgen(getter)]
+    pub fn rings(&self) -> Vec<f32> {
+        self.rings.clone()
+    }
+
+    /// Rings + 1: where each ring's points begin.
+    #[wasm_bindgen(getter)]
+    pub fn ring_offsets(&self) -> Vec<u32> {
+        self.ring_offsets.clone()
+    }
+
+    /// Bytes for a [`Poser`](crate::Poser).
+    #[wasm_bindgen(getter)]
+    pub fn poser(&self) -> Vec<u8> {
+        self.poser.clone()
+    }
+
+    /// The object of `inspect --json`, as text.
+    #[wasm_bindgen(getter)]
+    pub fn report(&self) -> String {
+        self.report.clone()
+    }
+}

@@ -1,0 +1,43 @@
+//! `c2warp distance`: how far points are from one another within the domain.
+
+use std::path::PathBuf;
+
+use glam::DVec2;
+
+use crate::error::CliError;
+use crate::number::text;
+use crate::output::Output;
+use crate::points;
+use crate::scene::{Files, Scene};
+
+/// Writes the intrinsic distance from one point to others: x,y,distance
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    files: Files,
+    /// The point that distances are measured from
+    #[arg(long, value_name = "X,Y", value_parser = points::parse, allow_hyphen_values = true)]
+    from: DVec2,
+    /// The points, under a header x,y
+    #[arg(long, value_name = "POINTS.csv")]
+    at: PathBuf,
+    /// Where to write; distance is empty where no path leads
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: PathBuf,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
+    let points = points::read(&arguments.at)?;
+    let scene = Scene::open(&arguments.files)?;
+    let output = Output::create(&arguments.output)?;
+    let solution = scene.solve()?;
+    let distances = solution.distances(arguments.from, &points).map_err(|reason| scene.refused(reason))?;
+    output.finish(|writer| {
+        let mut table = csv::Writer::from_writer(writer);
+        table.write_record(["x", "y", "distance"])?;
+        for (place, distance) in points.iter().zip(distances) {
+            table.write_record([text(place.x), text(place.y), distance.map(text).unwrap_or_default()])?;
+        }
+        table.flush()
+    })
+}

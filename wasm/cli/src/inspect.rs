@@ -1,0 +1,69 @@
+//! `c2warp inspect`: what the solver did, and how long it took.
+
+use std::io::{self, Write};
+use std::time::Instant;
+
+use c2warp::{Inspection, Solver, StageTimes};
+use serde_json::Value;
+
+use crate::error::CliError;
+use crate::scene::{Files, Scene};
+
+/// Tells what the solver did
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    files: Files,
+    /// One JSON object instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
+    let scene = Scene::open(&arguments.files)?;
+    let inspection = inspect(&scene)?;
+    let json = serde_json::to_value(&inspection).expect("numbers under names are JSON");
+    let text = if arguments.json { format!("{json:#}\n") } else { lines("", &json) };
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(CliError::Print)
+}
+
+fn inspect(scene: &Scene) -> Result<Inspection, CliError> {
+    let refused = |reason| scene.refused(reason);
+    let mut ms = StageTimes::default();
+    let mut solver = Solver::new();
+    let mut start = Instant::now();
+    solver.begin(&scene.project, &scene.picture()?).map_err(refused)?;
+    while let Some(stage) = solver.advance().map_err(refused)? {
+        ms.add(stage, lap_ms(&mut start));
+    }
+    let solution = solver.solution();
+    start = Instant::now();
+    let pose = solution.poser().pose(&scene.project.handles).map_err(refused)?;
+    ms.pose = lap_ms(&mut start);
+    Ok(Inspection { report: solution.report(&pose), ms })
+}
+
+/// A line for every value, under its name in words.
+fn lines(name: &str, value: &Value) -> String {
+    if let Value::Object(entries) = value {
+        return entries.iter().map(|(key, value)| lines(format!("{name} {key}").trim(), value)).collect();
+    }
+    format!("{:<20} {:>12}\n", name.replace('_', " "), cell(value))
+}
+
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Number(number) if number.is_f64() => format!("{:.3}", number.as_f64().unwrap_or(f64::NAN)),
+        Value::Array(values) => values.iter().map(cell).collect::<Vec<_>>().join(" "),
+        Value::String(text) => text.clone(),
+        value => value.to_string(),
+    }
+}
+
+fn lap_ms(start: &mut Instant) -> f64 {
+    let now = Instant::now();
+    let ms = (now - *start).as_secs_f64() * 1e3;
+    *start = now;
+    ms
+}

@@ -1,0 +1,58 @@
+//! Whether a JPEG file has an end. Decoders fill what is missing with grey and say nothing.
+//!
+//! A walk over the markers of ITU-T T.81, annex B, from the first to "end of image": segments are skipped by their length, and
+//! what follows "start of scan" up to the next marker, in which no marker can occur by chance.
+
+use std::io::{self, BufRead, Read};
+
+const END_OF_IMAGE: u8 = 0xd9;
+
+/// Walks to the end of the image; anything after it does not count.
+///
+/// # Errors
+/// An unexpected end of the file, or what kept it from being read.
+pub(crate) fn find_end(mut file: impl BufRead) -> io::Result<()> {
+    let mut marker = next_marker(&mut file)?;
+    while marker != END_OF_IMAGE {
+        let mut length = [0; 2];
+        file.read_exact(&mut length)?;
+        let rest = u64::from(u16::from_be_bytes(length)).saturating_sub(2);
+        if io::copy(&mut file.by_ref().take(rest), &mut io::sink())? < rest {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        marker = next_marker(&mut file)?;
+    }
+    Ok(())
+}
+
+/// The next marker that is more than a byte of a scan or a fresh start in one.
+fn next_marker(file: &mut impl BufRead) -> io::Result<u8> {
+    loop {
+        file.skip_until(0xff)?;
+        let mut marker = [0xff];
+        while marker == [0xff] {
+            file.read_exact(&mut marker)?;
+        }
+        // 0 stands for a byte 0xff of a scan; 0xd0 to 0xd7 restart one, 0xd8 starts the image and 1 means nothing.
+        if !matches!(marker, [0 | 1 | 0xd0..=0xd8]) {
+            return Ok(marker[0]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::find_end;
+
+    /// A start, a segment that looks like an end, a scan with a stuffed byte, a restart, and the end.
+    const WHOLE: &[u8] = b"\xff\xd8\xff\xe0\0\x04\xff\xd9\xff\xda\0\x03!abc\xff\0\xff\xd3def\xff\xff\xd9";
+
+    #[test]
+    fn finds_the_end_where_there_is_one() {
+        assert!(find_end(WHOLE).is_ok());
+        assert!(find_end(&[WHOLE, b"a film, say"].concat()[..]).is_ok());
+        for length in 0..WHOLE.len() {
+            assert!(find_end(&WHOLE[..length]).is_err(), "{length}");
+        }
+    }
+}

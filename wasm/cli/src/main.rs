@@ -1,0 +1,73 @@
+//! The `c2warp` command: warps pictures, and answers questions about a warp.
+//!
+//! One file per subcommand. A refusal is one line on standard error and exit status 1, whatever was wrong; output files
+//! appear whole or not at all.
+
+mod distance;
+mod error;
+mod inspect;
+mod jpeg;
+mod map;
+mod number;
+mod output;
+mod picture;
+mod points;
+mod scene;
+mod warp;
+mod weights;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use error::CliError;
+
+#[derive(Parser)]
+#[command(name = "c2warp", version, about = "Warps pictures by their handles, and answers questions about a warp")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Warp(warp::Arguments),
+    Inspect(inspect::Arguments),
+    Weights(weights::Arguments),
+    Map(map::Arguments),
+    Distance(distance::Arguments),
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Warp(arguments) => warp::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Weights(arguments) => weights::run(&arguments),
+        Command::Map(arguments) => map::run(&arguments),
+        Command::Distance(arguments) => distance::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever reads the output has seen enough, as `head` does.
+        Err(CliError::Print(reason)) if reason.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            let line = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+            // Nobody may be listening there either, and there is no third place to complain at.
+            let _ = writeln!(io::stderr(), "c2warp: {line}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::Arguments;
+
+    #[test]
+    fn the_arguments_contradict_each_other_nowhere() {
+        Arguments::command().debug_assert();
+    }
+}

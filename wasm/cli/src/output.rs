@@ -1,0 +1,69 @@
+//! A file that appears whole or not at all.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::CliError;
+
+/// What is being written, under another name beside its place until it is [`finish`](Output::finish)ed.
+///
+/// Made before the work whose result it takes, it tells at once when there is no place for it.
+#[derive(Debug)]
+pub(crate) struct Output {
+    writer: BufWriter<File>,
+    path: PathBuf,
+    /// The name it has meanwhile; `None` for what is no file, such as `/dev/stdout`, and for what has been finished.
+    temporary: Option<PathBuf>,
+}
+
+impl Output {
+    /// Makes sure that the place can be written.
+    pub(crate) fn create(path: &Path) -> Result<Self, CliError> {
+        Self::open(path).map_err(CliError::write(path))
+    }
+
+    fn open(path: &Path) -> io::Result<Self> {
+        // A link stays a link to what it names.
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let (file, temporary) = match fs::metadata(&path) {
+            Ok(place) if place.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            Ok(place) if !place.is_file() => (OpenOptions::new().write(true).open(&path)?, None),
+            Ok(place) if place.permissions().readonly() => return Err(io::ErrorKind::PermissionDenied.into()),
+            _ => {
+                let temporary = temporary_beside(&path)?;
+                (OpenOptions::new().write(true).create_new(true).open(&temporary)?, Some(temporary))
+            }
+        };
+        Ok(Self { writer: BufWriter::new(file), path, temporary })
+    }
+
+    /// Writes through `write` and gives the file its name.
+    pub(crate) fn finish(mut self, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> Result<(), CliError> {
+        write(&mut self.writer)
+            .and_then(|()| self.writer.flush())
+            .and_then(|()| match self.temporary.take() {
+                Some(temporary) => fs::rename(&temporary, &self.path).inspect_err(|_| self.temporary = Some(temporary)),
+                None => Ok(()),
+            })
+            .map_err(CliError::write(&self.path))
+    }
+}
+
+impl Drop for Output {
+    fn drop(&mut self) {
+        if let Some(temporary) = &self.temporary {
+            // What is left behind is no harm, and the reason for leaving has been told.
+            let _ = fs::remove_file(temporary);
+        }
+    }
+}
+
+fn temporary_beside(path: &Path) -> io::Result<PathBuf> {
+    let name = path.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
+    let mut temporary = OsString::from(".");
+    temporary.push(name);
+    temporary.push(format!(".{}.part", std::process::id()));
+    Ok(path.with_file_name(temporary))
+}

@@ -1,0 +1,60 @@
+//! A picture file as straight RGBA, upright.
+//!
+//! The type is told from the contents, not from the name. The size is checked before any pixel is decoded. As in a
+//! browser, the orientation that a camera noted is applied. Colour profiles are not.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+use c2warp::check_size;
+use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
+
+use crate::error::CliError;
+use crate::jpeg;
+
+/// Enough for the largest picture at 16 bits a channel, and for a decoder's own copy of it.
+const DECODER_BYTES: u64 = 2 << 30;
+
+/// Reads a picture.
+pub(crate) fn read(path: &Path) -> Result<RgbaImage, CliError> {
+    let mut file = open(path)?;
+    if file.fill_buf().map_err(CliError::read(path))?.is_empty() {
+        return Err(CliError::PictureEmpty { path: path.to_owned() });
+    }
+    let mut reader = ImageReader::new(file).with_guessed_format().map_err(CliError::read(path))?;
+    let Some(format) = reader.format() else {
+        return Err(CliError::PictureUnknown { path: path.to_owned() });
+    };
+    if format == ImageFormat::Jpeg {
+        jpeg::find_end(open(path)?).map_err(|reason| damaged(path, reason.into()))?;
+    }
+    let refusal = |reason| match reason {
+        ImageError::Unsupported(_) if !format.reading_enabled() => {
+            CliError::PictureType { path: path.to_owned(), format }
+        }
+        reason => damaged(path, reason),
+    };
+
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(DECODER_BYTES);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(refusal)?;
+    let (width, height) = decoder.dimensions();
+    check_size(width, height).map_err(CliError::refused(path))?;
+    // Broken notes of a camera are no reason to refuse its picture.
+    let orientation = decoder.orientation().ok();
+    let mut image = DynamicImage::from_decoder(decoder).map_err(refusal)?;
+    if let Some(orientation) = orientation {
+        image.apply_orientation(orientation);
+    }
+    Ok(image.into_rgba8())
+}
+
+fn open(path: &Path) -> Result<BufReader<File>, CliError> {
+    File::open(path).map(BufReader::new).map_err(CliError::read(path))
+}
+
+fn damaged(path: &Path, reason: ImageError) -> CliError {
+    CliError::PictureDamaged { path: path.to_owned(), reason }
+}

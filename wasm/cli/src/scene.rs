@@ -1,0 +1,64 @@
+//! A project with its picture: what every subcommand starts from.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use c2warp::Picture;
+use c2warp::Solution;
+use c2warp::project::Project;
+use image::RgbaImage;
+
+use crate::error::CliError;
+use crate::picture;
+
+/// Which project, and which picture instead of the project's own.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Files {
+    /// The project file, *.c2warp.json
+    project: PathBuf,
+    /// The picture, in place of the project's image.src
+    #[arg(long, value_name = "FILE")]
+    image: Option<PathBuf>,
+}
+
+/// A project and its picture.
+#[derive(Debug)]
+pub(crate) struct Scene {
+    pub(crate) project: Project,
+    /// Where the project stands, for refusals of what it says.
+    project_path: PathBuf,
+    image: RgbaImage,
+    image_path: PathBuf,
+}
+
+impl Scene {
+    /// Reads both.
+    pub(crate) fn open(files: &Files) -> Result<Self, CliError> {
+        let path = &files.project;
+        let bytes = fs::read(path).map_err(CliError::read(path))?;
+        let text = String::from_utf8(bytes).map_err(|_| CliError::ProjectEncoding { path: path.clone() })?;
+        let project = Project::from_json(&text).map_err(|reason| CliError::Project { path: path.clone(), reason })?;
+        let image_path = match &files.image {
+            Some(path) => path.clone(),
+            None if project.image.src.is_empty() => return Err(CliError::NoPicture { path: path.clone() }),
+            None => path.parent().unwrap_or(Path::new("")).join(&project.image.src),
+        };
+        let image = picture::read(&image_path)?;
+        Ok(Self { project, project_path: path.clone(), image, image_path })
+    }
+
+    pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {
+        Picture::new(self.image.width(), self.image.height(), self.image.as_raw())
+            .map_err(CliError::refused(&self.image_path))
+    }
+
+    /// Solves the whole.
+    pub(crate) fn solve(&self) -> Result<Solution, CliError> {
+        c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))
+    }
+
+    /// A refusal of what the project asks for.
+    pub(crate) fn refused(&self, reason: c2warp::Error) -> CliError {
+        CliError::Refused { path: self.project_path.clone(), reason }
+    }
+}

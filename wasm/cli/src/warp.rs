@@ -1,0 +1,52 @@
+//! `c2warp warp`: the warped picture as a PNG, at full quality.
+
+use std::io;
+use std::path::PathBuf;
+
+use c2warp::raster;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+
+use crate::error::CliError;
+use crate::output::Output;
+use crate::scene::{Files, Scene};
+
+/// Warps the picture at full quality
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    files: Files,
+    /// Where to write the result
+    #[arg(short, long, value_name = "OUT.png")]
+    output: PathBuf,
+    /// Pixels of the result per pixel of the picture
+    #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
+    scale: f64,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
+    let scene = Scene::open(&arguments.files)?;
+    let picture = scene.picture()?;
+    let (width, height) = raster::warped_size(picture.width, picture.height, arguments.scale)
+        .ok_or(CliError::Scale { scale: arguments.scale, width: picture.width, height: picture.height })?;
+    let output = Output::create(&arguments.output)?;
+
+    let solution = scene.solve()?;
+    let pose = solution.poser().pose(&scene.project.handles).map_err(|reason| scene.refused(reason))?;
+    let rgba = raster::warp(
+        &picture,
+        &solution.mesh.vertices,
+        &solution.posed_vertices(&pose),
+        &solution.mesh.triangles,
+        arguments.scale,
+    );
+    output.finish(|writer| {
+        // A quarter more bytes than the default, in a third of its time.
+        PngEncoder::new_with_quality(writer, CompressionType::Fast, FilterType::Adaptive)
+            .write_image(&rgba, width, height, ExtendedColorType::Rgba8)
+            .map_err(|reason| match reason {
+                ImageError::IoError(reason) => reason,
+                reason => io::Error::other(reason),
+            })
+    })
+}

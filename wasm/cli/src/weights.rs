@@ -1,0 +1,52 @@
+//! `c2warp weights`: which sites move a point, and how much each counts.
+
+use std::path::PathBuf;
+
+use crate::error::CliError;
+use crate::number::text;
+use crate::output::Output;
+use crate::points;
+use crate::scene::{Files, Scene};
+
+/// Writes the weights at any points: point,site,kind,handle,site_x,site_y,weight
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    files: Files,
+    /// The points, under a header x,y
+    #[arg(long, value_name = "POINTS.csv")]
+    at: PathBuf,
+    /// Where to write: a row for every weight that is not zero, points and sites counted from 0
+    #[arg(short, long, value_name = "OUT.csv")]
+    output: PathBuf,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
+    let points = points::read(&arguments.at)?;
+    let scene = Scene::open(&arguments.files)?;
+    let output = Output::create(&arguments.output)?;
+    let solution = scene.solve()?;
+    output.finish(|writer| {
+        let mut table = csv::Writer::from_writer(writer);
+        table.write_record(["point", "site", "kind", "handle", "site_x", "site_y", "weight"])?;
+        for (point, &place) in points.iter().enumerate() {
+            for (index, weight) in solution.weights_at(place).unwrap_or_default() {
+                let site = &solution.sites[index];
+                let (kind, handle) = match site.handle {
+                    Some(handle) => ("real", scene.project.handles[handle].id.as_str()),
+                    None => ("virtual", ""),
+                };
+                table.write_record([
+                    &point.to_string(),
+                    &index.to_string(),
+                    kind,
+                    handle,
+                    &text(site.rest.x),
+                    &text(site.rest.y),
+                    &text(weight),
+                ])?;
+            }
+        }
+        table.flush()
+    })
+}

@@ -1,0 +1,157 @@
+//! A bare point cloud in place of a picture's outline and mesh (paper, section V-B).
+//!
+//! A graph over the k nearest neighbours of each point stands for the domain. As in the paper, distances are shortest paths on
+//! it, cells and Algorithm 1 know its points only, and between points weights are interpolated. So all of it is an
+//! approximation: distances are some per cent too long however dense the points are, weights are continuous but not C², and
+//! a symmetric cloud may be divided asymmetrically. Where there is an outline or a mesh, bring that.
+//!
+//! Cost: n log n for the graph; two passes of Dijkstra's algorithm over all of it for each site.
+
+mod regions;
+mod solution;
+mod tree;
+
+use glam::DVec2;
+
+use self::tree::Tree;
+use crate::{distance::graph::Graph, error::Error, given_mesh::FARTHEST, triangulation::NONE};
+
+pub use solution::CloudSolution;
+
+/// Points and the graph over their nearest neighbours, to be solved by [`solve_cloud`](crate::solve_cloud).
+///
+/// ```
+/// use c2warp::{cloud::PointCloud, project::Project, solve_cloud};
+///
+/// let points = (0..600).map(|i| [f64::from(i % 30) * 10.0, f64::from(i / 30) * 10.0].into()).collect();
+/// let cloud = PointCloud::new(points, 8)?;
+/// let project = Project::from_json(r#"{
+///     "format": "c2warp/1",
+///     "image": { "src": "any.png", "width": 300, "height": 200 },
+///     "handles": [
+///         { "id": "left", "kind": "point", "rest": [42, 97] },
+///         { "id": "right", "kind": "point", "rest": [250, 100], "posed": [250, 130] }
+///     ]
+/// }"#).map_err(c2warp::Error::from)?;
+/// let solution = solve_cloud(&project, &cloud)?;
+/// let pose = solution.poser().pose(&project.handles)?;
+/// assert_eq!(solution.map(&pose, [250.0, 100.0].into()), Some([250.0, 130.0].into()));
+/// assert_eq!(solution.posed_points(&pose).len(), 600);
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct PointCloud {
+    points: Vec<DVec2>,
+    graph: Graph,
+    /// Connected part of each point.
+    part: Vec<u32>,
+    neighbours: usize,
+    tree: Tree,
+}
+
+impl PointCloud {
+    /// Links every point with its `neighbours` nearest, and with those that it is one of the nearest of. Places are in pixels.
+    ///
+    /// The paper names no number; 8 is usual. With fewer, distances get longer; with more, links bridge gaps.
+    ///
+    /// # Errors
+    /// [`Error::CloudNeighbours`], [`Error::CloudPoint`], [`Error::CloudDuplicate`].
+    pub fn new(points: Vec<DVec2>, neighbours: usize) -> Result<Self, Error> {
+        if neighbours == 0 || points.len() <= neighbours {
+            return Err(Error::CloudNeighbours { points: points.len(), neighbours });
+        }
+        if let Some(point) = points.iter().position(|p| !(p.is_finite() && p.abs().max_element() <= FARTHEST)) {
+            return Err(Error::CloudPoint { point });
+        }
+        let tree = Tree::new(&points);
+        let mut edges = Vec::with_capacity(points.len() * neighbours);
+        for (point, &p) in points.iter().enumerate() {
+            for (square, other) in tree.nearest(&points, p, neighbours + 1) {
+                if other as usize == point {
+                    continue;
+                }
+                if square == 0.0 {
+                    let (other, point) = (point.min(other as usize), point.max(other as usize));
+                    return Err(Error::CloudDuplicate { point, other });
+                }
+                edges.push((other.min(point as u32), other.max(point as u32)));
+            }
+        }
+        Ok(Self::linked(points, edges, neighbours, tree))
+    }
+
+    fn linked(points: Vec<DVec2>, mut edges: Vec<(u32, u32)>, neighbours: usize, tree: Tree) -> Self {
+        edges.sort_unstable();
+        edges.dedup();
+        let graph = Graph::from_edges(points.len(), edges.into_iter());
+        let part = parts(&graph, points.len());
+        Self { points, graph, part, neighbours, tree }
+    }
+
+    /// The points, in the caller's order.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// The links between points.
+    #[must_use]
+    pub fn graph(&self) -> &Graph {
+        &self.graph
+    }
+
+    /// Whether a place belongs to the domain that the cloud stands for: it is no farther from the nearest point than the
+    /// longest link of that point is long.
+    #[must_use]
+    pub fn contains(&self, p: DVec2) -> bool {
+        self.tree.nearest(&self.points, p, 1).first().is_some_and(|&(square, point)| {
+            let from = self.points[point as usize];
+            let links = self.graph.of(point as usize).iter();
+            square <= links.map(|&n| from.distance_squared(self.points[n as usize])).fold(0.0, f64::max)
+        })
+    }
+
+    /// The cloud with further points: each linked with its nearest neighbours of the cloud, and with those of the others that
+    /// are nearer. Also tells which point each of them is; one that coincides with a point of the cloud is that.
+    fn with(&self, places: &[DVec2]) -> (Self, Vec<u32>) {
+        let mut points = self.points.clone();
+        let links = |from: usize| self.graph.of(from).iter().map(move |&to| (from as u32, to));
+        let mut edges: Vec<(u32, u32)> = (0..points.len()).flat_map(links).filter(|(a, b)| a < b).collect();
+        let mut at = Vec::with_capacity(places.len());
+        for &p in places {
+            let near = self.tree.nearest(&self.points, p, self.neighbours);
+            if let Some(&(_, same)) = near.first().filter(|(square, _)| *square == 0.0) {
+                at.push(same);
+                continue;
+            }
+            let new = points.len() as u32;
+            let reach = near.last().map_or(0.0, |&(square, _)| square);
+            let others = (self.points.len()..points.len()).filter(|&other| points[other].distance_squared(p) < reach);
+            edges.extend(others.map(|other| (other as u32, new)));
+            edges.extend(near.iter().map(|&(_, point)| (point, new)));
+            points.push(p);
+            at.push(new);
+        }
+        let tree = Tree::new(&points);
+        (Self::linked(points, edges, self.neighbours, tree), at)
+    }
+}
+
+/// The number of the connected part that each node of a graph lies in.
+fn parts(graph: &Graph, nodes: usize) -> Vec<u32> {
+    let (mut part, mut count) = (vec![NONE; nodes], 0);
+    for seed in 0..nodes {
+        if part[seed] != NONE {
+            continue;
+        }
+        let mut stack = vec![seed as u32];
+        while let Some(node) = stack.pop() {
+            if part[node as usize] == NONE {
+                part[node as usize] = count;
+                stack.extend(graph.of(node as usize));
+            }
+        }
+        count += 1;
+    }
+    part
+}

@@ -1,0 +1,117 @@
+//! A solved cloud: weights of its points by eq. 2, and of any place by interpolation.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use super::{PointCloud, regions::Regions};
+use crate::{
+    error::Error,
+    pose::{HarmonicFields, Pose, Poser},
+    project::{PoseMode, Weighting},
+    site::{Site, SiteGraph},
+    weight::{Basis, SparseWeights, support_radii},
+};
+
+/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on where the handles are posed.
+#[derive(Debug)]
+pub struct CloudSolution {
+    /// The weights of the cloud's points in the caller's order, then of handles that stand between them.
+    pub weights: SparseWeights,
+    /// Real sites from top to bottom, then virtual ones as they were inserted.
+    pub sites: Vec<Site>,
+    /// The dual graph of the cells.
+    pub graph: SiteGraph,
+    /// ϖ, by site.
+    pub harmonic: HarmonicFields,
+    /// The nearest site of each point, `u32::MAX` in a part of the cloud without sites.
+    pub nearest: Vec<u32>,
+    /// The worst score δ / r_d before each insertion of Algorithm 1.
+    pub scores: Vec<f64>,
+    points: usize,
+    cloud: PointCloud,
+    poser: Poser,
+}
+
+impl CloudSolution {
+    /// Solves for `handles`, each a number and a place in the cloud, that are apart and sorted.
+    pub(crate) fn new(
+        cloud: &PointCloud,
+        handles: &[(usize, DVec2)],
+        weighting: &Weighting,
+        density: usize,
+        mode: PoseMode,
+    ) -> Result<Self, Error> {
+        let points = cloud.points.len();
+        let places: Vec<DVec2> = handles.iter().map(|handle| handle.1).collect();
+        let (cloud, at) = cloud.with(&places);
+        let mut regions = Regions::new(&cloud);
+        for (&(handle, _), &point) in handles.iter().zip(&at) {
+            regions.insert(point, Some(handle));
+        }
+        let scores = regions.insert_virtual_sites(density)?;
+        let graph = regions.dual();
+        let Regions { mut sites, points: at, nearest, .. } = regions;
+        let basis = Basis::new(weighting.degree, weighting.filling);
+        let mut by_site = Vec::with_capacity(sites.len());
+        let radii = support_radii(weighting, &sites);
+        for ((site, radius), &at) in sites.iter_mut().zip(radii).zip(&at) {
+            site.support_radius = radius;
+            let distances = cloud.graph.distances(&cloud.points, at as usize).into_iter().enumerate();
+            let covered = distances.filter(|&(_, d)| d < radius);
+            by_site.push(covered.map(|(point, d)| (point as u32, basis.value(d / radius))).collect());
+        }
+        let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
+        let harmonic = HarmonicFields::new(&sites, &graph);
+        let poser = Poser::new(&sites, &graph, &harmonic, handles.len(), mode);
+        Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, cloud, poser })
+    }
+
+    /// Makes poses of this solution.
+    #[must_use]
+    pub fn poser(&self) -> &Poser {
+        &self.poser
+    }
+
+    /// The sites that move a place and their weights, ascending by site; `None` outside the cloud.
+    ///
+    /// Interpolated by reciprocal distances (the paper's \[18\]) from the nearest points, of one part of the cloud. At a point
+    /// they are that point's.
+    #[must_use]
+    pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
+        let cloud = &self.cloud;
+        if !cloud.contains(p) {
+            return None;
+        }
+        let near = cloud.tree.nearest(&cloud.points, p, cloud.neighbours);
+        let &(least, first) = near.first()?;
+        if least == 0.0 {
+            return Some(self.weights.row(first as usize).collect());
+        }
+        let part = cloud.part[first as usize];
+        let near = near.into_iter().filter(|&(_, point)| cloud.part[point as usize] == part);
+        // Relative to the nearest, so that no reciprocal overflows.
+        let shares: Vec<(usize, f64)> = near.map(|(square, point)| (point as usize, (least / square).sqrt())).collect();
+        let sum: f64 = shares.iter().map(|&(_, share)| share).sum();
+        let mut weights: BTreeMap<usize, f64> = BTreeMap::new();
+        for (point, share) in shares {
+            for (site, weight) in self.weights.row(point) {
+                *weights.entry(site).or_default() += share / sum * weight;
+            }
+        }
+        Some(weights.into_iter().collect())
+    }
+
+    /// Where a place goes (eq. 1); `None` outside the cloud.
+    #[must_use]
+    pub fn map(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
+        Some(pose.blended(p, self.weights_at(p)?.into_iter()))
+    }
+
+    /// Where the cloud's points go.
+    #[must_use]
+    pub fn posed_points(&self, pose: &Pose) -> Vec<DVec2> {
+        let points = self.cloud.points[..self.points].iter().enumerate();
+        points.map(|(point, &p)| pose.blended(p, self.weights.row(point))).collect()
+    }
+}

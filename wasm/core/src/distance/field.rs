@@ -1,0 +1,124 @@
+//! The distance from one source to any point, in closed form.
+
+use glam::DVec2;
+
+use super::Place;
+
+/// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray
+/// must fall into one of them whatever the rounding. A path that cuts a corner by this much is shorter by at most as much.
+const WINDOW_SLACK: f64 = 1e-9;
+
+/// What a pseudo-source sees of one triangle: a cone of directions (Mitchell et al.'s interval of optimality).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Window {
+    /// The pseudo-source.
+    pub(crate) source: DVec2,
+    /// Distance from the field's source to the pseudo-source.
+    pub(crate) offset: f64,
+    /// Unit direction of the cone's first ray; the cone turns positively from it to `last`, by at most π.
+    pub(crate) first: DVec2,
+    /// Unit direction of the cone's last ray.
+    pub(crate) last: DVec2,
+    /// Least distance to any point that the window may reach; windows of a triangle are sorted by it.
+    pub(crate) nearest: f64,
+}
+
+impl Window {
+    fn sees(&self, p: DVec2) -> bool {
+        let to = p - self.source;
+        self.first.perp_dot(to) >= -WINDOW_SLACK && to.perp_dot(self.last) >= -WINDOW_SLACK
+    }
+}
+
+/// The last straight piece of the shortest path to a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Foot {
+    /// Intrinsic distance, in pixels.
+    pub distance: f64,
+    /// Where that piece begins: the source, or the corner the path bent at last.
+    pub pseudo_source: DVec2,
+    /// Intrinsic distance from the source to the pseudo-source.
+    pub offset: f64,
+}
+
+/// Exact intrinsic distances from one source, up to a bound. Made by [`Propagation::field`](super::Propagation::field).
+///
+/// 72 bytes a window; a window for each pseudo-source and triangle of the outline that it may be nearest in.
+#[derive(Debug, Clone)]
+pub struct DistanceField {
+    pub(crate) source: DVec2,
+    pub(crate) bound: f64,
+    /// Triangles reached, ascending, with the start of their windows.
+    pub(crate) triangles: Vec<(u32, u32)>,
+    pub(crate) windows: Vec<Window>,
+}
+
+impl DistanceField {
+    /// Where distances are measured from.
+    #[must_use]
+    pub fn source(&self) -> DVec2 {
+        self.source
+    }
+
+    /// Distances up to here are exact; beyond they are infinite.
+    #[must_use]
+    pub fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
+    #[must_use]
+    pub fn distance(&self, place: Place, p: DVec2) -> f64 {
+        let mut best = f64::INFINITY;
+        for window in self.windows_in(place) {
+            if window.nearest >= best {
+                break;
+            }
+            let d = window.offset + window.source.distance(p);
+            if d < best && window.sees(p) {
+                best = d;
+            }
+        }
+        if best <= self.bound { best } else { f64::INFINITY }
+    }
+
+    /// The last piece of the shortest path to a point, if the distance is within the bound.
+    #[must_use]
+    pub fn foot(&self, place: Place, p: DVec2) -> Option<Foot> {
+        let mut best: Option<Foot> = None;
+        for window in self.windows_in(place) {
+            let least = best.map_or(f64::INFINITY, |foot| foot.distance);
+            if window.nearest >= least {
+                break;
+            }
+            let distance = window.offset + window.source.distance(p);
+            if distance < least && window.sees(p) {
+                best = Some(Foot { distance, pseudo_source: window.source, offset: window.offset });
+            }
+        }
+        best.filter(|foot| foot.distance <= self.bound)
+    }
+
+    /// Triangles that hold a point nearer than `radius`, ascending; perhaps some more.
+    pub(crate) fn triangles_within(&self, radius: f64) -> impl Iterator<Item = u32> + '_ {
+        let nearest = move |&&(_, start): &&(u32, u32)| self.windows[start as usize].nearest < radius;
+        self.triangles.iter().filter(nearest).map(|&(triangle, _)| triangle)
+    }
+
+    fn windows_in(&self, place: Place) -> &[Window] {
+        match self.triangles.binary_search_by_key(&place.0, |&(triangle, _)| triangle) {
+            Ok(at) => {
+                let start = self.triangles[at].1 as usize;
+                let end = self.triangles.get(at + 1).map_or(self.windows.len(), |&(_, start)| start as usize);
+                &self.windows[start..end]
+            }
+            Err(_) => &[],
+        }
+    }
+
+    /// Bytes held on the heap.
+    #[must_use]
+    pub fn heap_bytes(&self) -> usize {
+        self.triangles.capacity() * size_of::<(u32, u32)>() + self.windows.capacity() * size_of::<Window>()
+    }
+}

@@ -1,0 +1,22 @@
+//! Intrinsic distance d(p, q): the length of the shortest path inside the domain (paper, section III-A, with f = 1).
+//!
+//! The domain is flat, so a shortest path is a polyline that bends only at reflex corners of the outline. The distance
+//! from a source is therefore, at *any* point, the least of `offset + |p − pseudo_source|` over the pseudo-sources (the
+//! source itself, or a corner the path bent at last) that see the point. [`DistanceField`] finds them exactly by carrying
+//! visibility windows through a triangulation of the outline alone ([`Navigation`]): no samples take part, so no
+//! sampling makes it wrong. The paper's own approximation, Dijkstra's algorithm on a graph over the samples, is kept in
+//! [`graph`] as the reference to compare with.
+//!
+//! Literature: Mitchell, Mount and Papadimitriou, "The discrete geodesic problem" (1987), for windows in the order of
+//! distance; Xin and Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem" (2009), for the test that
+//! drops a window; Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh" (2017), for doing so in
+//! the plane.
+
+mod field;
+pub mod graph;
+mod navigation;
+mod propagate;
+
+pub use field::{DistanceField, Foot};
+pub use navigation::{Navigation, Place};
+pub use propagate::Propagation;

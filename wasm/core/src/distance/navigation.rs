@@ -1,0 +1,136 @@
+//! The domain as distances see it: a triangulation of its outline, with no other vertices.
+
+use glam::DVec2;
+
+use crate::{
+    domain::Domain,
+    locate::Locator,
+    triangulation::{NONE, Triangulation},
+};
+
+/// A triangle of the navigation mesh that holds a given point.
+///
+/// Finding it is the costly half of asking for a distance, so samples keep theirs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place(pub(crate) u32);
+
+/// Turns smaller than this (sine of the angle) are straight: no path gains by bending there.
+const STRAIGHT: f64 = 1e-12;
+
+/// The constrained Delaunay triangulation of a domain's outline, and what lies around each corner.
+#[derive(Debug, Clone)]
+pub struct Navigation {
+    pub(crate) mesh: Triangulation,
+    /// Island of each triangle.
+    pub(crate) island: Vec<u32>,
+    pub(crate) corners: Vec<Corner>,
+    /// Triangles around each corner in the sense of positive angles, from its wall `next` to its wall `prev`.
+    fan: Vec<(u32, u8)>,
+    fan_start: Vec<u32>,
+    locator: Locator,
+}
+
+/// A vertex of the outline. The domain fills the angle from the direction of `next`, turning positively, to that of `prev`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Corner {
+    pub(crate) next: DVec2,
+    pub(crate) prev: DVec2,
+    /// Whether the angle inside the domain is more than π, so that paths may bend here.
+    pub(crate) reflex: bool,
+}
+
+impl Navigation {
+    /// Triangulates a domain's outline. Cost: O(n log n) for n corners.
+    #[must_use]
+    pub fn new(domain: &Domain) -> Self {
+        let (mut vertices, mut segments, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+        for ring in domain.rings() {
+            let (start, n) = (vertices.len(), ring.len());
+            for i in 0..n {
+                let (prev, at, next) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
+                let (prev, next) = ((prev - at).normalize(), (next - at).normalize());
+                corners.push(Corner { next, prev, reflex: next.perp_dot(prev) < -STRAIGHT });
+                segments.push([start + i, start + (i + 1) % n]);
+            }
+            vertices.extend_from_slice(ring);
+        }
+        let mesh = Triangulation::constrained_delaunay(vertices, segments);
+        let (fan_start, fan) = fans(&mesh);
+        let island = islands(&mesh);
+        let locator = Locator::new(&mesh);
+        Self { mesh, island, corners, fan, fan_start, locator }
+    }
+
+    /// The place of a point, or `None` outside the domain.
+    #[must_use]
+    pub fn place(&self, p: DVec2) -> Option<Place> {
+        self.locator.locate(&self.mesh, p).map(|t| Place(t as u32))
+    }
+
+    /// Number of the connected part of the domain that a place lies in.
+    #[must_use]
+    pub fn island_of(&self, place: Place) -> usize {
+        self.island[place.0 as usize] as usize
+    }
+
+    /// Number of connected parts.
+    #[must_use]
+    pub fn islands(&self) -> usize {
+        self.island.iter().max().map_or(0, |&last| last as usize + 1)
+    }
+
+    /// Corners of the outline at which shortest paths may bend.
+    pub fn reflex_corners(&self) -> impl Iterator<Item = DVec2> + '_ {
+        let corners = self.corners.iter().zip(&self.mesh.vertices);
+        corners.filter(|(corner, _)| corner.reflex).map(|(_, &p)| p)
+    }
+
+    /// Triangles around a corner, each with the number of the corner in it.
+    pub(crate) fn fan(&self, corner: usize) -> &[(u32, u8)] {
+        &self.fan[self.fan_start[corner] as usize..self.fan_start[corner + 1] as usize]
+    }
+}
+
+fn fans(mesh: &Triangulation) -> (Vec<u32>, Vec<(u32, u8)>) {
+    // The triangle in which the edge from the corner to its next one along the outline lies.
+    let mut first = vec![(NONE, 0_u8); mesh.vertices.len()];
+    for (t, (corners, neighbours)) in mesh.triangles.iter().zip(&mesh.neighbours).enumerate() {
+        for k in 0..3 {
+            if neighbours[k] == NONE {
+                first[corners[k] as usize] = (t as u32, k as u8);
+            }
+        }
+    }
+    let (mut start, mut fan) = (vec![0], Vec::with_capacity(mesh.triangles.len() * 3));
+    for (corner, &(mut t, mut k)) in first.iter().enumerate() {
+        while t != NONE {
+            fan.push((t, k));
+            t = mesh.neighbours[t as usize][usize::from(k + 2) % 3];
+            if t != NONE {
+                let at = mesh.triangles[t as usize].iter().position(|&v| v as usize == corner);
+                k = at.expect("neighbours around a corner share it") as u8;
+            }
+        }
+        start.push(fan.len() as u32);
+    }
+    (start, fan)
+}
+
+fn islands(mesh: &Triangulation) -> Vec<u32> {
+    let mut island = vec![NONE; mesh.triangles.len()];
+    let mut count = 0;
+    for seed in 0..island.len() {
+        if island[seed] != NONE {
+            continue;
+        }
+        let mut stack = vec![seed as u32];
+        while let Some(t) = stack.pop() {
+            if island[t as usize] == NONE {
+                island[t as usize] = count;
+                stack.extend(mesh.neighbours[t as usize].iter().filter(|&&n| n != NONE));
+            }
+        }
+        count += 1;
+    }
+    island
+}

@@ -1,0 +1,289 @@
+//! Finds the windows of a distance field: continuous Dijkstra over the navigation mesh.
+//!
+//! Windows and corners are taken in the order of their least distance. A window crosses its triangle, lets the corner
+//! ahead know its distance, and goes on through the far edges it sees; a reflex corner becomes a pseudo-source for the
+//! part of its surroundings that the path turning around it newly sees. A window that a path through a known corner
+//! beats over all its width is dropped. What is left at the end are true paths only, and among them every shortest one.
+//!
+//! Cost: about ten windows for each corner of the outline within the bound, some 50 ns each.
+
+use std::{cmp::Ordering, collections::BinaryHeap};
+
+use glam::DVec2;
+
+use super::{
+    field::{DistanceField, Window},
+    navigation::{Navigation, Place},
+};
+use crate::{segment::segment_distance, triangulation::NONE};
+
+/// Sines of angles, and pixels in comparisons of distances, below this are zero: rounding stays two orders below.
+const EPSILON: f64 = 1e-12;
+/// A source this near to an edge, in pixels, lies on it.
+const ON_EDGE: f64 = 1e-9;
+
+/// Working memory for making distance fields, to be used for many.
+#[derive(Debug, Default)]
+pub struct Propagation {
+    /// Distance of each corner of the outline, and the pseudo-source before it, as far as known.
+    corners: Vec<(f64, DVec2)>,
+    touched: Vec<u32>,
+    queue: BinaryHeap<Event>,
+    pending: Vec<Crossing>,
+    found: Vec<(u32, Window)>,
+}
+
+/// A window about to enter a triangle through the edge from corner `edge` to the next.
+#[derive(Debug, Clone, Copy)]
+struct Crossing {
+    triangle: u32,
+    edge: u8,
+    window: Window,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Event {
+    distance: f64,
+    /// A crossing's index, or a corner's from [`CORNER`] on.
+    what: u32,
+}
+
+const CORNER: u32 = 1 << 31;
+
+impl Ord for Event {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.distance.total_cmp(&self.distance).then(other.what.cmp(&self.what))
+    }
+}
+
+impl PartialOrd for Event {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Event {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Event {}
+
+impl Propagation {
+    /// Exact distances from `source`, which lies in `place`, up to `bound` pixels (infinite for all).
+    #[must_use]
+    pub fn field(&mut self, navigation: &Navigation, place: Place, source: DVec2, bound: f64) -> DistanceField {
+        self.reset(navigation.mesh.vertices.len());
+        self.start(navigation, place, source, bound);
+        while let Some(Event { distance, what }) = self.queue.pop() {
+            if what < CORNER {
+                self.cross(navigation, self.pending[what as usize], bound);
+            } else if distance <= self.corners[(what - CORNER) as usize].0 {
+                self.bend(navigation, (what - CORNER) as usize, bound);
+            }
+        }
+        self.collect(source, bound)
+    }
+
+    fn reset(&mut self, corners: usize) {
+        if self.corners.len() == corners {
+            for corner in self.touched.drain(..) {
+                self.corners[corner as usize].0 = f64::INFINITY;
+            }
+        } else {
+            self.corners.clear();
+            self.corners.resize(corners, (f64::INFINITY, DVec2::ZERO));
+            self.touched.clear();
+        }
+        self.pending.clear();
+        self.found.clear();
+    }
+
+    /// Sees all of the triangle that holds the source, and out of it; also of those across an edge or corner it lies on.
+    fn start(&mut self, navigation: &Navigation, place: Place, source: DVec2, bound: f64) {
+        let mesh = &navigation.mesh;
+        let mut around = vec![place.0];
+        let mut next = 0;
+        while let Some(&t) = around.get(next) {
+            next += 1;
+            let corners = mesh.corners(t as usize);
+            // The half turn about any direction holds a triangle seen from within or from its rim.
+            for half in [DVec2::X, DVec2::NEG_X] {
+                let window = Window { source, offset: 0.0, first: half, last: -half, nearest: 0.0 };
+                self.found.push((t, window));
+            }
+            for k in 0..3 {
+                let (a, b) = (corners[k], corners[(k + 1) % 3]);
+                self.reach(mesh.triangles[t as usize][k], source.distance(a), source, bound);
+                let neighbour = mesh.neighbours[t as usize][k];
+                if neighbour == NONE {
+                    continue;
+                }
+                if (b - a).perp_dot(source - a) > ON_EDGE * a.distance(b) {
+                    let (first, last) = ((a - source).normalize(), (b - source).normalize());
+                    let window = Window { source, offset: 0.0, first, last, nearest: 0.0 };
+                    self.enter(navigation, t, k, window, bound);
+                } else if within_edge(source, a, b) && !around.contains(&neighbour) {
+                    around.push(neighbour);
+                }
+            }
+        }
+    }
+
+    /// A corner learns of a path to it.
+    fn reach(&mut self, corner: u32, distance: f64, from: DVec2, bound: f64) {
+        let known = &mut self.corners[corner as usize];
+        if distance < known.0 && distance <= bound {
+            if known.0 == f64::INFINITY {
+                self.touched.push(corner);
+            }
+            *known = (distance, from);
+            self.queue.push(Event { distance, what: CORNER + corner });
+        }
+    }
+
+    /// Sends a window out of triangle `from` through its edge `k`, unless a path through a corner beats it everywhere.
+    ///
+    /// The window's cone must not reach beyond the edge.
+    fn enter(&mut self, navigation: &Navigation, from: u32, k: usize, window: Window, bound: f64) {
+        let mesh = &navigation.mesh;
+        let triangle = mesh.neighbours[from as usize][k];
+        // Without width; a cone of almost π has a small sine too.
+        let empty = window.first.perp_dot(window.last) <= EPSILON && window.first.dot(window.last) > 0.0;
+        if triangle == NONE || empty {
+            return;
+        }
+        let ends = [mesh.triangles[from as usize][k], mesh.triangles[from as usize][(k + 1) % 3]];
+        let [a, b] = ends.map(|v| mesh.vertices[v as usize]);
+        let (x, y) = (on_edge(window.source, window.first, a, b), on_edge(window.source, window.last, a, b));
+        let reached = |p: DVec2| window.offset + window.source.distance(p);
+        let [(to_a, _), (to_b, _)] = ends.map(|v| self.corners[v as usize]);
+        if to_a + a.distance(y) + EPSILON < reached(y) || to_b + b.distance(x) + EPSILON < reached(x) {
+            return;
+        }
+        let nearest = window.offset + segment_distance(window.source, x, y);
+        if nearest > bound {
+            return;
+        }
+        let edge = mesh.neighbours[triangle as usize].iter().position(|&n| n == from);
+        let edge = edge.expect("neighbours know each other") as u8;
+        let what = self.pending.len() as u32;
+        self.pending.push(Crossing { triangle, edge, window: Window { nearest, ..window } });
+        self.queue.push(Event { distance: nearest, what });
+    }
+
+    /// A window crosses its triangle.
+    fn cross(&mut self, navigation: &Navigation, Crossing { triangle, edge, window }: Crossing, bound: f64) {
+        self.found.push((triangle, window));
+        let ahead = usize::from(edge + 2) % 3;
+        let corner = navigation.mesh.triangles[triangle as usize][ahead];
+        let to = navigation.mesh.vertices[corner as usize] - window.source;
+        let distance = to.length();
+        let direction = to / distance;
+        let (after_first, before_last) = (window.first.perp_dot(direction), direction.perp_dot(window.last));
+        if after_first >= -EPSILON && before_last >= -EPSILON {
+            self.reach(corner, window.offset + distance, window.source, bound);
+        }
+        // Seen from the source, the next edge begins on the side of the first ray, the one after ends on that of the last.
+        let (right, left) = (usize::from(edge + 1) % 3, ahead);
+        if after_first > 0.0 {
+            let last = if before_last > 0.0 { direction } else { window.last };
+            self.enter(navigation, triangle, right, Window { last, ..window }, bound);
+        }
+        if before_last > 0.0 {
+            let first = if after_first > 0.0 { direction } else { window.first };
+            self.enter(navigation, triangle, left, Window { first, ..window }, bound);
+        }
+    }
+
+    /// A settled corner passes on what turns around it.
+    fn bend(&mut self, navigation: &Navigation, corner: usize, bound: f64) {
+        let walls = navigation.corners[corner];
+        if !walls.reflex {
+            return;
+        }
+        let (offset, before) = self.corners[corner];
+        let source = navigation.mesh.vertices[corner];
+        // A source on the corner itself has seen all around it already.
+        let Some(ahead) = (source - before).try_normalize() else { return };
+        let sides = (ahead.perp_dot(walls.next), ahead.perp_dot(walls.prev));
+        if sides.0 >= -EPSILON && sides.1 >= -EPSILON {
+            self.spread(navigation, corner, (ahead, walls.prev), (source, offset), bound);
+        }
+        if sides.0 <= EPSILON && sides.1 <= EPSILON {
+            self.spread(navigation, corner, (walls.next, ahead), (source, offset), bound);
+        }
+    }
+
+    /// Opens a cone at a corner: windows in the triangles around it and through the edges facing it.
+    fn spread(
+        &mut self,
+        navigation: &Navigation,
+        corner: usize,
+        (first, last): (DVec2, DVec2),
+        (source, offset): (DVec2, f64),
+        bound: f64,
+    ) {
+        let mesh = &navigation.mesh;
+        for &(t, k) in navigation.fan(corner) {
+            let facing = usize::from(k + 1) % 3;
+            let ends = [facing, (facing + 1) % 3].map(|at| mesh.triangles[t as usize][at]);
+            let [(to_a, a), (to_b, b)] = ends.map(|v| {
+                let to = mesh.vertices[v as usize] - source;
+                (to.length(), to.normalize())
+            });
+            // The triangle's own angle, cut by the cone; both are less than π.
+            let window_first = if in_cone(first, last, a) { a } else { first };
+            let window_last = if in_cone(first, last, b) { b } else { last };
+            if !in_cone(a, b, window_first) || !in_cone(a, b, window_last) {
+                continue;
+            }
+            let window = Window { source, offset, first: window_first, last: window_last, nearest: offset };
+            self.found.push((t, window));
+            if window_first == a {
+                self.reach(ends[0], offset + to_a, source, bound);
+            }
+            if window_last == b {
+                self.reach(ends[1], offset + to_b, source, bound);
+            }
+            self.enter(navigation, t, facing, window, bound);
+        }
+    }
+
+    /// The windows found, by triangle, each triangle's nearest first.
+    fn collect(&mut self, source: DVec2, bound: f64) -> DistanceField {
+        self.found.sort_by(|(t, a), (u, b)| t.cmp(u).then(a.nearest.total_cmp(&b.nearest)));
+        let mut triangles: Vec<(u32, u32)> = Vec::new();
+        for (at, &(t, _)) in self.found.iter().enumerate() {
+            if triangles.last().is_none_or(|&(last, _)| last != t) {
+                triangles.push((t, at as u32));
+            }
+        }
+        let windows = self.found.iter().map(|&(_, window)| window).collect();
+        DistanceField { source, bound, triangles, windows }
+    }
+}
+
+/// Whether a direction lies in the cone from `first` to `last`, which is less than π, rays included.
+fn in_cone(first: DVec2, last: DVec2, direction: DVec2) -> bool {
+    first.perp_dot(direction) >= -EPSILON
+        && direction.perp_dot(last) >= -EPSILON
+        && (first + last).dot(direction) >= 0.0
+}
+
+/// Where a ray meets an edge that it is known to cross.
+fn on_edge(source: DVec2, ray: DVec2, a: DVec2, b: DVec2) -> DVec2 {
+    let along = b - a;
+    let t = ray.perp_dot(a - source) / along.perp_dot(ray);
+    // Along the edge itself any point of it will do: the window has no width there.
+    if t.is_finite() { a + along * t.clamp(0.0, 1.0) } else { a }
+}
+
+/// Whether a point near the line of an edge lies between its ends, or on one.
+fn within_edge(p: DVec2, a: DVec2, b: DVec2) -> bool {
+    let along = b - a;
+    let t = (p - a).dot(along);
+    let slack = ON_EDGE * along.length();
+    t >= -slack && t <= along.length_squared() + slack
+}

@@ -1,0 +1,157 @@
+//! Sub-pixel contours of the alpha channel by marching squares.
+//!
+//! Pixel centres are the nodes; outside the picture alpha is zero. Contours are closed, simple and disjoint, with the
+//! opaque side on the right hand in the y-down image: outer contours have positive area, holes negative. At saddles the
+//! mean of the four nodes decides, so that a stroke one pixel wide on the diagonal holds together.
+//!
+//! Cost: one look at each pixel, and one byte of memory for it.
+
+use glam::DVec2;
+
+use super::Ring;
+use crate::picture::Picture;
+
+/// Crossings keep this share of an edge away from its nodes, so that no two crossings of a contour coincide, even
+/// where a pixel's alpha is just the threshold.
+const NODE_CLEARANCE: f64 = 1.0 / 64.0;
+
+/// Contours of `alpha ≥ threshold`, with the threshold in (0, 1].
+pub(super) fn alpha_contours(picture: &Picture, threshold: f64) -> Vec<Ring> {
+    let field = Alpha { picture, threshold };
+    let (width, height) = (i64::from(picture.width), i64::from(picture.height));
+    let mut seen = vec![false; (width * height) as usize];
+    let mut rings = Vec::new();
+    for y in 0..height {
+        for x in 0..width {
+            // Every contour passes some node whose left neighbour is outside.
+            if field.inside(x, y) && !field.inside(x - 1, y) && !seen[(y * width + x) as usize] {
+                rings.push(field.trace(x, y, |x, y| seen[(y * width + x) as usize] = true));
+            }
+        }
+    }
+    rings
+}
+
+/// A cell of four nodes, named by its top left one.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Cell {
+    x: i64,
+    y: i64,
+}
+
+/// The side of a cell.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Top,
+    Right,
+    Bottom,
+    Left,
+}
+
+struct Alpha<'a> {
+    picture: &'a Picture<'a>,
+    threshold: f64,
+}
+
+impl Alpha<'_> {
+    fn at(&self, x: i64, y: i64) -> f64 {
+        let (width, height) = (i64::from(self.picture.width), i64::from(self.picture.height));
+        if (0..width).contains(&x) && (0..height).contains(&y) {
+            f64::from(self.picture.rgba[((y * width + x) * 4 + 3) as usize]) / 255.0
+        } else {
+            0.0
+        }
+    }
+
+    fn inside(&self, x: i64, y: i64) -> bool {
+        self.at(x, y) >= self.threshold
+    }
+
+    /// Follows the contour upwards through the edge between (x − 1, y), outside, and (x, y), inside.
+    fn trace(&self, x: i64, y: i64, mut saw: impl FnMut(i64, i64)) -> Ring {
+        let start = Cell { x: x - 1, y: y - 1 };
+        let (mut cell, mut entry) = (start, Side::Bottom);
+        let mut ring = Vec::new();
+        loop {
+            if entry == Side::Bottom {
+                saw(cell.x + 1, cell.y + 1);
+            }
+            ring.push(self.crossing(cell, entry));
+            (cell, entry) = self.next(cell, entry);
+            if cell == start && entry == Side::Bottom {
+                return ring;
+            }
+        }
+    }
+
+    /// The cell beyond this one along the contour, and the side by which it is entered.
+    fn next(&self, cell: Cell, entry: Side) -> (Cell, Side) {
+        let Cell { x, y } = cell;
+        // The inside lies on the right hand: entering by the bottom, the bottom right node is inside.
+        let [top_left, top_right, bottom_right, bottom_left] =
+            [self.inside(x, y), self.inside(x + 1, y), self.inside(x + 1, y + 1), self.inside(x, y + 1)];
+        let (ahead_left, ahead_right) = match entry {
+            Side::Bottom => (top_left, top_right),
+            Side::Left => (top_right, bottom_right),
+            Side::Top => (bottom_right, bottom_left),
+            Side::Right => (bottom_left, top_left),
+        };
+        let turn_right = match (ahead_left, ahead_right) {
+            (false, false) => true,
+            (false, true) => return straight(cell, entry),
+            (true, true) => false,
+            // Saddle: joined inside, the contour turns about the outside node behind on the left.
+            (true, false) => !self.saddle_inside(cell),
+        };
+        if turn_right { right(cell, entry) } else { left(cell, entry) }
+    }
+
+    fn saddle_inside(&self, Cell { x, y }: Cell) -> bool {
+        let sum = self.at(x, y) + self.at(x + 1, y) + self.at(x, y + 1) + self.at(x + 1, y + 1);
+        sum / 4.0 >= self.threshold
+    }
+
+    /// Where the contour crosses a side, kept within the picture.
+    fn crossing(&self, Cell { x, y }: Cell, side: Side) -> DVec2 {
+        let ((ax, ay), (bx, by)) = match side {
+            Side::Top => ((x, y), (x + 1, y)),
+            Side::Right => ((x + 1, y), (x + 1, y + 1)),
+            Side::Bottom => ((x, y + 1), (x + 1, y + 1)),
+            Side::Left => ((x, y), (x, y + 1)),
+        };
+        let (a, b) = (self.at(ax, ay), self.at(bx, by));
+        let t = ((self.threshold - a) / (b - a)).clamp(NODE_CLEARANCE, 1.0 - NODE_CLEARANCE);
+        let (from, to) = (DVec2::new(ax as f64, ay as f64), DVec2::new(bx as f64, by as f64));
+        let size = DVec2::new(f64::from(self.picture.width), f64::from(self.picture.height));
+        (from + (to - from) * t + 0.5).clamp(DVec2::ZERO, size)
+    }
+}
+
+fn straight(Cell { x, y }: Cell, entry: Side) -> (Cell, Side) {
+    match entry {
+        Side::Bottom => (Cell { x, y: y - 1 }, Side::Bottom),
+        Side::Left => (Cell { x: x + 1, y }, Side::Left),
+        Side::Top => (Cell { x, y: y + 1 }, Side::Top),
+        Side::Right => (Cell { x: x - 1, y }, Side::Right),
+    }
+}
+
+fn right(cell: Cell, entry: Side) -> (Cell, Side) {
+    let turned = match entry {
+        Side::Bottom => Side::Left,
+        Side::Left => Side::Top,
+        Side::Top => Side::Right,
+        Side::Right => Side::Bottom,
+    };
+    straight(cell, turned)
+}
+
+fn left(cell: Cell, entry: Side) -> (Cell, Side) {
+    let turned = match entry {
+        Side::Bottom => Side::Right,
+        Side::Left => Side::Bottom,
+        Side::Top => Side::Left,
+        Side::Right => Side::Top,
+    };
+    straight(cell, turned)
+}

@@ -1,0 +1,44 @@
+//! Which rings are islands and which are holes, and which are too small to matter.
+
+use glam::DVec2;
+
+use super::{Ring, contains, signed_area};
+
+/// Regions smaller than this, in square pixels, are specks: dust of a few pixels that no one could put a handle on.
+const SPECK_AREA: f64 = 4.0;
+/// In large pictures specks may be larger: this share of the picture's area (a 10 × 10 px spot in 10 megapixels).
+const SPECK_SHARE: f64 = 1e-5;
+
+/// Rings worth keeping, and the number of those dropped.
+pub(super) struct Kept {
+    pub(super) rings: Vec<Ring>,
+    pub(super) specks: usize,
+}
+
+/// Drops small islands, with the holes in them, and small holes.
+///
+/// `contours` are oriented: outer ones with positive area. `picture_area` is in square pixels.
+pub(super) fn without_specks(contours: Vec<Ring>, picture_area: f64) -> Kept {
+    let least = SPECK_AREA.max(SPECK_SHARE * picture_area);
+    let count = contours.len();
+    // A hole is larger than a speck only if the island around it is, so no hole is left without its island.
+    let rings: Vec<Ring> = contours.into_iter().filter(|ring| signed_area(ring).abs() >= least).collect();
+    let specks = count - rings.len();
+    Kept { rings, specks }
+}
+
+/// The same rings with outer rings of positive area and holes of negative area, by how deep they are nested.
+pub(super) fn oriented(rings: &[Ring]) -> Vec<Ring> {
+    let depth = |at: usize, p: DVec2| {
+        rings.iter().enumerate().filter(|&(other, ring)| other != at && contains(ring, p)).count()
+    };
+    let orient = |(at, ring): (usize, &Ring)| {
+        let outer = depth(at, ring[0]).is_multiple_of(2);
+        let mut ring = ring.clone();
+        if (signed_area(&ring) > 0.0) != outer {
+            ring.reverse();
+        }
+        ring
+    };
+    rings.iter().enumerate().map(orient).collect()
+}

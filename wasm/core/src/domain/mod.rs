@@ -1,0 +1,172 @@
+//! Ω: the closed region that is warped, as rings in image pixels (paper, section III-A).
+//!
+//! A domain is made of islands, each an outer ring with holes. Rings never cross or touch. They come from the
+//! picture's rectangle, from its alpha (`contour` then `simplify`), or from the project (`polygon`).
+
+mod contour;
+mod islands;
+mod polygon;
+mod simplify;
+
+use glam::DVec2;
+
+use crate::{error::Error, picture::Picture, project::DomainSpec};
+
+/// Most corners an outline may have. Each corner can bend shortest paths, so this bounds the cost of a distance field.
+pub const MAX_CORNERS: usize = 20_000;
+
+/// A closed chain of points, at least three, without repetition of the first.
+///
+/// Outer rings have positive [`signed_area`], holes negative: walking along a ring in the y-down image, the
+/// domain lies on the right hand.
+pub type Ring = Vec<DVec2>;
+
+/// The region to warp. See the [module](self) for its invariants.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Domain {
+    rings: Vec<Ring>,
+    islands: usize,
+    specks: usize,
+}
+
+impl Domain {
+    /// The domain that a project asks for: by default the alpha of a picture with transparency and the whole
+    /// rectangle of any other.
+    ///
+    /// # Errors
+    /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`] or one of the `Ring…` errors.
+    pub fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
+        match spec {
+            Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width, picture.height)),
+            Some(DomainSpec::Alpha { threshold }) => Self::from_alpha(picture, *threshold),
+            Some(DomainSpec::Polygon { rings }) => Self::from_polygon(rings, picture.width, picture.height),
+            None if picture.has_transparency() => Self::from_alpha(picture, DEFAULT_THRESHOLD),
+            None => Ok(Self::rectangle(picture.width, picture.height)),
+        }
+    }
+
+    /// The whole picture.
+    #[must_use]
+    pub fn rectangle(width: u32, height: u32) -> Self {
+        let (w, h) = (f64::from(width), f64::from(height));
+        let ring = vec![DVec2::ZERO, DVec2::new(w, 0.0), DVec2::new(w, h), DVec2::new(0.0, h)];
+        Self { rings: vec![ring], islands: 1, specks: 0 }
+    }
+
+    /// Where the picture's alpha reaches `threshold` (in (0, 1]), by sub-pixel contours.
+    ///
+    /// # Errors
+    /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`].
+    pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
+        let contours = contour::alpha_contours(picture, threshold);
+        if contours.is_empty() {
+            return Err(Error::NothingOpaque { threshold });
+        }
+        let area = f64::from(picture.width) * f64::from(picture.height);
+        let kept = islands::without_specks(contours, area);
+        if kept.rings.is_empty() {
+            return Err(Error::OnlySpecks { threshold, specks: kept.specks });
+        }
+        let rings = simplify::simplified(&kept.rings);
+        let corners = rings.iter().map(Vec::len).sum();
+        if corners > MAX_CORNERS {
+            return Err(Error::OutlineTooFine { corners });
+        }
+        let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
+        Ok(Self { rings, islands, specks: kept.specks })
+    }
+
+    /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
+    ///
+    /// # Errors
+    /// One of the `Ring…` errors, naming ring and point; [`Error::OutlineTooFine`].
+    pub fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
+        let corners = rings.iter().map(Vec::len).sum();
+        if corners > MAX_CORNERS {
+            return Err(Error::OutlineTooFine { corners });
+        }
+        polygon::check(rings, width, height)?;
+        let rings = islands::oriented(rings);
+        let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
+        Ok(Self { rings, islands, specks: 0 })
+    }
+
+    /// The region on the right hand of rings of finite points.
+    ///
+    /// # Errors
+    /// [`Error::OutlineTooFine`], [`Error::RingDuplicate`], [`Error::RingsCross`]; [`Error::RingFlat`] for a ring that is an
+    /// island within an island, or a hole outside of all.
+    pub(crate) fn from_oriented(rings: Vec<Ring>) -> Result<Self, Error> {
+        let corners = rings.iter().map(Vec::len).sum();
+        if corners > MAX_CORNERS {
+            return Err(Error::OutlineTooFine { corners });
+        }
+        polygon::check_simple(&rings)?;
+        let turned = rings.iter().zip(islands::oriented(&rings)).position(|(ring, oriented)| *ring != oriented);
+        if let Some(ring) = turned {
+            return Err(Error::RingFlat { ring });
+        }
+        let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
+        Ok(Self { rings, islands, specks: 0 })
+    }
+
+    /// Outer rings and holes.
+    #[must_use]
+    pub fn rings(&self) -> &[Ring] {
+        &self.rings
+    }
+
+    /// Number of connected parts.
+    #[must_use]
+    pub fn islands(&self) -> usize {
+        self.islands
+    }
+
+    /// Number of holes.
+    #[must_use]
+    pub fn holes(&self) -> usize {
+        self.rings.len() - self.islands
+    }
+
+    /// Number of opaque or transparent regions that were too small to keep.
+    #[must_use]
+    pub fn specks(&self) -> usize {
+        self.specks
+    }
+
+    /// Area in square pixels.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.rings.iter().map(|ring| signed_area(ring)).sum()
+    }
+
+    /// Least and greatest coordinates.
+    #[must_use]
+    pub fn bounds(&self) -> (DVec2, DVec2) {
+        let points = self.rings.iter().flatten();
+        points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)))
+    }
+}
+
+/// Threshold where the project names none (the project file's default).
+const DEFAULT_THRESHOLD: f64 = 0.5;
+
+/// Signed area of a ring: positive for an outer ring, negative for a hole.
+#[must_use]
+pub fn signed_area(ring: &[DVec2]) -> f64 {
+    let Some(&origin) = ring.first() else { return 0.0 };
+    edges(ring).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum::<f64>() / 2.0
+}
+
+/// The edges of a ring, the closing one last.
+pub(crate) fn edges(ring: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
+    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| (a, b))
+}
+
+/// Whether a point lies inside a ring, by the even-odd rule.
+pub(crate) fn contains(ring: &[DVec2], p: DVec2) -> bool {
+    edges(ring).fold(false, |inside, (a, b)| {
+        let crosses = (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+        inside != crosses
+    })
+}

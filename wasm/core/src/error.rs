@@ -1,0 +1,356 @@
+//! Everything that can be refused, in one enum: what was wrong, where, and what to do about it.
+
+use crate::project::ProjectError;
+
+/// Why a picture, a domain, a project or a handle was refused.
+///
+/// [`Error::code`] is stable and meant for programs; the `Display` text is one sentence meant for a person.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// The project file is not a project.
+    #[error(transparent)]
+    Project(#[from] ProjectError),
+    /// A picture whose sides are outside what can be warped.
+    #[error(
+        "the picture is {width}×{height} px; each side must be from {min} to {max} px: scale it first",
+        min = crate::picture::MIN_SIDE,
+        max = crate::picture::MAX_SIDE
+    )]
+    PictureSide {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+    /// A picture with more pixels than can be warped.
+    #[error(
+        "the picture is {width}×{height} px, more than {max} megapixels: scale it down first",
+        max = crate::picture::MAX_PIXELS / 1_000_000
+    )]
+    PictureArea {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+    /// The pixels handed over do not fill the picture.
+    #[error("a picture of {width}×{height} px needs {expected} bytes of RGBA, not {found}")]
+    PictureBytes {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+        /// `width × height × 4`.
+        expected: usize,
+        /// Bytes received.
+        found: usize,
+    },
+    /// A scale at which the picture would have no pixel, or too many.
+    #[error(
+        "a picture of {width}×{height} px cannot be warped at a scale of {scale:?}: the result must have 1 to {side} px a side and at most {area} megapixels",
+        side = crate::picture::MAX_SIDE,
+        area = crate::picture::MAX_PIXELS / 1_000_000
+    )]
+    Scale {
+        /// Pixels of the result for a pixel of the picture.
+        scale: f64,
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+    /// The project was made for a picture of another size.
+    #[error("the project is for a picture of {project_width}×{project_height} px, but this one is {width}×{height} px")]
+    PictureMismatch {
+        /// Width that the project names.
+        project_width: u32,
+        /// Height that the project names.
+        project_height: u32,
+        /// Width of the picture.
+        width: u32,
+        /// Height of the picture.
+        height: u32,
+    },
+    /// No pixel reaches the threshold.
+    #[error(
+        "no pixel of the picture is opaque at the threshold {threshold}: lower domain.threshold or warp the whole image"
+    )]
+    NothingOpaque {
+        /// The alpha threshold, in (0, 1].
+        threshold: f64,
+    },
+    /// Only specks reach the threshold.
+    #[error(
+        "only {specks} specks of the picture are opaque at the threshold {threshold}: lower domain.threshold or warp the whole image"
+    )]
+    OnlySpecks {
+        /// The alpha threshold, in (0, 1].
+        threshold: f64,
+        /// How many regions were too small to keep.
+        specks: usize,
+    },
+    /// A ring with fewer than three points.
+    #[error("domain.rings[{ring}] has {points} points; a ring needs at least 3")]
+    RingShort {
+        /// Index of the ring.
+        ring: usize,
+        /// Number of its points.
+        points: usize,
+    },
+    /// A point of a ring that is not a finite number.
+    #[error("domain.rings[{ring}][{point}] is not a finite point")]
+    RingNotFinite {
+        /// Index of the ring.
+        ring: usize,
+        /// Index of the point.
+        point: usize,
+    },
+    /// A point of a ring outside the picture.
+    #[error("domain.rings[{ring}][{point}] = ({x}, {y}) lies outside the picture of {width}×{height} px")]
+    RingOutsidePicture {
+        /// Index of the ring.
+        ring: usize,
+        /// Index of the point.
+        point: usize,
+        /// The point.
+        x: f64,
+        /// The point.
+        y: f64,
+        /// Width of the picture.
+        width: u32,
+        /// Height of the picture.
+        height: u32,
+    },
+    /// Two points of the rings coincide.
+    #[error("domain.rings[{ring}][{point}] stands on the same spot as domain.rings[{other_ring}][{other_point}]")]
+    RingDuplicate {
+        /// Index of the ring.
+        ring: usize,
+        /// Index of the point.
+        point: usize,
+        /// Index of the other point's ring.
+        other_ring: usize,
+        /// Index of the other point.
+        other_point: usize,
+    },
+    /// A ring that encloses nothing.
+    #[error("domain.rings[{ring}] encloses no area")]
+    RingFlat {
+        /// Index of the ring.
+        ring: usize,
+    },
+    /// Two edges of the rings cross or touch.
+    #[error("domain.rings[{ring}] at point {point} crosses domain.rings[{other_ring}] at point {other_point}")]
+    RingsCross {
+        /// Index of the ring.
+        ring: usize,
+        /// Index of the edge's first point.
+        point: usize,
+        /// Index of the other edge's ring.
+        other_ring: usize,
+        /// Index of the other edge's first point.
+        other_point: usize,
+    },
+    /// An outline with more corners than can be solved in reasonable time.
+    #[error("the outline has {corners} corners, more than {max}: raise domain.threshold or smooth the picture's alpha",
+        max = crate::domain::MAX_CORNERS)]
+    OutlineTooFine {
+        /// Number of corners after simplification.
+        corners: usize,
+    },
+    /// A handle outside the domain.
+    #[error("handle “{id}” at ({x}, {y}) lies outside the domain: place it on the picture's opaque part")]
+    HandleOutside {
+        /// Id of the handle.
+        id: String,
+        /// Its rest place.
+        x: f64,
+        /// Its rest place.
+        y: f64,
+    },
+    /// Two handles that no weight could tell apart.
+    #[error("handles “{first}” and “{second}” are {distance:.3e} px apart; they must be at least {min} px apart",
+        min = crate::site::MIN_SEPARATION)]
+    HandlesTooClose {
+        /// Id of one handle.
+        first: String,
+        /// Id of the other.
+        second: String,
+        /// Their intrinsic distance in pixels.
+        distance: f64,
+    },
+    /// More handles than can be solved.
+    #[error("{count} handles are too many: at most {max} can be solved, and handle “{id}” is the first beyond",
+        max = crate::site::MAX_HANDLES)]
+    TooManyHandles {
+        /// Number of handles.
+        count: usize,
+        /// Id of the first handle beyond the limit.
+        id: String,
+    },
+    /// A kind of handle, or a setting, that this version does not solve.
+    #[error("{path}: {feature} cannot be solved by this version")]
+    Unsupported {
+        /// Path of the key in the project.
+        path: String,
+        /// What is asked for.
+        feature: String,
+    },
+    /// The handles passed to a pose are not those that were solved.
+    #[error("the pose names {found} handles, but {expected} were solved")]
+    PoseMismatch {
+        /// Handles solved.
+        expected: usize,
+        /// Handles posed.
+        found: usize,
+    },
+    /// A pose whose numbers overflow.
+    #[error("handle “{id}” is posed beyond what can be computed")]
+    PoseNotFinite {
+        /// Id of the handle.
+        id: String,
+    },
+    /// A point that should lie in the domain.
+    #[error("the point ({x}, {y}) lies outside the domain")]
+    PointOutside {
+        /// The point.
+        x: f64,
+        /// The point.
+        y: f64,
+    },
+    /// The insertion of virtual sites would not end within its budget.
+    #[error("the handles ask for more than {max} virtual sites: move the closest handles apart",
+        max = crate::site::MAX_SITES)]
+    TooManySites,
+    /// A triangle mesh that is no mesh.
+    #[error("triangle {triangle} of the mesh is not a triangle of its {vertices} vertices")]
+    MeshTriangle {
+        /// Index of the triangle.
+        triangle: usize,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// A triangle mesh without triangles.
+    #[error("the mesh has no triangle")]
+    MeshEmpty,
+    /// A vertex of a mesh that is not a finite number, or too far out to compute with.
+    #[error("vertex {vertex} of the mesh is not a point with coordinates from −{max} to {max}",
+        max = crate::given_mesh::FARTHEST)]
+    MeshVertex {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// A vertex that is a corner of no triangle.
+    #[error("vertex {vertex} of the mesh belongs to no triangle: leave it out")]
+    MeshVertexLoose {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// A triangle without area.
+    #[error("triangle {triangle} of the mesh has no area")]
+    MeshTriangleFlat {
+        /// Index of the triangle.
+        triangle: usize,
+    },
+    /// Two triangles on one side of an edge: they overlap, or more than two share the edge.
+    #[error(
+        "triangles {other} and {triangle} of the mesh lie on the same side of the edge between vertices {from} and {to}"
+    )]
+    MeshEdge {
+        /// Index of the triangle.
+        triangle: usize,
+        /// Index of the other triangle.
+        other: usize,
+        /// Index of one end of the edge.
+        from: usize,
+        /// Index of the other end.
+        to: usize,
+    },
+    /// A vertex at which the mesh hangs together by this vertex alone.
+    #[error(
+        "the outline of the mesh passes vertex {vertex} more than once: give each part a vertex of its own, apart from the others"
+    )]
+    MeshPinched {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// The mesh lies over itself.
+    #[error("the outline of the mesh at vertex {vertex} crosses or touches itself at vertex {other}")]
+    MeshCrosses {
+        /// Index of the vertex, on the outline: of the first end of an edge, or of a point.
+        vertex: usize,
+        /// Index of the vertex where the other edge, or the same point, is.
+        other: usize,
+    },
+    /// A part of the mesh lies over another.
+    #[error("the part of the mesh that vertex {vertex} bounds lies over another")]
+    MeshCovered {
+        /// Index of a vertex of its outline.
+        vertex: usize,
+    },
+    /// A cloud with too few points for the neighbours that each is to have, or none to be had.
+    #[error("{neighbours} neighbours for each of {points} points: there must be at least 1, and fewer than points")]
+    CloudNeighbours {
+        /// Number of points.
+        points: usize,
+        /// Neighbours asked for.
+        neighbours: usize,
+    },
+    /// A point of a cloud that is not a finite number, or too far out to compute with.
+    #[error("point {point} of the cloud is not a point with coordinates from −{max} to {max}",
+        max = crate::given_mesh::FARTHEST)]
+    CloudPoint {
+        /// Index of the point.
+        point: usize,
+    },
+    /// Two points of a cloud coincide.
+    #[error("point {point} of the cloud stands on the same spot as point {other}")]
+    CloudDuplicate {
+        /// Index of the point.
+        point: usize,
+        /// Index of the other.
+        other: usize,
+    },
+    /// Data handed to a poser that no solution wrote.
+    #[error("these bytes are not a poser of this version")]
+    PoserBytes,
+}
+
+impl Error {
+    /// A stable name for programs, in kebab case.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Project(_) => "project",
+            Self::PictureSide { .. } | Self::PictureArea { .. } | Self::PictureBytes { .. } => "picture",
+            Self::Scale { .. } => "scale",
+            Self::PictureMismatch { .. } => "picture-mismatch",
+            Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
+            Self::RingShort { .. }
+            | Self::RingNotFinite { .. }
+            | Self::RingOutsidePicture { .. }
+            | Self::RingDuplicate { .. }
+            | Self::RingFlat { .. }
+            | Self::RingsCross { .. }
+            | Self::OutlineTooFine { .. } => "domain",
+            Self::HandleOutside { .. } => "handle-outside",
+            Self::HandlesTooClose { .. } => "handles-too-close",
+            Self::TooManyHandles { .. } => "too-many-handles",
+            Self::Unsupported { .. } => "unsupported",
+            Self::PoseMismatch { .. } | Self::PoseNotFinite { .. } => "pose",
+            Self::PointOutside { .. } => "point-outside",
+            Self::TooManySites => "too-many-sites",
+            Self::MeshTriangle { .. }
+            | Self::MeshEmpty
+            | Self::MeshVertex { .. }
+            | Self::MeshVertexLoose { .. }
+            | Self::MeshTriangleFlat { .. }
+            | Self::MeshEdge { .. }
+            | Self::MeshPinched { .. }
+            | Self::MeshCrosses { .. }
+            | Self::MeshCovered { .. } => "mesh",
+            Self::CloudNeighbours { .. } | Self::CloudPoint { .. } | Self::CloudDuplicate { .. } => "cloud",
+            Self::PoserBytes => "poser",
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! A triangle mesh that the caller brings in place of a picture's outline and samples (paper, section V-B).
+//!
+//! Its boundary is the outline of the domain, so distances and weights are as exact as on a mesh of the solver's own: they
+//! are evaluated, not carried along edges. The vertices are the samples, no more and no fewer. They find the cells and the
+//! farthest points, so where handles are closer to one another than vertices are, a cell may be taken for smaller than it is.
+//!
+//! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
+
+use std::{collections::HashMap, sync::Arc};
+
+use glam::DVec2;
+
+use crate::{
+    domain::{Domain, Ring},
+    error::Error,
+    sample::Samples,
+    solver::Outline,
+    triangulation::{NONE, Triangulation},
+};
+
+/// The greatest coordinate: there rounding is four digits below what counts as on the outline.
+pub(crate) const FARTHEST: f64 = 1e6;
+/// A triangle's least area in square pixels, and in squares of its longest edge: less is rounding.
+const LEAST_AREA: f64 = 1e-12;
+/// Turns of the boundary smaller than this (sine of the angle) are straight, as they are for paths.
+const STRAIGHT: f64 = 1e-12;
+
+/// A checked triangle mesh, to be solved by [`solve_mesh`](crate::solve_mesh).
+///
+/// ```
+/// use c2warp::{GivenMesh, project::Project, solve_mesh};
+///
+/// // Four columns and three rows of vertices, 10 px apart.
+/// let vertices = (0..12).map(|i| [f64::from(i % 4) * 10.0, f64::from(i / 4) * 10.0].into()).collect();
+/// let quads = [0, 1, 2, 4, 5, 6];
+/// let triangles = quads.iter().flat_map(|&a| [[a, a + 1, a + 5], [a, a + 5, a + 4]]).collect();
+/// let mesh = GivenMesh::new(vertices, triangles)?;
+/// let project = Project::from_json(r#"{
+///     "format": "c2warp/1",
+///     "image": { "src": "any.png", "width": 30, "height": 20 },
+///     "handles": [
+///         { "id": "left", "kind": "point", "rest": [2, 9] },
+///         { "id": "right", "kind": "point", "rest": [30, 10], "posed": [30, 15] }
+///     ]
+/// }"#).map_err(c2warp::Error::from)?;
+/// let solution = solve_mesh(&project, &mesh)?;
+/// let pose = solution.poser().pose(&project.handles)?;
+/// let posed = solution.posed_vertices(&pose);
+/// assert_eq!(posed.len(), 12);
+/// assert_eq!(posed[7], [30.0, 15.0].into());
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct GivenMesh {
+    mesh: Triangulation,
+    /// The vertices along the boundary.
+    rings: Vec<Vec<u32>>,
+    pub(crate) outline: Arc<Outline>,
+}
+
+impl GivenMesh {
+    /// Checks a mesh. Places are in pixels; triangles may wind either way round and are turned where they must.
+    ///
+    /// The mesh may have several parts, and holes, in each of which may be further parts. No part may touch another.
+    ///
+    /// # Errors
+    /// One of the `Mesh…` errors, naming triangle or vertex; [`Error::OutlineTooFine`].
+    pub fn new(vertices: Vec<DVec2>, mut triangles: Vec<[u32; 3]>) -> Result<Self, Error> {
+        if triangles.is_empty() {
+            return Err(Error::MeshEmpty);
+        }
+        // NaN is not below anything.
+        if let Some(vertex) = vertices.iter().position(|p| !(p.abs().max_element() <= FARTHEST && p.is_finite())) {
+            return Err(Error::MeshVertex { vertex });
+        }
+        let mut used = vec![false; vertices.len()];
+        for (triangle, corners) in triangles.iter_mut().enumerate() {
+            let &mut [a, b, c] = corners;
+            if [a, b, c].iter().any(|&v| v as usize >= vertices.len()) || a == b || b == c || c == a {
+                return Err(Error::MeshTriangle { triangle, vertices: vertices.len() });
+            }
+            let [p, q, r] = corners.map(|v| vertices[v as usize]);
+            let area = (q - p).perp_dot(r - p) / 2.0;
+            let longest = p.distance_squared(q).max(q.distance_squared(r)).max(r.distance_squared(p));
+            if area.abs() <= LEAST_AREA * longest.max(1.0) {
+                return Err(Error::MeshTriangleFlat { triangle });
+            }
+            if area < 0.0 {
+                corners.swap(1, 2);
+            }
+            for &v in &*corners {
+                used[v as usize] = true;
+            }
+        }
+        if let Some(vertex) = used.iter().position(|used| !used) {
+            return Err(Error::MeshVertexLoose { vertex });
+        }
+        let neighbours = neighbours(&triangles)?;
+        let mesh = Triangulation { vertices, triangles, neighbours };
+        let rings = boundary(&mesh)?;
+        let corners: Vec<Vec<u32>> = rings.iter().map(|ring| turns(&mesh.vertices, ring)).collect();
+        let place = |&v: &u32| mesh.vertices[v as usize];
+        let domain =
+            Domain::from_oriented(corners.iter().map(|ring| ring.iter().map(place).collect::<Ring>()).collect());
+        let domain = domain.map_err(|error| in_terms_of(error, &corners))?;
+        Ok(Self { mesh, rings, outline: Arc::new(Outline::hard(domain)) })
+    }
+
+    /// The samples that the vertices are.
+    pub(crate) fn samples(&self) -> Samples {
+        let mut samples =
+            Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), Vec::new(), 0.0);
+        // Nothing is known of the distance between vertices but its limit.
+        samples.spacing = samples.longest_edge;
+        samples
+    }
+}
+
+/// The triangles across the edges. Triangles wind positively, so two neighbours run along their edge in opposite directions.
+fn neighbours(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
+    let mut beside: HashMap<[u32; 2], usize> = HashMap::with_capacity(triangles.len() * 3);
+    for (triangle, corners) in triangles.iter().enumerate() {
+        for k in 0..3 {
+            let (from, to) = (corners[k], corners[(k + 1) % 3]);
+            if let Some(other) = beside.insert([from, to], triangle) {
+                return Err(Error::MeshEdge { triangle, other, from: from as usize, to: to as usize });
+            }
+        }
+    }
+    let across = |a: u32, b: u32| beside.get(&[b, a]).map_or(NONE, |&t| t as u32);
+    Ok(triangles.iter().map(|&[a, b, c]| [across(a, b), across(b, c), across(c, a)]).collect())
+}
+
+/// The rings of vertices along the boundary, the mesh on their right hand.
+fn boundary(mesh: &Triangulation) -> Result<Vec<Vec<u32>>, Error> {
+    let mut next = vec![NONE; mesh.vertices.len()];
+    for (corners, neighbours) in mesh.triangles.iter().zip(&mesh.neighbours) {
+        for k in (0..3).filter(|&k| neighbours[k] == NONE) {
+            let vertex = corners[k] as usize;
+            if next[vertex] != NONE {
+                return Err(Error::MeshPinched { vertex });
+            }
+            next[vertex] = corners[(k + 1) % 3];
+        }
+    }
+    let mut rings = Vec::new();
+    for start in 0..next.len() {
+        let (mut ring, mut v) = (Vec::new(), start);
+        while next[v] != NONE {
+            ring.push(v as u32);
+            v = std::mem::replace(&mut next[v], NONE) as usize;
+        }
+        if !ring.is_empty() {
+            rings.push(ring);
+        }
+    }
+    Ok(rings)
+}
+
+/// The vertices at which a ring turns: between the others it is straight, and paths would gain nothing by knowing them.
+fn turns(vertices: &[DVec2], ring: &[u32]) -> Vec<u32> {
+    let n = ring.len();
+    let place = |i: usize| vertices[ring[i % n] as usize];
+    let is_turn = |i: usize| {
+        let (before, after) = ((place(i) - place(i + n - 1)).normalize(), (place(i + 1) - place(i)).normalize());
+        before.perp_dot(after).abs() > STRAIGHT || before.dot(after) < 0.0
+    };
+    (0..n).filter(|&i| is_turn(i)).map(|i| ring[i]).collect()
+}
+
+/// A refusal of the outline's rings in terms of the mesh.
+fn in_terms_of(error: Error, corners: &[Vec<u32>]) -> Error {
+    let vertex = |ring: usize, point: usize| corners[ring][point] as usize;
+    match error {
+        Error::RingDuplicate { ring, point, other_ring, other_point }
+        | Error::RingsCross { ring, point, other_ring, other_point } => {
+            Error::MeshCrosses { vertex: vertex(ring, point), other: vertex(other_ring, other_point) }
+        }
+        Error::RingFlat { ring } => Error::MeshCovered { vertex: vertex(ring, 0) },
+        other => other,
+    }
+}

@@ -1,0 +1,99 @@
+//! Which triangle a point lies in: triangles in a uniform grid.
+//!
+//! Cost: a handful of triangles a look-up; building it costs about one visit of each triangle for each cell it touches.
+
+use glam::DVec2;
+
+use crate::triangulation::Triangulation;
+
+/// Points this far outside every triangle, in pixels, still count as inside: the rounding of a point computed to lie on
+/// the outline, with room to spare, and far below what anyone sees.
+pub(crate) const ON_OUTLINE: f64 = 1e-6;
+
+/// An index over the triangles of one mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct Locator {
+    low: DVec2,
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    start: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Locator {
+    pub(crate) fn new(mesh: &Triangulation) -> Self {
+        let low = mesh.vertices.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+        let high = mesh.vertices.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+        let size = high - low;
+        let wanted = mesh.triangles.len().clamp(1, 1 << 18) as f64;
+        let cell = (size.x * size.y / wanted).sqrt().max(size.max_element() / 4096.0);
+        let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
+        let mut grid = Self { low, cell, columns, rows, start: vec![0; columns * rows + 1], triangles: Vec::new() };
+        let mut entries = Vec::with_capacity(mesh.triangles.len() * 3);
+        for t in 0..mesh.triangles.len() {
+            grid.for_cells(mesh.corners(t), |cell| entries.push((cell as u32, t as u32)));
+        }
+        for &(cell, _) in &entries {
+            grid.start[cell as usize + 1] += 1;
+        }
+        for i in 1..grid.start.len() {
+            grid.start[i] += grid.start[i - 1];
+        }
+        let mut fill = grid.start.clone();
+        grid.triangles = vec![0; entries.len()];
+        for (cell, triangle) in entries {
+            let at = &mut fill[cell as usize];
+            grid.triangles[*at as usize] = triangle;
+            *at += 1;
+        }
+        grid
+    }
+
+    /// The triangle that holds a point, allowing [`ON_OUTLINE`].
+    pub(crate) fn locate(&self, mesh: &Triangulation, p: DVec2) -> Option<usize> {
+        let (x, y) = self.cell_of(p)?;
+        let cell = y * self.columns + x;
+        let mut best = (-ON_OUTLINE, None);
+        for &t in &self.triangles[self.start[cell] as usize..self.start[cell + 1] as usize] {
+            let depth = depth_in(mesh.corners(t as usize), p);
+            if depth >= 0.0 {
+                return Some(t as usize);
+            }
+            if depth > best.0 {
+                best = (depth, Some(t as usize));
+            }
+        }
+        best.1
+    }
+
+    fn cell_of(&self, p: DVec2) -> Option<(usize, usize)> {
+        let cell = (p - self.low) / self.cell;
+        let slack = ON_OUTLINE / self.cell;
+        let inside =
+            |c: f64, n: usize| (c >= -slack && c <= n as f64 + slack).then(|| (c.max(0.0) as usize).min(n - 1));
+        Some((inside(cell.x, self.columns)?, inside(cell.y, self.rows)?))
+    }
+
+    /// Calls `visit` with every cell that a triangle, widened by [`ON_OUTLINE`], may touch.
+    fn for_cells(&self, corners: [DVec2; 3], mut visit: impl FnMut(usize)) {
+        let [a, b, c] = corners;
+        let index = |p: DVec2| ((p - self.low) / self.cell).max(DVec2::ZERO);
+        let (first, last) = (index(a.min(b).min(c) - ON_OUTLINE), index(a.max(b).max(c) + ON_OUTLINE));
+        let reach = self.cell * std::f64::consts::FRAC_1_SQRT_2 + ON_OUTLINE;
+        for y in first.y as usize..=(last.y as usize).min(self.rows - 1) {
+            for x in first.x as usize..=(last.x as usize).min(self.columns - 1) {
+                let centre = self.low + (DVec2::new(x as f64, y as f64) + 0.5) * self.cell;
+                if depth_in(corners, centre) >= -reach {
+                    visit(y * self.columns + x);
+                }
+            }
+        }
+    }
+}
+
+/// Distance of a point to the nearest line of a triangle's edges, negative outside.
+pub(crate) fn depth_in([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
+    let side = |from: DVec2, to: DVec2| (to - from).perp_dot(p - from) / (to - from).length();
+    side(a, b).min(side(b, c)).min(side(c, a))
+}

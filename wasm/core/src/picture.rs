@@ -1,0 +1,58 @@
+//! The picture to warp: its size and its pixels, borrowed.
+
+use crate::error::Error;
+
+/// Least number of pixels on a side: below it there is nothing to bend.
+pub const MIN_SIDE: u32 = 2;
+/// Greatest number of pixels on a side: the texture limit of most graphics hardware.
+pub const MAX_SIDE: u32 = 16_384;
+/// Greatest number of pixels: 400 MB of RGBA, which a browser tab can still hold twice.
+pub const MAX_PIXELS: u64 = 100_000_000;
+
+/// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom.
+#[derive(Debug, Clone, Copy)]
+pub struct Picture<'a> {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// `width × height × 4` bytes.
+    pub rgba: &'a [u8],
+}
+
+impl<'a> Picture<'a> {
+    /// Borrows a picture.
+    ///
+    /// # Errors
+    /// [`Error::PictureSide`] or [`Error::PictureArea`] for a size that cannot be warped (see [`MIN_SIDE`],
+    /// [`MAX_SIDE`], [`MAX_PIXELS`]); [`Error::PictureBytes`] where the pixels do not fill it.
+    pub fn new(width: u32, height: u32, rgba: &'a [u8]) -> Result<Self, Error> {
+        check_size(width, height)?;
+        let expected = width as usize * height as usize * 4;
+        if rgba.len() != expected {
+            return Err(Error::PictureBytes { width, height, expected, found: rgba.len() });
+        }
+        Ok(Self { width, height, rgba })
+    }
+
+    /// Whether any pixel is not fully opaque.
+    #[must_use]
+    pub fn has_transparency(&self) -> bool {
+        self.rgba.chunks_exact(4).any(|pixel| pixel[3] != u8::MAX)
+    }
+}
+
+/// Whether a picture of this size can be warped: to be asked before its pixels are decoded.
+///
+/// # Errors
+/// [`Error::PictureSide`] and [`Error::PictureArea`].
+pub fn check_size(width: u32, height: u32) -> Result<(), Error> {
+    let sides = MIN_SIDE..=MAX_SIDE;
+    if !sides.contains(&width) || !sides.contains(&height) {
+        return Err(Error::PictureSide { width, height });
+    }
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
+        return Err(Error::PictureArea { width, height });
+    }
+    Ok(())
+}

@@ -1,0 +1,83 @@
+//! Linear blending of motions: p′ = Σ w_i(p) T_i(p) (paper, eq. 1).
+
+use std::sync::Arc;
+
+use glam::{DMat2, DVec2};
+
+use super::Motion;
+use crate::weight::Influence;
+
+/// Where every site is taken: T_i(p) = posed_i + [a −b; b a] (p − rest_i).
+#[derive(Debug, Clone)]
+pub struct Pose {
+    rest: Arc<[DVec2]>,
+    linear: Vec<DVec2>,
+    motions: Vec<Motion>,
+}
+
+/// Where a point goes, and what happens around it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mapped {
+    /// The posed place, p′.
+    pub posed: DVec2,
+    /// Determinant of the map's derivative: the area's growth, negative where the picture has turned over.
+    pub det: f64,
+}
+
+impl Pose {
+    pub(crate) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>) -> Self {
+        let linear = motions.iter().map(Motion::linear).collect();
+        Self { rest, linear, motions }
+    }
+
+    /// T_i(p) for one site.
+    #[must_use]
+    pub fn moved(&self, site: usize, p: DVec2) -> DVec2 {
+        let rest = self.rest[site];
+        rest + self.motions[site].translation + self.linear[site].rotate(p - rest)
+    }
+
+    /// Eq. 1 from weights alone. With no weights the point stays.
+    #[must_use]
+    pub fn blended(&self, p: DVec2, weights: impl Iterator<Item = (usize, f64)>) -> DVec2 {
+        let sum = weights.fold(None, |sum: Option<DVec2>, (site, weight)| {
+            Some(sum.unwrap_or(DVec2::ZERO) + weight * self.moved(site, p))
+        });
+        sum.unwrap_or(p)
+    }
+
+    /// Eq. 1 and its derivative. With no influence the point stays.
+    #[must_use]
+    pub fn map(&self, p: DVec2, influences: &[Influence]) -> Mapped {
+        if influences.is_empty() {
+            return Mapped { posed: p, det: 1.0 };
+        }
+        let (mut posed, mut derivative) = (DVec2::ZERO, DMat2::ZERO);
+        for &Influence { site, weight, gradient } in influences {
+            let (moved, linear) = (self.moved(site, p), self.linear[site]);
+            posed += weight * moved;
+            derivative += weight * DMat2::from_cols(linear, linear.perp());
+            // Gradients sum to zero: relative to p, fewer digits cancel.
+            derivative += DMat2::from_cols((moved - p) * gradient.x, (moved - p) * gradient.y);
+        }
+        Mapped { posed, det: derivative.determinant() }
+    }
+
+    /// Sites × 8 for the vertex shader: a, b, rest x, rest y, posed x, posed y, depth, 0.
+    #[must_use]
+    pub fn packed(&self) -> Vec<f32> {
+        let sites = self.rest.iter().zip(&self.linear).zip(&self.motions);
+        sites
+            .flat_map(|((&rest, &linear), motion)| {
+                let posed = rest + motion.translation;
+                [linear.x, linear.y, rest.x, rest.y, posed.x, posed.y, motion.depth, 0.0].map(|value| value as f32)
+            })
+            .collect()
+    }
+
+    /// The motion of each site.
+    #[must_use]
+    pub fn motions(&self) -> &[Motion] {
+        &self.motions
+    }
+}

@@ -1,0 +1,13 @@
+//! From where the handles were taken to where every point goes (paper, sections III (eq. 1) and IV-B (eq. 4)).
+
+mod blend;
+mod harmonic;
+mod laplacian;
+mod motion;
+mod poser;
+mod rigid;
+
+pub use blend::{Mapped, Pose};
+pub use harmonic::HarmonicFields;
+pub use motion::Motion;
+pub use poser::Poser;

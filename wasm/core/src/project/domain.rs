@@ -1,0 +1,83 @@
+//! Which part of the picture is warped: Ω of the paper.
+
+use glam::DVec2;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::ProjectError;
+use super::place::Place;
+use super::points::{self, Point};
+
+/// How the domain is found in the picture.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[schemars(rename = "Domain", deny_unknown_fields)]
+pub enum DomainSpec {
+    /// The whole rectangle.
+    Image,
+    /// Where the picture is opaque enough.
+    Alpha {
+        /// The least opacity that belongs to the domain, above 0 and up to 1.
+        #[schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1))]
+        threshold: f64,
+    },
+    /// The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole.
+    Polygon {
+        /// One or more rings of at least three points `[x, y]`.
+        #[serde(serialize_with = "points::rings")]
+        #[schemars(with = "Vec<Vec<Point>>", length(min = 1), inner(length(min = 3)))]
+        rings: Vec<Vec<DVec2>>,
+    },
+}
+
+impl DomainSpec {
+    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+        #[derive(Clone, Copy)]
+        enum Kind {
+            Image,
+            Alpha,
+            Polygon,
+        }
+        let domain = place.object()?;
+        let kind = domain.required("kind")?.one_of(&[
+            ("image", Kind::Image),
+            ("alpha", Kind::Alpha),
+            ("polygon", Kind::Polygon),
+        ])?;
+        match kind {
+            Kind::Image => {
+                domain.only(&["kind"])?;
+                Ok(Self::Image)
+            }
+            Kind::Alpha => {
+                domain.only(&["kind", "threshold"])?;
+                Ok(Self::Alpha { threshold: domain.or("threshold", default_threshold(), threshold)? })
+            }
+            Kind::Polygon => {
+                domain.only(&["kind", "rings"])?;
+                Ok(Self::Polygon { rings: domain.required("rings").and_then(rings)? })
+            }
+        }
+    }
+}
+
+fn default_threshold() -> f64 {
+    0.5
+}
+
+fn threshold(place: Place<'_>) -> Result<f64, ProjectError> {
+    let threshold = place.number()?;
+    if threshold > 0.0 && threshold <= 1.0 {
+        Ok(threshold)
+    } else {
+        place.refuse(format_args!("expected a number above 0 and up to 1, found {threshold}"))
+    }
+}
+
+fn rings(place: Place<'_>) -> Result<Vec<Vec<DVec2>>, ProjectError> {
+    let rings = place.list("a list of rings", |ring| ring.points(3))?;
+    if rings.is_empty() {
+        return place.refuse("expected at least one ring");
+    }
+    Ok(rings)
+}

@@ -1,0 +1,149 @@
+//! What the person places on the picture: H_i of the paper.
+
+use glam::DVec2;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::place::{Object, Place};
+use super::points::{self, Point};
+use super::{ProjectError, Rotation, left_out};
+
+/// A handle, where it rests and where it was taken.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(extend("unevaluatedProperties" = false))]
+pub struct Handle {
+    /// A name that no other handle of the project has.
+    #[schemars(length(min = 1))]
+    pub id: String,
+    /// Point, bar or polygon, before and after.
+    #[serde(flatten)]
+    pub shape: Shape,
+    /// The turn about the handle's own place, in degrees.
+    #[schemars(default)]
+    pub rotation: Rotation,
+    /// The growth about the handle's own place, above 0.
+    #[schemars(default = "default_scale", extend("exclusiveMinimum" = 0))]
+    pub scale: f64,
+    /// What lies over what where the picture covers itself: more is nearer.
+    #[schemars(default)]
+    pub depth: f64,
+}
+
+/// The shape of a handle before (`rest`) and after (`posed`) in image pixels, as many points in both.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Shape {
+    /// One point.
+    Point {
+        /// Before.
+        #[serde(serialize_with = "points::point")]
+        #[schemars(with = "Point")]
+        rest: DVec2,
+        /// After; left out: as before.
+        #[serde(serialize_with = "points::point")]
+        #[schemars(with = "Point", default, transform = left_out)]
+        posed: DVec2,
+    },
+    /// An open line through two or more points.
+    Bar {
+        /// Before.
+        #[serde(serialize_with = "points::list")]
+        #[schemars(with = "Vec<Point>", length(min = 2))]
+        rest: Vec<DVec2>,
+        /// After; left out: as before.
+        #[serde(serialize_with = "points::list")]
+        #[schemars(with = "Vec<Point>", length(min = 2), default, transform = left_out)]
+        posed: Vec<DVec2>,
+    },
+    /// A closed ring of three or more points.
+    Polygon {
+        /// Before.
+        #[serde(serialize_with = "points::list")]
+        #[schemars(with = "Vec<Point>", length(min = 3))]
+        rest: Vec<DVec2>,
+        /// After; left out: as before.
+        #[serde(serialize_with = "points::list")]
+        #[schemars(with = "Vec<Point>", length(min = 3), default, transform = left_out)]
+        posed: Vec<DVec2>,
+    },
+}
+
+fn default_scale() -> f64 {
+    1.0
+}
+
+impl Handle {
+    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+        let handle = place.object()?;
+        handle.only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth"])?;
+        Ok(Self {
+            id: handle.required("id").and_then(id)?,
+            shape: Shape::read(handle)?,
+            rotation: handle.or("rotation", Rotation::default(), Rotation::read)?,
+            scale: handle.or("scale", default_scale(), scale)?,
+            depth: handle.or("depth", 0.0, |place| place.number())?,
+        })
+    }
+}
+
+impl Shape {
+    fn read(handle: Object<'_>) -> Result<Self, ProjectError> {
+        #[derive(Clone, Copy)]
+        enum Kind {
+            Point,
+            Bar,
+            Polygon,
+        }
+        let kind = handle.required("kind")?.one_of(&[
+            ("point", Kind::Point),
+            ("bar", Kind::Bar),
+            ("polygon", Kind::Polygon),
+        ])?;
+        match kind {
+            Kind::Point => {
+                let rest = handle.required("rest")?.point()?;
+                Ok(Self::Point { rest, posed: handle.or("posed", rest, |place| place.point())? })
+            }
+            Kind::Bar => {
+                let (rest, posed) = lines(handle, 2)?;
+                Ok(Self::Bar { rest, posed })
+            }
+            Kind::Polygon => {
+                let (rest, posed) = lines(handle, 3)?;
+                Ok(Self::Polygon { rest, posed })
+            }
+        }
+    }
+}
+
+fn id(place: Place<'_>) -> Result<String, ProjectError> {
+    match place.text()? {
+        "" => place.refuse("expected a name, found an empty text"),
+        id => Ok(id.to_owned()),
+    }
+}
+
+fn scale(place: Place<'_>) -> Result<f64, ProjectError> {
+    let scale = place.number()?;
+    if scale > 0.0 { Ok(scale) } else { place.refuse(format_args!("expected a number above 0, found {scale}")) }
+}
+
+/// `rest` and `posed` of a handle that is a line of at least `least` points.
+fn lines(handle: Object<'_>, least: usize) -> Result<(Vec<DVec2>, Vec<DVec2>), ProjectError> {
+    let rest = handle.required("rest")?.points(least)?;
+    let posed = match handle.optional("posed") {
+        None => rest.clone(),
+        Some(place) => {
+            let posed = place.points(least)?;
+            if posed.len() != rest.len() {
+                return place.refuse(format_args!(
+                    "expected as many points as in rest ({}), found {}",
+                    rest.len(),
+                    posed.len()
+                ));
+            }
+            posed
+        }
+    };
+    Ok((rest, posed))
+}

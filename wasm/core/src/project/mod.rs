@@ -1,0 +1,166 @@
+//! The project file, `*.c2warp.json`: a picture, the part of it that bends, and the handles that bend it.
+//!
+//! This is the one definition of the format. The JSON schema and the TypeScript types are generated from the types
+//! here; their ranges are what reading enforces. Reading is strict: a key that is unknown or given twice, a value of the
+//! wrong type or out of its range, and a later version of the format are refused with the way to the offending key.
+//! Writing writes every key, so that a file says everything about how its picture comes about.
+//!
+//! A project is checked here as far as it can be without the picture: whether a handle lies on the domain is the
+//! solver's to say.
+
+mod domain;
+mod error;
+mod handle;
+mod image;
+mod layout;
+mod path;
+mod place;
+mod points;
+mod pose;
+mod rotation;
+#[cfg(test)]
+mod tests;
+mod value;
+mod weighting;
+
+use std::collections::BTreeSet;
+
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+
+pub use self::domain::DomainSpec;
+pub use self::error::ProjectError;
+pub use self::handle::{Handle, Shape};
+pub use self::image::ImageRef;
+pub use self::pose::{Blend, PoseMode, PoseSpec};
+pub use self::rotation::Rotation;
+pub use self::weighting::{Filling, Support, Weighting};
+
+use self::layout::Layout;
+use self::place::Place;
+use self::value::Value;
+
+/// A warp: a picture, the part of it that bends, and the handles that bend it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Project {
+    /// The version of the format.
+    pub format: Format,
+    /// The picture.
+    pub image: ImageRef,
+    /// The part of the picture that bends; left out: where the picture is opaque if it has transparency, else all of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "DomainSpec", default, transform = left_out)]
+    pub domain: Option<DomainSpec>,
+    /// How many samples the domain gets, about.
+    #[schemars(default = "default_samples", range(min = 100, max = 2_000_000))]
+    pub samples: u32,
+    /// How far a handle reaches and how its weight falls off.
+    #[schemars(default)]
+    pub weighting: Weighting,
+    /// How a pose is made from the handles.
+    #[schemars(default)]
+    pub pose: PoseSpec,
+    /// Whether the rim of the picture stays where it is.
+    #[schemars(default)]
+    pub fix_boundary: bool,
+    /// The handles; the order has no meaning.
+    pub handles: Vec<Handle>,
+}
+
+/// The version of the format.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub enum Format {
+    /// The first, and so far the only one.
+    #[default]
+    #[serde(rename = "c2warp/1")]
+    V1,
+}
+
+/// For a key whose value, left out, depends on others: takes away the default that stands for "left out", as it is no
+/// value of the format.
+fn left_out(schema: &mut Schema) {
+    schema.remove("default");
+}
+
+fn default_samples() -> u32 {
+    10_000
+}
+
+impl Project {
+    /// A project without handles, all else left to the format's defaults.
+    pub fn new(image: ImageRef) -> Self {
+        Self {
+            format: Format::default(),
+            image,
+            domain: None,
+            samples: default_samples(),
+            weighting: Weighting::default(),
+            pose: PoseSpec::default(),
+            fix_boundary: false,
+            handles: Vec::new(),
+        }
+    }
+
+    /// Reads a project file.
+    ///
+    /// # Errors
+    /// Anything that is not to the letter of the format, with the way to the offending key.
+    pub fn from_json(text: &str) -> Result<Self, ProjectError> {
+        // Editors on Windows put a byte order mark in front, which JSON does not know.
+        let value = Value::parse(text.trim_start_matches('\u{feff}'))?;
+        let top = Place::top(&value);
+        let project = top.object()?;
+        // First, since a later version may well have keys that are unknown here.
+        let format = project.required("format").and_then(Format::read)?;
+        project.only(&["format", "image", "domain", "samples", "weighting", "pose", "fix_boundary", "handles"])?;
+        Ok(Self {
+            format,
+            image: project.required("image").and_then(ImageRef::read)?,
+            domain: project.optional("domain").map(DomainSpec::read).transpose()?,
+            samples: project.or("samples", default_samples(), |place| place.whole_number(100..=2_000_000))?,
+            weighting: project.or("weighting", Weighting::default(), Weighting::read)?,
+            pose: project.or("pose", PoseSpec::default(), PoseSpec::read)?,
+            fix_boundary: project.or("fix_boundary", false, |place| place.bool())?,
+            handles: project.required("handles").and_then(handles)?,
+        })
+    }
+
+    /// Writes the project with every key that has a value, such that reading gives an equal project.
+    pub fn to_json(&self) -> String {
+        let mut text = Vec::new();
+        self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()))
+            .expect("a project has text keys only and is written to memory");
+        text.push(b'\n');
+        String::from_utf8(text).expect("JSON is UTF-8")
+    }
+}
+
+/// Reads a list of handles as a project has it under `handles`, for a pose that changes nothing else.
+///
+/// # Errors
+/// As [`Project::from_json`], the way starting at the list: `[2].rest[0]`.
+pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
+    handles(Place::top(&Value::parse(text)?))
+}
+
+fn handles(place: Place<'_>) -> Result<Vec<Handle>, ProjectError> {
+    let mut ids = BTreeSet::new();
+    place.list("a list of handles", |item| {
+        let handle = Handle::read(item)?;
+        if !ids.insert(handle.id.clone()) {
+            let object = item.object()?;
+            return object.required("id")?.refuse(format_args!("{:?} is the name of another handle", handle.id));
+        }
+        Ok(handle)
+    })
+}
+
+impl Format {
+    fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+        match place.text()? {
+            "c2warp/1" => Ok(Self::V1),
+            other => place.refuse(format_args!("expected \"c2warp/1\", found {other:?}")),
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! How the motions of virtual sites follow from the handles', and how motions are blended.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::ProjectError;
+use super::place::Place;
+
+/// How a pose is made from the handles.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
+#[schemars(rename = "Pose", deny_unknown_fields)]
+pub struct PoseSpec {
+    /// Where virtual sites get their motions from.
+    #[schemars(default)]
+    pub mode: PoseMode,
+    /// How the motions that reach a point are blended.
+    #[schemars(default)]
+    pub blend: Blend,
+    /// The least number of virtual sites to insert; 0 leaves it to Algorithm 1.
+    #[schemars(default)]
+    pub density: u32,
+}
+
+/// Where virtual sites get their motions from.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum PoseMode {
+    /// Harmonic fields on the cell graph, as the paper does (equation 4).
+    #[default]
+    Harmonic,
+    /// As rigid as possible on the cell graph: needs no rotations from the person.
+    Rigid,
+}
+
+/// How the motions that reach a point are blended.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Blend {
+    /// Linearly, as the paper does (equation 1).
+    #[default]
+    Linear,
+    /// As rotations and translations.
+    Rigid,
+}
+
+impl PoseSpec {
+    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+        let pose = place.object()?;
+        pose.only(&["mode", "blend", "density"])?;
+        let default = Self::default();
+        Ok(Self {
+            mode: pose.or("mode", default.mode, |place| {
+                place.one_of(&[("harmonic", PoseMode::Harmonic), ("rigid", PoseMode::Rigid)])
+            })?,
+            blend: pose.or("blend", default.blend, |place| {
+                place.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
+            })?,
+            density: pose.or("density", default.density, |place| place.whole_number(0..=u32::MAX))?,
+        })
+    }
+}

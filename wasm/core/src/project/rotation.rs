@@ -1,0 +1,58 @@
+//! The turn of a handle, as the file has it.
+
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Serialize, Serializer};
+
+use super::ProjectError;
+use super::place::Place;
+
+/// How far a handle is turned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rotation {
+    /// By so many degrees, clockwise on the screen since y points down.
+    Degrees(f64),
+    /// By as much as suits the handles around it.
+    Auto,
+}
+
+impl Default for Rotation {
+    fn default() -> Self {
+        Self::Degrees(0.0)
+    }
+}
+
+impl Rotation {
+    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+        if place.text().is_ok_and(|text| text == "auto") {
+            return Ok(Self::Auto);
+        }
+        match place.number() {
+            Ok(degrees) => Ok(Self::Degrees(degrees)),
+            Err(_) => place.expected("a number of degrees or \"auto\""),
+        }
+    }
+}
+
+impl Serialize for Rotation {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Degrees(degrees) => serializer.serialize_f64(*degrees),
+            Self::Auto => serializer.serialize_str("auto"),
+        }
+    }
+}
+
+impl JsonSchema for Rotation {
+    fn schema_name() -> Cow<'static, str> {
+        "Rotation".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Degrees, clockwise on the screen, or as much as suits the handles around.",
+            "anyOf": [{ "type": "number" }, { "const": "auto" }]
+        })
+    }
+}

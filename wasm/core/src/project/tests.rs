@@ -1,0 +1,139 @@
+//! The format from outside: what is read, what is written, what is refused and how.
+
+use super::*;
+
+const LEAST: &str = r#"{"format": "c2warp/1", "image": {"src": "a.png", "width": 4, "height": 3}, "handles": []}"#;
+
+const FULL: &str = r#"{
+  "format": "c2warp/1",
+  "image": { "src": "gecko.webp", "width": 256, "height": 256 },
+  "domain": { "kind": "alpha", "threshold": 0.5 },
+  "samples": 10000,
+  "weighting": { "shape_factor": 0.25, "degree": 7, "filling": "half", "support": "smooth" },
+  "pose": { "mode": "rigid", "blend": "rigid", "density": 120 },
+  "fix_boundary": true,
+  "handles": [
+    { "id": "head", "kind": "point", "rest": [128, 40.5], "posed": [140, 0.1], "rotation": 15, "scale": 1, "depth": 0 },
+    { "id": "tail", "kind": "bar", "rest": [[60, 200], [120, 220]], "posed": [[60, 200], [130, 240]], "rotation": "auto", "scale": 2, "depth": -1 },
+    { "id": "eye", "kind": "polygon", "rest": [[1, 2], [3, 4], [5, 0]], "posed": [[1, 2], [3, 4], [5, 0]], "rotation": 0, "scale": 1, "depth": 0 }
+  ]
+}
+"#;
+
+/// The refusal of the full project after an edit of its text.
+fn refusal(from: &str, to: &str) -> String {
+    assert!(FULL.contains(from), "{from}");
+    Project::from_json(&FULL.replacen(from, to, 1)).unwrap_err().to_string()
+}
+
+#[test]
+fn writes_what_it_read() {
+    let project = Project::from_json(FULL).unwrap();
+    assert_eq!(project.to_json(), FULL);
+}
+
+#[test]
+fn fills_in_the_defaults_and_writes_them_out() {
+    let project = Project::from_json(LEAST).unwrap();
+    let image = ImageRef { src: "a.png".to_owned(), width: 4, height: 3 };
+    assert_eq!(project, Project::new(image));
+    assert_eq!(Project::from_json(&project.to_json()).unwrap(), project);
+    assert!(project.to_json().contains(r#""handles": []"#));
+    assert_eq!((project.samples, project.weighting.shape_factor, project.weighting.degree), (10_000, 1.0, 5));
+}
+
+#[test]
+fn refuses_with_the_way_to_the_key() {
+    for (from, to, refusal_text) in [
+        (r#""c2warp/1""#, r#""c2warp/2""#, r#"format: expected "c2warp/1", found "c2warp/2""#),
+        (r#""width": 256"#, r#""width": 0"#, "image.width: expected a whole number, 1 or more, found 0"),
+        (r#""width": 256"#, r#""width": 1.5"#, "image.width: expected a whole number, 1 or more, found 1.5"),
+        (r#""gecko.webp""#, "7", "image.src: expected a text, found 7"),
+        ("0.5 }", "0 }", "domain.threshold: expected a number above 0 and up to 1, found 0"),
+        (r#""alpha""#, r#""Alpha""#, r#"domain.kind: expected "image" or "alpha" or "polygon", found "Alpha""#),
+        (r#""alpha""#, r#""image""#, "domain.threshold: unknown key; the keys here are kind"),
+        ("10000", "99", "samples: expected a whole number from 100 to 2000000, found 99"),
+        ("10000", "2000001", "samples: expected a whole number from 100 to 2000000, found 2000001"),
+        ("0.25", "1.01", "weighting.shape_factor: expected a number from 0 to 1, found 1.01"),
+        (r#""degree": 7"#, r#""degree": 4"#, "weighting.degree: expected a whole number from 5 to 32, found 4"),
+        (r#""half""#, "null", r#"weighting.filling: expected "line" or "half", found null"#),
+        (r#""density": 120"#, r#""density": -1"#, "pose.density: expected a whole number, 0 or more, found -1"),
+        ("true", "1", "fix_boundary: expected true or false, found 1"),
+        (
+            r#""fix_boundary""#,
+            r#""fixBoundary""#,
+            "fixBoundary: unknown key; the keys here are format, image, domain, samples, weighting, pose, fix_boundary, handles",
+        ),
+        (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty text"),
+        (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is the name of another handle"#),
+        ("[128, 40.5]", r#"["x", 40.5]"#, r#"handles[0].rest[0]: expected a number, found "x""#),
+        ("[128, 40.5]", "[128]", "handles[0].rest: expected a point [x, y], found 1 values"),
+        ("[128, 40.5]", "[[1, 2]]", "handles[0].rest: expected a point [x, y], found 1 values"),
+        ("15", r#""automatic""#, r#"handles[0].rotation: expected a number of degrees or "auto", found "automatic""#),
+        (r#""scale": 1"#, r#""scale": 0"#, "handles[0].scale: expected a number above 0, found 0"),
+        (r#""scale": 1"#, r#""scale": -2"#, "handles[0].scale: expected a number above 0, found -2"),
+        (r#""rest": [128, 40.5], "#, "", "handles[0].rest: missing"),
+        ("[[60, 200], [120, 220]]", "[[60, 200]]", "handles[1].rest: expected at least 2 points, found 1"),
+        (
+            "[[60, 200], [130, 240]]",
+            "[[60, 200], [130, 240], [1, 1]]",
+            "handles[1].posed: expected as many points as in rest (2), found 3",
+        ),
+        (
+            "[[1, 2], [3, 4], [5, 0]]",
+            "[[1, 2], [3, 4], [5, {}]]",
+            "handles[2].rest[2][1]: expected a number, found an object",
+        ),
+        ("[[1, 2], [3, 4], [5, 0]]", "[[1, 2], [3, 4]]", "handles[2].rest: expected at least 3 points, found 2"),
+    ] {
+        assert_eq!(refusal(from, to), refusal_text);
+    }
+}
+
+#[test]
+fn refuses_numbers_that_json_does_not_know_and_names_where() {
+    for number in ["NaN", "1e999", "-Infinity"] {
+        let text = refusal("40.5", number);
+        assert!(text.starts_with("handles[0].rest[1]: "), "{text}");
+    }
+    let twice = refusal(r#""depth": 0"#, r#""scale": 2"#);
+    assert!(twice.starts_with(r#"handles[0]: the key "scale" is given twice"#), "{twice}");
+}
+
+#[test]
+fn reads_rings_and_refuses_short_ones() {
+    let with = |rings: &str| {
+        let domain = format!(r#"{{ "kind": "polygon", "rings": {rings} }}"#);
+        Project::from_json(&FULL.replace(r#"{ "kind": "alpha", "threshold": 0.5 }"#, &domain))
+    };
+    let project = with("[[[0, 0], [8, 0], [8.25, 8]]]").unwrap();
+    assert_eq!(Project::from_json(&project.to_json()).unwrap(), project);
+    assert_eq!(with("[]").unwrap_err().to_string(), "domain.rings: expected at least one ring");
+    assert_eq!(
+        with("[[[0, 0], [8, 0], [8, 8]], [[1, 1], [2, 2]]]").unwrap_err().to_string(),
+        "domain.rings[1]: expected at least 3 points, found 2"
+    );
+}
+
+#[test]
+fn takes_posed_left_out_for_rest() {
+    let handles = handles_from_json(
+        r#"[{"kind": "bar", "rest": [[0, 1], [2, 3]], "id": "b"}, {"id": "p", "kind": "point", "rest": [0.5, 1e-3]}]"#,
+    )
+    .unwrap();
+    for handle in handles {
+        match handle.shape {
+            Shape::Point { rest, posed } => assert_eq!(rest, posed),
+            Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => {
+                assert_eq!(rest, posed);
+            }
+        }
+    }
+    assert_eq!(handles_from_json("[7]").unwrap_err().to_string(), "[0]: expected an object, found 7");
+}
+
+#[test]
+fn a_later_version_is_named_before_its_unknown_keys() {
+    let error = Project::from_json(r#"{"layers": [], "format": "c2warp/2"}"#).unwrap_err();
+    assert_eq!(error.path, "format");
+}

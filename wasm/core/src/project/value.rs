@@ -1,0 +1,149 @@
+//! A JSON document as a tree that keeps the order of its keys and refuses a key given twice, which
+//! `serde_json::Value` silently lets the last one win.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+
+use super::ProjectError;
+
+/// One JSON value.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    Null,
+    Bool(bool),
+    Number(f64),
+    Text(String),
+    List(Vec<Value>),
+    Object(Vec<(String, Value)>),
+}
+
+impl Value {
+    /// Parses a whole document.
+    ///
+    /// # Errors
+    /// Text that is no JSON, a number outside the range of f64, or a key given twice, with the way to it as far as it was read.
+    pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
+        let mut json = serde_json::Deserializer::from_str(text);
+        let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
+            let path = error.path().to_string();
+            ProjectError {
+                // serde_path_to_error writes the top as "." and a value it could not place as "?".
+                path: path.trim_end_matches(['.', '?']).to_owned(),
+                message: error.into_inner().to_string(),
+            }
+        })?;
+        json.end().map_err(|error| ProjectError { path: String::new(), message: error.to_string() })?;
+        Ok(value)
+    }
+}
+
+impl fmt::Display for Value {
+    /// Describes the value in an error: short ones as they stand, long ones by their kind.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const LONGEST_QUOTE: usize = 40;
+        match self {
+            Value::Null => f.write_str("null"),
+            Value::Bool(value) => write!(f, "{value}"),
+            Value::Number(value) if value.abs() < 1e15 => write!(f, "{value}"),
+            Value::Number(value) => write!(f, "{value:e}"),
+            Value::Text(text) if text.chars().count() <= LONGEST_QUOTE => write!(f, "{text:?}"),
+            Value::Text(_) => f.write_str("a long text"),
+            Value::List(items) if items.is_empty() => f.write_str("an empty list"),
+            Value::List(_) => f.write_str("a list"),
+            Value::Object(_) => f.write_str("an object"),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ValueVisitor)
+    }
+}
+
+struct ValueVisitor;
+
+impl<'de> Visitor<'de> for ValueVisitor {
+    type Value = Value;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
+        Ok(Value::Bool(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
+        Ok(Value::Number(value as f64))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
+        Ok(Value::Number(value as f64))
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
+        Ok(Value::Number(value))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Value, E> {
+        Ok(Value::Text(text.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Value, A::Error> {
+        let mut items = Vec::new();
+        while let Some(item) = list.next_element()? {
+            items.push(item);
+        }
+        Ok(Value::List(items))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut object: A) -> Result<Value, A::Error> {
+        let mut entries: Vec<(String, Value)> = Vec::new();
+        while let Some(key) = object.next_key::<String>()? {
+            if entries.iter().any(|(known, _)| *known == key) {
+                return Err(A::Error::custom(format_args!("the key {key:?} is given twice")));
+            }
+            let value = object.next_value()?;
+            entries.push((key, value));
+        }
+        Ok(Value::Object(entries))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Value;
+
+    #[test]
+    fn refuses_a_key_given_twice() {
+        let error = Value::parse(r#"{"a": [{"b": 1, "b": 2}]}"#).unwrap_err();
+        assert!(error.message.contains(r#"the key "b" is given twice"#), "{error}");
+        assert!(error.path.starts_with("a[0]"), "{error}");
+    }
+
+    #[test]
+    fn refuses_what_json_cannot_say() {
+        for text in ["", "{", "[1,]", "NaN", "[1e999]", "[Infinity]", "{} {}", "{\"a\": nan}"] {
+            assert!(Value::parse(text).is_err(), "{text}");
+        }
+        assert!(Value::parse(&"[".repeat(100_000)).is_err());
+    }
+
+    #[test]
+    fn describes_itself_on_one_short_line() {
+        let long = format!("[{:?}]", "x".repeat(99));
+        assert_eq!(Value::parse("\"a\\nb\"").unwrap().to_string(), r#""a\nb""#);
+        assert_eq!(Value::parse("12").unwrap().to_string(), "12");
+        let Value::List(items) = Value::parse(&long).unwrap() else {
+            panic!("a list was given");
+        };
+        assert_eq!(items[0].to_string(), "a long text");
+    }
+}

@@ -1,0 +1,94 @@
+//! How far a handle reaches and how its weight falls off: section III and V.A of the paper.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::ProjectError;
+use super::place::Place;
+
+/// The parameters of the weights.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Weighting {
+    /// α, from 0 (supports as small as they may be) to 1 (as wide as they may be).
+    #[schemars(default = "default_shape_factor", range(min = 0, max = 1))]
+    pub shape_factor: f64,
+    /// The degree n of the Bézier polynomial φ; 5 is the least that is C².
+    #[schemars(default = "default_degree", range(min = 5, max = 32))]
+    pub degree: u32,
+    /// Where the control points of φ lie that continuity leaves free.
+    #[schemars(default)]
+    pub filling: Filling,
+    /// What a support must keep clear of.
+    #[schemars(default)]
+    pub support: Support,
+}
+
+/// The two ways of section V.A to place the inner control points of φ.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Filling {
+    /// Evenly on the line from b₂ to bₙ₋₂.
+    #[default]
+    Line,
+    /// All at one half.
+    Half,
+}
+
+/// The rule for the radius of a support.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Support {
+    /// The paper's: a support ends where the nearest other site is, or where its cell does if that is farther; never beyond a
+    /// real site.
+    #[default]
+    Paper,
+    /// Supports of virtual sites may overlap one another and keep clear of real sites only: a smoother picture.
+    Smooth,
+}
+
+fn default_shape_factor() -> f64 {
+    1.0
+}
+
+fn default_degree() -> u32 {
+    5
+}
+
+impl Default for Weighting {
+    fn default() -> Self {
+        Self {
+            shape_factor: default_shape_factor(),
+            degree: default_degree(),
+            filling: Filling::default(),
+            support: Support::default(),
+        }
+    }
+}
+
+impl Weighting {
+    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+        let weighting = place.object()?;
+        weighting.only(&["shape_factor", "degree", "filling", "support"])?;
+        let default = Self::default();
+        Ok(Self {
+            shape_factor: weighting.or("shape_factor", default.shape_factor, shape_factor)?,
+            degree: weighting.or("degree", default.degree, |place| place.whole_number(5..=32))?,
+            filling: weighting.or("filling", default.filling, |place| {
+                place.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
+            })?,
+            support: weighting.or("support", default.support, |place| {
+                place.one_of(&[("paper", Support::Paper), ("smooth", Support::Smooth)])
+            })?,
+        })
+    }
+}
+
+fn shape_factor(place: Place<'_>) -> Result<f64, ProjectError> {
+    let shape_factor = place.number()?;
+    if (0.0..=1.0).contains(&shape_factor) {
+        Ok(shape_factor)
+    } else {
+        place.refuse(format_args!("expected a number from 0 to 1, found {shape_factor}"))
+    }
+}

@@ -1,0 +1,127 @@
+//! A few rows of the result while they are drawn: colours per pixel, and per coverage sample where triangles meet in one.
+
+use std::ops::Range;
+
+use glam::{DVec2, Vec4};
+
+use super::facet::{Facet, GRID};
+use super::texture::{OPAQUE, Texture};
+
+const SAMPLES: usize = GRID * GRID;
+/// Which samples of a pixel are covered, a bit each.
+type Mask = u16;
+
+/// Rows of pixels, premultiplied as [`Texture`] gives them.
+pub(super) struct Band {
+    width: usize,
+    rows: Range<usize>,
+    /// The colour of a pixel whose samples are all alike.
+    pixels: Vec<Vec4>,
+    /// For a pixel whose samples differ, where they are in `splits`, counted from 1; else 0.
+    split: Vec<u32>,
+    splits: Vec<[Vec4; SAMPLES]>,
+}
+
+impl Band {
+    pub(super) fn new(width: usize, height: usize) -> Self {
+        Self {
+            width,
+            rows: 0..height,
+            pixels: vec![Vec4::ZERO; width * height],
+            split: vec![0; width * height],
+            splits: Vec::new(),
+        }
+    }
+
+    /// Starts anew, empty, at another row of the result.
+    pub(super) fn clear(&mut self, first_row: usize) {
+        self.rows = first_row..first_row + self.rows.len();
+        self.pixels.fill(Vec4::ZERO);
+        self.split.fill(0);
+        self.splits.clear();
+    }
+
+    /// Draws a triangle over what is there.
+    pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
+        let rows = facet.rows(self.rows.end);
+        for row in rows.start.max(self.rows.start)..rows.end {
+            let spans: [Range<usize>; GRID] = std::array::from_fn(|i| facet.span(row * GRID + i, self.width));
+            let covered = spans.iter().filter(|span| !span.is_empty());
+            let Some((start, end)) =
+                covered.map(|span| (span.start, span.end)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+            else {
+                continue;
+            };
+            for x in start / GRID..end.div_ceil(GRID) {
+                let mask = mask(&spans, x);
+                if mask != 0 {
+                    let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
+                    let colour = texture.sample(facet.source(place), facet.lod());
+                    self.blend((row - self.rows.start) * self.width + x, mask, colour);
+                }
+            }
+        }
+    }
+
+    fn blend(&mut self, pixel: usize, mask: Mask, colour: Vec4) {
+        if colour.w == 0.0 {
+            return;
+        }
+        match (self.split[pixel], mask) {
+            (0, Mask::MAX) => self.pixels[pixel] = over(colour, self.pixels[pixel]),
+            (0, _) => {
+                let mut samples = [self.pixels[pixel]; SAMPLES];
+                blend_samples(&mut samples, mask, colour);
+                self.splits.push(samples);
+                self.split[pixel] = self.splits.len() as u32;
+            }
+            (split, _) => blend_samples(&mut self.splits[split as usize - 1], mask, colour),
+        }
+    }
+
+    /// Writes the rows as straight RGBA; fewer of them where the result ends.
+    pub(super) fn resolve(&self, rgba: &mut [u8]) {
+        for ((bytes, &pixel), &split) in rgba.chunks_exact_mut(4).zip(&self.pixels).zip(&self.split) {
+            let colour = match split {
+                0 => pixel,
+                split => self.splits[split as usize - 1].iter().sum::<Vec4>() / SAMPLES as f32,
+            };
+            bytes.copy_from_slice(&straight(colour));
+        }
+    }
+}
+
+/// The samples of a pixel that lie within the spans of its rows of samples.
+fn mask(spans: &[Range<usize>; GRID], x: usize) -> Mask {
+    let mut mask = 0;
+    for (row, span) in spans.iter().enumerate() {
+        let within = |sample: usize| sample.clamp(x * GRID, (x + 1) * GRID) - x * GRID;
+        let bits = (1 << within(span.end)) - (1 << within(span.start));
+        mask |= bits << (row * GRID);
+    }
+    mask
+}
+
+fn blend_samples(samples: &mut [Vec4; SAMPLES], mask: Mask, colour: Vec4) {
+    for (i, sample) in samples.iter_mut().enumerate() {
+        if mask >> i & 1 == 1 {
+            *sample = over(colour, *sample);
+        }
+    }
+}
+
+/// Porter and Duff's `over`.
+fn over(upper: Vec4, lower: Vec4) -> Vec4 {
+    if upper.w >= OPAQUE { upper } else { upper + lower * (1.0 - upper.w / OPAQUE) }
+}
+
+/// Bytes with the opacity divided out; what is too faint for a byte of opacity is transparent black.
+fn straight(colour: Vec4) -> [u8; 4] {
+    let opacity = colour.w / 255.0;
+    let opacity_byte = (opacity + 0.5) as u8;
+    if opacity_byte == 0 {
+        return [0; 4];
+    }
+    let [r, g, b] = (colour.truncate() / opacity + 0.5).to_array().map(|channel| channel as u8);
+    [r, g, b, opacity_byte]
+}

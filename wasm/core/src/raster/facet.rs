@@ -1,0 +1,96 @@
+//! A triangle made ready for drawing: which samples it covers, and where in the picture they come from.
+
+use std::ops::Range;
+
+use glam::{DMat2, DVec2};
+
+/// Coverage samples along a pixel's side.
+pub(super) const GRID: usize = 4;
+
+/// Corners are snapped to 1/256 px, as fine as graphics hardware does, so that coverage is decided in integers.
+const SUBPIXELS: f64 = 256.0;
+/// Distance between samples in subpixels; the first lies half of it inside the pixel.
+const SAMPLE_STEP: i64 = 64;
+/// Corners up to here keep every product below 2⁶⁰.
+const FARTHEST_PX: f64 = 1_048_576.0;
+
+/// A triangle with its corners in pixels of the result.
+#[derive(Debug)]
+pub(super) struct Facet {
+    /// Corners in subpixels, in the order that makes the enclosed area positive.
+    corners: [[i64; 2]; 3],
+    /// Takes a place in the result to its place in the picture.
+    inverse: DMat2,
+    origin: DVec2,
+    lod: f32,
+}
+
+impl Facet {
+    /// `None` for a triangle that covers nothing: one without area, or with a corner that is out of reach.
+    pub(super) fn new(rest: [DVec2; 3], posed: [DVec2; 3]) -> Option<Self> {
+        // Written so that NaN is out of reach, too.
+        if !posed.iter().all(|p| p.abs().max_element() <= FARTHEST_PX) {
+            return None;
+        }
+        let mut corners = posed.map(|p| (p * SUBPIXELS).round().to_array().map(|x| x as i64));
+        let [[ax, ay], [bx, by], [cx, cy]] = corners;
+        match (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) {
+            0 => return None,
+            area if area < 0 => corners.swap(1, 2),
+            _ => {}
+        }
+        let edges = |[a, b, c]: [DVec2; 3]| DMat2::from_cols(b - a, c - a);
+        let inverse = edges(rest) * edges(posed).inverse();
+        inverse.is_finite().then(|| Self { corners, inverse, origin: rest[0] - inverse * posed[0], lod: lod(inverse) })
+    }
+
+    /// The level of detail to read the picture at: 0 is the picture, every further one half the size.
+    pub(super) fn lod(&self) -> f32 {
+        self.lod
+    }
+
+    /// The place in the picture that a place in the result comes from.
+    pub(super) fn source(&self, place: DVec2) -> DVec2 {
+        self.inverse * place + self.origin
+    }
+
+    /// The rows of pixels that the triangle may touch.
+    pub(super) fn rows(&self, height: usize) -> Range<usize> {
+        let y = self.corners.map(|corner| corner[1]);
+        let row = |y: i64| y.div_euclid(SUBPIXELS as i64).clamp(0, height as i64) as usize;
+        let (top, bottom) = (y[0].min(y[1]).min(y[2]), y[0].max(y[1]).max(y[2]));
+        row(top)..row(bottom + SUBPIXELS as i64 - 1)
+    }
+
+    /// The samples that the triangle covers in one row of samples, counted from the left edge of the result.
+    ///
+    /// Of two triangles that share an edge, exactly one covers a sample on it: the one that has it as its left or its top edge.
+    pub(super) fn span(&self, sample_row: usize, width: usize) -> Range<usize> {
+        let y = sample_row as i64 * SAMPLE_STEP + SAMPLE_STEP / 2;
+        let (mut start, mut end) = (0, (width * GRID) as i64);
+        for i in 0..3 {
+            let [ax, ay] = self.corners[i];
+            let [bx, by] = self.corners[(i + 1) % 3];
+            let (dx, dy) = (bx - ax, by - ay);
+            // Twice the area of the edge and the row's first sample, positive inside; it changes by `-dy` a subpixel.
+            let area = dx * (y - ay) - dy * (SAMPLE_STEP / 2 - ax);
+            let least = i64::from(!(dy < 0 || (dy == 0 && dx > 0)));
+            let step = SAMPLE_STEP * dy.abs();
+            match dy {
+                0 if area < least => return 0..0,
+                0 => {}
+                ..0 => start = start.max(-(area - least).div_euclid(step)),
+                1.. => end = end.min((area - least).div_euclid(step) + 1),
+            }
+        }
+        if start < end { start as usize..end as usize } else { 0..0 }
+    }
+}
+
+/// As OpenGL ES 3.0 chooses it (section 3.8.10.1): by the longer of the two steps that one pixel to the right and
+/// one down make in the picture. In steps of 1/256, as hardware has them, so that a rounding error asks for no smaller level.
+fn lod(inverse: DMat2) -> f32 {
+    let step = inverse.x_axis.length().max(inverse.y_axis.length());
+    let lod = (libm::log2(step) * 256.0).round() / 256.0;
+    lod.max(0.0) as f32
+}

@@ -1,0 +1,57 @@
+//! The mesh that is drawn: the samples' mesh and the rim around it, in drawing order.
+
+use glam::DVec2;
+
+use crate::{
+    pose::HarmonicFields,
+    sample::{Rim, Samples},
+    weight::SparseWeights,
+};
+
+/// Triangles to draw, later ones over earlier ones.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RenderMesh {
+    /// Rest places: the samples, then the rim's.
+    pub vertices: Vec<DVec2>,
+    /// Triangles × 3 vertex numbers.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl RenderMesh {
+    /// Orders triangles by the real site that moves them most, those of sites further down over others, and each site's rim
+    /// first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the handles.
+    pub(crate) fn new(samples: &Samples, rim: &Rim, weights: &SparseWeights, harmonic: &HarmonicFields) -> Self {
+        let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
+        let strongest = |v: usize| {
+            let best =
+                weights.row(v).fold((usize::MAX, 0.0), |best, (site, w)| if w > best.1 { (site, w) } else { best });
+            leader.get(best.0).copied().unwrap_or(0)
+        };
+        let leading: Vec<u32> = (0..samples.len()).map(strongest).collect();
+        let layers = [&rim.triangles, &samples.mesh.triangles];
+        // The first corner of every triangle is a sample. A counting sort, by site and then by layer.
+        let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
+        let keys = layers.len() * (leading.iter().max().map_or(0, |&last| last as usize) + 1);
+        let mut start = vec![0_usize; keys + 1];
+        for (layer, triangles) in layers.iter().enumerate() {
+            triangles.iter().for_each(|t| start[key(layer, t) + 1] += 1);
+        }
+        for i in 1..start.len() {
+            start[i] += start[i - 1];
+        }
+        let mut ordered = vec![[0; 3]; start[keys]];
+        for (layer, triangles) in layers.iter().enumerate() {
+            for t in *triangles {
+                let at = &mut start[key(layer, t)];
+                ordered[*at] = *t;
+                *at += 1;
+            }
+        }
+        Self { vertices: samples.mesh.vertices.iter().chain(&rim.vertices).copied().collect(), triangles: ordered }
+    }
+}
+
+/// The real site that has the largest share of a site. Real sites come first, from top to bottom.
+fn leading_site(shares: &[(u32, f64)]) -> u32 {
+    shares.iter().fold((0, 0.0), |best, &(site, share)| if share > best.1 { (site, share) } else { best }).0
+}

@@ -1,0 +1,136 @@
+//! The triangular lattice inside the domain.
+
+use glam::DVec2;
+
+use crate::{
+    domain::{Domain, edges},
+    segment::segment_distance,
+};
+
+/// Lattice points keep this share of the spacing away from the outline, and from sites: nearer ones make slivers.
+/// Not one half, so that outlines parallel to the lattice do not leave the choice to rounding.
+pub(super) const CLEARANCE: f64 = 0.47;
+/// Height of a lattice row over the spacing: √3 / 2.
+pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
+
+/// The spacing at which lattice and outline together have about `count` points.
+pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
+    let area = domain.area();
+    let lengths = domain.rings().iter().flat_map(|ring| edges(ring)).map(|(a, b)| a.distance(b));
+    let perimeter: f64 = lengths.sum();
+    let corners: usize = domain.rings().iter().map(Vec::len).sum();
+    let wanted = (count as f64 - corners as f64).max(count as f64 / 4.0);
+    // With u = 1 / spacing: the lattice has (area − CLEARANCE · perimeter / u) · u² / ROW points, the outline perimeter · u.
+    let (quadratic, linear) = (area / ROW, perimeter * (1.0 - CLEARANCE / ROW));
+    2.0 * quadratic / ((linear * linear + 4.0 * quadratic * wanted).sqrt() - linear)
+}
+
+/// Lattice points inside the domain and clear of the outline's `segments` and of the sites.
+pub(super) fn inner_points(
+    domain: &Domain,
+    sites: &[DVec2],
+    spacing: f64,
+    vertices: &[DVec2],
+    segments: &[[usize; 2]],
+) -> Vec<DVec2> {
+    let lattice = Lattice::new(domain, spacing);
+    let mut inside = lattice.inside(domain);
+    let clearance = CLEARANCE * spacing;
+    for &[a, b] in segments {
+        lattice.clear_around(&mut inside, vertices[a], vertices[b], clearance);
+    }
+    for &site in sites {
+        lattice.clear_around(&mut inside, site, site, clearance);
+    }
+    let nodes = (0..lattice.rows).flat_map(|row| (0..lattice.columns).map(move |column| (row, column)));
+    nodes.filter(|&(row, column)| inside[row * lattice.columns + column]).map(|(r, c)| lattice.node(r, c)).collect()
+}
+
+/// Nodes of the lattice over a domain's bounding box; a node lies at its centre.
+struct Lattice {
+    centre: DVec2,
+    spacing: f64,
+    rows: usize,
+    columns: usize,
+}
+
+impl Lattice {
+    fn new(domain: &Domain, spacing: f64) -> Self {
+        let (low, high) = domain.bounds();
+        let half = (high - low) / 2.0;
+        let rows = 2 * (half.y / (spacing * ROW)) as usize + 1;
+        let columns = 2 * ((half.x / spacing) as usize + 1);
+        Self { centre: (low + high) / 2.0, spacing, rows, columns: columns + 1 }
+    }
+
+    /// Steps of a node from the centre: rows, and columns with the half step of odd rows.
+    fn node(&self, row: usize, column: usize) -> DVec2 {
+        let (j, i) = (self.row_step(row), column as f64 - (self.columns / 2) as f64);
+        let shift = if self.is_shifted(row) { 0.5 } else { 0.0 };
+        self.centre + DVec2::new((i + shift) * self.spacing, j * self.spacing * ROW)
+    }
+
+    fn row_step(&self, row: usize) -> f64 {
+        row as f64 - (self.rows / 2) as f64
+    }
+
+    fn is_shifted(&self, row: usize) -> bool {
+        row.abs_diff(self.rows / 2) % 2 == 1
+    }
+
+    /// Whether each node lies inside the domain, row by row, by the even-odd rule.
+    fn inside(&self, domain: &Domain) -> Vec<bool> {
+        let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); self.rows];
+        for (a, b) in domain.rings().iter().flat_map(|ring| edges(ring)) {
+            let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
+            for row in self.rows_within(low.y, high.y) {
+                let y = self.node(row, 0).y;
+                if low.y <= y && y < high.y {
+                    crossings[row].push(low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x));
+                }
+            }
+        }
+        let mut inside = vec![false; self.rows * self.columns];
+        for (row, crossings) in crossings.iter_mut().enumerate() {
+            crossings.sort_by(f64::total_cmp);
+            for span in crossings.chunks_exact(2) {
+                for column in self.columns_within(row, span[0], span[1]) {
+                    let x = self.node(row, column).x;
+                    inside[row * self.columns + column] = span[0] < x && x < span[1];
+                }
+            }
+        }
+        inside
+    }
+
+    /// Unmarks the nodes nearer to a segment than `clearance`.
+    fn clear_around(&self, inside: &mut [bool], a: DVec2, b: DVec2, clearance: f64) {
+        let (low, high) = (a.min(b) - clearance, a.max(b) + clearance);
+        for row in self.rows_within(low.y, high.y) {
+            for column in self.columns_within(row, low.x, high.x) {
+                let p = self.node(row, column);
+                if segment_distance(p, a, b) < clearance {
+                    inside[row * self.columns + column] = false;
+                }
+            }
+        }
+    }
+
+    /// Rows that may lie between two heights.
+    fn rows_within(&self, low: f64, high: f64) -> std::ops::Range<usize> {
+        let step = |y: f64| (y - self.centre.y) / (self.spacing * ROW) + (self.rows / 2) as f64;
+        range(step(low), step(high), self.rows)
+    }
+
+    /// Columns of a row that may lie between two abscissas.
+    fn columns_within(&self, row: usize, low: f64, high: f64) -> std::ops::Range<usize> {
+        let shift = if self.is_shifted(row) { 0.5 } else { 0.0 };
+        let step = |x: f64| (x - self.centre.x) / self.spacing - shift + (self.columns / 2) as f64;
+        range(step(low), step(high), self.columns)
+    }
+}
+
+/// Whole numbers from just below `low` to just above `high`, within `0..count`.
+fn range(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
+    (low.floor().max(0.0) as usize)..((high.ceil() + 1.0).max(0.0) as usize).min(count)
+}

@@ -1,0 +1,83 @@
+//! Finer lattices around sites that are closer to one another than the lattice resolves: the paper's up-sampling.
+//!
+//! Cells near such sites grow with the distance from them, so the spacing may too: it halves with the distance until it
+//! resolves the gap. A gap of 0.01 px in a picture of 1,000 px costs some 5,500 samples.
+
+use glam::DVec2;
+
+use crate::{
+    distance::Navigation,
+    domain::{Domain, edges},
+    segment::segment_distance,
+};
+
+use super::lattice::{CLEARANCE, ROW};
+
+/// Samples wanted across the gap between two sites, and across the distance to them.
+const RESOLUTION: f64 = 6.0;
+
+/// A round patch of triangular lattice, a node on its centre.
+pub(super) struct Patch {
+    centre: DVec2,
+    spacing: f64,
+    radius: f64,
+    /// The other sites that are patched: nodes nearer to one of them are its own.
+    rivals: Vec<DVec2>,
+}
+
+/// The patches that the closest pairs of sites need, coarse ones first.
+pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
+    let gap = |at: usize| {
+        let others = sites.iter().enumerate().filter(|&(other, _)| other != at);
+        others.map(|(_, p)| p.distance(sites[at])).fold(f64::INFINITY, f64::min)
+    };
+    let close: Vec<(DVec2, f64)> =
+        (0..sites.len()).map(|at| (sites[at], gap(at))).filter(|&(_, gap)| gap < RESOLUTION * spacing).collect();
+    let mut patches = Vec::new();
+    for (at, &(centre, gap)) in close.iter().enumerate() {
+        let rivals: Vec<DVec2> = (0..close.len()).filter(|&other| other != at).map(|other| close[other].0).collect();
+        let mut finer = spacing / 2.0;
+        while finer > gap / (2.0 * RESOLUTION) {
+            // Beyond this distance the next coarser spacing resolves the distance.
+            let radius = 2.0 * finer * RESOLUTION;
+            patches.push(Patch { centre, spacing: finer, radius, rivals: rivals.clone() });
+            finer /= 2.0;
+        }
+    }
+    patches.sort_by(|a, b| b.spacing.total_cmp(&a.spacing));
+    patches
+}
+
+/// Adds the nodes of the patches that lie inside the domain and clear of what is there.
+pub(super) fn add_patches(vertices: &mut Vec<DVec2>, patches: &[Patch], navigation: &Navigation, domain: &Domain) {
+    for patch in patches {
+        let close = |p: DVec2| p.distance(patch.centre) < patch.radius + patch.spacing;
+        let mut near: Vec<DVec2> = vertices.iter().copied().filter(|&p| close(p)).collect();
+        let outline = domain.rings().iter().flat_map(|ring| edges(ring));
+        let walls: Vec<(DVec2, DVec2)> =
+            outline.filter(|&(a, b)| segment_distance(patch.centre, a, b) < patch.radius + patch.spacing).collect();
+        let clearance = CLEARANCE * patch.spacing;
+        for p in patch.nodes() {
+            let own = patch.rivals.iter().all(|rival| p.distance(*rival) >= p.distance(patch.centre));
+            if own
+                && near.iter().all(|q| p.distance(*q) >= clearance)
+                && walls.iter().all(|&(a, b)| segment_distance(p, a, b) >= clearance)
+                && navigation.place(p).is_some()
+            {
+                vertices.push(p);
+                near.push(p);
+            }
+        }
+    }
+}
+
+impl Patch {
+    fn nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
+        let steps = (self.radius / (self.spacing * ROW)) as i32;
+        (-steps..=steps).flat_map(move |j| (-steps - 1..=steps + 1).map(move |i| (i, j))).filter_map(move |(i, j)| {
+            let shift = if j % 2 == 0 { 0.0 } else { 0.5 };
+            let step = DVec2::new((f64::from(i) + shift) * self.spacing, f64::from(j) * self.spacing * ROW);
+            (step.length() < self.radius).then_some(self.centre + step)
+        })
+    }
+}

@@ -1,0 +1,117 @@
+//! 𝒱(h_i): which samples are nearer to a site than to any other (paper, section III-B).
+//!
+//! Cells are kept while sites are added: a new site takes over the samples around it that it is nearer to, and nothing
+//! else is looked at. Cost of an insertion: its cell, a margin of one sample around it, and the cells it takes from.
+
+use crate::{sample::Samples, triangulation::NONE};
+
+/// The cells of all sites, over the samples.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Cells {
+    /// The nearest site of each sample; [`NONE`] on an island without sites.
+    pub(crate) nearest: Vec<u32>,
+    /// Its distance.
+    pub(crate) distance: Vec<f64>,
+    /// The samples of each cell as linked lists: first sample of each site, next sample of each sample.
+    first: Vec<u32>,
+    next: Vec<u32>,
+    /// The farthest sample of each cell, or [`NONE`].
+    farthest: Vec<u32>,
+    /// Marks the samples seen by the running insertion.
+    seen: Vec<u32>,
+    insertions: u32,
+    stack: Vec<u32>,
+}
+
+impl Cells {
+    pub(crate) fn new(samples: usize) -> Self {
+        Self {
+            nearest: vec![NONE; samples],
+            distance: vec![f64::INFINITY; samples],
+            next: vec![NONE; samples],
+            seen: vec![0; samples],
+            ..Self::default()
+        }
+    }
+
+    /// Gives a new site its cell: the samples nearer to it than to all before. `start` are samples around the site and
+    /// `distance` tells how far a sample is from it.
+    pub(crate) fn insert(&mut self, samples: &Samples, start: [u32; 3], distance: impl Fn(usize) -> f64) {
+        let site = self.first.len() as u32;
+        self.first.push(NONE);
+        self.farthest.push(NONE);
+        self.insertions += 1;
+        let mut losers: Vec<u32> = Vec::new();
+        self.stack.extend(start);
+        let (mut first, mut farthest, mut radius) = (NONE, NONE, -1.0);
+        while let Some(sample) = self.stack.pop() {
+            let at = sample as usize;
+            if self.seen[at] == self.insertions {
+                continue;
+            }
+            self.seen[at] = self.insertions;
+            let (d, known) = (distance(at), self.distance[at]);
+            // The path to a sample of the cell crosses triangles, none of whose corners is farther from it than an edge.
+            if d < known + 2.0 * samples.reach[at] {
+                self.stack.extend(samples.graph.of(at));
+            }
+            if d < known {
+                let loser = self.nearest[at];
+                if loser != NONE && !losers.contains(&loser) {
+                    losers.push(loser);
+                }
+                (self.nearest[at], self.distance[at]) = (site, d);
+                if d > radius {
+                    (farthest, radius) = (sample, d);
+                }
+            }
+        }
+        for &loser in &losers {
+            first = self.release(loser, site, first);
+        }
+        if losers.is_empty() {
+            // The first site of an island: no list to take samples from.
+            first = self.collect(site);
+        }
+        (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
+    }
+
+    /// Moves the samples that `site` took from `loser` to the list that begins with `first`.
+    fn release(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
+        let (mut kept, mut farthest, mut radius) = (NONE, NONE, -1.0);
+        let mut sample = self.first[loser as usize];
+        while sample != NONE {
+            let at = sample as usize;
+            let next = self.next[at];
+            let head = if self.nearest[at] == site { &mut first } else { &mut kept };
+            self.next[at] = *head;
+            *head = sample;
+            if self.nearest[at] == loser && self.distance[at] > radius {
+                (farthest, radius) = (sample, self.distance[at]);
+            }
+            sample = next;
+        }
+        (self.first[loser as usize], self.farthest[loser as usize]) = (kept, farthest);
+        first
+    }
+
+    fn collect(&mut self, site: u32) -> u32 {
+        let mut first = NONE;
+        for at in (0..self.nearest.len()).filter(|&at| self.nearest[at] == site) {
+            self.next[at] = first;
+            first = at as u32;
+        }
+        first
+    }
+
+    /// The samples of a site's cell.
+    pub(crate) fn of(&self, site: usize) -> impl Iterator<Item = usize> + '_ {
+        let some = |sample: u32| (sample != NONE).then_some(sample as usize);
+        std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
+    }
+
+    /// The farthest sample of a cell. A cell between the samples has none.
+    pub(crate) fn farthest_sample(&self, site: usize) -> Option<usize> {
+        (self.farthest[site] != NONE).then_some(self.farthest[site] as usize)
+    }
+}

@@ -1,0 +1,61 @@
+//! Sites: the origins h_i of real handles, and the virtual ones that Algorithm 1 adds (paper, sections III-B and IV-A).
+
+mod cells;
+mod farthest;
+mod graph;
+mod regions;
+mod summit;
+mod virtual_sites;
+
+use glam::DVec2;
+
+use crate::distance::{DistanceField, Place};
+
+pub use graph::SiteGraph;
+pub(crate) use regions::Regions;
+pub(crate) use virtual_sites::{allowed_score, insert_virtual_sites, score};
+
+/// Sites closer than this, in pixels, count as one spot.
+pub const MIN_SEPARATION: f64 = 0.01;
+/// Most handles in one solve.
+pub const MAX_HANDLES: usize = 1000;
+/// Most sites, real and virtual, in one solve.
+pub const MAX_SITES: usize = 8192;
+
+/// A cell may be larger than its site's separation by this factor, where no real site is in the way. See
+/// [`Site::reach_limit`].
+const GRADING: f64 = 1.7;
+
+/// A site with its cell. Lengths in pixels.
+#[derive(Debug, Clone)]
+pub struct Site {
+    /// h_i, at rest.
+    pub rest: DVec2,
+    /// The project's handle it belongs to, or `None` for a virtual site.
+    pub handle: Option<usize>,
+    /// Distance to the nearest other site, r_h; infinite for the only site of an island.
+    pub separation: f64,
+    /// Distance to the nearest other real site; infinite where there is none.
+    pub clearance: f64,
+    /// Distance to the farthest point of the cell, r_d.
+    pub cell_radius: f64,
+    /// Where φ reaches zero, r_i.
+    pub support_radius: f64,
+    pub(crate) island: usize,
+    pub(crate) place: Place,
+    pub(crate) field: DistanceField,
+}
+
+impl Site {
+    /// How far the site's support may reach, and so, how large its cell may be.
+    ///
+    /// The paper's condition (3) asks for r_d ≤ r_h: a support covers its cell and stays clear of every other site. Met by
+    /// Algorithm 1 to the letter, it makes all cells alike: two handles 10 px apart on a picture of 1,000 px draw 1,000
+    /// virtual sites after them, and two 5 px apart more than 20,000. But interpolation is owed to real handles only. So
+    /// supports must stay clear of real sites, and may reach over virtual ones by a factor of [`GRADING`]. As the sites that
+    /// Algorithm 1 inserts are then farther apart than those that ask for them, by that factor, cells grow with the distance
+    /// from a close pair and their number with the logarithm of the gap (as in Ruppert's Delaunay refinement, 1995).
+    pub(crate) fn reach_limit(&self) -> f64 {
+        (GRADING * self.separation).min(self.clearance)
+    }
+}

@@ -1,0 +1,153 @@
+//! Sites, distances and cells while they grow: what Algorithm 1 works on.
+
+use glam::DVec2;
+
+use super::{Site, cells::Cells};
+use crate::{
+    distance::{Navigation, Place, Propagation},
+    sample::Samples,
+    triangulation::NONE,
+};
+
+/// The farthest point of a cell is no farther than its farthest sample by more than this many edges, also in a narrow tip.
+pub(super) const NEAR_TOP: f64 = 2.0;
+
+/// A point of the domain, where it lies and how far the nearest site is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FarPoint {
+    pub(crate) at: DVec2,
+    pub(crate) place: Place,
+    pub(crate) distance: f64,
+}
+
+/// What is known of a cell's farthest points.
+pub(super) enum Far {
+    /// These, all as far from the site: at least one.
+    Known(Vec<FarPoint>),
+    /// They are no farther than this.
+    Within(f64),
+}
+
+/// All sites with their distance fields and cells.
+pub(crate) struct Regions<'a> {
+    pub(crate) navigation: &'a Navigation,
+    pub(crate) samples: &'a Samples,
+    pub(crate) sites: Vec<Site>,
+    pub(crate) cells: Cells,
+    /// Farthest points of each cell.
+    pub(super) far: Vec<Far>,
+    /// The samples before and after each sample of the outline.
+    pub(super) along: Vec<[u32; 2]>,
+    propagation: &'a mut Propagation,
+}
+
+impl<'a> Regions<'a> {
+    pub(crate) fn new(navigation: &'a Navigation, samples: &'a Samples, propagation: &'a mut Propagation) -> Self {
+        let mut along = vec![[NONE; 2]; samples.len()];
+        for ring in &samples.outline {
+            let n = ring.len();
+            for i in 0..n {
+                along[ring[i] as usize] = [ring[(i + n - 1) % n], ring[(i + 1) % n]];
+            }
+        }
+        let cells = Cells::new(samples.len());
+        Self { navigation, samples, sites: Vec::new(), cells, far: Vec::new(), along, propagation }
+    }
+
+    /// Adds a site at a point of the domain.
+    pub(crate) fn insert(&mut self, rest: DVec2, place: Place, handle: Option<usize>) {
+        let island = self.navigation.island_of(place);
+        // No sample of the island is farther from its nearest site, so the new cell reaches no farther either.
+        let island_sites = (0..self.sites.len()).filter(|&i| self.sites[i].island == island);
+        let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
+        let bound = radius.map_or(f64::INFINITY, |radius| radius + 2.0 * self.samples.longest_edge);
+        let field = self.propagation.field(self.navigation, place, rest, bound);
+        let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
+        for site in self.sites.iter_mut().filter(|site| site.island == island) {
+            let straight = site.rest.distance(rest);
+            if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
+                let d = site.field.distance(place, rest);
+                site.separation = site.separation.min(d);
+                separation = separation.min(d);
+                if handle.is_some() {
+                    site.clearance = site.clearance.min(d);
+                }
+                if site.handle.is_some() {
+                    clearance = clearance.min(d);
+                }
+            }
+        }
+        let start = self.samples.around(rest).expect("sites lie in the domain");
+        let samples = self.samples;
+        let distance = |at: usize| field.distance(samples.places[at], samples.mesh.vertices[at]);
+        self.cells.insert(samples, start, distance);
+        self.sites.push(Site {
+            rest,
+            handle,
+            separation,
+            clearance,
+            cell_radius: 0.0,
+            support_radius: 0.0,
+            island,
+            place,
+            field,
+        });
+        // Cells only shrink: a farthest point that stays in its cell stays the farthest, and a later one is no farther.
+        let field = &self.sites[self.sites.len() - 1].field;
+        let kept = |point: &FarPoint| {
+            rest.distance(point.at) >= point.distance || field.distance(point.place, point.at) >= point.distance
+        };
+        for far in &mut self.far {
+            if let Far::Known(points) = far {
+                let radius = points[0].distance;
+                points.retain(kept);
+                if points.is_empty() {
+                    *far = Far::Within(radius);
+                }
+            }
+        }
+        self.far.push(Far::Within(f64::INFINITY));
+    }
+
+    /// The sites with their cell radii, and the nearest site of each sample.
+    pub(crate) fn finished(mut self) -> (Vec<Site>, Vec<u32>) {
+        for site in 0..self.sites.len() {
+            if self.known_farthest(site).is_none() {
+                self.find_farthest(site);
+            }
+            self.sites[site].cell_radius = self.known_farthest(site).map_or(0.0, |points| points[0].distance);
+        }
+        (self.sites, self.cells.nearest)
+    }
+
+    /// The cell radius as the samples tell it; never more than the true one.
+    pub(crate) fn sampled_radius(&self, site: usize) -> f64 {
+        self.cells.farthest_sample(site).map_or(0.0, |sample| self.cells.distance[sample])
+    }
+
+    /// More than the true cell radius can be: every point of a cell has a sample within an edge's length.
+    pub(crate) fn greatest_radius(&self, site: usize) -> f64 {
+        let sample = self.cells.farthest_sample(site);
+        let reach = sample.map_or(self.samples.spacing, |sample| self.samples.reach[sample]);
+        let by_samples = self.sampled_radius(site) + NEAR_TOP * reach;
+        match self.far[site] {
+            Far::Within(radius) => radius.min(by_samples),
+            Far::Known(ref points) => points[0].distance,
+        }
+    }
+
+    /// Distance of a point to its nearest site.
+    pub(crate) fn nearest_distance(&self, place: Place, p: DVec2) -> f64 {
+        self.sites.iter().fold(f64::INFINITY, |least, site| {
+            if site.rest.distance(p) < least { least.min(site.field.distance(place, p)) } else { least }
+        })
+    }
+
+    /// The farthest points of a site's cell: all that are tied for it, if known already.
+    pub(crate) fn known_farthest(&self, site: usize) -> Option<&[FarPoint]> {
+        match &self.far[site] {
+            Far::Known(points) => Some(points),
+            Far::Within(_) => None,
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Where the farthest points of a cell are: from the samples that may be next to one to the point itself.
+
+use glam::DVec2;
+
+use super::{
+    Site,
+    farthest::{Cone, Wall, climb, climb_along},
+    regions::{Far, FarPoint, NEAR_TOP, Regions},
+    virtual_sites::TIE,
+};
+use crate::triangulation::NONE;
+
+/// Two farthest points nearer than this share of the sample spacing are one.
+const SAME_POINT: f64 = 1e-3;
+
+/// A sample this many edges from a farthest point leads to the same.
+const SAME_SUMMIT: f64 = 1.5;
+/// How often a climb is taken up again where it ended.
+const RESTARTS: usize = 8;
+
+impl Regions<'_> {
+    /// Finds the farthest points of a site's cell. There is at least one.
+    pub(crate) fn find_farthest(&mut self, site: usize) {
+        let mut points: Vec<FarPoint> = Vec::new();
+        let radius = self.sampled_radius(site);
+        let mut tops: Vec<usize> = self.cells.of(site).filter(|&at| self.is_top(site, at, radius)).collect();
+        if tops.is_empty() {
+            // A cell between the samples.
+            let around = self.samples.around(self.sites[site].rest).expect("sites lie in the domain");
+            tops.extend(around.map(|at| at as usize));
+        }
+        tops.sort_by(|&a, &b| self.cells.distance[b].total_cmp(&self.cells.distance[a]).then(a.cmp(&b)));
+        for at in tops {
+            let under = |known: &FarPoint| {
+                known.at.distance(self.samples.mesh.vertices[at]) < SAME_SUMMIT * self.samples.reach[at]
+            };
+            if points.iter().any(under) {
+                continue;
+            }
+            let Some(point) = self.summit(site, at) else { continue };
+            let same = SAME_POINT * self.samples.reach[at];
+            if points.iter().all(|known| known.at.distance(point.at) > same) {
+                points.push(point);
+            }
+        }
+        if points.is_empty() {
+            let Site { rest, place, .. } = self.sites[site];
+            points.push(FarPoint { at: rest, place, distance: 0.0 });
+        }
+        let greatest = points.iter().map(|point| point.distance).fold(0.0, f64::max);
+        points.retain(|point| point.distance >= greatest * (1.0 - TIE));
+        self.far[site] = Far::Known(points);
+    }
+
+    /// Whether a sample may be next to a farthest point: it is nearly as far as any of the cell, and either no neighbour in the
+    /// cell is farther, or cells meet there, or a cell meets the outline.
+    fn is_top(&self, site: usize, at: usize, radius: f64) -> bool {
+        let (cells, around) = (&self.cells, self.samples.graph.of(at));
+        let d = cells.distance[at];
+        if d + NEAR_TOP * self.samples.reach[at] < radius {
+            return false;
+        }
+        let higher = |&n: &u32| cells.nearest[n as usize] == site as u32 && cells.distance[n as usize] > d;
+        let mut others = around.iter().map(|&n| cells.nearest[n as usize]).filter(|&cell| cell != site as u32);
+        let first = others.next();
+        let on_outline = self.along[at][0] != NONE;
+        let is_corner = first.is_some() && (on_outline || others.any(|cell| Some(cell) != first));
+        is_corner || !around.iter().any(higher)
+    }
+
+    /// The farthest point of a site's cell near one of its samples.
+    fn summit(&self, site: usize, at: usize) -> Option<FarPoint> {
+        let samples = self.samples;
+        let sample =
+            FarPoint { at: samples.mesh.vertices[at], place: samples.places[at], distance: self.cells.distance[at] };
+        let sample = (self.cells.nearest[at] == site as u32).then_some(sample);
+        let mut summit = self.higher(site, at, samples.mesh.vertices[at], sample)?;
+        // In the tip of a narrow cell the way may lead out of what was known around its beginning.
+        for _ in 0..RESTARTS {
+            if summit.at.distance(sample.map_or(DVec2::NAN, |sample| sample.at)) < samples.reach[at] {
+                break;
+            }
+            let near = samples.around(summit.at).expect("a point of the domain");
+            let distance = |v: &u32| samples.mesh.vertices[*v as usize].distance_squared(summit.at);
+            let near = near.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let near = near.expect("a triangle has corners") as usize;
+            match self.higher(site, near, summit.at, Some(summit)) {
+                Some(next) if next.distance > summit.distance * (1.0 + TIE) => summit = next,
+                _ => break,
+            }
+        }
+        Some(summit)
+    }
+
+    /// The farthest point of a site's cell that is found from a place near sample `at`, or `known` where none is farther.
+    fn higher(&self, site: usize, at: usize, from: DVec2, known: Option<FarPoint>) -> Option<FarPoint> {
+        let samples = self.samples;
+        let Surroundings { own, others, walls } = self.surroundings(site, at);
+        let all: Vec<Cone> = own.iter().chain(&others).copied().collect();
+        // A corner that paths bend at has no tangent to climb by: then from beside it.
+        let around = samples.graph.of(at);
+        let beside = around.iter().map(|&n| samples.mesh.vertices[n as usize]).sum::<DVec2>() / around.len() as f64;
+        let from = if all.iter().any(|cone| cone.apex == from) { from.midpoint(beside) } else { from };
+        let reach = 2.0 * samples.reach[at];
+        // A cone of the site itself ends another where paths on both sides of a hole are as long, but not where it is merely
+        // out of sight: so once with the others of the site, and once without.
+        let limits: &[&[Cone]] = if own.len() > 1 { &[&others, &all] } else { &[&others] };
+        let tops = limits.iter().flat_map(|&limits| {
+            own.iter().flat_map(|cone| {
+                let along = walls.iter().map(|&(a, b)| climb_along(cone, limits, a, b));
+                let free = climb(cone, limits, &[], from, reach);
+                let inside = self.navigation.place(free).is_some();
+                let top = if inside { free } else { climb(cone, limits, &walls, from, reach) };
+                along.chain([top])
+            })
+        });
+        let in_cell = |p: DVec2| {
+            let place = self.navigation.place(p)?;
+            let distance = self.nearest_distance(place, p);
+            let of_site = self.sites[site].field.distance(place, p) <= distance * (1.0 + TIE);
+            (of_site && distance.is_finite()).then_some(FarPoint { at: p, place, distance })
+        };
+        let farther = |best: FarPoint, p: FarPoint| if p.distance > best.distance { p } else { best };
+        known.into_iter().chain(tops.filter_map(in_cell)).reduce(farther)
+    }
+
+    /// The cones that are least at the samples around one, and the pieces of the outline there.
+    fn surroundings(&self, site: usize, at: usize) -> Surroundings {
+        let samples = self.samples;
+        let mut ring = vec![at as u32];
+        for _ in 0..2 {
+            for i in 0..ring.len() {
+                for n in samples.graph.of(ring[i] as usize) {
+                    if !ring.contains(n) {
+                        ring.push(*n);
+                    }
+                }
+            }
+        }
+        let mut found = Surroundings { own: Vec::new(), others: Vec::new(), walls: Vec::new() };
+        for &v in &ring {
+            let (v, p) = (v as usize, samples.mesh.vertices[v as usize]);
+            let nearest = self.cells.nearest[v];
+            let foot = self.sites[nearest as usize].field.foot(samples.places[v], p);
+            let [prev, next] = self.along[v];
+            let mut cones = [foot.map(|foot| Cone { apex: foot.pseudo_source, offset: foot.offset }), None];
+            if next != NONE {
+                let [prev, next] = [prev, next].map(|n| samples.mesh.vertices[n as usize]);
+                found.walls.push((p, next));
+                // Beyond a reflex corner paths bend at it, though no sample may lie where they do.
+                if (p - prev).perp_dot(next - p) < 0.0 {
+                    cones[1] = Some(Cone { apex: p, offset: self.cells.distance[v] });
+                }
+            }
+            for cone in cones.into_iter().flatten().filter(|cone| cone.offset.is_finite()) {
+                let cones = if nearest == site as u32 { &mut found.own } else { &mut found.others };
+                if !cones.contains(&cone) {
+                    cones.push(cone);
+                }
+            }
+        }
+        found
+    }
+}
+
+/// What is known around a sample of a cell.
+struct Surroundings {
+    /// Cones of the cell's site.
+    own: Vec<Cone>,
+    /// Cones of its neighbours.
+    others: Vec<Cone>,
+    walls: Vec<Wall>,
+}

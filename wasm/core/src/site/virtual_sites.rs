@@ -1,0 +1,154 @@
+//! Algorithm 1, virtual handle insertion (paper, section IV-A).
+//!
+//! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell. How far
+//! that is, [`Site::reach_limit`](super::Site::reach_limit), is less strict than the paper's r_d ≤ r_h for virtual sites.
+//! Three things are stricter:
+//! - farthest points are those of the cell itself, not of its samples;
+//! - tied points, of one cell or of several, enter in one round, so that a symmetric scene stays symmetric;
+//! - the condition holds with a [`MARGIN`]: with r_d = r_h the farthest point of a cell has no weight at all.
+//!
+//! A new site is farther from all others than the site that asked for it is from its nearest, by a factor, or than that is
+//! from a real site; so sites cannot crowd without end. Between two handles 10 px and 0.01 px apart on a picture of 1,000 px
+//! the number of virtual sites grows from some 90 to some 300.
+
+use super::{
+    MAX_SITES,
+    regions::{FarPoint, Regions},
+};
+use crate::error::Error;
+
+/// Scores and radii this near to one another, relatively, are tied: far above rounding, far below what anyone places.
+pub(super) const TIE: f64 = 1e-9;
+/// Cells must be smaller than the limit by this share: the farthest point of a cell on the limit has no weight, and weights
+/// get steep where it is close.
+const MARGIN: f64 = 0.05;
+/// Tied points closer than this share of their distance to all sites would crowd each other.
+const CROWDED: f64 = 0.5;
+
+/// The score δ(h_i) / r_d(h_i) of the worst cell in each round (the paper's figure 3, right).
+pub(crate) type Scores = Vec<f64>;
+
+/// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
+///
+/// Further sites enter at the farthest points of the largest cells until there are `density` virtual ones.
+///
+/// # Errors
+/// [`Error::TooManySites`].
+pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Result<Scores, Error> {
+    let mut scores = Scores::new();
+    let limit = allowed_score();
+    let real = regions.sites.len();
+    loop {
+        let worst = greatest(regions, score);
+        scores.push(worst);
+        let points = if worst > limit {
+            tied_farthest(regions, score, worst)
+        } else if regions.sites.len() - real < density && real > 0 {
+            let radius = greatest(regions, size);
+            tied_farthest(regions, size, radius)
+        } else {
+            return Ok(scores);
+        };
+        for point in points {
+            if regions.sites.len() >= MAX_SITES {
+                return Err(Error::TooManySites);
+            }
+            regions.insert(point.at, point.place, None);
+        }
+    }
+}
+
+/// The greatest score that a cell may have in the end.
+pub(crate) fn allowed_score() -> f64 {
+    // δ / r_d = 1 − r_h / r_d, and r_d = (1 − MARGIN) r_h on the limit.
+    1.0 - 1.0 / (1.0 - MARGIN)
+}
+
+/// By what cells compete to be divided, from their radius and their site's limit.
+type Rank = fn(f64, f64) -> f64;
+
+/// Algorithm 1's score, δ / r_d.
+pub(crate) fn score(radius: f64, limit: f64) -> f64 {
+    if radius > 0.0 { 1.0 - limit / radius } else { f64::NEG_INFINITY }
+}
+
+/// The cell's radius: for sites beyond those that Algorithm 1 needs.
+fn size(radius: f64, _limit: f64) -> f64 {
+    radius
+}
+
+/// The greatest rank of all cells. Farthest points are sought only in cells that may have it.
+fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
+    loop {
+        let mut worst = (f64::NEG_INFINITY, None);
+        for site in 0..regions.sites.len() {
+            let known = regions.known_farthest(site).map(|points| points[0].distance);
+            let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
+            let rank = rank(radius, regions.sites[site].reach_limit());
+            if rank > worst.0 {
+                worst = (rank, known.is_none().then_some(site));
+            }
+        }
+        match worst {
+            (_, Some(unknown)) => regions.find_farthest(unknown),
+            (rank, None) => return rank,
+        }
+    }
+}
+
+/// The farthest points of all cells whose rank is tied with the greatest, in an order that does not depend on the sites'.
+fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoint> {
+    let tied = |regions: &Regions, site: usize, radius: f64| {
+        rank(radius, regions.sites[site].reach_limit()) >= greatest - TIE * greatest.abs()
+    };
+    let mut points: Vec<FarPoint> = Vec::new();
+    for site in 0..regions.sites.len() {
+        if tied(regions, site, regions.greatest_radius(site)) && regions.known_farthest(site).is_none() {
+            regions.find_farthest(site);
+        }
+        let far = regions.known_farthest(site).unwrap_or(&[]);
+        for &point in far.iter().filter(|point| tied(regions, site, point.distance)) {
+            // A corner of several cells is a farthest point of each.
+            if points.iter().all(|known| known.at.distance(point.at) > TIE.sqrt() * point.distance) {
+                points.push(point);
+            }
+        }
+    }
+    points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
+    spread_out(regions, &points)
+}
+
+/// Replaces tied points that crowd each other by the one in their middle, or, where that is no good, by some of them.
+fn spread_out(regions: &Regions, points: &[FarPoint]) -> Vec<FarPoint> {
+    let mut groups: Vec<Vec<FarPoint>> = Vec::new();
+    for &point in points {
+        let crowds = |group: &Vec<FarPoint>| {
+            group.iter().any(|other| other.at.distance(point.at) < CROWDED * point.distance.min(other.distance))
+        };
+        let (joined, mut apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(crowds);
+        apart.push(joined.into_iter().flatten().chain([point]).collect());
+        groups = apart;
+    }
+    groups.iter().flat_map(|group| representatives(regions, group)).collect()
+}
+
+fn representatives(regions: &Regions, group: &[FarPoint]) -> Vec<FarPoint> {
+    if let [alone] = group {
+        return vec![*alone];
+    }
+    let middle = group.iter().map(|point| point.at).sum::<glam::DVec2>() / group.len() as f64;
+    let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
+    if let Some(place) = regions.navigation.place(middle) {
+        let distance = regions.nearest_distance(place, middle);
+        if distance > (1.0 - CROWDED / 2.0) * least && distance.is_finite() {
+            return vec![FarPoint { at: middle, place, distance }];
+        }
+    }
+    let mut chosen: Vec<FarPoint> = Vec::new();
+    for point in group {
+        if chosen.iter().all(|other| other.at.distance(point.at) >= CROWDED * point.distance) {
+            chosen.push(*point);
+        }
+    }
+    chosen
+}

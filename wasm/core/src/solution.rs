@@ -1,0 +1,147 @@
+//! A solved project: the mesh, its weights, and the weight functions themselves.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use crate::{
+    distance::Propagation,
+    domain::{Domain, Ring},
+    error::Error,
+    pose::{HarmonicFields, Mapped, Pose, Poser},
+    render_mesh::RenderMesh,
+    report::{Fingerprint, Report},
+    site::{Site, SiteGraph},
+    solver::Outline,
+    weight::{Influence, SparseWeights, Weights},
+};
+
+/// The result of a solve. It does not depend on where the handles are posed.
+#[derive(Debug)]
+pub struct Solution {
+    /// What is drawn.
+    pub mesh: RenderMesh,
+    /// The weights of the mesh's vertices.
+    pub weights: SparseWeights,
+    /// Real sites from top to bottom, then virtual ones as they were inserted.
+    pub sites: Vec<Site>,
+    /// The cell graph.
+    pub graph: SiteGraph,
+    /// ϖ, by site.
+    pub harmonic: HarmonicFields,
+    /// Number of samples: the first vertices of the mesh; the others are the rim's.
+    pub samples: usize,
+    /// The nearest site of each sample, `u32::MAX` on an island without sites.
+    pub nearest: Vec<u32>,
+    /// Σφ at each sample.
+    pub phi_sums: Vec<f64>,
+    /// The worst score δ / r_d before each round of Algorithm 1.
+    pub scores: Vec<f64>,
+    pub(crate) poser: Poser,
+    pub(crate) functions: Weights,
+    pub(crate) outline: Arc<Outline>,
+}
+
+impl Solution {
+    /// The domain that was solved.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        &self.outline.domain
+    }
+
+    /// The outline, as rings in image pixels.
+    #[must_use]
+    pub fn rings(&self) -> &[Ring] {
+        self.outline.domain.rings()
+    }
+
+    /// Makes poses of this solution.
+    #[must_use]
+    pub fn poser(&self) -> &Poser {
+        &self.poser
+    }
+
+    /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
+    #[must_use]
+    pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
+        let place = self.outline.navigation.place(p)?;
+        Some(self.functions.at(&self.sites, place, p))
+    }
+
+    /// The sites that move a point and their weights, ascending by site; `None` outside the domain.
+    #[must_use]
+    pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
+        let influences = self.influences_at(p)?;
+        Some(influences.into_iter().map(|influence| (influence.site, influence.weight)).collect())
+    }
+
+    /// Where a point goes (eq. 1), and how its surroundings grow; `None` outside the domain.
+    #[must_use]
+    pub fn map(&self, pose: &Pose, p: DVec2) -> Option<Mapped> {
+        Some(pose.map(p, &self.influences_at(p)?))
+    }
+
+    /// Where the mesh's vertices go.
+    #[must_use]
+    pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
+        let vertices = self.mesh.vertices.iter().enumerate();
+        vertices.map(|(v, &p)| pose.blended(p, self.weights.row(v))).collect()
+    }
+
+    /// Intrinsic distances from one point of the domain to others; `None` where no path leads.
+    ///
+    /// # Errors
+    /// [`Error::PointOutside`] where the first point lies outside the domain.
+    pub fn distances(&self, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
+        let navigation = &self.outline.navigation;
+        let place = navigation.place(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
+        let field = Propagation::default().field(navigation, place, from, f64::INFINITY);
+        let distance = |&p: &DVec2| {
+            let d = field.distance(navigation.place(p)?, p);
+            d.is_finite().then_some(d)
+        };
+        Ok(at.iter().map(distance).collect())
+    }
+
+    /// The solve in numbers, with the folds of a pose.
+    #[must_use]
+    pub fn report(&self, pose: &Pose) -> Report {
+        let real = self.sites.iter().filter(|site| site.handle.is_some()).count();
+        let entries = self.weights.offsets[self.samples] as usize;
+        let covers = self.weights.offsets[..=self.samples].windows(2).map(|row| (row[1] - row[0]) as usize);
+        let reached = self.phi_sums.iter().zip(&self.nearest).filter(|&(_, &nearest)| nearest != u32::MAX);
+        let offsets = self.weights.offsets.iter().map(|&offset| u64::from(offset));
+        let sites = self.weights.sites.iter().map(|&site| u64::from(site));
+        let bits = self.weights.weights.iter().map(|weight| weight.to_bits());
+        Report {
+            samples: self.samples,
+            islands: self.domain().islands(),
+            holes: self.domain().holes(),
+            specks: self.domain().specks(),
+            reflex_corners: self.outline.navigation.reflex_corners().count(),
+            point_handles: real,
+            bar_handles: 0,
+            polygon_handles: 0,
+            real_sites: real,
+            virtual_sites: self.sites.len() - real,
+            scores: self.scores.iter().copied().filter(|score| score.is_finite()).collect(),
+            cover_mean: entries as f64 / self.samples as f64,
+            cover_max: covers.max().unwrap_or(0),
+            min_phi_sum: reached.map(|(&sum, _)| sum).reduce(f64::min).unwrap_or(0.0),
+            folded_triangles: self.folded_triangles(pose),
+            weights_hash: Fingerprint::of(offsets.chain(sites).chain(bits)).to_string(),
+        }
+    }
+
+    /// Triangles over the domain that a pose turns over.
+    #[must_use]
+    pub fn folded_triangles(&self, pose: &Pose) -> usize {
+        let posed = self.posed_vertices(pose);
+        let inner = self.mesh.triangles.iter().filter(|t| t.iter().all(|&v| (v as usize) < self.samples));
+        let area = |&[a, b, c]: &[u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|v| posed[v as usize]);
+            (b - a).perp_dot(c - a)
+        };
+        inner.filter(|t| area(t) < 0.0).count()
+    }
+}

@@ -1,0 +1,284 @@
+//! The façade: from a project and its picture to a solution, stage by stage. Alone in seeing every stage.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use crate::{
+    cloud::{CloudSolution, PointCloud},
+    distance::{Navigation, Propagation},
+    domain::Domain,
+    error::Error,
+    given_mesh::GivenMesh,
+    picture::Picture,
+    pose::{HarmonicFields, Poser},
+    project::{DomainSpec, Project},
+    render_mesh::RenderMesh,
+    request::{RealSite, Request, check_size},
+    sample::{Rim, Samples},
+    site::{Regions, Site, SiteGraph, insert_virtual_sites},
+    solution::Solution,
+    weight::{Basis, Weights, field_bound, support_radii},
+};
+
+/// A part of the solve. Between two of them a caller may look for newer requests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// The outline: from the picture's alpha or the project's rings.
+    Domain,
+    /// Samples and the mesh over them.
+    Sampling,
+    /// Distances, cells and virtual sites.
+    Regions,
+    /// Supports, weights and harmonic fields.
+    Weights,
+}
+
+impl Stage {
+    /// The stage's name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Domain => "domain",
+            Self::Sampling => "sampling",
+            Self::Regions => "regions",
+            Self::Weights => "weights",
+        }
+    }
+}
+
+/// Solves projects of one picture, stage by stage, and keeps the picture's outline for the next solve.
+#[derive(Debug, Default)]
+pub struct Solver {
+    outline: Option<(DomainKey, Arc<Outline>)>,
+    propagation: Propagation,
+    work: Option<Work>,
+    solution: Option<(DomainKey, Request, Solution)>,
+}
+
+/// A domain with its triangulation.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    pub(crate) domain: Domain,
+    pub(crate) navigation: Navigation,
+    /// Whether the picture fades out beyond the outline.
+    soft: bool,
+    size: DVec2,
+}
+
+/// What a domain depends on, apart from the picture.
+type DomainKey = Option<DomainSpec>;
+
+/// A solve under way.
+#[derive(Debug)]
+struct Work {
+    request: Request,
+    outline: Option<Arc<Outline>>,
+    samples: Option<Samples>,
+    regions: Option<Divided>,
+}
+
+/// Sites, the nearest one of each sample, and the scores of Algorithm 1.
+type Divided = (Vec<Site>, Vec<u32>, Vec<f64>);
+
+impl Solver {
+    /// A solver that has solved nothing yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Begins a solve, dropping one under way. All calls of one solver must pass the same picture.
+    ///
+    /// Runs the domain's stage up to the check of what the project asks for.
+    ///
+    /// # Errors
+    /// [`Error::PictureMismatch`], [`Error::Unsupported`], [`Error::TooManyHandles`], or an error of [`Domain::new`].
+    pub fn begin(&mut self, project: &Project, picture: &Picture) -> Result<(), Error> {
+        self.work = None;
+        check_size(project, picture)?;
+        let request = Request::new(project)?;
+        if self.outline.as_ref().is_none_or(|(key, _)| *key != project.domain) {
+            let outline = Outline::new(project.domain.as_ref(), picture)?;
+            self.outline = Some((project.domain.clone(), Arc::new(outline)));
+        }
+        self.work = Some(Work { request, outline: None, samples: None, regions: None });
+        Ok(())
+    }
+
+    /// Runs the next stage of the solve and tells which it was; `None` when there is none left.
+    ///
+    /// # Errors
+    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::TooManySites`]. The solve is then over; the last
+    /// solution stays.
+    pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
+        let (Some(mut work), Some((_, outline))) = (self.work.take(), &self.outline) else { return Ok(None) };
+        let outline = Arc::clone(outline);
+        let sites = || work.request.real_sites(&outline);
+        let stage = match (&work.outline, &work.samples, &work.regions) {
+            (None, ..) => {
+                sites()?;
+                work.outline = Some(outline);
+                Stage::Domain
+            }
+            (_, None, _) => {
+                let rest: Vec<DVec2> = sites()?.iter().map(|site| site.rest).collect();
+                work.samples = Some(Samples::new(&outline.domain, &outline.navigation, &rest, work.request.samples));
+                Stage::Sampling
+            }
+            (_, Some(samples), None) => {
+                work.regions = Some(self.divide(&outline, samples, sites()?, work.request.density)?);
+                Stage::Regions
+            }
+            _ => {
+                let (key, request) = (self.outline.as_ref().and_then(|(key, _)| key.clone()), work.request.clone());
+                self.solution = Some((key, request, self.finish(work, outline)));
+                return Ok(Some(Stage::Weights));
+            }
+        };
+        self.work = Some(work);
+        Ok(Some(stage))
+    }
+
+    fn divide(
+        &mut self,
+        outline: &Outline,
+        samples: &Samples,
+        sites: Vec<RealSite>,
+        density: usize,
+    ) -> Result<Divided, Error> {
+        let mut regions = Regions::new(&outline.navigation, samples, &mut self.propagation);
+        for RealSite { handle, rest, place } in sites {
+            regions.insert(rest, place, Some(handle));
+        }
+        let scores = insert_virtual_sites(&mut regions, density)?;
+        let (sites, nearest) = regions.finished();
+        Ok((sites, nearest, scores))
+    }
+
+    fn finish(&mut self, work: Work, outline: Arc<Outline>) -> Solution {
+        let Work { request, samples, regions, .. } = work;
+        let samples = samples.expect("sampled in an earlier stage");
+        let (mut sites, nearest, scores) = regions.expect("divided in an earlier stage");
+        let (navigation, weighting) = (&outline.navigation, &request.weighting);
+        for site in &mut sites {
+            let bound = field_bound(weighting, site).max(SiteGraph::field_bound(site.cell_radius));
+            if site.field.bound() < bound {
+                site.field = self.propagation.field(navigation, site.place, site.rest, bound);
+            }
+        }
+        for (radius, site) in support_radii(weighting, &sites).into_iter().zip(&mut sites) {
+            site.support_radius = radius;
+        }
+        let functions = Weights::new(navigation, &sites, Basis::new(weighting.degree, weighting.filling));
+        let (mut weights, phi_sums) = functions.of_samples(&sites, &samples);
+        let graph = SiteGraph::new(&sites);
+        let harmonic = HarmonicFields::new(&sites, &graph);
+        let poser = Poser::new(&sites, &graph, &harmonic, request.handles.len(), request.mode);
+        let rim = if outline.soft { Rim::new(&samples.mesh, &samples.outline, outline.size) } else { Rim::default() };
+        let mesh = RenderMesh::new(&samples, &rim, &weights, &harmonic);
+        weights.extend_as(&rim.owners);
+        Solution {
+            mesh,
+            weights,
+            sites,
+            graph,
+            harmonic,
+            poser,
+            samples: samples.len(),
+            nearest,
+            phi_sums,
+            scores,
+            functions,
+            outline,
+        }
+    }
+
+    /// The last solution.
+    ///
+    /// # Panics
+    /// Before the first solve has finished.
+    #[must_use]
+    pub fn solution(&self) -> &Solution {
+        self.solution.as_ref().map(|(.., solution)| solution).expect("asked for after a solve")
+    }
+
+    /// Whether the last solution is that of a project, wherever its handles are posed.
+    #[must_use]
+    pub fn has_solved(&self, project: &Project) -> bool {
+        self.solution.as_ref().is_some_and(|(domain, request, _)| {
+            *domain == project.domain && Request::new(project).is_ok_and(|other| other == *request)
+        })
+    }
+
+    /// The last solution, handed over.
+    #[must_use]
+    pub fn into_solution(self) -> Option<Solution> {
+        self.solution.map(|(.., solution)| solution)
+    }
+}
+
+/// Solves a project at once.
+///
+/// # Errors
+/// Those of [`Solver::begin`] and [`Solver::advance`].
+pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
+    let mut solver = Solver::new();
+    solver.begin(project, picture)?;
+    while solver.advance()?.is_some() {}
+    Ok(solver.into_solution().expect("every stage has run"))
+}
+
+/// Solves a project at once on a mesh that the caller brings: its vertices are the samples, and the first and only
+/// vertices of the solution's mesh, in the caller's order. Handles need not stand on vertices.
+///
+/// What the project says of picture, domain and number of samples plays no part.
+///
+/// # Errors
+/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error> {
+    let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
+    let samples = mesh.samples();
+    let sites = request.real_sites(&outline)?;
+    // Outline and mesh agree within rounding only, beside which a handle may stand.
+    if let Some(RealSite { handle, rest, .. }) = sites.iter().find(|site| samples.around(site.rest).is_none()) {
+        return Err(Error::HandleOutside { id: request.handles[*handle].0.clone(), x: rest.x, y: rest.y });
+    }
+    let mut solver = Solver::new();
+    let regions = solver.divide(&outline, &samples, sites, request.density)?;
+    let work = Work { request, outline: None, samples: Some(samples), regions: Some(regions) };
+    Ok(solver.finish(work, outline))
+}
+
+/// Solves a project at once on a point cloud, as the paper does: see [`cloud`](crate::cloud).
+///
+/// What the project says of picture, domain and number of samples plays no part.
+///
+/// # Errors
+/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
+    let request = Request::new(project)?;
+    let sites = request.sites_at(|p| cloud.contains(p).then_some(()))?;
+    let handles: Vec<(usize, DVec2)> = sites.iter().map(|site| (site.handle, site.rest)).collect();
+    CloudSolution::new(cloud, &handles, &request.weighting, request.density, request.mode)
+}
+
+impl Outline {
+    /// The outline of a domain beyond which there is nothing to draw.
+    pub(crate) fn hard(domain: Domain) -> Self {
+        let navigation = Navigation::new(&domain);
+        Self { domain, navigation, soft: false, size: DVec2::ZERO }
+    }
+
+    fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
+        let domain = Domain::new(spec, picture)?;
+        let navigation = Navigation::new(&domain);
+        let soft = match spec {
+            Some(DomainSpec::Alpha { .. }) => true,
+            Some(_) => false,
+            None => picture.has_transparency(),
+        };
+        let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
+        Ok(Self { domain, navigation, soft, size })
+    }
+}

@@ -1,0 +1,97 @@
+//! A triangle mesh as flat arrays, and the constrained Delaunay triangulation that makes one. Alone in using spade.
+
+use glam::DVec2;
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitigate_underflow};
+
+/// Marks "no triangle" in [`Triangulation::neighbours`].
+pub const NONE: u32 = u32::MAX;
+
+/// A triangle mesh. Every triangle winds so that its signed area (`perp_dot`) is positive.
+#[derive(Debug, Clone, Default)]
+pub struct Triangulation {
+    /// Vertex places.
+    pub vertices: Vec<DVec2>,
+    /// Triangles × 3 vertex indices.
+    pub triangles: Vec<[u32; 3]>,
+    /// Triangles × 3: the triangle across the edge from corner k to corner k + 1, or [`NONE`].
+    pub neighbours: Vec<[u32; 3]>,
+}
+
+impl Triangulation {
+    /// The constrained Delaunay triangulation of the region that closed chains of `segments` bound, by the even-odd rule.
+    ///
+    /// Vertices keep their indices. Vertices must be distinct and finite, and segments must not cross.
+    #[must_use]
+    pub fn constrained_delaunay(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
+        let points = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
+        let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, segments)
+            .expect("vertices of a checked domain are finite and far from the limits of f64");
+        let inside = inner_faces(&cdt);
+        let kept = |face: usize| inside.get(face).copied().unwrap_or(NONE);
+        let mut triangles = Vec::with_capacity(cdt.num_inner_faces());
+        let mut neighbours = Vec::with_capacity(cdt.num_inner_faces());
+        for face in cdt.inner_faces().filter(|face| kept(face.fix().index()) != NONE) {
+            let edges = face.adjacent_edges();
+            triangles.push(edges.map(|edge| edge.from().fix().index() as u32));
+            neighbours.push(edges.map(|edge| kept(edge.rev().face().fix().index())));
+        }
+        Self { vertices, triangles, neighbours }
+    }
+
+    /// The corners of a triangle.
+    #[must_use]
+    pub fn corners(&self, triangle: usize) -> [DVec2; 3] {
+        self.triangles[triangle].map(|v| self.vertices[v as usize])
+    }
+}
+
+/// For each face (0 being the outer one) its number among the faces inside the constraints, or [`NONE`].
+fn inner_faces(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<u32> {
+    let mut parity: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
+    let outer = cdt.outer_face();
+    parity[outer.fix().index()] = Some(false);
+    // The outer face has no list of its edges: start from those on the hull.
+    let mut stack: Vec<_> = cdt.convex_hull().map(|edge| edge.fix()).collect();
+    while let Some(edge) = stack.pop() {
+        let edge = cdt.directed_edge(edge);
+        let from = parity[edge.face().fix().index()].expect("edges are pushed from faces that are known");
+        let beyond = edge.rev().face();
+        let known = &mut parity[beyond.fix().index()];
+        if known.is_none() {
+            *known = Some(from != edge.is_constraint_edge());
+            let first = edge.rev();
+            stack.extend([first.next().fix(), first.prev().fix()]);
+        }
+    }
+    let mut count = 0;
+    let mut number = |inside: bool| {
+        count += u32::from(inside);
+        if inside { count - 1 } else { NONE }
+    };
+    parity.into_iter().map(|parity| number(parity == Some(true))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_with_a_hole_has_the_area_between() {
+        let ring = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from);
+        let vertices: Vec<DVec2> = ring(0.0, 10.0).into_iter().chain(ring(4.0, 6.0)).collect();
+        let segments = (0..8).map(|i| [i, i / 4 * 4 + (i + 1) % 4]).collect();
+        let mesh = Triangulation::constrained_delaunay(vertices, segments);
+        let area = |t: usize| {
+            let [a, b, c] = mesh.corners(t);
+            (b - a).perp_dot(c - a) / 2.0
+        };
+        let areas: Vec<f64> = (0..mesh.triangles.len()).map(area).collect();
+        assert!(areas.iter().all(|&area| area > 0.0));
+        assert!((areas.iter().sum::<f64>() - 96.0).abs() < 1e-12);
+        for (t, neighbours) in mesh.neighbours.iter().enumerate() {
+            for &n in neighbours.iter().filter(|&&n| n != NONE) {
+                assert!(mesh.neighbours[n as usize].contains(&(t as u32)));
+            }
+        }
+    }
+}

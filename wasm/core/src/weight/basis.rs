@@ -1,0 +1,118 @@
+//! φ: the basis function, a Bézier polynomial (paper, section V-A, eq. 5).
+//!
+//! φ(0) = 1, φ(t) = 0 for t ≥ 1, φ falls in between, and its first and second derivatives vanish at both ends, so that
+//! weights are C². Evaluated as `(1 − t)³` times a sum of non-negative terms: never negative, positive for every t < 1.
+
+use crate::project::Filling;
+
+/// The basis function of one degree and filling.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Basis {
+    /// `b_i · C(n, i)` for i from 0 to n − 3; the last three control values are 0.
+    value: Vec<f64>,
+    /// `−n (b_{i+1} − b_i) · C(n − 1, i)` for i from 2 to n − 3; the other differences are 0.
+    fall: Vec<f64>,
+}
+
+impl Basis {
+    /// The basis of degree `n`, with the control values between the three at 1 and the three at 0 filled as asked for.
+    ///
+    /// # Panics
+    /// For a degree below 5, which has no room for the conditions.
+    #[must_use]
+    pub fn new(degree: u32, filling: Filling) -> Self {
+        assert!(degree >= 5, "the conditions on φ need six control values");
+        let n = degree as usize;
+        let control = |i: usize| match (i, filling) {
+            (0..=2, _) => 1.0,
+            (i, _) if i + 2 >= n => 0.0,
+            (_, Filling::Half) => 0.5,
+            (i, Filling::Line) => 1.0 - (i - 2) as f64 / (n - 4) as f64,
+        };
+        let value = (0..=n - 3).map(|i| control(i) * binomial(n, i)).collect();
+        let fall = (2..=n - 3).map(|i| n as f64 * (control(i) - control(i + 1)) * binomial(n - 1, i)).collect();
+        Self { value, fall }
+    }
+
+    /// φ(t) for t ≥ 0.
+    #[must_use]
+    pub fn value(&self, t: f64) -> f64 {
+        if t >= 1.0 {
+            return 0.0;
+        }
+        let u = 1.0 - t;
+        u * u * u * homogeneous(&self.value, t, u)
+    }
+
+    /// φ′(t) for t ≥ 0.
+    #[must_use]
+    pub fn derivative(&self, t: f64) -> f64 {
+        if t >= 1.0 {
+            return 0.0;
+        }
+        let u = 1.0 - t;
+        -(t * t) * (u * u) * homogeneous(&self.fall, t, u)
+    }
+}
+
+/// Σ c_i tⁱ uᵐ⁻ⁱ for i from 0 to m.
+fn homogeneous(c: &[f64], t: f64, u: f64) -> f64 {
+    let (first, rest) = c.split_first().expect("a basis has coefficients");
+    let (mut sum, mut power) = (*first, 1.0);
+    for c in rest {
+        power *= t;
+        sum = sum * u + c * power;
+    }
+    sum
+}
+
+fn binomial(n: usize, k: usize) -> f64 {
+    (1..=k).fold(1.0, |product, i| product * (n + 1 - i) as f64 / i as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bases() -> impl Iterator<Item = Basis> {
+        (5..=12).flat_map(|n| [Filling::Line, Filling::Half].map(|filling| Basis::new(n, filling)))
+    }
+
+    #[test]
+    fn degree_five_is_the_quintic() {
+        let basis = Basis::new(5, Filling::Line);
+        for t in [0.0, 0.1, 0.5, 0.9] {
+            let u: f64 = 1.0 - t;
+            let quintic = u.powi(5) + 5.0 * t * u.powi(4) + 10.0 * t * t * u.powi(3);
+            assert!((basis.value(t) - quintic).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn meets_the_conditions_of_section_iii_b() {
+        for basis in bases() {
+            assert_eq!(basis.value(0.0), 1.0);
+            assert_eq!(basis.value(1.0), 0.0);
+            assert_eq!(basis.derivative(0.0), 0.0);
+            let h = 1e-4;
+            for i in 1..1000 {
+                let t = f64::from(i) / 1000.0;
+                assert!(basis.derivative(t) < 0.0);
+                let slope = (basis.value(t + h) - basis.value(t - h)) / (2.0 * h);
+                // Central differences: h² times a third derivative of at most some thousands.
+                assert!((basis.derivative(t) - slope).abs() < 1e-4);
+            }
+            // φ″ vanishes at both ends: φ′ is of second order there.
+            for t in [1e-4, 1.0 - 1e-4] {
+                assert!(basis.derivative(t).abs() < 1e-5);
+            }
+        }
+    }
+
+    #[test]
+    fn is_positive_up_to_the_last_bit() {
+        for basis in bases() {
+            assert!(basis.value(1.0 - f64::EPSILON) > 0.0);
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The weights w_i of linear blending (paper, section III-B, eq. 2), in closed form at any point.
+
+mod basis;
+mod evaluate;
+mod sparse;
+mod support;
+
+pub use basis::Basis;
+pub use evaluate::{Influence, Weights};
+pub use sparse::SparseWeights;
+pub(crate) use support::{field_bound, support_radii};

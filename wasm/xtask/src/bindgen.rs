@@ -1,0 +1,82 @@
+//! `xtask bindgen`: the solver, or its benchmark, as a WebAssembly module with its TypeScript glue.
+//!
+//! Builds the crate for `wasm32-unknown-unknown` and hands the result to `wasm-bindgen`, used as a
+//! library of exactly the version that the crate was compiled with: nothing to install, nothing that can mismatch.
+//! Costs half a second when nothing has changed.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use wasm_bindgen_cli_support::Bindgen;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// The crate that the editor loads.
+pub(crate) const PACKAGE: &str = "c2warp-bind";
+/// Where the editor looks for it.
+pub(crate) const OUTPUT: &str = "web/src/compute/generated";
+
+/// Which of cargo's profiles the module is built with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Profile {
+    /// Builds quickly and keeps the names of functions, for profiling and stack traces.
+    Dev,
+    /// What people download.
+    Release,
+}
+
+/// Why there is no module.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum BindgenError {
+    #[error("could not run cargo: {0}")]
+    Cargo(#[source] std::io::Error),
+    #[error("{0} does not build for {TARGET}; the reason stands above")]
+    Build(String),
+    #[error("wasm-bindgen refused {path}: {reason}")]
+    Glue { path: PathBuf, reason: String },
+}
+
+/// Builds a crate's module and writes `c2warp.js`, `c2warp.d.ts` and `c2warp_bg.wasm` into the folder `output` below `root`.
+pub(crate) fn run(root: &Path, package: &str, output: &Path, profile: Profile) -> Result<(), BindgenError> {
+    let module = compiled_module(root, package, profile)?;
+    generate(&module, &root.join(output), profile)
+}
+
+fn compiled_module(root: &Path, package: &str, profile: Profile) -> Result<PathBuf, BindgenError> {
+    let (flag, directory) = match profile {
+        Profile::Dev => ("dev", "debug"),
+        Profile::Release => ("release", "release"),
+    };
+    // Cargo names itself, and where it was told to build, to what it runs.
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let target_dir =
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |directory| root.join(directory));
+    let status = Command::new(cargo)
+        .current_dir(root)
+        .args(["build", "--package", package, "--lib"])
+        .args(["--target", TARGET, "--profile", flag, "--target-dir"])
+        .arg(&target_dir)
+        .status()
+        .map_err(BindgenError::Cargo)?;
+    if !status.success() {
+        return Err(BindgenError::Build(package.to_owned()));
+    }
+    Ok(target_dir.join(TARGET).join(directory).join(package.replace('-', "_")).with_extension("wasm"))
+}
+
+fn generate(module: &Path, output: &Path, profile: Profile) -> Result<(), BindgenError> {
+    let mut bindgen = Bindgen::new();
+    bindgen
+        .input_path(module)
+        .out_name("c2warp")
+        .typescript(true)
+        .ts_typed_array_buffers(true)
+        // The page compiles the module itself, so that the bundler need not follow an import to it.
+        .omit_default_module_path(true)
+        .keep_debug(matches!(profile, Profile::Dev))
+        .remove_name_section(matches!(profile, Profile::Release));
+    bindgen
+        .web(true)
+        .and_then(|bindgen| bindgen.generate(output))
+        .map_err(|error| BindgenError::Glue { path: module.to_owned(), reason: format!("{error:#}") })
+}

@@ -1,0 +1,57 @@
+//! The build steps of c2warp that cargo itself does not know: `cargo run -p xtask -- COMMAND`.
+
+mod bindgen;
+mod schema;
+mod typescript;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(about, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Builds a WebAssembly module and its glue: without options, the editor's
+    Bindgen {
+        /// Builds quickly, and keeps the names of functions
+        #[arg(long)]
+        dev: bool,
+        /// The crate to build
+        #[arg(long, default_value = bindgen::PACKAGE)]
+        package: String,
+        /// The folder to write into, from the root of the repository
+        #[arg(long, default_value = bindgen::OUTPUT)]
+        out: PathBuf,
+    },
+    /// Writes the project file's schema and TypeScript types into web/src/document/generated
+    Schema {
+        /// Writes nothing, and fails where the files are out of date
+        #[arg(long)]
+        check: bool,
+    },
+}
+
+fn main() -> ExitCode {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let result = match Arguments::parse().command {
+        Command::Bindgen { dev, package, out } => {
+            let profile = if dev { bindgen::Profile::Dev } else { bindgen::Profile::Release };
+            bindgen::run(&root, &package, &out, profile).map_err(|error| error.to_string())
+        }
+        Command::Schema { check } => schema::write(&root, check).map_err(|error| error.to_string()),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("xtask: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,98 @@
+/**
+ * `npm run bench`: what solving costs, natively and in Chromium's WebAssembly, in the form of the paper's tables. The cases
+ * are those of the crate `c2warp-bench`; nothing here measures.
+ *
+ * Fails where something does not build or run, never because of a time.
+ */
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpus, loadavg } from 'node:os';
+import { join } from 'node:path';
+import { CHROMIUM_ARGS, findChromium, prepareChromium } from './chromium.mjs';
+import { prepare } from './prepare.mjs';
+import { heading, main, ROOT, step } from './steps.mjs';
+
+const OUTPUT = 'tests/output/bench';
+const MODULE = ['c2warp.js', 'c2warp_bg.wasm'];
+
+/** Never asked for over a network: the page's files are handed to it. A page of this machine may be isolated. */
+const ORIGIN = 'http://localhost';
+
+const cargo = (/** @type {string} */ binary, /** @type {string[]} */ args) => [
+  ...['run', '--quiet', '--release', '--package', 'c2warp-bench', '--bin', binary, '--'],
+  ...args,
+];
+
+await main(async () => {
+  // Before the builds add to it.
+  const load = loadavg()[0] ?? 0;
+  await prepare();
+  await prepareChromium();
+  const output = join(ROOT, OUTPUT);
+  rmSync(output, { recursive: true, force: true });
+  mkdirSync(output, { recursive: true });
+
+  await step(
+    'Build (native)',
+    'cargo',
+    ['build', '--release', '--package', 'c2warp-bench'],
+    'The benchmark does not build; the reason stands above.',
+  );
+  await step(
+    'Build (WebAssembly)',
+    'cargo',
+    ['run', '--package', 'xtask', '--', 'bindgen', '--package', 'c2warp-bench', '--out', OUTPUT],
+    'The benchmark does not build; the reason stands above.',
+  );
+  const failed = 'The benchmark failed; the reason stands above.';
+  await step('Native', 'cargo', cargo('c2warp-bench', ['--json', join(output, 'native.json')]), failed);
+  await step('Memory', 'cargo', cargo('c2warp-bench-memory', [join(output, 'memory.json')]), failed);
+  heading('WebAssembly');
+  writeFileSync(join(output, 'wasm.json'), await ranInChromium(output));
+
+  await step('Tables', 'cargo', cargo('c2warp-bench', ['--tables', output]), failed);
+  const [cpu] = cpus();
+  console.log(
+    `\n${cpus().length} × ${cpu?.model.trim() ?? 'unknown'}, load ${load.toFixed(1)} at the start.`,
+  );
+  if (load > cpus().length / 2) console.log('Other programs were running: times are longer and less sure.');
+});
+
+/**
+ * Runs the module's cases in a page.
+ * @param {string} folder Holds the module.
+ * @returns {Promise<string>} What it measured, as JSON.
+ */
+async function ranInChromium(folder) {
+  // Loaded only now: a moment ago it may not have been installed.
+  const { chromium } = await import('@playwright/test');
+  const executablePath = findChromium();
+  const browser = await chromium.launch({
+    args: CHROMIUM_ARGS,
+    ...(executablePath ? { executablePath } : {}),
+  });
+  try {
+    const page = await browser.newPage();
+    await page.route(`${ORIGIN}/**`, (route) => {
+      const name = new URL(route.request().url()).pathname.slice(1);
+      const body = MODULE.includes(name)
+        ? readFileSync(join(folder, name))
+        : '<!doctype html><title>Benchmark</title>';
+      const contentType = name.endsWith('.js') ? 'text/javascript' : name ? 'application/wasm' : 'text/html';
+      // Isolated pages have the finer clock.
+      const headers = {
+        'Cross-Origin-Opener-Policy': 'same-origin',
+        'Cross-Origin-Embedder-Policy': 'require-corp',
+      };
+      return route.fulfill({ body, contentType, headers });
+    });
+    await page.goto(`${ORIGIN}/`);
+    if (!(await page.evaluate('crossOriginIsolated')))
+      console.log('  not isolated: times in steps of 0.1 ms');
+    return await page.evaluate(`import('/c2warp.js').then(async (module) => {
+      await module.default({ module_or_path: '/c2warp_bg.wasm' });
+      return module.run();
+    })`);
+  } finally {
+    await browser.close();
+  }
+}

@@ -1,0 +1,29 @@
+/** What `npm run check` looks at: formatting, lints and types of both languages, and what is generated from Rust. */
+import { heading, run, toolPath } from './steps.mjs';
+
+/** @type {[title: string, program: string, args: string[]][]} */
+const CHECKS = [
+  ['Format of the Rust', 'cargo', ['fmt', '--all', '--check']],
+  [
+    'Lints of the Rust (clippy)',
+    'cargo',
+    ['clippy', '--workspace', '--all-targets', '--', '--deny', 'warnings'],
+  ],
+  ['Types generated from Rust', 'cargo', ['run', '--package', 'xtask', '--', 'schema', '--check']],
+  ['Types (tsc)', process.execPath, [toolPath('tsc'), '--build', 'web/tsconfig.json']],
+  ['Format and lints (biome)', process.execPath, [toolPath('biome'), 'check', '--error-on-warnings']],
+];
+
+/**
+ * Runs every check, whatever the others say.
+ * @returns {Promise<{ passed: number, failed: string[] }>} How many passed, and the titles of those that did not.
+ */
+export async function runChecks() {
+  const failed = [];
+  for (const [title, program, args] of CHECKS) {
+    heading(title);
+    const { code } = await run(program, args);
+    if (code !== 0) failed.push(title);
+  }
+  return { passed: CHECKS.length - failed.length, failed };
+}

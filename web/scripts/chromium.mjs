@@ -1,0 +1,61 @@
+/**
+ * A Chromium for the browser tests: the one that CHROMIUM names, one in PATH, or, on Debian and its kin and with the
+ * right to do so, one from apt.
+ */
+import { accessSync, constants, existsSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { printed, StepError, step } from './steps.mjs';
+
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
+const MAC = '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome';
+
+/**
+ * WebGL2 on the processor, so that a machine without a graphics card can test, and every machine draws alike.
+ * The sandbox has to go where everything runs as root, as it does in containers.
+ */
+export const CHROMIUM_ARGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** @returns {string | undefined} Path of the Chromium to use. */
+export function findChromium() {
+  const named = process.env.CHROMIUM;
+  if (named) return named;
+  for (const directory of (process.env.PATH ?? '').split(delimiter)) {
+    for (const name of NAMES) {
+      const candidate = join(directory, name);
+      if (isExecutable(candidate)) return candidate;
+    }
+  }
+  return existsSync(MAC) ? MAC : undefined;
+}
+
+/** Installs a Chromium where there is none. */
+export async function prepareChromium() {
+  const found = findChromium();
+  if (found !== undefined) {
+    if (isExecutable(found)) return;
+    throw new StepError(`CHROMIUM names ${found}, which cannot be run.`);
+  }
+  const missing = 'No Chromium for the browser tests: install one, or name it in the variable CHROMIUM.';
+  const root = process.getuid?.() === 0;
+  const sudo = !root && printed('sudo', ['-n', 'true']) !== undefined;
+  if (printed('apt-get', ['--version']) === undefined || !(root || sudo)) throw new StepError(missing);
+  const [program, ...before] = [...(root ? [] : ['sudo', '-n']), 'apt-get'];
+  await step('Package lists', program, [...before, 'update', '--quiet=2'], missing);
+  await step(
+    'Chromium',
+    program,
+    [...before, 'install', '--quiet=2', '--yes', '--no-install-recommends', 'chromium', 'fonts-dejavu-core'],
+    missing,
+  );
+  if (findChromium() === undefined) throw new StepError(missing);
+}
+
+/** @param {string} path */
+function isExecutable(path) {
+  try {
+    accessSync(path, constants.X_OK);
+    return true;
+  } catch {
+    return false;
+  }
+}

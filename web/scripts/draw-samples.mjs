@@ -1,0 +1,31 @@
+/**
+ * Rasterises the sample pictures that the project draws itself: every SVG in `web/public/samples` becomes a PNG of the
+ * same name, at its own size and with its alpha, drawn by the system's Chromium. Run it after editing an SVG:
+ * `node web/scripts/draw-samples.mjs`.
+ */
+import { readdir, readFile } from 'node:fs/promises';
+import { fileURLToPath } from 'node:url';
+import { chromium } from '@playwright/test';
+import { CHROMIUM_ARGS, findChromium } from './chromium.mjs';
+
+const samples = fileURLToPath(new URL('../public/samples/', import.meta.url));
+const executablePath = findChromium();
+if (executablePath === undefined) throw new Error('No Chromium found: install one, or name it in CHROMIUM.');
+const browser = await chromium.launch({
+  executablePath,
+  args: [...CHROMIUM_ARGS, '--force-color-profile=srgb'],
+});
+try {
+  for (const name of (await readdir(samples)).filter((file) => file.endsWith('.svg'))) {
+    const svg = await readFile(samples + name, 'utf8');
+    const [, width, height] = svg.match(/viewBox="0 0 (\d+) (\d+)"/) ?? [];
+    if (!width || !height) throw new Error(`${name}: expected viewBox="0 0 WIDTH HEIGHT"`);
+    const page = await browser.newPage({ viewport: { width: Number(width), height: Number(height) } });
+    await page.setContent(`<style>body{margin:0}svg{display:block}</style>${svg}`);
+    await page.screenshot({ path: samples + name.replace(/\.svg$/, '.png'), omitBackground: true });
+    await page.close();
+    console.log(`${name} → ${width} × ${height}`);
+  }
+} finally {
+  await browser.close();
+}

@@ -1,0 +1,69 @@
+/**
+ * `npm run screenshots`: the pictures in the README, taken from the running editor with the sample bent by its handles.
+ */
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { CHROMIUM_ARGS, findChromium, prepareChromium } from './chromium.mjs';
+import { prepare } from './prepare.mjs';
+import { heading, main, ROOT } from './steps.mjs';
+
+const FOLDER = join(ROOT, 'web/screenshots');
+
+/** How the sample is bent: whole steps on screen, from where a handle rests. */
+const PULLS = /** @type {const} */ ([
+  ['left hand', 30, -90],
+  ['right hand', 0, 50],
+  ['right foot', 20, -16],
+]);
+
+await main(async () => {
+  await prepare();
+  await prepareChromium();
+  heading('Screenshots');
+  mkdirSync(FOLDER, { recursive: true });
+  // Loaded only now: a moment ago they may not have been installed.
+  const [{ createServer }, { chromium }] = await Promise.all([import('vite'), import('@playwright/test')]);
+  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
+  await server.listen();
+  const browser = await chromium.launch({
+    args: CHROMIUM_ARGS,
+    executablePath: /** @type {string} */ (findChromium()),
+  });
+  try {
+    await take(browser, server.resolvedUrls?.local[0] ?? '', 'light');
+    await take(browser, server.resolvedUrls?.local[0] ?? '', 'dark');
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+});
+
+/**
+ * @param {import('@playwright/test').Browser} browser
+ * @param {string} url
+ * @param {'light' | 'dark'} colorScheme
+ */
+async function take(browser, url, colorScheme) {
+  const page = await browser.newPage({
+    viewport: { width: 1200, height: 800 },
+    deviceScaleFactor: 1.5,
+    colorScheme,
+  });
+  await page.goto(url);
+  await page.getByText(/[0-9] samples/).waitFor();
+  for (const [name, x, y] of PULLS) {
+    const handle = page.getByRole('button', { name: `Handle ${name}` });
+    const box = await handle.boundingBox();
+    if (!box) throw new Error(`the handle ${name} is not on screen`);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + x, box.y + box.height / 2 + y, { steps: 5 });
+    await page.mouse.up();
+  }
+  // Two frames: one to pose, one to draw.
+  await page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
+  const path = join(FOLDER, `editor-${colorScheme}.png`);
+  await page.screenshot({ path });
+  console.log(path);
+  await page.close();
+}

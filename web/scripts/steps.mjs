@@ -1,0 +1,106 @@
+/**
+ * Steps of a command line job: each is named while it runs, shows what its programs print, and when it fails ends the
+ * job with one line that says what to do. Uses nothing that npm would have to install first.
+ */
+import { spawn, spawnSync } from 'node:child_process';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** The folder of package.json. */
+export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+
+const OFFLINE =
+  /ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ENETUNREACH|ETIMEDOUT|ECONNRESET|resolve host|could not connect|error sending request|failed to download|spurious network error|temporary failure/i;
+
+/** Command line tools among the npm packages; run by Node itself, which is quicker than npx, and the same on Windows. */
+const TOOLS = {
+  biome: '@biomejs/biome/bin/biome',
+  playwright: '@playwright/test/cli.js',
+  tsc: 'typescript/bin/tsc',
+  vite: 'vite/bin/vite.js',
+  vitest: 'vitest/vitest.mjs',
+};
+
+/**
+ * What Node has to be told to run a tool.
+ * @param {keyof typeof TOOLS} name
+ */
+export const toolPath = (name) => join(ROOT, 'node_modules', TOOLS[name]);
+
+/** A step that failed; the message says what to do about it. */
+export class StepError extends Error {}
+
+/** @typedef {{ code: number, output: string }} Ended How a program ended, and the last of what it printed. */
+
+/**
+ * Runs a program, passing on what it prints.
+ * @param {string} program
+ * @param {string[]} args
+ * @param {{ env?: NodeJS.ProcessEnv }} [options]
+ * @returns {Promise<Ended>}
+ */
+export function run(program, args, { env = {} } = {}) {
+  const colour = process.stdout.isTTY ? { FORCE_COLOR: '1', CARGO_TERM_COLOR: 'always' } : {};
+  return new Promise((resolve) => {
+    const child = spawn(program, args, {
+      cwd: ROOT,
+      env: { ...process.env, ...colour, ...env },
+      stdio: ['ignore', 'pipe', 'pipe'],
+    });
+    let output = '';
+    const tee = (/** @type {NodeJS.WriteStream} */ to) => (/** @type {Buffer} */ chunk) => {
+      to.write(chunk);
+      output = (output + chunk.toString()).slice(-200_000);
+    };
+    child.stdout.on('data', tee(process.stdout));
+    child.stderr.on('data', tee(process.stderr));
+    child.on('error', (error) => resolve({ code: 127, output: String(error) }));
+    child.on('close', (code) => resolve({ code: code ?? 1, output }));
+  });
+}
+
+/**
+ * Runs a program that has to succeed.
+ * @param {string} title Names the step.
+ * @param {string} program
+ * @param {string[]} args
+ * @param {string} hint What to do when it fails, unless it failed for want of a network.
+ */
+export async function step(title, program, args, hint) {
+  heading(title);
+  const { code, output } = await run(program, args);
+  if (code === 0) return;
+  throw new StepError(
+    OFFLINE.test(output) ? `${title}: no network. Connect this machine and run the command again.` : hint,
+  );
+}
+
+/** @param {string} title */
+export function heading(title) {
+  console.log(process.stdout.isTTY ? `\x1b[1m▸ ${title}\x1b[0m` : `▸ ${title}`);
+}
+
+/**
+ * What a program prints, or nothing where it is missing or fails.
+ * @param {string} program
+ * @param {string[]} args
+ * @returns {string | undefined}
+ */
+export function printed(program, args) {
+  const { status, stdout } = spawnSync(program, args, { cwd: ROOT, encoding: 'utf8' });
+  return status === 0 ? stdout.trim() : undefined;
+}
+
+/**
+ * Runs a whole job; a step that fails ends it with its line.
+ * @param {() => Promise<void>} job
+ */
+export async function main(job) {
+  try {
+    await job();
+  } catch (error) {
+    if (!(error instanceof StepError)) throw error;
+    console.error(`\n✗ ${error.message}`);
+    process.exitCode = 1;
+  }
+}

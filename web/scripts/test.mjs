@@ -1,0 +1,95 @@
+/**
+ * `npm test`: prepares the machine, then runs the checks, the native tests, the unit tests of the TypeScript and the
+ * browser tests, all of them whatever the others say, and ends with one line over everything.
+ */
+import { mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { runChecks } from './checks.mjs';
+import { prepareChromium } from './chromium.mjs';
+import { cargoCounts, playwrightCounts, summary, vitestCounts } from './counts.mjs';
+import { prepare, prepareRustLints } from './prepare.mjs';
+import { heading, main, ROOT, run, toolPath } from './steps.mjs';
+
+/** @typedef {import('./counts.mjs').Counts} Counts */
+
+const OUTPUT = 'tests/output';
+
+await main(async () => {
+  await prepare();
+  await prepareRustLints();
+  await prepareChromium();
+  mkdirSync(join(ROOT, OUTPUT), { recursive: true });
+
+  const checks = await runChecks();
+  const parts = {
+    Checks: { passed: checks.passed, failed: checks.failed.length, skipped: 0 },
+    'Native tests': await nativeTests(),
+    'Unit tests': await reported(
+      'Unit tests',
+      [toolPath('vitest'), 'run', '--config', 'web/vite.config.ts', '--reporter=default', '--reporter=json'],
+      (report) => ({ args: [`--outputFile.json=${report}`], env: {} }),
+      vitestCounts,
+    ),
+    'Browser tests': await reported(
+      'Browser tests',
+      [
+        toolPath('playwright'),
+        'test',
+        '--config',
+        'tests/browser/playwright.config.ts',
+        '--reporter=list,json',
+      ],
+      (report) => ({ args: [], env: { PLAYWRIGHT_JSON_OUTPUT_FILE: report } }),
+      playwrightCounts,
+    ),
+  };
+
+  heading('Result');
+  for (const [title, { passed, failed, skipped }] of Object.entries(parts)) {
+    console.log(`${title}: ${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ''}`);
+  }
+  for (const title of checks.failed) console.log(`✗ ${title}`);
+  const all = Object.values(parts);
+  console.log(`\n${summary(all)}`);
+  if (all.some(({ failed }) => failed > 0)) process.exitCode = 1;
+});
+
+/** @returns {Promise<Counts>} */
+async function nativeTests() {
+  heading('Native tests');
+  const { code, output } = await run('cargo', ['test', '--workspace', '--no-fail-fast']);
+  return endedWith(code, cargoCounts(output));
+}
+
+/**
+ * Runs a test runner that writes a JSON report.
+ * @param {string} title
+ * @param {string[]} args For Node.
+ * @param {(report: string) => { args: string[], env: NodeJS.ProcessEnv }} reportTo How the runner is told where to.
+ * @param {(json: string) => Counts} counts
+ * @returns {Promise<Counts>}
+ */
+async function reported(title, args, reportTo, counts) {
+  heading(title);
+  const report = join(ROOT, OUTPUT, `${title.toLowerCase().replace(' ', '-')}.json`);
+  rmSync(report, { force: true });
+  const extra = reportTo(report);
+  const { code } = await run(process.execPath, [...args, ...extra.args], { env: extra.env });
+  let result = { passed: 0, failed: 0, skipped: 0 };
+  try {
+    result = counts(readFileSync(report, 'utf8'));
+  } catch {
+    // The runner ended before it could report; its exit code counts instead.
+  }
+  return endedWith(code || (result.passed === 0 ? 1 : 0), result);
+}
+
+/**
+ * A runner that failed without naming a test, because nothing compiled say, counts as one failure.
+ * @param {number} code
+ * @param {Counts} counts
+ * @returns {Counts}
+ */
+function endedWith(code, counts) {
+  return code !== 0 && counts.failed === 0 ? { ...counts, failed: 1 } : counts;
+}

@@ -1,0 +1,73 @@
+/**
+ * The solver as the page sees it: a worker that solves and exports, and what is quick enough to be done at once.
+ *
+ * A newer solve overtakes an older one. Placing a handle therefore never waits for more than one stage of the solve
+ * before it, and the page itself never waits at all.
+ */
+import type { Project } from '../document/project';
+import { Link } from './link';
+import { checkedProject, createPoser, loadModule, type Poser } from './module';
+import type { Pixels, SolutionData, Stage } from './solution';
+
+export class Engine {
+  readonly #link: Link;
+  /** Rejects where the solver refused the picture; every request waits for it. */
+  #picture: Promise<unknown> = Promise.resolve();
+  #newestSolve = 0;
+
+  private constructor(link: Link) {
+    this.#link = link;
+  }
+
+  /** @throws EngineError with the code `engine` where the module cannot be loaded. */
+  static async start(): Promise<Engine> {
+    const module = await loadModule();
+    const spawn = () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' });
+    return new Engine(new Link(spawn, module));
+  }
+
+  /** The picture that later calls are about, in straight alpha. A picture the solver refuses fails those calls. */
+  setPicture(width: number, height: number, rgba: Uint8Array<ArrayBuffer>): void {
+    this.#newestSolve += 1;
+    this.#link.abandon('solve');
+    this.#picture = this.#link.send('picture', { width, height, rgba });
+    this.#picture.catch(() => {});
+  }
+
+  /**
+   * @param onProgress Told each stage once it is done.
+   * @throws DOMException `AbortError` when a newer solve or picture overtakes this one; EngineError otherwise.
+   */
+  async solve(project: Project, onProgress?: (stage: Stage) => void): Promise<SolutionData> {
+    const turn = ++this.#newestSolve;
+    this.#link.abandon('solve');
+    await this.#picture;
+    if (turn !== this.#newestSolve) throw new DOMException('superseded', 'AbortError');
+    return this.#link.send('solve', { project: JSON.stringify(project) }, onProgress);
+  }
+
+  /** The warped picture in straight alpha, at `scale` times the source's size. */
+  async warp(project: Project, scale = 1): Promise<Pixels> {
+    await this.#picture;
+    return this.#link.send('warp', { project: JSON.stringify(project), scale });
+  }
+
+  /** What turns the handles' poses into motions of the solution's sites. Free it when the solution goes. */
+  poser(solution: SolutionData): Poser {
+    return createPoser(solution.poser);
+  }
+
+  /**
+   * Reads a project file.
+   * @throws Error with a code and a message that names the offending key.
+   */
+  checkProject(text: string): Project {
+    return JSON.parse(checkedProject(text)) as Project;
+  }
+
+  /** Ends the worker; what is under way rejects as overtaken. */
+  dispose(): void {
+    this.#newestSolve += 1;
+    this.#link.dispose();
+  }
+}

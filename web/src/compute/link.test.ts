@@ -1,0 +1,116 @@
+import { describe, expect, it } from 'vitest';
+import { EngineError } from './errors';
+import { Link, type Port } from './link';
+import type { Boot, Reply, Request } from './messages';
+
+class FakeWorker implements Port {
+  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onerror: ((event: ErrorEvent) => void) | null = null;
+  readonly received: (Boot | Request)[] = [];
+  ended = false;
+
+  postMessage(message: Boot | Request): void {
+    this.received.push(message);
+  }
+
+  terminate(): void {
+    this.ended = true;
+  }
+
+  reply(reply: Reply): void {
+    this.onmessage?.(new MessageEvent('message', { data: reply }));
+  }
+
+  requests(): Request[] {
+    return this.received.filter((message) => 'name' in message);
+  }
+}
+
+const PICTURE = { width: 2, height: 2, rgba: new Uint8Array(16) };
+
+function linked() {
+  const workers: FakeWorker[] = [];
+  const link = new Link(() => {
+    const worker = new FakeWorker();
+    workers.push(worker);
+    return worker;
+  }, {} as WebAssembly.Module);
+  const worker = (index: number) => {
+    const found = workers[index];
+    if (!found) throw new Error(`there is no worker ${index}`);
+    return found;
+  };
+  return { link, worker, workers };
+}
+
+describe('Link', () => {
+  it('gives each request its own answer', async () => {
+    const { link, worker } = linked();
+    const first = link.send('picture', PICTURE);
+    const second = link.send('warp', { project: '{}', scale: 1 });
+    worker(0).reply({ id: 2, kind: 'done', body: PICTURE });
+    worker(0).reply({ id: 1, kind: 'done', body: null });
+    expect(await first).toBeNull();
+    expect(await second).toBe(PICTURE);
+  });
+
+  it('passes on the code and the message of a failure', async () => {
+    const { link, worker } = linked();
+    const solve = link.send('solve', { project: '{}' });
+    worker(0).reply({ id: 1, kind: 'failed', failure: { code: 'handle-outside', message: 'outside' } });
+    await expect(solve).rejects.toMatchObject({ code: 'handle-outside', message: 'outside' });
+    await expect(solve).rejects.toBeInstanceOf(EngineError);
+  });
+
+  it('ignores what comes for an abandoned request', async () => {
+    const { link, worker } = linked();
+    const solve = link.send('solve', { project: '{}' });
+    link.abandon('solve');
+    worker(0).reply({ id: 1, kind: 'progress', stage: 'domain' });
+    await expect(solve).rejects.toMatchObject({ name: 'AbortError' });
+  });
+
+  it('asks the successor of a dead worker once more, after the picture', async () => {
+    const { link, worker } = linked();
+    void link.send('picture', PICTURE);
+    worker(0).reply({ id: 1, kind: 'done', body: null });
+    const warp = link.send('warp', { project: '{}', scale: 1 });
+    worker(0).reply({ kind: 'died', message: 'unreachable' });
+    expect(worker(0).ended).toBe(true);
+    expect(worker(1).requests()).toEqual([
+      { id: 0, name: 'picture', body: PICTURE },
+      { id: 2, name: 'warp', body: { project: '{}', scale: 1 } },
+    ]);
+    worker(1).reply({ id: 2, kind: 'done', body: PICTURE });
+    expect(await warp).toBe(PICTURE);
+  });
+
+  it('gives up a request that ends two workers, and serves the next by a third', async () => {
+    const { link, worker, workers } = linked();
+    const solve = link.send('solve', { project: 'bad' });
+    worker(0).reply({ kind: 'died', message: 'unreachable' });
+    worker(1).reply({ kind: 'died', message: 'unreachable' });
+    await expect(solve).rejects.toMatchObject({ code: 'engine' });
+    expect(workers).toHaveLength(2);
+    void link.send('warp', { project: 'good', scale: 1 });
+    expect(worker(2).requests()).toHaveLength(1);
+  });
+
+  it('does not restart for a picture that nobody asks about any more', () => {
+    const { link, worker, workers } = linked();
+    link.send('picture', PICTURE).catch(() => {});
+    worker(0).reply({ kind: 'died', message: 'unreachable' });
+    worker(1).reply({ kind: 'died', message: 'unreachable' });
+    expect(workers).toHaveLength(2);
+  });
+
+  it('rejects what is under way when disposed of, and starts no other worker', async () => {
+    const { link, worker, workers } = linked();
+    const solve = link.send('solve', { project: '{}' });
+    link.dispose();
+    expect(worker(0).ended).toBe(true);
+    await expect(solve).rejects.toMatchObject({ name: 'AbortError' });
+    await expect(link.send('solve', { project: '{}' })).rejects.toMatchObject({ name: 'AbortError' });
+    expect(workers).toHaveLength(1);
+  });
+});

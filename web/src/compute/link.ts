@@ -1,0 +1,137 @@
+/**
+ * The page's end of the line to the worker: requests with their promises, and another worker in place of one that died.
+ *
+ * What was under way when a worker died is asked of its successor once more, after the picture; a request that ends
+ * two workers is given up.
+ */
+import { ENGINE, EngineError, superseded } from './errors';
+import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
+import type { Stage } from './solution';
+
+/** As much of a Worker as is needed here. */
+export interface Port {
+  postMessage(message: Boot | Request): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+interface Pending {
+  readonly request: Request;
+  readonly resolve: (body: Messages[Name][1]) => void;
+  readonly reject: (reason: unknown) => void;
+  readonly onProgress: ((stage: Stage) => void) | undefined;
+  deaths: number;
+}
+
+const DEATHS_ALLOWED = 1;
+
+export class Link {
+  readonly #spawn: () => Port;
+  readonly #module: WebAssembly.Module;
+  /** In the order of their requests. */
+  readonly #pending = new Map<number, Pending>();
+  /** None after one died with nothing left to do. */
+  #port: Port | undefined;
+  #lastId = 0;
+  #disposed = false;
+  #picture: Messages['picture'][0] | undefined;
+
+  constructor(spawn: () => Port, module: WebAssembly.Module) {
+    this.#spawn = spawn;
+    this.#module = module;
+    this.#start();
+  }
+
+  send<N extends Name>(
+    name: N,
+    body: Messages[N][0],
+    onProgress?: (stage: Stage) => void,
+  ): Promise<Messages[N][1]> {
+    if (this.#disposed) return Promise.reject(superseded());
+    const port = this.#port ?? this.#start();
+    if (name === 'picture') this.#picture = body as Messages['picture'][0];
+    return new Promise((resolve, reject) => {
+      const id = ++this.#lastId;
+      const request = { id, name, body } as Request;
+      this.#pending.set(id, {
+        request,
+        resolve: (answer) => resolve(answer as Messages[N][1]),
+        reject,
+        onProgress,
+        deaths: 0,
+      });
+      port.postMessage(request);
+    });
+  }
+
+  /** Gives up on every request of this name; the worker notices when it next pauses. */
+  abandon(name: Name): void {
+    for (const [id, pending] of this.#pending) {
+      if (pending.request.name !== name) continue;
+      this.#pending.delete(id);
+      pending.reject(superseded());
+    }
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.#stop();
+    for (const pending of this.#pending.values()) pending.reject(superseded());
+    this.#pending.clear();
+  }
+
+  /** Another worker that knows the module, the picture, and what is still to be answered. */
+  #start(): Port {
+    const port = this.#spawn();
+    this.#port = port;
+    port.onmessage = ({ data }) => this.#receive(data);
+    // What a worker script throws outside of a request, or says by not loading at all.
+    port.onerror = (event) => this.#replace(event.message || 'the worker could not be started');
+    port.postMessage({ module: this.#module });
+    const requests = [...this.#pending.values()].map(({ request }) => request);
+    if (this.#picture && !requests.some(({ name }) => name === 'picture')) {
+      port.postMessage({ id: 0, name: 'picture', body: this.#picture });
+    }
+    for (const request of requests) port.postMessage(request);
+    return port;
+  }
+
+  #stop(): void {
+    if (!this.#port) return;
+    this.#port.onmessage = null;
+    this.#port.onerror = null;
+    this.#port.terminate();
+    this.#port = undefined;
+  }
+
+  #receive(reply: Reply): void {
+    if (reply.kind === 'died') {
+      this.#replace(reply.message);
+      return;
+    }
+    const pending = this.#pending.get(reply.id);
+    // Nobody waits for what was abandoned.
+    if (!pending) return;
+    if (reply.kind === 'progress') {
+      pending.onProgress?.(reply.stage);
+      return;
+    }
+    this.#pending.delete(reply.id);
+    if (reply.kind === 'done') pending.resolve(reply.body);
+    else pending.reject(reply.failure.code === SUPERSEDED ? superseded() : new EngineError(reply.failure));
+  }
+
+  #replace(reason: string): void {
+    this.#stop();
+    for (const [id, pending] of this.#pending) {
+      pending.deaths += 1;
+      if (pending.deaths <= DEATHS_ALLOWED) continue;
+      this.#pending.delete(id);
+      if (pending.request.name === 'picture') this.#picture = undefined;
+      pending.reject(new EngineError({ code: ENGINE, message: `The solver failed: ${reason}` }));
+    }
+    // With nothing to do a successor could die of the same picture again and again.
+    if (this.#pending.size > 0) this.#start();
+  }
+}

@@ -1,0 +1,57 @@
+/** What a solve gives: flat arrays for drawing and for the overlays, and a report of what the solver did. */
+export interface SolutionData {
+  /** Vertices × 2: rest places, image pixels; first the samples, then what surrounds the rim. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** Triangles × 3: vertices, in the order in which they are drawn. */
+  readonly triangles: Uint32Array<ArrayBuffer>;
+  /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
+  readonly offsets: Uint32Array<ArrayBuffer>;
+  /** Entries: index of a site. */
+  readonly sites: Uint32Array<ArrayBuffer>;
+  /** Entries: a vertex's weights sum to 1; a vertex without any stays at rest. */
+  readonly weights: Float32Array<ArrayBuffer>;
+  /** Sites × 2: rest places, image pixels. */
+  readonly siteRest: Float64Array<ArrayBuffer>;
+  /** Sites: index of the handle in the project, −1 for a virtual site. */
+  readonly siteHandle: Int32Array<ArrayBuffer>;
+  /** Edges × 2: the cell graph, between sites. */
+  readonly siteEdges: Uint32Array<ArrayBuffer>;
+  /** Vertices: the nearest site, 0xffffffff where there is none. */
+  readonly cells: Uint32Array<ArrayBuffer>;
+  /** Outline points × 2, ring after ring. */
+  readonly rings: Float32Array<ArrayBuffer>;
+  /** Rings + 1: ring r has the points `ringOffsets[r]` to `ringOffsets[r + 1]`. */
+  readonly ringOffsets: Uint32Array<ArrayBuffer>;
+  /** What the page's `Poser` is made from; opaque. */
+  readonly poser: Uint8Array<ArrayBuffer>;
+  readonly report: Report;
+}
+
+/** What the solver did; the keys of `c2warp inspect --json`. */
+export interface Report {
+  readonly samples: number;
+  readonly islands: number;
+  readonly holes: number;
+  readonly point_handles: number;
+  readonly bar_handles: number;
+  readonly polygon_handles: number;
+  readonly real_sites: number;
+  readonly virtual_sites: number;
+  readonly cover_mean: number;
+  readonly cover_max: number;
+  readonly min_phi_sum: number;
+  readonly folded_triangles: number;
+  /** Equal exactly where all weights are equal bit for bit. */
+  readonly weights_hash: string;
+  readonly ms: Readonly<Record<string, number>>;
+}
+
+/** The stages of a solve, in order. */
+export type Stage = 'domain' | 'sampling' | 'regions' | 'weights';
+
+/** A picture in straight alpha: rows from the top, RGBA, a byte each. */
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8Array<ArrayBuffer>;
+}

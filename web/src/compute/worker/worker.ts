@@ -1,0 +1,131 @@
+/**
+ * The solving worker: owns the session, and is alone here in importing the generated glue.
+ *
+ * Errors with a code are answers. Anything else is a panic, after which the module's memory cannot be trusted: the
+ * worker says so, and the page replaces it.
+ */
+import init, { Session, type Solution } from '../generated/c2warp';
+import { type Boot, type Failure, type Messages, type Reply, type Request, SUPERSEDED } from '../messages';
+import type { Pixels, Report, SolutionData, Stage } from '../solution';
+import { nextTask, Queue } from './queue';
+import { WARM_UP } from './warm_up';
+
+declare const self: DedicatedWorkerGlobalScope;
+
+let session: Session | undefined;
+let picture = { width: 0, height: 0 };
+
+const queue = new Queue<Boot | Request>(async (message) => {
+  try {
+    if ('module' in message) await boot(message.module);
+    else await answer(message);
+  } catch (error) {
+    post({ kind: 'died', message: String(error) });
+  }
+});
+
+self.onmessage = ({ data }: MessageEvent<Boot | Request>) => queue.push(data);
+
+async function boot(module: WebAssembly.Module): Promise<void> {
+  await init({ module_or_path: module });
+  session = new Session();
+  warmUp();
+}
+
+async function answer(request: Request): Promise<void> {
+  if (!session) throw new Error('a request came before the module');
+  try {
+    await handle(session, request);
+  } catch (error) {
+    const failure = asFailure(error);
+    if (!failure) throw error;
+    post({ id: request.id, kind: 'failed', failure });
+  }
+}
+
+async function handle(session: Session, request: Request): Promise<void> {
+  const { id } = request;
+  const done = (body: Messages[keyof Messages][1], transfer: Transferable[] = []) =>
+    post({ id, kind: 'done', body }, transfer);
+  switch (request.name) {
+    case 'picture': {
+      const { width, height, rgba } = request.body;
+      session.set_picture(width, height, rgba);
+      picture = { width, height };
+      return done(null);
+    }
+    case 'solve': {
+      if (!(await advanced(session, request.body.project, id))) {
+        return post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });
+      }
+      const solution = copiedOut(session.solution());
+      return done(solution, buffers(solution));
+    }
+    case 'warp': {
+      const { project, scale } = request.body;
+      const rgba = session.warp(project, scale);
+      const pixels: Pixels = {
+        width: Math.round(picture.width * scale),
+        height: Math.round(picture.height * scale),
+        rgba,
+      };
+      return done(pixels, [rgba.buffer]);
+    }
+  }
+}
+
+/** Runs every stage; false where a newer request has made the rest of them pointless. */
+async function advanced(session: Session, project: string, id: number): Promise<boolean> {
+  const overtaken = () => queue.waits((waiting) => 'name' in waiting && waiting.name !== 'warp');
+  if (overtaken()) return false;
+  session.begin(project);
+  for (let stage = session.advance(); stage !== undefined; stage = session.advance()) {
+    post({ id, kind: 'progress', stage: stage as Stage });
+    await nextTask();
+    if (overtaken()) return false;
+  }
+  return true;
+}
+
+function copiedOut(solution: Solution): SolutionData {
+  const data: SolutionData = {
+    positions: solution.positions,
+    triangles: solution.triangles,
+    offsets: solution.offsets,
+    sites: solution.sites,
+    weights: solution.weights,
+    siteRest: solution.site_rest,
+    siteHandle: solution.site_handle,
+    siteEdges: solution.site_edges,
+    cells: solution.cells,
+    rings: solution.rings,
+    ringOffsets: solution.ring_offsets,
+    poser: solution.poser,
+    report: JSON.parse(solution.report) as Report,
+  };
+  solution.free();
+  return data;
+}
+
+function buffers({ report: _, ...arrays }: SolutionData): ArrayBuffer[] {
+  return Object.values(arrays).map(({ buffer }) => buffer);
+}
+
+function asFailure(error: unknown): Failure | undefined {
+  if (!(error instanceof Error) || !('code' in error) || typeof error.code !== 'string') return undefined;
+  return { code: error.code, message: error.message };
+}
+
+/** Skipped where somebody waits already. */
+function warmUp(): void {
+  if (queue.waits(() => true)) return;
+  const scratch = new Session();
+  scratch.set_picture(WARM_UP.size, WARM_UP.size, WARM_UP.pixels());
+  scratch.begin(WARM_UP.project);
+  while (scratch.advance() !== undefined);
+  scratch.free();
+}
+
+function post(reply: Reply, transfer: Transferable[] = []): void {
+  self.postMessage(reply, transfer);
+}

@@ -1,0 +1,51 @@
+import { describe, expect, it } from 'vitest';
+import { bent, detailed, detailOf, modeOf } from './bending';
+import { newProject } from './document';
+import type { PointHandle, Project } from './project';
+
+const point = (id: string, rotation?: PointHandle['rotation']): PointHandle => ({
+  id,
+  kind: 'point',
+  rest: [0, 0],
+  posed: [9, 9],
+  ...(rotation === undefined ? {} : { rotation }),
+});
+
+const fresh = newProject({ src: 'a.png', width: 8, height: 8 }, false);
+
+describe('how a picture bends', () => {
+  it('is rigid in a new project, with smooth supports and 30 virtual sites', () => {
+    expect(fresh.pose).toEqual({ mode: 'rigid', blend: 'linear', density: 30 });
+    expect(fresh.weighting?.support).toBe('smooth');
+    expect(bent(bent(fresh, 'harmonic'), 'rigid')).toEqual(fresh);
+  });
+
+  it("is the paper's with its supports and no more sites than it needs", () => {
+    const project = bent({ ...fresh, handles: [point('a', 'auto'), point('b', 30)] }, 'harmonic');
+    expect(project.pose).toEqual({ mode: 'harmonic', blend: 'linear', density: 0 });
+    expect(project.weighting).toEqual({ ...fresh.weighting, support: 'paper' });
+    expect(project.handles.map(({ rotation }) => rotation)).toEqual([0, 30]);
+  });
+
+  it('frees what nobody has turned, and keeps what somebody has', () => {
+    const handed = { ...fresh, handles: [point('a'), point('b', 0), point('c', 30)] };
+    const { handles } = bent(handed, 'rigid');
+    expect(handles.map(({ rotation, posed }) => [rotation, posed])).toEqual([
+      ['auto', [9, 9]],
+      ['auto', [9, 9]],
+      [30, [9, 9]],
+    ]);
+  });
+
+  it('is harmonic where a file says nothing', () => {
+    const { pose: _, ...bare }: Project = fresh;
+    expect(modeOf(bare)).toBe('harmonic');
+    expect(detailOf(bare)).toBeNull();
+  });
+
+  it('has a detail in words', () => {
+    expect(detailOf(fresh)).toBe('medium');
+    expect(detailed(fresh, 'fine').pose).toEqual({ ...fresh.pose, density: 60 });
+    expect(detailOf(detailed(fresh, 'coarse'))).toBe('coarse');
+  });
+});

@@ -1,0 +1,43 @@
+/**
+ * How the picture bends: the settings that go together, as one choice.
+ *
+ * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the paper's own way.
+ */
+import type { Handle, PoseMode, Project, Rotation } from './project';
+
+/** Virtual sites to ask for: how finely a rigid picture can bend. */
+export const DETAILS = { coarse: 12, medium: 30, fine: 60 } as const;
+
+export type Detail = keyof typeof DETAILS;
+
+const SETTINGS = {
+  rigid: { support: 'smooth', density: DETAILS.medium, rotation: 'auto' },
+  harmonic: { support: 'paper', density: 0, rotation: 0 },
+} as const satisfies Record<PoseMode, object>;
+
+export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'harmonic';
+
+/** The rotation of a handle that nobody has turned. */
+export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
+
+/** The project bent in another way. Handles that nobody has turned rest as they do there, and the others keep their turn. */
+export function bent(project: Project, mode: PoseMode): Project {
+  const { support, density, rotation } = SETTINGS[mode];
+  return {
+    ...project,
+    weighting: { ...project.weighting, support },
+    pose: { ...project.pose, mode, density },
+    handles: project.handles.map((handle) => (isUnturned(handle) ? { ...handle, rotation } : handle)),
+  };
+}
+
+/** The detail of a project, null where a file asks for a number of its own. */
+export const detailOf = (project: Project): Detail | null =>
+  (Object.keys(DETAILS) as Detail[]).find((name) => DETAILS[name] === project.pose?.density) ?? null;
+
+export const detailed = (project: Project, detail: Detail): Project => ({
+  ...project,
+  pose: { ...project.pose, density: DETAILS[detail] },
+});
+
+const isUnturned = ({ rotation = 0 }: Handle): boolean => rotation === 0 || rotation === 'auto';

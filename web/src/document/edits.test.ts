@@ -1,0 +1,68 @@
+import { describe, expect, it } from 'vitest';
+import { bent } from './bending';
+import { type Document, newProject, openDocument } from './document';
+import {
+  addHandle,
+  freeId,
+  moveHandles,
+  removeHandles,
+  resetHandles,
+  selectHandles,
+  turnHandles,
+} from './edits';
+import { isAtRest, nameOf, rotationOf } from './handle';
+import type { PointHandle } from './project';
+import { followedHandles, solveKey } from './solved';
+
+const handle = (id: string, x = 0): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
+const image = { src: 'a.png', width: 8, height: 8 };
+const empty = openDocument(newProject(image, true));
+const two: Document = addHandle(addHandle(empty, handle('left-hand')), handle('b', 5));
+
+describe('edits', () => {
+  it('moves, turns and resets', () => {
+    const moved = moveHandles(two, ['b'], [1.004, 2]);
+    expect(moved.project.handles[1]?.posed).toEqual([6, 2]);
+    expect(moved.project.handles[0]).toBe(two.project.handles[0]);
+    const turned = turnHandles(moved, ['b'], () => 200);
+    expect(turned.project.handles.map((h) => rotationOf(h))).toEqual([0, -160]);
+    expect(resetHandles(turned, ['b']).project.handles.every(isAtRest)).toBe(true);
+  });
+
+  it('resets to a free turn where the picture bends rigidly, to none where it does not', () => {
+    const rotation = (document: Document) => resetHandles(document, ['b']).project.handles[1]?.rotation;
+    const turned = turnHandles(two, ['b'], () => 20);
+    expect(rotation(turned)).toBe('auto');
+    expect(rotation({ ...turned, project: bent(turned.project, 'harmonic') })).toBe(0);
+  });
+
+  it('selects what it adds and forgets what it removes', () => {
+    expect(two.selection).toEqual(['b']);
+    expect(removeHandles(two, ['b']).selection).toEqual([]);
+    expect(selectHandles(two, ['b', 'b', 'gone']).selection).toEqual(['b']);
+  });
+
+  it('finds free ids and reads ids as names', () => {
+    expect(freeId(two.project)).toBe('handle-3');
+    expect(freeId(addHandle(empty, handle('handle-2')).project)).toBe('handle-3');
+    expect(nameOf(handle('left-hand'))).toBe('left hand');
+  });
+});
+
+describe('what a solution depends on', () => {
+  it('is the rest, not the pose', () => {
+    const key = solveKey(two.project);
+    expect(solveKey(moveHandles(two, ['b'], [1, 1]).project)).toBe(key);
+    expect(solveKey(removeHandles(two, ['b']).project)).not.toBe(key);
+    expect(solveKey({ ...two.project, samples: 99 })).not.toBe(key);
+  });
+
+  it('lets an older solution follow the handles it knows', () => {
+    const newer = addHandle(moveHandles(removeHandles(two, ['left-hand']), ['b'], [0, 3]), handle('c', 7));
+    const followed = followedHandles(two.project, newer.project);
+    expect(followed.map((h) => [h.id, h.posed])).toEqual([
+      ['left-hand', [0, 0]],
+      ['b', [5, 3]],
+    ]);
+  });
+});

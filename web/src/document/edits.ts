@@ -1,0 +1,63 @@
+/** Changes of a document, each a pure function from the document before to the document after. */
+import type { Vec } from '../geometry/vec';
+import { restingRotation } from './bending';
+import type { Document } from './document';
+import { atRest, moved, turnedTo } from './handle';
+import type { Handle, Project } from './project';
+
+const withHandles = (document: Document, handles: readonly Handle[]): Document => ({
+  ...document,
+  project: { ...document.project, handles },
+});
+
+/** The document with `change` applied to every handle named. */
+export const changeHandles = (
+  document: Document,
+  ids: readonly string[],
+  change: (handle: Handle) => Handle,
+): Document =>
+  withHandles(
+    document,
+    document.project.handles.map((handle) => (ids.includes(handle.id) ? change(handle) : handle)),
+  );
+
+/** Adds a handle at the end and selects it alone. */
+export const addHandle = (document: Document, handle: Handle): Document => ({
+  ...withHandles(document, [...document.project.handles, handle]),
+  selection: [handle.id],
+});
+
+export const removeHandles = (document: Document, ids: readonly string[]): Document => ({
+  ...withHandles(
+    document,
+    document.project.handles.filter((handle) => !ids.includes(handle.id)),
+  ),
+  selection: document.selection.filter((id) => !ids.includes(id)),
+});
+
+export const moveHandles = (document: Document, ids: readonly string[], by: Vec): Document =>
+  changeHandles(document, ids, (handle) => moved(handle, by));
+
+/** Each handle turned about its own place to the rotation that `degrees` gives it. */
+export const turnHandles = (
+  document: Document,
+  ids: readonly string[],
+  degrees: (handle: Handle) => number,
+): Document => changeHandles(document, ids, (handle) => turnedTo(handle, degrees(handle)));
+
+export const resetHandles = (document: Document, ids: readonly string[]): Document =>
+  changeHandles(document, ids, (handle) => atRest(handle, restingRotation(document.project)));
+
+/** The selection, without repeats and without ids that name no handle. */
+export function selectHandles(document: Document, ids: readonly string[]): Document {
+  const known = new Set(document.project.handles.map((handle) => handle.id));
+  return { ...document, selection: [...new Set(ids)].filter((id) => known.has(id)) };
+}
+
+/** "handle-7": the first free number after the count, so that names rarely come back. */
+export function freeId(project: Project): string {
+  const taken = new Set(project.handles.map((handle) => handle.id));
+  let number = project.handles.length + 1;
+  while (taken.has(`handle-${number}`)) number++;
+  return `handle-${number}`;
+}

@@ -1,0 +1,160 @@
+/**
+ * Undo and redo by marks.
+ *
+ * A drag opens a step with `begin`, replaces the present as often as it likes with `update`, and ends with `commit`
+ * (one undo step, or none if nothing changed) or `bail` (back to the mark). Changes in one go are `step`s; steps with
+ * the same key in a row become one, until `settle`. Values are immutable, so that a state costs what it does not share
+ * with its neighbours. Holds at most `LIMIT` steps.
+ */
+export interface Step<T> {
+  /** What was done, for people: "Move head". */
+  readonly label: string;
+  /** The value before the step when it is undoable, after it when it is redoable. */
+  readonly value: T;
+}
+
+/** A history as plain data, to be stored. */
+export interface HistoryRecord<T> {
+  readonly past: readonly Step<T>[];
+  readonly present: T;
+  readonly future: readonly Step<T>[];
+}
+
+const LIMIT = 500;
+
+export class History<T> {
+  #past: readonly Step<T>[];
+  #present: T;
+  #future: readonly Step<T>[];
+  #open: Step<T> | null = null;
+  #key: string | null = null;
+
+  constructor(present: T, record?: Omit<HistoryRecord<T>, 'present'>) {
+    this.#past = record?.past ?? [];
+    this.#present = present;
+    this.#future = record?.future ?? [];
+  }
+
+  static from<T>(record: HistoryRecord<T>): History<T> {
+    return new History(record.present, record);
+  }
+
+  get present(): T {
+    return this.#present;
+  }
+
+  /** What undo would take back, or null when there is nothing. */
+  get undoLabel(): string | null {
+    return (this.#open ?? this.#past.at(-1))?.label ?? null;
+  }
+
+  get redoLabel(): string | null {
+    return this.#future.at(-1)?.label ?? null;
+  }
+
+  /** A step is open: a drag is under way. */
+  get isOpen(): boolean {
+    return this.#open !== null;
+  }
+
+  /** Opens a step; one already open is committed first. */
+  begin(label: string): void {
+    this.commit();
+    this.#open = { label, value: this.#present };
+  }
+
+  /** Replaces the present, within an open step or as a change that undo does not count (a selection). */
+  update(value: T): void {
+    this.#present = value;
+  }
+
+  /** Ends the open step. Returns whether it changed anything. */
+  commit(): boolean {
+    const open = this.#open;
+    this.#open = null;
+    if (!open || open.value === this.#present) return false;
+    this.#push(open, null);
+    return true;
+  }
+
+  /** Back to the mark, as if the open step had never begun. */
+  bail(): void {
+    if (!this.#open) return;
+    this.#present = this.#open.value;
+    this.#open = null;
+  }
+
+  /** A whole step in one go. With the key of the step before, it joins that one. */
+  step(label: string, value: T, key: string | null = null): void {
+    this.commit();
+    if (value === this.#present) return;
+    const joins = key !== null && key === this.#key;
+    const before = { label, value: this.#present };
+    this.#present = value;
+    if (joins) this.#future = [];
+    else this.#push(before, key);
+  }
+
+  /** The next step starts afresh, whatever its key. */
+  settle(): void {
+    this.#key = null;
+  }
+
+  /** Takes the last step back; an open step first of all. Returns its label, or null. */
+  undo(): string | null {
+    if (this.#open) {
+      const { label } = this.#open;
+      this.bail();
+      return label;
+    }
+    const step = this.#past.at(-1);
+    if (!step) return null;
+    this.#past = this.#past.slice(0, -1);
+    this.#future = [...this.#future, { label: step.label, value: this.#present }];
+    this.#present = step.value;
+    this.#key = null;
+    return step.label;
+  }
+
+  redo(): string | null {
+    this.bail();
+    const step = this.#future.at(-1);
+    if (!step) return null;
+    this.#future = this.#future.slice(0, -1);
+    this.#past = [...this.#past, { label: step.label, value: this.#present }];
+    this.#present = step.value;
+    this.#key = null;
+    return step.label;
+  }
+
+  /**
+   * Withdraws what cannot stand: goes back, through the past and then the future, to the nearest value that is
+   * `acceptable`, and forgets every step that leads to one that is not. Returns whether there was such a value.
+   */
+  withdraw(acceptable: (value: T) => boolean): boolean {
+    const values = [
+      ...(this.#open ? [this.#open.value] : []),
+      ...this.#past.map((step) => step.value).reverse(),
+      ...this.#future.map((step) => step.value).reverse(),
+    ];
+    const refuge = acceptable(this.#present) ? this.#present : values.find(acceptable);
+    if (refuge === undefined) return false;
+    this.#open = null;
+    this.#key = null;
+    this.#present = refuge;
+    this.#past = this.#past.filter((step) => acceptable(step.value) && step.value !== refuge);
+    this.#future = this.#future.filter((step) => acceptable(step.value) && step.value !== refuge);
+    return true;
+  }
+
+  record(): HistoryRecord<T> {
+    const present = this.#open ? this.#open.value : this.#present;
+    return { past: this.#past, present, future: this.#future };
+  }
+
+  #push(step: Step<T>, key: string | null): void {
+    this.#past = [...this.#past, step].slice(-LIMIT);
+    this.#future = [];
+    this.#key = key;
+  }
+}

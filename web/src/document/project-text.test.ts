@@ -1,0 +1,35 @@
+import { describe, expect, it } from 'vitest';
+import { newProject } from './document';
+import { projectText } from './project-text';
+
+describe('projectText', () => {
+  it('is the project, laid out with a handle a line', () => {
+    const project = {
+      ...newProject({ src: 'a "b".png', width: 2, height: 3 }, true),
+      handles: [
+        { id: 'a', kind: 'point' as const, rest: [1, 2] as const, posed: [1.5, 2] as const, rotation: 15 },
+        {
+          id: 'b',
+          kind: 'bar' as const,
+          rest: [
+            [0, 0],
+            [1, 1],
+          ] as const,
+          posed: [
+            [0, 0],
+            [1, 2],
+          ] as const,
+        },
+      ],
+    };
+    const text = projectText(project);
+    expect(JSON.parse(text)).toEqual(project);
+    expect(text).toContain(
+      '\n    {"id": "a", "kind": "point", "rest": [1, 2], "posed": [1.5, 2], "rotation": 15},\n',
+    );
+  });
+
+  it('writes an empty list of handles', () => {
+    expect(projectText(newProject({ src: '', width: 2, height: 3 }, false))).toContain('"handles": []\n}\n');
+  });
+});

@@ -1,0 +1,22 @@
+/** The project file's text: one key of the project a line, one handle a line, so that a change reads as a change of lines. */
+import type { Project } from './project';
+
+export function projectText(project: Project): string {
+  const lines = Object.entries(project).map(
+    ([key, value]) => `  ${JSON.stringify(key)}: ${valueText(value)}`,
+  );
+  return `{\n${lines.join(',\n')}\n}\n`;
+}
+
+function valueText(value: unknown): string {
+  if (!Array.isArray(value) || value.length === 0) return lineText(value);
+  return `[\n${value.map((item) => `    ${lineText(item)}`).join(',\n')}\n  ]`;
+}
+
+/** Everything in one line, with a space after commas and colons. */
+function lineText(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(lineText).join(', ')}]`;
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  const entries = Object.entries(value).filter(([, item]) => item !== undefined);
+  return `{${entries.map(([key, item]) => `${JSON.stringify(key)}: ${lineText(item)}`).join(', ')}}`;
+}

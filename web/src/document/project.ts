@@ -1,0 +1,29 @@
+/**
+ * The project file, as the editor holds it: the format's own types, with every handle's pose written out.
+ *
+ * Coordinates are image pixels, angles degrees.
+ */
+import type * as file from './generated/project';
+
+export type { ImageRef, PoseMode, Rotation } from './generated/project';
+
+/** A project as a file or a page may give it. */
+export type ProjectFile = file.Project;
+export type HandleFile = file.Handle;
+
+type Posed<H extends HandleFile> = H & { readonly posed: H['rest'] };
+
+export type PointHandle = Posed<file.PointHandle>;
+export type Handle = PointHandle | Posed<file.BarHandle> | Posed<file.PolygonHandle>;
+
+export interface Project extends Omit<ProjectFile, 'handles'> {
+  readonly handles: readonly Handle[];
+}
+
+/** Left out, the pose is the rest. */
+export const posedHandle = (handle: HandleFile): Handle => ({ posed: handle.rest, ...handle }) as Handle;
+
+export const posedProject = (project: ProjectFile): Project => ({
+  ...project,
+  handles: project.handles.map(posedHandle),
+});

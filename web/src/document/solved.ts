@@ -1,0 +1,22 @@
+/**
+ * What a solution depends on, and how a newer pose is put to an older solution.
+ *
+ * Posing never needs a new solve; placing, removing and the settings do. While a newer solve runs, the picture follows
+ * the handles that the last solution knows.
+ */
+import type { Handle, Project } from './project';
+
+/** Equal for two projects exactly when one solution serves both. */
+export function solveKey(project: Project): string {
+  const { handles, ...settings } = project;
+  return JSON.stringify([settings, handles.map(({ id, kind, rest }) => [id, kind, rest])]);
+}
+
+/** The handles of `solved`, in its order and at its rest places, posed as `current` has them. */
+export function followedHandles(solved: Project, current: Project): readonly Handle[] {
+  const now = new Map(current.handles.map((handle) => [handle.id, handle]));
+  return solved.handles.map((handle) => {
+    const { posed, kind, rotation, scale, depth } = now.get(handle.id) ?? handle;
+    return kind === handle.kind ? ({ ...handle, posed, rotation, scale, depth } as Handle) : handle;
+  });
+}

@@ -1,0 +1,57 @@
+/** Draws at most once a frame what has changed since the last: the pose, the view, or both. */
+import type { SolutionData } from '../compute/solution';
+import type { View } from '../geometry/view';
+import { Renderer } from '../render/renderer';
+
+export interface DrawingHost {
+  view(): View;
+  motions(): Float32Array | null;
+}
+
+export class Drawing {
+  readonly #host: DrawingHost;
+  readonly #renderer: Renderer;
+  #frame = 0;
+  #posed = true;
+
+  /** @throws Error with the code `webgl` where the browser cannot draw. */
+  constructor(canvas: HTMLCanvasElement, host: DrawingHost) {
+    this.#host = host;
+    this.#renderer = new Renderer(canvas);
+    this.#renderer.onrestore = () => this.pose();
+  }
+
+  setPicture(bitmap: ImageBitmap): void {
+    this.#renderer.setPicture(bitmap);
+    this.look();
+  }
+
+  setSolution(data: SolutionData | null): void {
+    this.#renderer.setSolution(data);
+    this.pose();
+  }
+
+  /** The handles have moved. */
+  pose(): void {
+    this.#posed = false;
+    this.look();
+  }
+
+  /** The view has changed. */
+  look(): void {
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw());
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = -1;
+    this.#renderer.dispose();
+  }
+
+  #draw(): void {
+    this.#frame = 0;
+    if (!this.#posed) this.#renderer.setMotions(this.#host.motions());
+    this.#posed = true;
+    this.#renderer.draw(this.#host.view());
+  }
+}

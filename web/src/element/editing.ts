@@ -1,0 +1,252 @@
+/**
+ * The document in hand: its history, the tool that works on it, and every change that a command makes.
+ *
+ * Knows no DOM. After each change the host hears what kind it was, and what to say aloud.
+ */
+import { bent, type Detail, detailed, modeOf } from '../document/bending';
+import { type Document, handleById, selectedHandles } from '../document/document';
+import {
+  changeHandles,
+  moveHandles,
+  removeHandles,
+  resetHandles,
+  selectHandles,
+  turnHandles,
+} from '../document/edits';
+import {
+  anchor,
+  freed,
+  moved,
+  nameOf,
+  rotationOf,
+  scaledTo,
+  scaleOf,
+  type Turns,
+  turnedTo,
+} from '../document/handle';
+import { History, type HistoryRecord } from '../document/history';
+import type { Handle, PoseMode, Project } from '../document/project';
+import { solveKey } from '../document/solved';
+import type { Vec } from '../geometry/vec';
+import { ToolMachine } from '../tools/machine';
+import type { Effect } from '../tools/state';
+import type { Field } from '../ui/model';
+
+/** `open`: another document; `input`: within a drag; `change`: committed; `selection`: only what is selected. */
+export type ChangeKind = 'open' | 'input' | 'change' | 'selection';
+
+export interface EditingHost {
+  edited(kind: ChangeKind): void;
+  say(text: string): void;
+  /** How far automatic handles are turned under the document as it is. */
+  readonly turns: Turns;
+  /** Effects that are not about the document. */
+  carryOut(effect: Effect): void;
+}
+
+export class Editing {
+  readonly machine = new ToolMachine();
+  readonly #host: EditingHost;
+  #history: History<Document>;
+
+  constructor(host: EditingHost, document: Document) {
+    this.#host = host;
+    this.#history = new History(document);
+  }
+
+  get document(): Document {
+    return this.#history.present;
+  }
+
+  get project(): Project {
+    return this.#history.present.project;
+  }
+
+  get undoLabel(): string | null {
+    return this.#history.undoLabel;
+  }
+
+  get redoLabel(): string | null {
+    return this.#history.redoLabel;
+  }
+
+  record(): HistoryRecord<Document> {
+    return this.#history.record();
+  }
+
+  /** Starts over with another document and its history. */
+  open(record: HistoryRecord<Document>): void {
+    this.machine.cancel();
+    this.#history = History.from(record);
+    this.#host.edited('open');
+  }
+
+  /** Carries out what a tool asks for. */
+  apply(effects: readonly Effect[]): void {
+    const history = this.#history;
+    for (const effect of effects) {
+      if (effect.type === 'begin') history.begin(effect.label);
+      else if (effect.type === 'edit') this.#input(effect.document);
+      else if (effect.type === 'commit') this.#commit();
+      else if (effect.type === 'bail') this.#bail();
+      else if (effect.type === 'select') this.select(effect.ids);
+      else this.#host.carryOut(effect);
+    }
+  }
+
+  select(ids: readonly string[]): void {
+    const before = this.document.selection;
+    const next = selectHandles(this.document, ids);
+    if (next.selection.join('\n') === before.join('\n')) return;
+    this.#history.settle();
+    this.#history.update(next);
+    this.#host.edited('selection');
+  }
+
+  toggle(id: string): void {
+    const { selection } = this.document;
+    this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id]);
+  }
+
+  /** A whole change in one go. */
+  step(label: string, document: Document): void {
+    this.#step(label, document, null);
+    this.#host.say(label);
+  }
+
+  undo(): void {
+    this.#travel('Undone', this.#history.undo());
+  }
+
+  redo(): void {
+    this.#travel('Redone', this.#history.redo());
+  }
+
+  remove(): void {
+    const { selection } = this.document;
+    if (selection.length === 0) return;
+    this.step(`Delete ${this.#selectionName()}`, removeHandles(this.document, selection));
+  }
+
+  /** Back to rest: what is selected, or everything. */
+  reset(all: boolean): void {
+    const ids = all ? this.project.handles.map((handle) => handle.id) : this.document.selection;
+    const label = all ? 'Reset all handles' : `Reset ${this.#selectionName()}`;
+    this.step(label, resetHandles(this.document, ids));
+  }
+
+  nudge(by: Vec): void {
+    const { selection } = this.document;
+    const label = `Move ${this.#selectionName()}`;
+    this.#step(label, moveHandles(this.document, selection, by), `nudge ${selection.join(' ')}`);
+    this.#sayPlace();
+  }
+
+  turn(by: number): void {
+    const { selection } = this.document;
+    const { turns } = this.#host;
+    const turned = turnHandles(this.document, selection, (handle) => rotationOf(handle, turns) + by);
+    this.#step(`Turn ${this.#selectionName()}`, turned, `turn ${selection.join(' ')}`);
+    this.#sayPlace();
+  }
+
+  /** Lets everything selected turn by itself, or keeps it as it is turned now. */
+  automatic(on: boolean): void {
+    const { selection } = this.document;
+    const { turns } = this.#host;
+    const document = on
+      ? changeHandles(this.document, selection, freed)
+      : turnHandles(this.document, selection, (handle) => rotationOf(handle, turns));
+    this.step(`${on ? 'Free' : 'Pin'} the turn of ${this.#selectionName()}`, document);
+  }
+
+  /** Another way to bend, with the settings that go with it. */
+  bend(mode: PoseMode): void {
+    if (mode === modeOf(this.project)) return;
+    const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend smoothly';
+    this.step(label, { ...this.document, project: bent(this.project, mode) });
+  }
+
+  detail(detail: Detail): void {
+    this.step(`Set detail to ${detail}`, { ...this.document, project: detailed(this.project, detail) });
+  }
+
+  /** Sets one number of everything selected. */
+  field(field: Field, value: number): void {
+    const set: Readonly<Record<Field, (handle: Handle) => Handle>> = {
+      x: (handle) => moved(handle, [value - anchor(handle)[0], 0]),
+      y: (handle) => moved(handle, [0, value - anchor(handle)[1]]),
+      rotation: (handle) => turnedTo(handle, value),
+      scale: (handle) => scaledTo(handle, value),
+    };
+    const { selection } = this.document;
+    const document = changeHandles(this.document, selection, set[field]);
+    const label = `Set ${field} of ${this.#selectionName()}`;
+    this.#step(label, document, `${field} ${selection.join(' ')}`);
+    this.#sayPlace();
+  }
+
+  /** What came in a row of nudges is over. */
+  settle(): void {
+    this.#history.settle();
+  }
+
+  /** Takes back whatever needs the solution of this key, which is not to be had. Returns whether anything was left to go back to. */
+  withdraw(key: string): boolean {
+    this.machine.cancel();
+    const left = this.#history.withdraw((document) => solveKey(document.project) !== key);
+    if (left) this.#host.edited('change');
+    return left;
+  }
+
+  /** Steps of one key in a row are one undo step. */
+  #step(label: string, document: Document, key: string | null): void {
+    this.#history.step(label, document, key);
+    this.#host.edited('change');
+  }
+
+  #sayPlace(): void {
+    this.#host.say(this.#place);
+  }
+
+  /** What a person reads of the first selected handle. */
+  get #place(): string {
+    const [handle] = selectedHandles(this.document);
+    if (!handle) return '';
+    const [x, y] = anchor(handle).map(Math.round);
+    const turn = Math.round(rotationOf(handle, this.#host.turns));
+    const scale = scaleOf(handle) === 1 ? '' : `, scale ${scaleOf(handle)}`;
+    return `${nameOf(handle)}: x ${x}, y ${y}, rotation ${turn} degrees${scale}`;
+  }
+
+  #selectionName(): string {
+    const [id, ...more] = this.document.selection;
+    if (id === undefined) return 'nothing';
+    const handle = handleById(this.document, id);
+    return more.length > 0 ? `${more.length + 1} handles` : handle ? nameOf(handle) : id;
+  }
+
+  #input(document: Document): void {
+    this.#history.update(document);
+    this.#host.edited('input');
+  }
+
+  #commit(): void {
+    if (!this.#history.commit()) return;
+    this.#host.edited('change');
+    const label = this.#history.undoLabel ?? '';
+    this.#host.say(`${label}. ${this.#place}`);
+  }
+
+  #bail(): void {
+    this.#history.bail();
+    this.#host.edited('input');
+  }
+
+  #travel(verb: string, label: string | null): void {
+    this.apply(this.machine.cancel());
+    if (label === null) return;
+    this.#host.edited('change');
+    this.#host.say(`${verb}: ${label}`);
+  }
+}

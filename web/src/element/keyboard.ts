@@ -1,0 +1,95 @@
+/** The keys of the editor, heard only while it has the focus. Fields keep theirs. */
+import type { Vec } from '../geometry/vec';
+import { type CommandName, commandOfKey } from '../ui/commands';
+
+export interface KeyboardHost {
+  run(command: CommandName): void;
+  compare(on: boolean): void;
+  /** Space is held over the picture: the next press pans. */
+  space(held: boolean): void;
+  /** Arrow keys over the picture, in steps of 1 or, with Shift, 10. */
+  arrow(by: Vec): void;
+  /** Comma and full stop turn by 1° or, with Shift, 15°. */
+  turn(degrees: number): void;
+  /** Enter on the picture itself. */
+  place(): void;
+}
+
+const ARROWS: Readonly<Record<string, Vec>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** By the key's place, since Shift changes what it types. */
+const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
+
+export class Keyboard {
+  readonly #root: ShadowRoot;
+  readonly #host: KeyboardHost;
+  readonly #listening = new AbortController();
+
+  constructor(root: ShadowRoot, host: KeyboardHost) {
+    this.#root = root;
+    this.#host = host;
+    const { signal } = this.#listening;
+    // The browser's own :focus-visible also holds for what a script focused before the first click.
+    const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
+    root.addEventListener('keydown', () => keyed(true), { signal });
+    root.addEventListener('pointerdown', () => keyed(false), { signal });
+    root.addEventListener('keydown', (event) => this.#down(event as KeyboardEvent), { signal });
+    root.addEventListener('keyup', (event) => this.#up(event as KeyboardEvent), { signal });
+    root.addEventListener('focusout', () => this.#letGo(), { signal });
+  }
+
+  release(): void {
+    this.#listening.abort();
+  }
+
+  #down(event: KeyboardEvent): void {
+    const target = event.target as Element;
+    if (event.defaultPrevented || target.matches('input:not([type=checkbox])')) return;
+    // An open menu closes by itself, as long as nobody takes its key.
+    if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
+    const onStage = target.matches('.shell, .stage, .stage *');
+    if (onStage && this.#stageKey(event, target)) {
+      event.preventDefault();
+      return;
+    }
+    const command = commandOfKey(event);
+    if (command === null) return;
+    event.preventDefault();
+    if (command !== 'compare') this.#host.run(command);
+    else if (!event.repeat) this.#host.compare(true);
+  }
+
+  /** Keys that mean something over the picture only. Returns whether this was one. */
+  #stageKey(event: KeyboardEvent, target: Element): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const arrow = ARROWS[event.key];
+    const turn = TURNS[event.code];
+    const step = event.shiftKey;
+    if (event.key === ' ') this.#host.space(true);
+    else if (arrow) this.#host.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
+    else if (turn !== undefined) this.#host.turn(turn * (step ? 15 : 1));
+    else if (event.key === 'Enter' && target.matches('.shell, .stage')) this.#host.place();
+    else return false;
+    return true;
+  }
+
+  #up(event: KeyboardEvent): void {
+    if (event.key === ' ') {
+      this.#host.space(false);
+      // A button with the focus would take the release for a click.
+      if ((event.target as Element).closest('.stage')) event.preventDefault();
+    }
+    if (event.key.toUpperCase() === 'O') this.#host.compare(false);
+  }
+
+  /** A key let go elsewhere is never heard of. */
+  #letGo(): void {
+    this.#host.space(false);
+    this.#host.compare(false);
+  }
+}

@@ -1,0 +1,43 @@
+/** The open picture, and how files become one. */
+import type { Project } from '../document/project';
+import { type DecodedPicture, decodePicture } from '../io/decode';
+
+export interface Picture extends DecodedPicture {
+  /** File name, as the project file refers to it. */
+  readonly name: string;
+  /** The file as it was opened: what is kept for the next visit. */
+  readonly file: Blob;
+}
+
+/** @throws PictureError, its message led by the file's name. */
+export async function readPicture(file: Blob, name: string): Promise<Picture> {
+  try {
+    return { ...(await decodePicture(file)), name, file };
+  } catch (error) {
+    if (error instanceof Error) error.message = `${name}: ${error.message}`;
+    throw error;
+  }
+}
+
+export function isTransparent(rgba: Uint8Array): boolean {
+  for (let at = 3; at < rgba.length; at += 4) if (rgba[at] !== 255) return true;
+  return false;
+}
+
+export const fits = (picture: Picture | null, project: Project): boolean =>
+  picture?.width === project.image.width && picture.height === project.image.height;
+
+/** What was dropped, pasted or chosen: the first picture, the first project. Anything unknown counts as a picture. */
+export function sortFiles(files: readonly File[]): { picture?: File; project?: File } {
+  const isProject = (file: File) => /\.json$/i.test(file.name) || file.type === 'application/json';
+  const picture = files.find((file) => !isProject(file));
+  const project = files.find(isProject);
+  return { ...(picture && { picture }), ...(project && { project }) };
+}
+
+/** "cat.png" → "cat". */
+export const stem = (name: string): string => name.replace(/(\.c2warp)?\.[^.]+$/, '') || name;
+
+/** The last part of an address or path. */
+export const fileName = (address: string): string =>
+  decodeURIComponent(address.split(/[?#]/)[0]?.split('/').at(-1) ?? '') || 'picture';

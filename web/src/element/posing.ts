@@ -1,0 +1,99 @@
+/** The posed picture as geometry: the motions that draw it, and what lies where on it. */
+import { anchor, isAutomatic, type Turns } from '../document/handle';
+import type { Project } from '../document/project';
+import { posedPositions, siteTurn } from '../geometry/blend';
+import { type Located, locate } from '../geometry/locate';
+import type { Vec } from '../geometry/vec';
+import type { Placement } from '../tools/state';
+import type { SiteGraph } from '../ui/overlays';
+import type { Workbench } from './workbench';
+
+export class Posing {
+  readonly #workbench: Workbench;
+  #project: Project | null = null;
+  #motions: Float32Array | null = null;
+  #posed: Float32Array | null = null;
+  #turns: Turns | null = null;
+
+  constructor(workbench: Workbench) {
+    this.#workbench = workbench;
+  }
+
+  /** Another solution: nothing computed before holds. */
+  forget(): void {
+    this.#project = null;
+    this.#motions = null;
+    this.#posed = null;
+    this.#turns = null;
+  }
+
+  /** Motions under the pose as it is now; null where there is no solution yet. */
+  motions(): Float32Array | null {
+    const { project } = this.#workbench.editing;
+    if (project !== this.#project) {
+      this.#project = project;
+      this.#motions = this.#workbench.solving.motions(project);
+      this.#posed = null;
+      this.#turns = null;
+    }
+    return this.#motions;
+  }
+
+  /** How far automatic handles are turned: by their own motions, or as the picture is where the solution knows none yet. */
+  turns(): Turns {
+    const motions = this.motions();
+    this.#turns ??= motions ? this.#turnsUnder(motions) : new Map();
+    return this.#turns;
+  }
+
+  /** What lies under a place of the posed picture. Without a solution, the picture as it is. */
+  place(at: Vec): Placement | null {
+    const { picture, solving } = this.#workbench;
+    if (!picture) return null;
+    if (solving.current) return locate(solving.current.data, this.#positions(), at);
+    const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
+    return inside ? { rest: at, rotation: 0, scale: 1 } : null;
+  }
+
+  /** Where a point of the original goes; null outside what is warped. */
+  map(rest: Vec): Located | null {
+    const { current } = this.#workbench.solving;
+    if (!current) return null;
+    const inverse = { ...current.data, positions: this.#positions() };
+    return locate(inverse, current.data.positions, rest);
+  }
+
+  graph(): SiteGraph | null {
+    const motions = this.motions();
+    const data = this.#workbench.solving.current?.data;
+    return data && motions ? { handles: data.siteHandle, edges: data.siteEdges, motions } : null;
+  }
+
+  #turnsUnder(motions: Float32Array): Turns {
+    const { editing, solving } = this.#workbench;
+    const sites = new Map<string, number>();
+    solving.current?.data.siteHandle.forEach((index, site) => {
+      const handle = solving.current?.project.handles[index];
+      if (handle) sites.set(handle.id, site);
+    });
+    const automatic = editing.project.handles.filter(
+      (handle) => handle.kind === 'point' && isAutomatic(handle),
+    );
+    return new Map(
+      automatic.map((handle) => {
+        const site = sites.get(handle.id);
+        // The map goes from the posed picture to rest: its turn is the other way round.
+        const turn =
+          site === undefined ? -(this.map(anchor(handle, 'rest'))?.rotation ?? 0) : siteTurn(motions, site);
+        return [handle.id, turn];
+      }),
+    );
+  }
+
+  #positions(): Float32Array {
+    const motions = this.motions();
+    const positions = this.#workbench.solving.current?.data;
+    this.#posed ??= positions ? posedPositions(positions, motions) : new Float32Array();
+    return this.#posed;
+  }
+}

@@ -1,0 +1,44 @@
+/** Files that are dropped on the element or pasted while it has the focus. */
+export class Receiving {
+  readonly #listening = new AbortController();
+
+  /** @param willing whether files are welcome now. */
+  constructor(element: HTMLElement, willing: () => boolean, receive: (files: readonly File[]) => void) {
+    const { signal } = this.#listening;
+    const mark = (dropping: boolean) => element.classList.toggle('dropping', dropping);
+    const take = (event: Event, files: FileList | undefined) => {
+      if (!willing() || !files?.length) return;
+      event.preventDefault();
+      receive([...files]);
+    };
+    element.addEventListener(
+      'dragover',
+      (event) => {
+        if (!willing() || !event.dataTransfer?.types.includes('Files')) return;
+        event.preventDefault();
+        mark(true);
+      },
+      { signal },
+    );
+    element.addEventListener(
+      'dragleave',
+      (event) => {
+        if (!element.contains(event.relatedTarget as Node | null)) mark(false);
+      },
+      { signal },
+    );
+    element.addEventListener(
+      'drop',
+      (event) => {
+        mark(false);
+        take(event, event.dataTransfer?.files);
+      },
+      { signal },
+    );
+    element.addEventListener('paste', (event) => take(event, event.clipboardData?.files), { signal });
+  }
+
+  release(): void {
+    this.#listening.abort();
+  }
+}

@@ -1,0 +1,49 @@
+/** What each command does, as far as the editor is in a state to do it. */
+import type { ToolName } from '../tools/machine';
+import type { CommandName } from '../ui/commands';
+import type { Editing } from './editing';
+import type { Files } from './files';
+import type { Viewing } from './viewing';
+
+export interface RunningHost {
+  readonly editing: Editing;
+  readonly viewing: Viewing;
+  readonly files: Files;
+  readonly readonly: boolean;
+  readonly editable: boolean;
+  choose(tool: ToolName): void;
+  /** Holds the original up until it is asked again. */
+  flip(): void;
+  bail(): void;
+  looked(): void;
+}
+
+export function run(command: CommandName, host: RunningHost): void {
+  const { editing, viewing, files } = host;
+  const edit = (change: () => void) => host.editable && change();
+  const look = (change: () => void) => {
+    change();
+    host.looked();
+  };
+  const commands: Readonly<Record<CommandName, () => void>> = {
+    select: () => host.choose('select'),
+    point: () => host.choose('point'),
+    hand: () => host.choose('hand'),
+    open: () => !host.readonly && void files.choose(),
+    save: () => void files.save(),
+    export: () => void files.export(),
+    undo: () => edit(() => editing.undo()),
+    redo: () => edit(() => editing.redo()),
+    reset: () => edit(() => editing.reset(false)),
+    'reset-all': () => edit(() => editing.reset(true)),
+    remove: () => edit(() => editing.remove()),
+    'select-all': () => editing.select(editing.project.handles.map((handle) => handle.id)),
+    compare: () => host.flip(),
+    fit: () => look(() => viewing.fit()),
+    actual: () => look(() => viewing.actual()),
+    'zoom-in': () => look(() => viewing.zoom(1)),
+    'zoom-out': () => look(() => viewing.zoom(-1)),
+    bail: () => host.bail(),
+  };
+  commands[command]();
+}

@@ -1,0 +1,195 @@
+/**
+ * Keeps the solution in step with the project: solves when what it depends on has changed, poses otherwise.
+ *
+ * The newest project wins. Solutions of the last few are kept, so that undo and redo across an added handle answer at
+ * once. Progress is told only for what takes longer than a person notices.
+ */
+import { Engine } from '../compute/engine';
+import type { Poser } from '../compute/module';
+import type { Pixels, SolutionData, Stage } from '../compute/solution';
+import type { Project } from '../document/project';
+import { followedHandles, solveKey } from '../document/solved';
+import type { SolvedLabel } from '../ui/model';
+
+/** A solution and the project that it was made for. */
+export interface Solved {
+  readonly key: string;
+  readonly project: Project;
+  readonly data: SolutionData;
+  readonly poser: Poser;
+}
+
+export interface SolvingHost {
+  /** Another solution is to be shown. */
+  solved(solved: Solved): void;
+  /** The solver does not take this project. */
+  refused(key: string, error: Error): void;
+  /** The solver itself is at fault. */
+  failed(error: Error): void;
+  progressed(label: string | null): void;
+}
+
+/** Kept solutions: some 3 MB each at 10,000 samples. */
+const KEPT = 6;
+/** From here on waiting is noticed. */
+const PATIENCE_MS = 200;
+
+const LABELS: Readonly<Record<Stage | 'begin', string>> = {
+  begin: 'Finding the outline',
+  domain: 'Sampling',
+  sampling: 'Measuring distances',
+  regions: 'Weighting',
+  weights: 'Weighting',
+};
+
+export class Solving {
+  readonly #host: SolvingHost;
+  #engine: Promise<Engine> | null = null;
+  #pixels: Pixels | null = null;
+  #disposed = false;
+  #kept: Solved[] = [];
+  #current: Solved | null = null;
+  #wanted: string | null = null;
+  /** The stage under way. */
+  #label: string | null = null;
+  #patience: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(host: SolvingHost) {
+    this.#host = host;
+  }
+
+  get current(): Solved | null {
+    return this.#current;
+  }
+
+  /** The key that is being solved for, null when the newest project has its solution. */
+  get pending(): string | null {
+    return this.#current?.key === this.#wanted ? null : this.#wanted;
+  }
+
+  /** What the status line tells of the solution shown. */
+  get label(): SolvedLabel | null {
+    if (!this.#current) return null;
+    const { samples, virtual_sites: virtualSites, ms } = this.#current.data.report;
+    return { samples, virtualSites, ms: Object.values(ms).reduce((sum, stage) => sum + stage, 0) };
+  }
+
+  setPicture(pixels: Pixels): void {
+    this.#forget();
+    this.#pixels = pixels;
+    this.#engine?.then(
+      (engine) => engine.setPicture(pixels.width, pixels.height, pixels.rgba),
+      () => {},
+    );
+  }
+
+  /** Shows the solution of a project, now if it is known, else as soon as it is solved. */
+  want(project: Project): void {
+    const key = solveKey(project);
+    if (key === this.#wanted || !this.#pixels || this.#disposed) return;
+    this.#wanted = key;
+    const known = this.#kept.find((solved) => solved.key === key);
+    if (known) this.#show(known);
+    else void this.#solve(project, key);
+  }
+
+  /** Motions of the shown solution's sites under the newest pose that it can follow. */
+  motions(project: Project): Float32Array | null {
+    if (!this.#current) return null;
+    const handles = followedHandles(this.#current.project, project);
+    return this.#current.poser.pose(JSON.stringify(handles));
+  }
+
+  /** The solver, started at the first call. */
+  engine(): Promise<Engine> {
+    if (this.#disposed) return Promise.reject(new DOMException('the editor is gone', 'AbortError'));
+    this.#engine ??= this.#start();
+    return this.#engine;
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.#forget();
+    this.#engine?.then(
+      (engine) => engine.dispose(),
+      () => {},
+    );
+    this.#engine = null;
+  }
+
+  async #start(): Promise<Engine> {
+    try {
+      const engine = await Engine.start();
+      if (this.#pixels) engine.setPicture(this.#pixels.width, this.#pixels.height, this.#pixels.rgba);
+      return engine;
+    } catch (error) {
+      this.#engine = null;
+      throw error;
+    }
+  }
+
+  async #solve(project: Project, key: string): Promise<void> {
+    this.#expect(LABELS.begin);
+    try {
+      const engine = await this.engine();
+      if (key !== this.#wanted) return;
+      const data = await engine.solve(project, (stage) => this.#expect(LABELS[stage]));
+      const solved = { key, project, data, poser: engine.poser(data) };
+      this.#keep(solved);
+      if (key === this.#wanted) this.#show(solved);
+    } catch (thrown) {
+      this.#fail(key, thrown);
+    }
+  }
+
+  #fail(key: string, thrown: unknown): void {
+    const error = thrown instanceof Error ? thrown : new Error(String(thrown));
+    if (error.name === 'AbortError' || key !== this.#wanted) return;
+    this.#done();
+    this.#wanted = this.#current?.key ?? null;
+    if ('code' in error && error.code !== 'engine') this.#host.refused(key, error);
+    else this.#host.failed(error);
+  }
+
+  #show(solved: Solved): void {
+    this.#done();
+    this.#current = solved;
+    this.#host.solved(solved);
+  }
+
+  #keep(solved: Solved): void {
+    this.#kept = [solved, ...this.#kept.filter((other) => other.key !== solved.key)];
+    const dropped = this.#kept.slice(KEPT).filter((other) => other !== this.#current);
+    this.#kept = this.#kept.filter((other) => !dropped.includes(other));
+    for (const { poser } of dropped) poser.free();
+  }
+
+  #forget(): void {
+    this.#done();
+    for (const { poser } of this.#kept) poser.free();
+    this.#kept = [];
+    this.#current = null;
+    this.#wanted = null;
+    this.#pixels = null;
+  }
+
+  /** A stage begins; people hear of it if it lasts. */
+  #expect(label: string): void {
+    const begins = this.#label === null;
+    this.#label = label;
+    if (begins) this.#patience = setTimeout(() => this.#tell(), PATIENCE_MS);
+    else if (this.#patience === undefined) this.#tell();
+  }
+
+  #tell(): void {
+    this.#patience = undefined;
+    this.#host.progressed(this.#label);
+  }
+
+  #done(): void {
+    clearTimeout(this.#patience);
+    this.#patience = undefined;
+    this.#label = null;
+    this.#host.progressed(null);
+  }
+}

@@ -1,0 +1,182 @@
+/**
+ * Picture, document and solution, kept consistent with one another.
+ *
+ * What the solver refuses never stays: a picture or project that cannot be opened leaves the ones before it, an edit
+ * that cannot be solved is taken back through the history. The host shows what comes of it.
+ */
+import { type Document, newProject, openDocument } from '../document/document';
+import type { HistoryRecord } from '../document/history';
+import type { Project } from '../document/project';
+import { projectText } from '../document/project-text';
+import { encodePng } from '../io/encode';
+import { Editing, type EditingHost } from './editing';
+import { isTransparent, type Picture, stem } from './picture';
+import { type Solved, Solving } from './solving';
+
+export interface WorkbenchHost extends EditingHost {
+  /** Another picture is open, or none. */
+  opened(picture: Picture | null): void;
+  solved(solved: Solved): void;
+  progressed(label: string | null): void;
+  report(error: Error): void;
+}
+
+/** What a closed picture leaves behind, enough to open it again. */
+export interface Kept {
+  readonly file: Blob;
+  readonly name: string;
+  readonly record: HistoryRecord<Document>;
+}
+
+interface Opening {
+  readonly before: { readonly picture: Picture; readonly record: HistoryRecord<Document> } | null;
+  resolve(): void;
+  reject(error: Error): void;
+}
+
+const NOTHING = openDocument(newProject({ src: '', width: 1, height: 1 }, false));
+
+export class Workbench {
+  readonly editing: Editing;
+  readonly solving: Solving;
+  readonly #host: WorkbenchHost;
+  #picture: Picture | null = null;
+  #opening: Opening | null = null;
+
+  constructor(host: WorkbenchHost) {
+    this.#host = host;
+    this.editing = new Editing(
+      {
+        edited: (kind) => {
+          if (kind !== 'selection') this.solving.want(this.editing.project);
+          host.edited(kind);
+        },
+        say: (text) => host.say(text),
+        carryOut: (effect) => host.carryOut(effect),
+        get turns() {
+          return host.turns;
+        },
+      },
+      NOTHING,
+    );
+    this.solving = new Solving({
+      solved: (solved) => this.#solved(solved),
+      refused: (key, error) => this.#refused(key, error),
+      failed: (error) => this.#failed(error),
+      progressed: (label) => host.progressed(label),
+    });
+  }
+
+  get picture(): Picture | null {
+    return this.#picture;
+  }
+
+  /** What is open, to be kept. */
+  get kept(): Kept | null {
+    if (!this.#picture || this.#opening) return null;
+    const { file, name } = this.#picture;
+    return { file, name, record: this.editing.record() };
+  }
+
+  /**
+   * Opens a picture, with a project for it or a new one. Done once it is solved.
+   * @throws Error with a code where the solver refuses it; what was open before stays.
+   */
+  open(picture: Picture, record?: HistoryRecord<Document>): Promise<void> {
+    this.#opening?.reject(new DOMException('another picture was opened', 'AbortError'));
+    const before =
+      this.#picture && !this.#opening ? this.#snapshot(this.#picture) : (this.#opening?.before ?? null);
+    return new Promise((resolve, reject) => {
+      this.#opening = { before, resolve, reject };
+      this.#put(picture, record ?? { past: [], present: this.#fresh(picture), future: [] });
+    });
+  }
+
+  /** A project for the picture that is open, as a step that can be undone. */
+  adopt(project: Project, label: string): void {
+    this.editing.step(label, openDocument(project));
+  }
+
+  /** Reads a project file. @throws Error with a code and a message that names the offending key. */
+  async readProject(text: string): Promise<Project> {
+    return (await this.solving.engine()).checkProject(text);
+  }
+
+  /** The project file of what is open, named as the picture. */
+  projectFile(): { readonly name: string; readonly blob: Blob } {
+    const { project } = this.editing;
+    const image = { ...project.image, src: this.#picture?.name ?? project.image.src };
+    const blob = new Blob([projectText({ ...project, image })], { type: 'application/json' });
+    return { name: `${stem(image.src)}.c2warp.json`, blob };
+  }
+
+  /** The warped picture as PNG, at `scale` times the source's size. */
+  async png(scale = 1): Promise<Blob> {
+    const engine = await this.solving.engine();
+    const { width, height, rgba } = await engine.warp(this.editing.project, scale);
+    return encodePng(width, height, rgba);
+  }
+
+  /** Gives up a solve under way, and with it the edit that asked for it. */
+  cancelSolve(): void {
+    const { pending } = this.solving;
+    if (pending === null || this.#opening) return;
+    this.editing.withdraw(pending);
+    this.#host.say('Cancelled');
+  }
+
+  dispose(): void {
+    this.solving.dispose();
+    this.#picture?.bitmap.close();
+  }
+
+  #snapshot(picture: Picture): Opening['before'] {
+    return { picture, record: this.editing.record() };
+  }
+
+  #fresh(picture: Picture): Document {
+    const { name: src, width, height, rgba } = picture;
+    return openDocument(newProject({ src, width, height }, isTransparent(rgba)));
+  }
+
+  #put(picture: Picture, record: HistoryRecord<Document>): void {
+    this.#picture = picture;
+    this.solving.setPicture(picture);
+    this.#host.opened(picture);
+    this.editing.open(record);
+  }
+
+  #solved(solved: Solved): void {
+    const opening = this.#opening;
+    this.#opening = null;
+    this.#host.solved(solved);
+    if (!opening) return;
+    opening.before?.picture.bitmap.close();
+    opening.resolve();
+  }
+
+  #refused(key: string, error: Error): void {
+    const opening = this.#opening;
+    if (!opening) {
+      this.editing.withdraw(key);
+      this.#host.report(error);
+      return;
+    }
+    this.#opening = null;
+    if (opening.before) this.#put(opening.before.picture, opening.before.record);
+    else if (this.#picture && this.editing.project.handles.length > 0) {
+      this.#put(this.#picture, { past: [], present: this.#fresh(this.#picture), future: [] });
+    } else {
+      this.#picture = null;
+      this.#host.opened(null);
+    }
+    opening.reject(error);
+  }
+
+  #failed(error: Error): void {
+    const opening = this.#opening;
+    this.#opening = null;
+    if (opening) opening.reject(error);
+    else this.#host.report(error);
+  }
+}

@@ -1,0 +1,61 @@
+import { describe, expect, it } from 'vitest';
+import { type Camera, deviceView, fitted, pinched, SCALE_LIMITS, scaledAt, toImage, toStage } from './camera';
+
+const camera: Camera = { scale: 2, x: 30, y: -10 };
+
+describe('camera', () => {
+  it('goes to the stage and back', () => {
+    expect(toImage(camera, toStage(camera, [12, 7]))).toEqual([12, 7]);
+  });
+
+  it('keeps the point under the pointer when it zooms', () => {
+    const anchor = [100, 60] as const;
+    const under = toImage(camera, anchor);
+    const [x, y] = toImage(scaledAt(camera, 5, anchor), anchor);
+    expect(x).toBeCloseTo(under[0]);
+    expect(y).toBeCloseTo(under[1]);
+  });
+
+  it('stays within its limits', () => {
+    expect(scaledAt(camera, 1e9, [0, 0]).scale).toBe(SCALE_LIMITS[1]);
+    expect(scaledAt(camera, 0, [0, 0]).scale).toBe(SCALE_LIMITS[0]);
+  });
+
+  it('fits the image between the insets, centred, and lets a small one grow a little', () => {
+    const insets = { top: 50, right: 0, bottom: 0, left: 100 };
+    expect(fitted({ width: 1000, height: 500 }, { width: 600, height: 1050 }, insets)).toEqual({
+      scale: 0.5,
+      x: 100,
+      y: 425,
+    });
+    expect(fitted({ width: 10, height: 10 }, { width: 600, height: 600 }, insets).scale).toBe(2);
+  });
+
+  it('lets both fingers keep their image points when they spread along one line', () => {
+    const before = [
+      [100, 100],
+      [200, 100],
+    ] as const;
+    const after = [
+      [90, 120],
+      [290, 120],
+    ] as const;
+    const next = pinched(camera, before, after);
+    expect(next.scale).toBe(4);
+    for (const finger of [0, 1] as const) {
+      const [x, y] = toStage(next, toImage(camera, before[finger]));
+      expect(x).toBeCloseTo(after[finger][0]);
+      expect(y).toBeCloseTo(after[finger][1]);
+    }
+  });
+
+  it('becomes a view in device pixels', () => {
+    expect(deviceView(camera, { width: 301, height: 200 }, 1.5)).toEqual({
+      scale: 3,
+      x: 45,
+      y: -15,
+      width: 452,
+      height: 300,
+    });
+  });
+});

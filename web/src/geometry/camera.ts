@@ -1,0 +1,90 @@
+/**
+ * Where the person looks: a picture scaled and shifted, in CSS pixels of the stage.
+ *
+ * A camera is a value; every function returns a new one. The renderer's `View` is the same thing in device pixels.
+ */
+import { distance, midpoint, type Vec } from './vec';
+import type { View } from './view';
+
+export interface Camera {
+  /** CSS pixels per image pixel. */
+  readonly scale: number;
+  /** Where the image's origin lies on the stage, CSS pixels. */
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Room that the editor's own controls take at the edges of the stage, CSS pixels. */
+export interface Insets {
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly left: number;
+}
+
+/** From a 16,384 px picture in a thumbnail to single pixels the size of a thumb. */
+export const SCALE_LIMITS = [0.01, 64] as const;
+
+const clampScale = (scale: number): number => Math.min(SCALE_LIMITS[1], Math.max(SCALE_LIMITS[0], scale));
+
+export const toStage = (camera: Camera, p: Vec): Vec => [
+  camera.x + camera.scale * p[0],
+  camera.y + camera.scale * p[1],
+];
+
+export const toImage = (camera: Camera, p: Vec): Vec => [
+  (p[0] - camera.x) / camera.scale,
+  (p[1] - camera.y) / camera.scale,
+];
+
+export const panned = (camera: Camera, by: Vec): Camera => ({
+  ...camera,
+  x: camera.x + by[0],
+  y: camera.y + by[1],
+});
+
+/** The camera scaled so that the image point under `anchor` (stage pixels) stays under it. */
+export function scaledAt(camera: Camera, scale: number, anchor: Vec): Camera {
+  const next = clampScale(scale);
+  const ratio = next / camera.scale;
+  return {
+    scale: next,
+    x: anchor[0] + (camera.x - anchor[0]) * ratio,
+    y: anchor[1] + (camera.y - anchor[1]) * ratio,
+  };
+}
+
+/** The whole image, centred in what the insets leave of the stage; a small image grows to `largest` at most. */
+export function fitted(image: Size, stage: Size, insets: Insets, largest = 2): Camera {
+  const width = Math.max(1, stage.width - insets.left - insets.right);
+  const height = Math.max(1, stage.height - insets.top - insets.bottom);
+  const scale = clampScale(Math.min(width / image.width, height / image.height, largest));
+  return {
+    scale,
+    x: insets.left + (width - image.width * scale) / 2,
+    y: insets.top + (height - image.height * scale) / 2,
+  };
+}
+
+/** The camera after two fingers went from `before` to `after`: the image points under them follow as a pair. */
+export function pinched(camera: Camera, before: readonly [Vec, Vec], after: readonly [Vec, Vec]): Camera {
+  const spread = distance(...before);
+  const from = midpoint(...before);
+  const to = midpoint(...after);
+  const turned = spread > 0 ? scaledAt(camera, (camera.scale * distance(...after)) / spread, from) : camera;
+  return panned(turned, [to[0] - from[0], to[1] - from[1]]);
+}
+
+/** The same look in device pixels, for the renderer. */
+export const deviceView = (camera: Camera, stage: Size, pixelRatio: number): View => ({
+  scale: camera.scale * pixelRatio,
+  x: camera.x * pixelRatio,
+  y: camera.y * pixelRatio,
+  width: Math.max(1, Math.round(stage.width * pixelRatio)),
+  height: Math.max(1, Math.round(stage.height * pixelRatio)),
+});

@@ -1,0 +1,81 @@
+/**
+ * From the posed picture back to rest: which point of the original lies under the pointer, and how it is turned there.
+ *
+ * Within a triangle the map is affine, so its inverse is exact; triangles are searched from the last drawn to the
+ * first, which picks what the person sees where the picture overlaps itself. Cost: linear in the triangles, once per
+ * click.
+ */
+import type { Skin } from './blend';
+import type { Vec } from './vec';
+
+export interface Located {
+  readonly rest: Vec;
+  /** The rotation (degrees) and scale of the similarity nearest to the map at that point. */
+  readonly rotation: number;
+  readonly scale: number;
+}
+
+/** The point of the rest picture that `posed` places at `at`, or null where there is no picture. */
+export function locate(skin: Skin, posed: Float32Array, at: Vec): Located | null {
+  const { triangles, positions } = skin;
+  for (let index = triangles.length - 3; index >= 0; index -= 3) {
+    const corners = [triangles[index] ?? 0, triangles[index + 1] ?? 0, triangles[index + 2] ?? 0] as const;
+    const share = barycentric(
+      corner(posed, corners[0]),
+      corner(posed, corners[1]),
+      corner(posed, corners[2]),
+      at,
+    );
+    if (!share) continue;
+    const [p, q, r] = [
+      corner(positions, corners[0]),
+      corner(positions, corners[1]),
+      corner(positions, corners[2]),
+    ];
+    const rest: Vec = [
+      share[0] * p[0] + share[1] * q[0] + share[2] * r[0],
+      share[0] * p[1] + share[1] * q[1] + share[2] * r[1],
+    ];
+    const motion = nearestSimilarity(
+      [p, q, r],
+      [corner(posed, corners[0]), corner(posed, corners[1]), corner(posed, corners[2])],
+    );
+    return { rest, ...motion };
+  }
+  return null;
+}
+
+type Triangle = readonly [Vec, Vec, Vec];
+
+const corner = (points: Float32Array, index: number): Vec => [
+  points[2 * index] ?? 0,
+  points[2 * index + 1] ?? 0,
+];
+
+/** Barycentric coordinates of `p`, or null outside the triangle or where it has no area. Either orientation. */
+function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, number] | null {
+  const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+  if (area === 0) return null;
+  const u = ((b[0] - p[0]) * (c[1] - p[1]) - (c[0] - p[0]) * (b[1] - p[1])) / area;
+  const v = ((c[0] - p[0]) * (a[1] - p[1]) - (a[0] - p[0]) * (c[1] - p[1])) / area;
+  const w = 1 - u - v;
+  return u >= 0 && v >= 0 && w >= 0 ? [u, v, w] : null;
+}
+
+/** The similarity [a −b; b a] nearest to the triangle's affine map J: a = (J₁₁ + J₂₂)/2, b = (J₂₁ − J₁₂)/2. */
+function nearestSimilarity([p, q, r]: Triangle, [s, t, u]: Triangle): { rotation: number; scale: number } {
+  const area = (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
+  if (area === 0) return { rotation: 0, scale: 1 };
+  const column = (axis: 0 | 1): Vec => {
+    const [along, across] = [t[axis] - s[axis], u[axis] - s[axis]];
+    return [
+      (along * (r[1] - p[1]) - across * (q[1] - p[1])) / area,
+      (across * (q[0] - p[0]) - along * (r[0] - p[0])) / area,
+    ];
+  };
+  const [j11, j12] = column(0);
+  const [j21, j22] = column(1);
+  const a = (j11 + j22) / 2;
+  const b = (j21 - j12) / 2;
+  return { rotation: (Math.atan2(b, a) * 180) / Math.PI, scale: Math.hypot(a, b) };
+}

@@ -1,0 +1,21 @@
+/** Points and vectors of the plane, written as in the project file: `[x, y]`, image pixels, y down. */
+export type Vec = readonly [x: number, y: number];
+
+export const add = (a: Vec, b: Vec): Vec => [a[0] + b[0], a[1] + b[1]];
+export const subtract = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1]];
+export const scaled = (a: Vec, factor: number): Vec => [a[0] * factor, a[1] * factor];
+export const midpoint = (a: Vec, b: Vec): Vec => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+export const distance = (a: Vec, b: Vec): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** Direction of `to` seen from `from`, in degrees, clockwise on the screen since y points down. */
+export const bearing = (from: Vec, to: Vec): number =>
+  (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
+
+/** The same direction in (−180, 180]: what a person wants to read. */
+export function wrapDegrees(degrees: number): number {
+  const turned = degrees - 360 * Math.ceil((degrees - 180) / 360);
+  return turned === 0 ? 0 : turned;
+}
+
+/** The multiple of `step` nearest to `value`. */
+export const snapped = (value: number, step: number): number => Math.round(value / step) * step;

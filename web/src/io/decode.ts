@@ -1,0 +1,51 @@
+/**
+ * Opens a picture by the browser's own decoders: upright, as its EXIF data has it, and in sRGB, as its colour profile
+ * has it. A picture without either keeps its bytes.
+ */
+import { readHeader } from './header';
+import { checkSize } from './limits';
+import { PictureError } from './picture_error';
+import { straightPixels } from './pixels';
+
+export interface DecodedPicture {
+  /** Premultiplied, for drawing. Close it when the picture goes. */
+  readonly bitmap: ImageBitmap;
+  readonly width: number;
+  readonly height: number;
+  /** Straight alpha: RGBA, rows from the top. */
+  readonly rgba: Uint8Array<ArrayBuffer>;
+}
+
+/** @throws PictureError where the file is no picture, not a whole one, or of a size that cannot be opened. */
+export async function decodePicture(file: Blob): Promise<DecodedPicture> {
+  if (file.size === 0) throw new PictureError('The file is empty.');
+  const { kind, size, complete } = readHeader(await file.arrayBuffer());
+  if (kind === 'svg') {
+    throw new PictureError('An SVG is a drawing without pixels: export it as PNG, and open that.');
+  }
+  // Before decoding: a small file can hold more pixels than there is memory.
+  if (size) checkSize(size.width, size.height);
+  if (!complete) throw new PictureError('The picture is cut off: the end of the file is missing.');
+
+  const straight = await bitmapOf(file, 'none', kind !== 'other');
+  try {
+    checkSize(straight.width, straight.height);
+    const bitmap = await bitmapOf(file, 'premultiply', true);
+    return { bitmap, width: bitmap.width, height: bitmap.height, rgba: straightPixels(straight) };
+  } finally {
+    straight.close();
+  }
+}
+
+async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', known: boolean) {
+  try {
+    return await createImageBitmap(file, { premultiplyAlpha });
+  } catch (error) {
+    throw new PictureError(
+      known
+        ? 'The picture is damaged, or of a kind that this browser cannot show.'
+        : 'This is not a picture that the browser can show: PNG, JPEG and WebP work everywhere.',
+      { cause: error },
+    );
+  }
+}

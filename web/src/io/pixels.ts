@@ -1,0 +1,40 @@
+/**
+ * The exact bytes of a bitmap in straight alpha. A 2D canvas would premultiply and round them, and lose the colours
+ * under transparent pixels; a WebGL texture keeps them.
+ */
+const TILE = 2048;
+
+/** @param bitmap Decoded without premultiplying. @returns RGBA, rows from the top. */
+export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
+  const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
+  if (!gl) throw new Error('this browser has no WebGL2 to read a picture with');
+  const { width, height } = bitmap;
+  const pixels = new Uint8Array(width * height * 4);
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.pixelStorei(gl.PACK_ROW_LENGTH, width);
+  // In tiles, since a picture may be larger than the largest texture.
+  for (let y = 0; y < height; y += TILE) {
+    for (let x = 0; x < width; x += TILE) {
+      readTile(gl, bitmap, pixels, [x, y, Math.min(TILE, width - x), Math.min(TILE, height - y)]);
+    }
+  }
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return pixels;
+}
+
+function readTile(
+  gl: WebGL2RenderingContext,
+  bitmap: ImageBitmap,
+  pixels: Uint8Array,
+  [x, y, width, height]: [number, number, number, number],
+): void {
+  gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, x);
+  gl.pixelStorei(gl.UNPACK_SKIP_ROWS, y);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  const texture: WebGLTexture = gl.getParameter(gl.TEXTURE_BINDING_2D);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  gl.pixelStorei(gl.PACK_SKIP_PIXELS, x);
+  gl.pixelStorei(gl.PACK_SKIP_ROWS, y);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+}

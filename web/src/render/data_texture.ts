@@ -1,0 +1,46 @@
+/**
+ * Arrays that the vertex shader looks things up in, as textures of floats.
+ *
+ * Texel i lies at (i mod width, i / width); the width is even, so that two texels of one record share a row.
+ */
+import * as twgl from 'twgl.js';
+
+const WIDTH = 2048;
+
+export interface DataTexture {
+  readonly texture: WebGLTexture;
+  /** Replaces the records; as many as there were, or fewer. */
+  update(data: Float32Array): void;
+  dispose(): void;
+}
+
+/**
+ * @param channels Numbers in a texel: 2 or 4.
+ * @param texels How many texels there must be room for.
+ */
+export function createDataTexture(gl: WebGL2RenderingContext, channels: 2 | 4, texels: number): DataTexture {
+  const height = Math.max(1, Math.ceil(texels / WIDTH));
+  const [internalFormat, format] = channels === 2 ? [gl.RG32F, gl.RG] : [gl.RGBA32F, gl.RGBA];
+  const padded = new Float32Array(WIDTH * height * channels);
+  const options = {
+    width: WIDTH,
+    height,
+    internalFormat,
+    format,
+    type: gl.FLOAT,
+    minMag: gl.NEAREST,
+    wrap: gl.CLAMP_TO_EDGE,
+    auto: false,
+  };
+  const texture = twgl.createTexture(gl, { ...options, src: padded });
+  return {
+    texture,
+    update(data) {
+      const rows = Math.ceil(data.length / channels / WIDTH);
+      padded.set(data);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, WIDTH, rows, format, gl.FLOAT, padded);
+    },
+    dispose: () => gl.deleteTexture(texture),
+  };
+}

@@ -1,0 +1,14 @@
+import { describe, expect, it } from 'vitest';
+import { meshEdges, unwarpedMesh, weightRows } from './mesh';
+
+describe('mesh', () => {
+  it('turns offsets into first entry and number of entries', () => {
+    expect([...weightRows(new Uint32Array([0, 2, 2, 5]))]).toEqual([0, 2, 2, 0, 2, 3]);
+    expect([...weightRows(new Uint32Array())]).toEqual([]);
+  });
+
+  it('lists every edge once', () => {
+    const { triangles } = unwarpedMesh(4, 3);
+    expect([...meshEdges(triangles)]).toEqual([0, 1, 0, 2, 1, 2, 1, 3, 2, 3]);
+  });
+});

@@ -1,0 +1,61 @@
+/** A picture's mesh with sparse weights, as flat arrays. */
+export interface WarpMesh {
+  /** Vertices × 2: where each vertex rests, image pixels. */
+  readonly positions: Float32Array;
+  /** Triangles × 3: vertices; drawn in this order, later over earlier. */
+  readonly triangles: Uint32Array;
+  /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
+  readonly offsets: Uint32Array;
+  /** Entries: index of a site. */
+  readonly sites: Uint32Array;
+  /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without any stays at rest. */
+  readonly weights: Float32Array;
+  /** Sites × 2; only how many there are matters here. */
+  readonly siteRest: ArrayLike<number>;
+}
+
+/** Numbers that describe a site's motion: a, b, rest x, rest y, posed x, posed y, depth, unused. */
+export const MOTION_SIZE = 8;
+
+/** The whole picture as two triangles at rest: what is drawn while nothing is solved. */
+export function unwarpedMesh(width: number, height: number): WarpMesh {
+  return {
+    positions: new Float32Array([0, 0, width, 0, 0, height, width, height]),
+    triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
+    offsets: new Uint32Array(5),
+    sites: new Uint32Array(),
+    weights: new Float32Array(),
+    siteRest: [],
+  };
+}
+
+/** Vertices × 2: first entry and number of entries, from the offsets of a mesh. */
+export function weightRows(offsets: Uint32Array): Uint32Array {
+  const rows = new Uint32Array(Math.max(0, offsets.length - 1) * 2);
+  for (let vertex = 0; vertex * 2 < rows.length; vertex++) {
+    const first = offsets[vertex] ?? 0;
+    rows[vertex * 2] = first;
+    rows[vertex * 2 + 1] = (offsets[vertex + 1] ?? first) - first;
+  }
+  return rows;
+}
+
+/** Edges × 2: every edge of the triangles once. Costs a sort of all edges. */
+export function meshEdges(triangles: Uint32Array): Uint32Array {
+  const keys = new Float64Array(triangles.length);
+  for (let corner = 0; corner < triangles.length; corner++) {
+    const next = corner % 3 === 2 ? corner - 2 : corner + 1;
+    const a = triangles[corner] ?? 0;
+    const b = triangles[next] ?? 0;
+    // Two vertices in one number: exact, since vertices are fewer than 2^26.
+    keys[corner] = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
+  }
+  keys.sort();
+  const edges: number[] = [];
+  for (let index = 0; index < keys.length; index++) {
+    const key = keys[index] ?? 0;
+    if (index > 0 && key === keys[index - 1]) continue;
+    edges.push(Math.floor(key / 2 ** 26), key % 2 ** 26);
+  }
+  return new Uint32Array(edges);
+}

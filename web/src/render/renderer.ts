@@ -1,0 +1,127 @@
+/**
+ * Draws the warped picture on a canvas by WebGL2.
+ *
+ * Takes flat arrays, and knows of neither handles nor solver. Keeps what it was given, so that a context which the
+ * browser took away is filled again once it comes back.
+ */
+import type { View } from '../geometry/view';
+import { MOTION_SIZE, unwarpedMesh, type WarpMesh } from './mesh';
+import { Scene } from './scene';
+
+export class Renderer {
+  readonly #canvas: HTMLCanvasElement;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #listening = new AbortController();
+  #scene: Scene | undefined;
+  #picture: ImageBitmap | undefined;
+  #mesh: WarpMesh | null = null;
+  #motions: Float32Array | null = null;
+
+  /** Called when a lost context is back and the picture wants to be drawn again. */
+  onrestore: (() => void) | null = null;
+
+  /** @throws Error with the code `webgl` where the browser has no WebGL2. */
+  constructor(canvas: HTMLCanvasElement) {
+    const gl = canvas.getContext('webgl2', { antialias: true, alpha: true, depth: false, stencil: false });
+    if (!gl) {
+      const message =
+        'This browser cannot draw by WebGL2: switch hardware acceleration on, or use another browser.';
+      throw Object.assign(new Error(message), { code: 'webgl' });
+    }
+    this.#canvas = canvas;
+    this.#gl = gl;
+    const { signal } = this.#listening;
+    canvas.addEventListener('webglcontextlost', (event) => this.#lose(event), { signal });
+    canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal });
+    if (!gl.isContextLost()) this.#scene = new Scene(gl);
+  }
+
+  /** Whether the browser has taken the context away; drawing does nothing until it is back. */
+  get lost(): boolean {
+    return this.#scene === undefined || this.#gl.isContextLost();
+  }
+
+  /** Shows another picture, unwarped. The bitmap is premultiplied, and stays open as long as it is shown. */
+  setPicture(source: ImageBitmap): void {
+    this.#picture = source;
+    this.#mesh = null;
+    this.#motions = null;
+    this.#fill();
+  }
+
+  /** The mesh to draw the picture on, at rest until motions are set; null for the picture as it is. */
+  setSolution(mesh: WarpMesh | null): void {
+    this.#mesh = mesh;
+    this.#motions = null;
+    this.#fillMesh();
+  }
+
+  /**
+   * Sites × 8, see {@link MOTION_SIZE}; null lays the mesh at rest.
+   * @throws RangeError where there is not one motion for each site of the mesh.
+   */
+  setMotions(motions: Float32Array | null): void {
+    const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
+    if (motions && motions.length !== sites * MOTION_SIZE) {
+      throw new RangeError(`${motions.length / MOTION_SIZE} motions for ${sites} sites`);
+    }
+    this.#motions = motions;
+    if (!this.lost) this.#scene?.setMotions(motions);
+  }
+
+  draw(view: View): void {
+    if (this.lost) return;
+    // Setting a size clears the canvas even where it stays the same.
+    if (this.#canvas.width !== view.width) this.#canvas.width = view.width;
+    if (this.#canvas.height !== view.height) this.#canvas.height = view.height;
+    this.#scene?.draw(view);
+  }
+
+  /** Draws, and reads what was drawn: premultiplied RGBA, rows from the top. */
+  readPixels(view: View): Uint8Array {
+    this.draw(view);
+    const { width, height } = view;
+    const pixels = new Uint8Array(width * height * 4);
+    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, pixels);
+    return flipped(pixels, width * 4);
+  }
+
+  /** Gives the context back to the browser. The canvas cannot be drawn on again. */
+  dispose(): void {
+    this.#listening.abort();
+    this.#scene = undefined;
+    this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  #lose(event: Event): void {
+    // Without this the browser never gives the context back.
+    event.preventDefault();
+    this.#scene = undefined;
+  }
+
+  #restore(): void {
+    this.#scene = new Scene(this.#gl);
+    this.#fill();
+    this.#scene.setMotions(this.#motions);
+    this.onrestore?.();
+  }
+
+  #fill(): void {
+    if (this.lost || !this.#picture) return;
+    this.#scene?.setPicture(this.#picture);
+    this.#fillMesh();
+  }
+
+  #fillMesh(): void {
+    if (this.lost || !this.#picture) return;
+    this.#scene?.setMesh(this.#mesh ?? unwarpedMesh(this.#picture.width, this.#picture.height));
+  }
+}
+
+function flipped(pixels: Uint8Array, stride: number): Uint8Array {
+  const result = new Uint8Array(pixels.length);
+  for (let from = 0, to = pixels.length - stride; to >= 0; from += stride, to -= stride) {
+    result.set(pixels.subarray(from, from + stride), to);
+  }
+  return result;
+}

@@ -1,0 +1,151 @@
+/**
+ * What one WebGL context holds: programs, the picture, the mesh with its weights, the motions. A lost context takes all
+ * of it away, and `Renderer` builds another scene.
+ *
+ * A drag costs one upload of sites × 32 bytes a frame; the blending (eq. 1) runs per vertex on the graphics card.
+ */
+import * as twgl from 'twgl.js';
+import type { View } from '../geometry/view';
+import { createDataTexture, type DataTexture } from './data_texture';
+import lineFragment from './line.frag.glsl?raw';
+import { MOTION_SIZE, meshEdges, type WarpMesh, weightRows } from './mesh';
+import { createPictureTexture, setMagnification } from './picture';
+import pictureFragment from './picture.frag.glsl?raw';
+import warpVertex from './warp.vert.glsl?raw';
+
+/** Of the mesh overlay, premultiplied: reads on light and on dark pictures. */
+const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
+
+interface LoadedMesh {
+  readonly mesh: WarpMesh;
+  readonly triangles: twgl.BufferInfo;
+  readonly weights: DataTexture;
+  readonly motions: DataTexture;
+  edges: twgl.BufferInfo | undefined;
+}
+
+export class Scene {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #pictureProgram: twgl.ProgramInfo;
+  readonly #lineProgram: twgl.ProgramInfo;
+  #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
+  #loaded: LoadedMesh | undefined;
+  #posed = false;
+
+  /** @throws Error where a shader does not compile, which names the reason. */
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#pictureProgram = program(gl, pictureFragment);
+    this.#lineProgram = program(gl, lineFragment);
+  }
+
+  setPicture(source: ImageBitmap): void {
+    if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
+    const { width, height } = source;
+    this.#picture = { texture: createPictureTexture(this.#gl, source), width, height };
+  }
+
+  /** Replaces the mesh; it is drawn at rest until motions come. */
+  setMesh(mesh: WarpMesh): void {
+    this.#unloadMesh();
+    const gl = this.#gl;
+    const weights = createDataTexture(gl, 2, mesh.sites.length);
+    const entries = new Float32Array(mesh.sites.length * 2);
+    for (let entry = 0; entry < mesh.sites.length; entry++) {
+      entries[entry * 2] = mesh.sites[entry] ?? 0;
+      entries[entry * 2 + 1] = mesh.weights[entry] ?? 0;
+    }
+    weights.update(entries);
+    this.#loaded = {
+      mesh,
+      weights,
+      motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_SIZE / 4)),
+      triangles: twgl.createBufferInfoFromArrays(gl, {
+        a_rest: { numComponents: 2, data: mesh.positions },
+        a_row: { numComponents: 2, data: weightRows(mesh.offsets) },
+        indices: { numComponents: 3, data: mesh.triangles },
+      }),
+      edges: undefined,
+    };
+    this.#posed = false;
+  }
+
+  /** Sites × 8, or null to lay the mesh at rest. */
+  setMotions(motions: Float32Array | null): void {
+    this.#posed = motions !== null;
+    if (motions) this.#loaded?.motions.update(motions);
+  }
+
+  draw(view: View): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, view.width, view.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    const loaded = this.#loaded;
+    const picture = this.#picture;
+    if (!loaded || !picture) return;
+
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    setMagnification(gl, picture.texture, view.scale);
+    const uniforms = {
+      u_weights: loaded.weights.texture,
+      u_motions: loaded.motions.texture,
+      u_picture: picture.texture,
+      u_picture_size: [picture.width, picture.height],
+      u_canvas_size: [view.width, view.height],
+      u_view: [view.scale, view.x, view.y],
+      u_at_rest: view.compare === true || !this.#posed,
+      u_colour: MESH_COLOUR,
+    };
+    drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
+    if (view.overlays?.mesh) {
+      loaded.edges ??= edgeBuffer(gl, loaded);
+      drawWith(gl, this.#lineProgram, loaded.edges, uniforms, gl.LINES);
+    }
+  }
+
+  #unloadMesh(): void {
+    const loaded = this.#loaded;
+    if (!loaded) return;
+    loaded.weights.dispose();
+    loaded.motions.dispose();
+    const buffers = [loaded.triangles, loaded.edges].flatMap((info) => [
+      info?.indices,
+      ...Object.values(info?.attribs ?? {}).map((attribute) => attribute.buffer),
+    ]);
+    for (const buffer of new Set(buffers)) this.#gl.deleteBuffer(buffer ?? null);
+    this.#loaded = undefined;
+  }
+}
+
+function program(gl: WebGL2RenderingContext, fragment: string): twgl.ProgramInfo {
+  let reason = 'unknown';
+  const info: twgl.ProgramInfo | null = twgl.createProgramInfo(gl, [warpVertex, fragment], (message) => {
+    reason = message;
+  });
+  if (!info) throw new Error(`a shader does not compile: ${reason}`);
+  return info;
+}
+
+function edgeBuffer(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): twgl.BufferInfo {
+  return twgl.createBufferInfoFromArrays(
+    gl,
+    { indices: { numComponents: 2, data: meshEdges(mesh.triangles) } },
+    triangles,
+  );
+}
+
+function drawWith(
+  gl: WebGL2RenderingContext,
+  info: twgl.ProgramInfo,
+  buffers: twgl.BufferInfo,
+  uniforms: Record<string, unknown>,
+  primitive: number,
+): void {
+  gl.useProgram(info.program);
+  twgl.setBuffersAndAttributes(gl, info, buffers);
+  twgl.setUniforms(info, uniforms);
+  twgl.drawBufferInfo(gl, buffers, primitive);
+}

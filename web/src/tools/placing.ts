@@ -1,0 +1,49 @@
+/**
+ * Placing a point handle: it is there as soon as the pointer goes down, and may be dragged before it is let go.
+ * Both together are one undo step.
+ */
+
+import { restingRotation } from '../document/bending';
+import { addHandle, freeId } from '../document/edits';
+import { rounded, roundedVec } from '../document/handle';
+import type { PointHandle, Project } from '../document/project';
+import type { Vec } from '../geometry/vec';
+import { moving } from './moving';
+import { type Outcome, outcome, type Placement, type Press, type Scene, type State } from './state';
+
+/**
+ * A handle at a place of the posed picture, with the motion it has there, so that the picture does not jump. One that
+ * turns by itself finds its turn again.
+ */
+export const pointHandle = (project: Project, at: Vec, placement: Placement): PointHandle => ({
+  id: freeId(project),
+  kind: 'point',
+  rest: roundedVec(placement.rest),
+  posed: roundedVec(at),
+  rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(placement.rotation),
+  scale: rounded(placement.scale),
+});
+
+export function placed(press: Press, scene: Scene, rest: State): Outcome {
+  const placement = scene.place(press.at);
+  if (!placement) return outcome(rest, { type: 'miss', at: press.at });
+  const handle = pointHandle(scene.document.project, press.at, placement);
+  const document = addHandle(scene.document, handle);
+  return outcome(
+    placing(document, handle.id, press, rest),
+    { type: 'begin', label: 'Add handle' },
+    { type: 'edit', document },
+  );
+}
+
+const placing = (origin: Scene['document'], id: string, from: Press, rest: State): State => {
+  const drag = moving(origin, [id], from.at, rest);
+  const state: State = {
+    ...drag,
+    move: (press, scene) => {
+      const slipped = Math.hypot(press.at[0] - from.at[0], press.at[1] - from.at[1]) <= scene.grips.slop;
+      return slipped ? outcome(state) : (drag.move?.(press, scene) ?? outcome(state));
+    },
+  };
+  return state;
+};

@@ -1,0 +1,59 @@
+/**
+ * Holding a handle or a ring, not yet known whether for a click or a drag.
+ *
+ * A click selects (Shift: adds or takes away); a drag moves or, on the ring or with Alt, turns.
+ */
+
+import { handleById } from '../document/document';
+import { anchor, nameOf } from '../document/handle';
+import { distance } from '../geometry/vec';
+import type { Hit } from './hit';
+import { moving } from './moving';
+import { type Effect, type Outcome, outcome, type Press, type Scene, type State } from './state';
+import { turning } from './turning';
+
+/** The answer to a press on `target`: what is not selected becomes so at once, the rest waits for the release. */
+export function pressed(target: Hit, press: Press, scene: Scene, rest: State): Outcome {
+  const { selection } = scene.document;
+  const already = selection.includes(target.id);
+  const effects: Effect[] = already
+    ? []
+    : [{ type: 'select', ids: press.shift ? [...selection, target.id] : [target.id] }];
+  return outcome(pressing(target, press, already, rest), ...effects);
+}
+
+const pressing = (target: Hit, from: Press, already: boolean, rest: State): State => {
+  const state: State = {
+    move: (press, scene) => {
+      if (distance(press.at, from.at) <= scene.grips.slop) return outcome(state);
+      return dragged(target, from, press, scene, rest);
+    },
+    up: (_, { document: { selection } }) => {
+      if (!already || target.part === 'ring') return outcome(rest);
+      const ids = from.shift ? selection.filter((id) => id !== target.id) : [target.id];
+      return outcome(rest, { type: 'select', ids });
+    },
+    cancel: () => outcome(rest),
+  };
+  return state;
+};
+
+/** The drag begins: a mark is set, and the first move carried out. */
+function dragged(target: Hit, from: Press, press: Press, scene: Scene, rest: State): Outcome {
+  const { document } = scene;
+  const handle = handleById(document, target.id);
+  if (!handle) return outcome(rest);
+  const ids = document.selection.includes(target.id) ? document.selection : [target.id];
+  const what = ids.length > 1 ? `${ids.length} handles` : nameOf(handle);
+  const turns = target.part === 'ring' || from.alt;
+  const pivot = anchor(handle);
+  // A press on the handle's own middle has no bearing yet; the first point off it has.
+  const hold = target.part === 'ring' ? from.at : press.at;
+  const next = turns ? turning(scene, ids, pivot, hold, rest) : moving(document, ids, from.at, rest);
+  const first = next.move?.(press, scene) ?? outcome(next);
+  return outcome(
+    first.next,
+    { type: 'begin', label: `${turns ? 'Turn' : 'Move'} ${what}` },
+    ...first.effects,
+  );
+}

@@ -1,0 +1,234 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { bent } from '../document/bending';
+import { handleById, newProject, openDocument } from '../document/document';
+import { addHandle, changeHandles, selectHandles } from '../document/edits';
+import { freed, rotationOf, type Turns } from '../document/handle';
+import { History } from '../document/history';
+import type { PointHandle } from '../document/project';
+import type { Vec } from '../geometry/vec';
+import { ToolMachine } from './machine';
+import type { Effect, Placement, Press, Scene } from './state';
+
+const handle = (id: string, x: number): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
+const image = { src: 'a.png', width: 200, height: 200 };
+
+/** An editor without a page: it carries effects out on a history, as the element does. */
+class Bench {
+  readonly machine = new ToolMachine();
+  readonly history = new History(
+    addHandle(addHandle(openDocument(newProject(image, true)), handle('a', 0)), handle('b', 100)),
+  );
+  readonly others: Effect[] = [];
+  turns: Turns = new Map();
+  placement: Placement | null = { rest: [7, 8], rotation: 30, scale: 2 };
+
+  constructor() {
+    this.history.update(selectHandles(this.history.present, []));
+  }
+
+  get selection() {
+    return this.history.present.selection;
+  }
+
+  posed(id: string) {
+    return handleById(this.history.present, id)?.posed;
+  }
+
+  rotation(id: string) {
+    const found = handleById(this.history.present, id);
+    return found && rotationOf(found);
+  }
+
+  down = (at: Vec, keys: Partial<Press> = {}) => this.#apply(this.machine.down(press(at, keys), this.#scene));
+  move = (at: Vec, keys: Partial<Press> = {}) => this.#apply(this.machine.move(press(at, keys), this.#scene));
+  up = (at: Vec, keys: Partial<Press> = {}) => this.#apply(this.machine.up(press(at, keys), this.#scene));
+  cancel = () => this.#apply(this.machine.cancel());
+
+  click(at: Vec, keys: Partial<Press> = {}) {
+    this.down(at, keys);
+    this.up(at, keys);
+  }
+
+  drag(from: Vec, to: Vec, keys: Partial<Press> = {}) {
+    this.down(from, keys);
+    this.move([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2], keys);
+    this.move(to, keys);
+    this.up(to, keys);
+  }
+
+  get #scene(): Scene {
+    return {
+      document: this.history.present,
+      grips: { handle: 10, ring: 30, band: 5, slop: 3 },
+      turns: this.turns,
+      place: () => this.placement,
+    };
+  }
+
+  #apply(effects: readonly Effect[]) {
+    const { history } = this;
+    for (const effect of effects) {
+      if (effect.type === 'begin') history.begin(effect.label);
+      else if (effect.type === 'edit') history.update(effect.document);
+      else if (effect.type === 'commit') history.commit();
+      else if (effect.type === 'bail') history.bail();
+      else if (effect.type === 'select') history.update(selectHandles(history.present, effect.ids));
+      else this.others.push(effect);
+    }
+  }
+}
+
+const press = (at: Vec, keys: Partial<Press>): Press => ({
+  at,
+  stage: at,
+  shift: false,
+  alt: false,
+  ...keys,
+});
+
+let bench: Bench;
+beforeEach(() => {
+  bench = new Bench();
+});
+
+describe('select', () => {
+  it('selects by click, adds and takes away with Shift, lets go on empty space', () => {
+    bench.click([2, 2]);
+    expect(bench.selection).toEqual(['a']);
+    bench.click([100, 0], { shift: true });
+    expect(bench.selection).toEqual(['a', 'b']);
+    bench.click([0, 0], { shift: true });
+    expect(bench.selection).toEqual(['b']);
+    bench.click([50, 80]);
+    expect(bench.selection).toEqual([]);
+    expect(bench.history.undoLabel).toBeNull();
+  });
+
+  it('drags all that is selected, as one undo step', () => {
+    bench.click([0, 0]);
+    bench.click([100, 0], { shift: true });
+    bench.drag([1, 1], [21, 11]);
+    expect([bench.posed('a'), bench.posed('b')]).toEqual([
+      [20, 10],
+      [120, 10],
+    ]);
+    expect(bench.history.undo()).toBe('Move 2 handles');
+    expect(bench.posed('a')).toEqual([0, 0]);
+    expect(bench.history.undoLabel).toBeNull();
+  });
+
+  it('moves nothing by a trembling click', () => {
+    bench.drag([0, 0], [2, 0]);
+    expect(bench.posed('a')).toEqual([0, 0]);
+    expect(bench.history.undoLabel).toBeNull();
+  });
+
+  it('turns by the ring, about the handle', () => {
+    bench.click([0, 0]);
+    bench.drag([30, 0], [0, 30]);
+    expect(bench.rotation('a')).toBe(90);
+    expect(bench.posed('a')).toEqual([0, 0]);
+    expect(bench.history.undoLabel).toBe('Turn a');
+  });
+
+  it('turns by an Alt-drag, in steps of 15° with Shift', () => {
+    bench.down([100, 0], { alt: true });
+    bench.move([110, 0], { alt: true });
+    bench.move([100, 40], { alt: true });
+    expect(bench.rotation('b')).toBe(90);
+    bench.move([90, 40], { alt: true, shift: true });
+    expect(bench.rotation('b')).toBe(105);
+    bench.up([90, 40]);
+    expect(bench.history.undoLabel).toBe('Turn b');
+  });
+
+  it('turns an automatic handle on from where it is, and pins it there', () => {
+    bench.history.update(changeHandles(bench.history.present, ['a'], freed));
+    bench.turns = new Map([['a', 25]]);
+    bench.click([0, 0]);
+    bench.drag([30, 0], [0, 30]);
+    expect(bench.rotation('a')).toBe(115);
+    bench.history.undo();
+    expect(handleById(bench.history.present, 'a')?.rotation).toBe('auto');
+  });
+
+  it('has no ring around what is not selected', () => {
+    bench.drag([30, 0], [0, 30]);
+    expect(bench.rotation('a')).toBe(0);
+  });
+
+  it('boxes over empty space, with Shift in addition', () => {
+    bench.drag([80, -20], [120, 20]);
+    expect(bench.selection).toEqual(['b']);
+    bench.drag([-20, -20], [20, 20], { shift: true });
+    expect(bench.selection).toEqual(['b', 'a']);
+    expect(bench.others.at(-1)).toEqual({ type: 'box', box: null });
+  });
+
+  it('bails out of a drag and of a box', () => {
+    bench.down([0, 0]);
+    bench.move([40, 40]);
+    bench.cancel();
+    expect(bench.posed('a')).toEqual([0, 0]);
+    bench.down([80, -20]);
+    bench.move([120, 20]);
+    bench.cancel();
+    expect(bench.selection).toEqual(['a']);
+    expect(bench.machine.busy).toBe(false);
+  });
+});
+
+describe('point', () => {
+  beforeEach(() => {
+    bench.machine.choose('point');
+  });
+
+  it('places at once, posed where it was clicked, and free to turn', () => {
+    bench.down([50, 60]);
+    const added = handleById(bench.history.present, 'handle-3');
+    expect(added).toMatchObject({ rest: [7, 8], posed: [50, 60], rotation: 'auto', scale: 2 });
+    expect(bench.selection).toEqual(['handle-3']);
+    bench.up([50, 60]);
+    expect(bench.history.undo()).toBe('Add handle');
+    expect(bench.history.present.project.handles).toHaveLength(2);
+  });
+
+  it('places with the turn the picture has there where it does not bend rigidly', () => {
+    const { present } = bench.history;
+    bench.history.update({ ...present, project: bent(present.project, 'harmonic') });
+    bench.click([50, 60]);
+    expect(handleById(bench.history.present, 'handle-3')).toMatchObject({ rotation: 30, scale: 2 });
+  });
+
+  it('places and drags in one undo step', () => {
+    bench.drag([50, 60], [70, 60]);
+    expect(bench.posed('handle-3')).toEqual([70, 60]);
+    bench.history.undo();
+    expect(bench.history.present.project.handles).toHaveLength(2);
+  });
+
+  it('misses where there is no picture', () => {
+    bench.placement = null;
+    bench.click([50, 60]);
+    expect(bench.others).toEqual([{ type: 'miss', at: [50, 60] }]);
+    expect(bench.history.present.project.handles).toHaveLength(2);
+  });
+
+  it('moves a handle that is there', () => {
+    bench.drag([0, 0], [20, 0]);
+    expect(bench.posed('a')).toEqual([20, 0]);
+  });
+});
+
+describe('hand', () => {
+  it('pans by stage pixels', () => {
+    bench.machine.choose('hand');
+    bench.drag([0, 0], [10, 20]);
+    const pans = bench.others.map((effect) => (effect.type === 'pan' ? effect.by : null));
+    expect(pans).toEqual([
+      [5, 10],
+      [5, 10],
+    ]);
+    expect(bench.posed('a')).toEqual([0, 0]);
+  });
+});

@@ -1,0 +1,53 @@
+/** How the picture bends: a choice of two, in words, and how finely. Shown while nothing is selected. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
+import type { PoseMode } from '../document/project';
+import type { EditorActions, EditorModel } from './model';
+
+const MODES = {
+  rigid: { word: 'Rigid', note: 'Shapes keep their form: an arm bends as an arm does.' },
+  harmonic: { word: 'Smooth', note: 'You turn the handles, and their motions blend, as in the paper.' },
+} as const satisfies Record<PoseMode, object>;
+
+const DETAIL_WORDS = { coarse: 'Coarse', medium: 'Medium', fine: 'Fine' } as const satisfies Record<
+  Detail,
+  string
+>;
+
+export function bending(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+  if (!model.picture) return nothing;
+  const { project } = model.document;
+  const mode = modeOf(project);
+  const detail = detailOf(project);
+  const modes = Object.keys(MODES) as PoseMode[];
+  const details = Object.keys(DETAILS) as Detail[];
+  return html`<section class="bending">
+    <h3>Bending</h3>
+    <div class="segments" role="group" aria-label="Bending">
+      ${modes.map((name) => segment(MODES[name].word, name === mode, model, () => actions.bend(name)))}
+    </div>
+    <p class="faint">${MODES[mode].note}</p>
+    ${
+      mode === 'rigid'
+        ? html`<h3>Detail</h3>
+          <div class="segments" role="group" aria-label="Detail">
+            ${details.map((name) =>
+              segment(DETAIL_WORDS[name], name === detail, model, () => actions.detail(name)),
+            )}
+          </div>`
+        : nothing
+    }
+  </section>`;
+}
+
+const segment = (word: string, chosen: boolean, model: EditorModel, choose: () => void): TemplateResult =>
+  html`<button
+    type="button"
+    class="button segment"
+    part="button"
+    aria-pressed=${String(chosen)}
+    ?disabled=${model.disabled || model.readonly}
+    @click=${() => !chosen && choose()}
+  >
+    ${word}
+  </button>`;

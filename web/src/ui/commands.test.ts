@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest';
+import { ariaKeys, COMMANDS, commandOfKey, type KeyPress, keyHint } from './commands';
+
+const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
+  key,
+  ctrlKey: false,
+  metaKey: false,
+  altKey: false,
+  shiftKey: false,
+  ...held,
+});
+
+describe('commandOfKey', () => {
+  it('reads letters in either case, and marks however they are typed', () => {
+    expect(commandOfKey(press('v'))).toBe('select');
+    expect(commandOfKey(press('V', { shiftKey: true }))).toBe('select');
+    expect(commandOfKey(press('+', { shiftKey: true }))).toBe('zoom-in');
+  });
+
+  it('tells undo from redo, with Ctrl and with Cmd', () => {
+    expect(commandOfKey(press('z', { ctrlKey: true }))).toBe('undo');
+    expect(commandOfKey(press('Z', { metaKey: true, shiftKey: true }))).toBe('redo');
+    expect(commandOfKey(press('y', { ctrlKey: true }))).toBe('redo');
+  });
+
+  it('leaves alone what it does not know', () => {
+    expect(commandOfKey(press('v', { ctrlKey: true }))).toBeNull();
+    expect(commandOfKey(press('h', { altKey: true }))).toBeNull();
+    expect(commandOfKey(press('Tab'))).toBeNull();
+  });
+
+  it('has no key twice', () => {
+    const keys = Object.values(COMMANDS).flatMap((command): readonly string[] => command.keys);
+    expect(new Set(keys).size).toBe(keys.length);
+  });
+});
+
+describe('hints', () => {
+  it('show the first key as the platform writes it', () => {
+    expect(keyHint('redo', 'Linux x86_64')).toBe('Ctrl + Shift + Z');
+    expect(keyHint('redo', 'MacIntel')).toBe('⌘⇧Z');
+    expect(keyHint('zoom-in', 'Linux x86_64')).toBe('+');
+    expect(keyHint('reset-all', 'Linux x86_64')).toBe('');
+  });
+
+  it('name keys for assistive technology', () => {
+    expect(ariaKeys('redo')).toBe('Control+Shift+Z Control+Y');
+    expect(ariaKeys('zoom-in')).toBe('=');
+  });
+});

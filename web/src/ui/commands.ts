@@ -1,0 +1,73 @@
+/** Everything a person can ask for by button or key: one table, from which tooltips, key map and ARIA hints come. */
+import type { ToolName } from '../tools/machine';
+import type { IconName } from './icons';
+
+export interface Command {
+  readonly label: string;
+  readonly icon: IconName;
+  /** Keys as people read them; `Mod` is Ctrl, and Cmd on a Mac. The first is shown. */
+  readonly keys: readonly string[];
+}
+
+export const COMMANDS = {
+  select: { label: 'Select and move', icon: 'select', keys: ['V'] },
+  point: { label: 'Add a point handle', icon: 'point', keys: ['P'] },
+  hand: { label: 'Pan', icon: 'hand', keys: ['H'] },
+  open: { label: 'Open a picture or a project', icon: 'open', keys: ['Mod+O'] },
+  save: { label: 'Save the project file', icon: 'save', keys: ['Mod+S'] },
+  export: { label: 'Export a PNG at full size', icon: 'export', keys: ['Mod+E'] },
+  undo: { label: 'Undo', icon: 'undo', keys: ['Mod+Z'] },
+  redo: { label: 'Redo', icon: 'redo', keys: ['Mod+Shift+Z', 'Mod+Y'] },
+  'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },
+  reset: { label: 'Reset', icon: 'reset', keys: [] },
+  remove: { label: 'Delete', icon: 'remove', keys: ['Delete', 'Backspace'] },
+  compare: { label: 'Hold to compare with the original', icon: 'compare', keys: ['O'] },
+  'select-all': { label: 'Select all handles', icon: 'select', keys: ['Mod+A'] },
+  fit: { label: 'Fit the picture', icon: 'fit', keys: ['0'] },
+  actual: { label: 'Actual size', icon: 'actual', keys: ['1'] },
+  'zoom-in': { label: 'Zoom in', icon: 'plus', keys: ['+', '='] },
+  'zoom-out': { label: 'Zoom out', icon: 'minus', keys: ['-'] },
+  bail: { label: 'Cancel', icon: 'close', keys: ['Escape'] },
+} as const satisfies Record<string, Command> & Record<ToolName, Command>;
+
+export type CommandName = keyof typeof COMMANDS;
+
+const NAMES = Object.keys(COMMANDS) as CommandName[];
+
+/** Which command a key asks for. Shift counts only where the table writes it, since "+" may need it to be typed. */
+export function commandOfKey(event: KeyPress): CommandName | null {
+  const mod = event.ctrlKey || event.metaKey;
+  if (event.altKey) return null;
+  const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
+  const written = `${mod ? 'Mod+' : ''}${mod && event.shiftKey ? 'Shift+' : ''}${key}`;
+  return NAMES.find((name) => (COMMANDS[name].keys as readonly string[]).includes(written)) ?? null;
+}
+
+/** What of a KeyboardEvent counts. */
+export type KeyPress = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>;
+
+const MAC = /Mac|iPhone|iPad/;
+const SYMBOLS: Readonly<Record<string, string>> = { Delete: 'Del', Escape: 'Esc', '-': '−' };
+
+/** The first key of a command as a tooltip shows it, or an empty text. */
+export function keyHint(name: CommandName, platform: string): string {
+  const key = COMMANDS[name].keys[0] ?? '';
+  const mac = MAC.test(platform);
+  return key
+    .split('+')
+    .filter((part) => part !== '')
+    .map((part) => {
+      if (part === 'Mod') return mac ? '⌘' : 'Ctrl';
+      if (part === 'Shift' && mac) return '⇧';
+      return SYMBOLS[part] ?? part;
+    })
+    .join(mac ? '' : ' + ')
+    .concat(key === '+' ? '+' : '');
+}
+
+/** The same for `aria-keyshortcuts`. */
+export const ariaKeys = (name: CommandName): string =>
+  (COMMANDS[name].keys as readonly string[])
+    .filter((key) => key !== '+')
+    .map((key) => key.replace('Mod', 'Control'))
+    .join(' ');

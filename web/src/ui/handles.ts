@@ -1,0 +1,102 @@
+/**
+ * The handles over the picture: a faint mark where each rests, a thread to where it is posed, the rotation ring of the
+ * selected ones, and over them one focusable button per handle. The buttons are for keyboards and screen readers too;
+ * presses of a pointer go to the stage, which knows the tools.
+ */
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { repeat } from 'lit/directives/repeat.js';
+import { anchor, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import type { Handle } from '../document/project';
+import { toStage } from '../geometry/camera';
+import { distance, type Vec } from '../geometry/vec';
+import type { EditorActions, EditorModel } from './model';
+
+/** What a screen reader says of a handle. */
+export function handleLabel(handle: Handle, turns: Turns): string {
+  const [x, y] = anchor(handle);
+  const scale = scaleOf(handle);
+  return [
+    `Handle ${nameOf(handle)}`,
+    `x ${Math.round(x)}`,
+    `y ${Math.round(y)}`,
+    `rotation ${Math.round(rotationOf(handle, turns))} degrees`,
+    ...(scale === 1 ? [] : [`scale ${scale}`]),
+  ].join(', ');
+}
+
+export function handleMarks(model: EditorModel): SVGTemplateResult {
+  const { document, camera, grips, turns } = model;
+  const radius = grips.ring * camera.scale;
+  return svg`${document.project.handles.map((handle) => {
+    const rest = toStage(camera, anchor(handle, 'rest'));
+    const posed = toStage(camera, anchor(handle));
+    const selected = document.selection.includes(handle.id);
+    return svg`
+      ${distance(rest, posed) > 4 ? restMark(rest, posed) : nothing}
+      ${selected && !model.readonly ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
+  })}`;
+}
+
+const restMark = (rest: Vec, posed: Vec): SVGTemplateResult => svg`<g class="rest">
+  <path class="dashes under" d="M${rest}L${posed}"/>
+  <path class="dashes" d="M${rest}L${posed}"/>
+  <circle class="under" cx=${rest[0]} cy=${rest[1]} r="4.5"/>
+  <circle cx=${rest[0]} cy=${rest[1]} r="4.5"/>
+</g>`;
+
+/** The knob stands at the top when nothing is turned. */
+const ring = ([x, y]: Vec, rotation: number, radius: number): SVGTemplateResult => svg`<g
+  class="ring" transform="translate(${x} ${y}) rotate(${rotation})">
+  <circle class="under" r=${radius}/>
+  <circle r=${radius}/>
+  <circle class="knob" cy=${-radius} r="5.5"/>
+</g>`;
+
+export function handleButtons(model: EditorModel, actions: EditorActions): TemplateResult {
+  const { document, camera } = model;
+  return html`<div class="handles" role="application" aria-label="Handles">
+    ${repeat(
+      document.project.handles,
+      (handle) => handle.id,
+      (handle) => {
+        const [x, y] = toStage(camera, anchor(handle));
+        const selected = document.selection.includes(handle.id);
+        return html`<button
+          type="button"
+          class="handle"
+          part="handle"
+          data-handle=${handle.id}
+          aria-label=${handleLabel(handle, model.turns)}
+          aria-pressed=${selected ? 'true' : 'false'}
+          ?disabled=${model.disabled}
+          style="transform: translate(${x}px, ${y}px)"
+          @focus=${(event: FocusEvent) => focused(event, handle.id, model, actions)}
+          @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
+        ></button>`;
+      },
+    )}
+  </div>`;
+}
+
+/** The keyboard selects as it goes from handle to handle; a pointer has its own way to select. */
+function focused(event: FocusEvent, id: string, model: EditorModel, actions: EditorActions): void {
+  const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
+  if (keyboard && !model.document.selection.includes(id)) actions.select([id]);
+}
+
+/** The box of a drag over empty space, in stage pixels. */
+export function selectionBox({ box, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!box) return nothing;
+  const [x, y] = toStage(camera, box.min);
+  const [right, bottom] = toStage(camera, box.max);
+  return svg`<rect class="box" x=${x} y=${y} width=${right - x} height=${bottom - y}/>`;
+}
+
+/** Where the keyboard would place a handle. */
+export function crosshair({ crosshair: at, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!at) return nothing;
+  const [x, y] = toStage(camera, at);
+  return svg`<g class="crosshair" transform="translate(${x} ${y})">
+    <path class="under" d="M-14 0H14M0 -14V14"/><path d="M-14 0H14M0 -14V14"/>
+  </g>`;
+}

@@ -1,0 +1,38 @@
+/** The editor's icons: drawn on a grid of 20, in strokes of 1.5, coloured by the text around them. */
+import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+
+const SHAPES = {
+  select: svg`<path d="M5 3.2 15.4 9.6 10.6 10.9 13.4 16.2 11.2 17.3 8.5 12 5 15.4Z"/>`,
+  point: svg`<circle cx="8.5" cy="11.5" r="4.6"/><circle cx="8.5" cy="11.5" r="1" fill="currentColor"/><path d="M15.5 2.6v5M13 5.1h5"/>`,
+  hand: svg`<path d="M6.4 10.8V5.3a1.2 1.2 0 0 1 2.4 0V9m0-4.9a1.2 1.2 0 0 1 2.4 0V9m0-3.9a1.2 1.2 0 0 1 2.4 0v4.6m0-2.6a1.2 1.2 0 0 1 2.4 0v4.6c0 3.1-2 5.5-5 5.5-2.4 0-3.6-1-4.7-2.8L3.3 10.8a1.3 1.3 0 0 1 2.1-1.4l1.8 2.2"/>`,
+  open: svg`<path d="M3 15.5V5.2c0-.6.4-1 1-1h3.6l1.9 2h5.7c.6 0 1 .4 1 1v1.3M3 15.5l2.2-6.4c.1-.4.5-.6.9-.6h10.7c.6 0 1 .6.8 1.1l-2 5.7c-.2.5-.5.7-1 .7H3.6a.6.6 0 0 1-.6-.5Z"/>`,
+  save: svg`<path d="M4.5 3.5h8.4l3.6 3.6v8.4c0 .6-.4 1-1 1h-11c-.6 0-1-.4-1-1v-11c0-.6.4-1 1-1Z"/><path d="M6.8 3.6v3.9h5.6V3.6M6.4 16.4v-5h7.2v5"/>`,
+  export: svg`<path d="M10 12.4V3.2M6.7 6.3 10 3l3.3 3.3M3.5 12v3.4c0 .6.5 1.1 1.1 1.1h10.8c.6 0 1.1-.5 1.1-1.1V12"/>`,
+  undo: svg`<path d="M7.2 4 3.6 7.6l3.6 3.6M4 7.6h7.6a4.6 4.6 0 0 1 0 9.2H8"/>`,
+  redo: svg`<path d="m12.8 4 3.6 3.6-3.6 3.6M16 7.6H8.4a4.6 4.6 0 0 0 0 9.2H12"/>`,
+  reset: svg`<path d="M4.1 8.1A6.4 6.4 0 1 1 3.6 11M3.6 4.3v3.9h3.9"/>`,
+  remove: svg`<path d="M3.8 5.6h12.4M8 5.4V4c0-.5.4-.9.9-.9h2.2c.5 0 .9.4.9.9v1.4M5.4 5.8l.7 9.9c0 .6.5 1 1.1 1h5.6c.6 0 1.1-.4 1.1-1l.7-9.9M8.4 8.8v5M11.6 8.8v5"/>`,
+  compare: svg`<rect x="3" y="4.2" width="14" height="11.6" rx="1.2"/><path d="M10 2.6v14.8"/><path d="M10 5v10h6V5Z" fill="currentColor" stroke="none" opacity=".32"/>`,
+  overlays: svg`<path d="M10 3.2 17 7l-7 3.8L3 7ZM3.4 10.3 10 13.9l6.6-3.6M3.4 13.4 10 17l6.6-3.6"/>`,
+  fit: svg`<path d="M3.4 7V4.4c0-.6.4-1 1-1H7M13 3.4h2.6c.6 0 1 .4 1 1V7M16.6 13v2.6c0 .6-.4 1-1 1H13M7 16.6H4.4c-.6 0-1-.4-1-1V13"/>`,
+  actual: svg`<path d="m3 6.2 2.4-1.7v11M13 6.2l2.4-1.7v11M9.9 7.6v.1M9.9 12.4v.1" stroke-width="1.9"/>`,
+  plus: svg`<path d="M10 4.5v11M4.5 10h11"/>`,
+  minus: svg`<path d="M4.5 10h11"/>`,
+  close: svg`<path d="m5 5 10 10M15 5 5 15"/>`,
+  light: svg`<circle cx="10" cy="10" r="3.2"/><path d="M10 2.6v1.6M10 15.8v1.6M2.6 10h1.6M15.8 10h1.6M4.8 4.8l1.1 1.1M14.1 14.1l1.1 1.1M15.2 4.8l-1.1 1.1M5.9 14.1l-1.1 1.1"/>`,
+  dark: svg`<path d="M16.2 12A6.8 6.8 0 0 1 8 3.8a6.8 6.8 0 1 0 8.2 8.2Z"/>`,
+  lock: svg`<rect x="5" y="9" width="10" height="7.4" rx="1.4"/><path d="M7.2 9V6.6a2.8 2.8 0 0 1 5.6 0V9"/>`,
+} as const satisfies Record<string, SVGTemplateResult>;
+
+export type IconName = keyof typeof SHAPES;
+
+export const icon = (name: IconName): TemplateResult => html`<svg
+  class="icon"
+  viewBox="0 0 20 20"
+  aria-hidden="true"
+  fill="none"
+  stroke="currentColor"
+  stroke-width="1.5"
+  stroke-linecap="round"
+  stroke-linejoin="round"
+>${SHAPES[name]}</svg>`;

@@ -1,0 +1,88 @@
+/** What the templates show and what they can ask for. The element owns the state; nothing here keeps any. */
+import type { Detail } from '../document/bending';
+import type { Document } from '../document/document';
+import type { Turns } from '../document/handle';
+import type { PoseMode } from '../document/project';
+import type { Box } from '../geometry/box';
+import type { Camera, Size } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
+import type { ToolName } from '../tools/machine';
+import type { Grips } from '../tools/state';
+import type { CommandName } from './commands';
+import type { SiteGraph } from './overlays';
+
+export interface EditorModel {
+  readonly document: Document;
+  readonly turns: Turns;
+  readonly picture: PictureLabel | null;
+  readonly tool: ToolName;
+  readonly readonly: boolean;
+  readonly disabled: boolean;
+  readonly camera: Camera;
+  readonly grips: Grips;
+  readonly undo: string | null;
+  readonly redo: string | null;
+  readonly solved: SolvedLabel | null;
+  /** What the solver is at, once it has taken long enough to be worth a word. */
+  readonly progress: Progress | null;
+  readonly notice: Notice | null;
+  readonly hint: Hint | null;
+  readonly announcement: string;
+  readonly comparing: boolean;
+  readonly overlays: OverlayFlags;
+  readonly sites: SiteGraph | null;
+  readonly box: Box | null;
+  /** Where the keyboard would place a handle, image pixels. */
+  readonly crosshair: Vec | null;
+  readonly cursor: string;
+  readonly platform: string;
+  /** The colours in use, so that the switch can offer the others. */
+  readonly dark: boolean;
+}
+
+/** What a first visitor is told, and the place of the picture it is about. */
+export interface Hint {
+  readonly text: string;
+  readonly at: Vec;
+}
+
+export interface PictureLabel extends Size {
+  readonly name: string;
+}
+
+export interface SolvedLabel {
+  readonly samples: number;
+  readonly virtualSites: number;
+  readonly ms: number;
+}
+
+export interface Progress {
+  readonly label: string;
+  readonly cancellable: boolean;
+}
+
+export interface Notice {
+  readonly kind: 'error' | 'info';
+  readonly text: string;
+  readonly action?: { readonly label: string; run(): void };
+}
+
+export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph', boolean>>;
+
+/** A number of the selected handles that the panel can set. */
+export type Field = 'x' | 'y' | 'rotation' | 'scale';
+
+export interface EditorActions {
+  run(command: CommandName): void;
+  compare(on: boolean): void;
+  overlay(name: keyof OverlayFlags, on: boolean): void;
+  field(field: Field, value: number): void;
+  automatic(on: boolean): void;
+  bend(mode: PoseMode): void;
+  detail(detail: Detail): void;
+  select(ids: readonly string[]): void;
+  toggle(id: string): void;
+  cancelSolve(): void;
+  dismiss(): void;
+  theme(): void;
+}

@@ -1,0 +1,53 @@
+/** Virtual sites and the cell graph, drawn over the picture where it has been posed. */
+import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { MOTION_STRIDE } from '../geometry/blend';
+import { type Camera, toStage } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
+import type { OverlayFlags } from './model';
+
+/** The sites of a solution as they are posed now. */
+export interface SiteGraph {
+  /** Sites: index of the handle they belong to, −1 for a virtual one. */
+  readonly handles: Int32Array;
+  /** Edges × 2: sites whose cells touch. */
+  readonly edges: Uint32Array;
+  /** Sites × MOTION_STRIDE. */
+  readonly motions: Float32Array;
+}
+
+const place = (graph: SiteGraph, camera: Camera, site: number): Vec =>
+  toStage(camera, [
+    graph.motions[MOTION_STRIDE * site + 4] ?? 0,
+    graph.motions[MOTION_STRIDE * site + 5] ?? 0,
+  ]);
+
+export function siteOverlay(graph: SiteGraph | null, camera: Camera, flags: OverlayFlags): SVGTemplateResult {
+  return svg`
+    ${graph && flags.graph ? outlined('graph', graphPath(graph, camera)) : nothing}
+    ${graph && flags.sites ? outlined('sites', sitePath(graph, camera)) : nothing}`;
+}
+
+/** Twice, the first time pale and wider: it reads on any picture. */
+const outlined = (name: string, path: string): SVGTemplateResult =>
+  svg`<path class="${name} pale" d=${path}/><path class=${name} d=${path}/>`;
+
+function graphPath(graph: SiteGraph, camera: Camera): string {
+  let path = '';
+  for (let edge = 0; edge + 1 < graph.edges.length; edge += 2) {
+    const from = place(graph, camera, graph.edges[edge] ?? 0);
+    const to = place(graph, camera, graph.edges[edge + 1] ?? 0);
+    path += `M${text(from)}L${text(to)}`;
+  }
+  return path;
+}
+
+/** A dot is a line of no length with round caps: one path for all of them. */
+function sitePath(graph: SiteGraph, camera: Camera): string {
+  let path = '';
+  graph.handles.forEach((handle, site) => {
+    if (handle < 0) path += `M${text(place(graph, camera, site))}h0`;
+  });
+  return path;
+}
+
+const text = ([x, y]: Vec): string => `${x.toFixed(1)} ${y.toFixed(1)}`;

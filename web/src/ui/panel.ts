@@ -1,0 +1,167 @@
+/** The property panel: the numbers of what is selected, and the list of all handles. A sheet on a phone. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { selectedHandles } from '../document/document';
+import { anchor, isAtRest, isAutomatic, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import type { Handle } from '../document/project';
+import { bending } from './bending';
+import type { EditorActions, EditorModel, Field } from './model';
+import { commandButton } from './toolbar';
+
+interface FieldLook {
+  readonly field: Field;
+  readonly label: string;
+  readonly name: string;
+  readonly unit: string;
+  readonly step: number;
+  /** Decimals shown: as many as one can set by hand. */
+  readonly digits: number;
+  readonly least?: number;
+  read(handle: Handle, turns: Turns): number;
+}
+
+const FIELDS: readonly FieldLook[] = [
+  { field: 'x', label: 'X', name: 'x', unit: 'px', step: 1, digits: 1, read: (handle) => anchor(handle)[0] },
+  { field: 'y', label: 'Y', name: 'y', unit: 'px', step: 1, digits: 1, read: (handle) => anchor(handle)[1] },
+  { field: 'rotation', label: 'Turn', name: 'rotation', unit: '°', step: 1, digits: 1, read: rotationOf },
+  {
+    field: 'scale',
+    label: 'Scale',
+    name: 'scale',
+    unit: '×',
+    step: 0.05,
+    digits: 2,
+    least: 0.01,
+    read: scaleOf,
+  },
+];
+
+export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
+  const selected = selectedHandles(model.document);
+  return html`<section
+    class="panel card ${selected.length > 0 ? 'open' : ''}"
+    part="panel"
+    aria-label="Properties"
+  >
+    ${selected.length > 0 ? properties(selected, model, actions) : bending(model, actions)}
+    ${handleList(model, actions)}
+  </section>`;
+}
+
+function properties(selected: readonly Handle[], model: EditorModel, actions: EditorActions): TemplateResult {
+  const [first] = selected;
+  if (!first) return html``;
+  const title = selected.length === 1 ? nameOf(first) : `${selected.length} handles`;
+  const rest = anchor(first, 'rest').map((value) => Math.round(value));
+  const moved = selected.some((handle) => !isAtRest(handle));
+  return html`<section class="properties" aria-label="Selected handle">
+    <h2>${title}</h2>
+    <div class="fields">
+      ${FIELDS.map((look) =>
+        look.field === 'rotation'
+          ? html`<div class="pair">
+              ${numberField(look, selected, model, actions)} ${automaticToggle(selected, model, actions)}
+            </div>`
+          : numberField(look, selected, model, actions),
+      )}
+    </div>
+    <div class="row">
+      <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(', ')}` : ''}</span>
+      ${commandButton('reset', model, actions, { enabled: !model.readonly && moved, label: 'Reset to rest' })}
+      ${commandButton('remove', model, actions, { enabled: !model.readonly })}
+    </div>
+  </section>`;
+}
+
+/** Commits on Enter, on leaving the field and on its arrow keys; Escape puts the old number back. */
+function numberField(
+  look: FieldLook,
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  const values = selected.map((handle) => Number(look.read(handle, model.turns).toFixed(look.digits)));
+  const shared = values.every((value) => value === values[0]) ? String(values[0]) : '';
+  const commit = (event: Event) => {
+    event.stopPropagation();
+    const input = event.target as HTMLInputElement;
+    const value = input.valueAsNumber;
+    if (Number.isFinite(value) && value >= (look.least ?? Number.NEGATIVE_INFINITY)) {
+      actions.field(look.field, value);
+    } else {
+      input.value = shared;
+    }
+  };
+  const onKey = (event: KeyboardEvent) => {
+    if (event.key !== 'Escape') return;
+    const input = event.target as HTMLInputElement;
+    input.value = shared;
+    const root = input.getRootNode() as ShadowRoot;
+    root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });
+  };
+  return html`<label class="field">
+    <span class="label">${look.label}</span>
+    <input
+      type="number"
+      name=${look.name}
+      step=${look.step}
+      aria-label="${look.name} (${look.unit})"
+      placeholder="mixed"
+      .value=${live(shared)}
+      ?disabled=${model.disabled || model.readonly}
+      @change=${commit}
+      @input=${(event: Event) => event.stopPropagation()}
+      @keydown=${onKey}
+    /><span class="unit" aria-hidden="true">${look.unit}</span>
+  </label>`;
+}
+
+/** Whether what is selected turns by itself. Among several that differ, a press frees them all. */
+function automaticToggle(
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  const free = selected.filter(isAutomatic).length;
+  const all = free === selected.length;
+  return html`<button
+    type="button"
+    class="button toggle"
+    part="button"
+    data-tip=${all ? 'Turns with what is around it' : 'Let it turn by itself'}
+    aria-label="Automatic turn"
+    aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
+    ?disabled=${model.disabled || model.readonly}
+    @click=${() => actions.automatic(!all)}
+  >
+    Auto
+  </button>`;
+}
+
+function handleList(model: EditorModel, actions: EditorActions): TemplateResult {
+  const { project, selection } = model.document;
+  return html`<section class="list">
+    <h3>Handles <span class="faint">${project.handles.length}</span></h3>
+    ${
+      project.handles.length === 0
+        ? html`<p class="faint">None yet. Choose the point tool (P) and click the picture.</p>`
+        : html`<ul>
+            ${project.handles.map(
+              (handle) => html`<li>
+                <button
+                  type="button"
+                  class="item"
+                  aria-pressed=${String(selection.includes(handle.id))}
+                  ?disabled=${model.disabled}
+                  @click=${(event: MouseEvent) =>
+                    event.shiftKey ? actions.toggle(handle.id) : actions.select([handle.id])}
+                >
+                  <span class="dot"></span><span class="name">${nameOf(handle)}</span>
+                  ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}
+                </button>
+              </li>`,
+            )}
+          </ul>`
+    }
+  </section>`;
+}

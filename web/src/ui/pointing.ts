@@ -1,0 +1,149 @@
+/**
+ * From the pointers, wheel and space bar of a stage to presses of a tool and moves of the camera.
+ *
+ * One pointer works the tool; space, the middle button or a second finger make it navigate instead. A second finger
+ * takes back what the first began: two fingers never edit.
+ */
+import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
+import { subtract, type Vec } from '../geometry/vec';
+
+/** A pointer on the stage, CSS pixels of the stage. */
+export interface StagePointer {
+  readonly stage: Vec;
+  readonly shift: boolean;
+  readonly alt: boolean;
+  readonly coarse: boolean;
+}
+
+export interface PointingHost {
+  readonly camera: Camera;
+  look(camera: Camera): void;
+  /** @param pans the press pans, whatever the tool. */
+  pressDown(pointer: StagePointer, pans: boolean): void;
+  pressMove(pointer: StagePointer): void;
+  pressUp(pointer: StagePointer): void;
+  pressCancel(): void;
+  hover(pointer: StagePointer | null): void;
+}
+
+/** Zoom per pixel of wheel; a notch of a mouse wheel (100 to 120 px) is a step of about a fifth. */
+const WHEEL_ZOOM = 0.0018;
+/** A pinch on a touchpad arrives as a wheel with Ctrl and small deltas. */
+const PINCH_ZOOM = 0.01;
+const LINE_PX = 16;
+
+export class Pointing {
+  readonly #stage: HTMLElement;
+  readonly #host: PointingHost;
+  readonly #listening = new AbortController();
+  readonly #fingers = new Map<number, Vec>();
+  #pressing: number | null = null;
+  #navigating = false;
+  #space = false;
+
+  constructor(stage: HTMLElement, host: PointingHost) {
+    this.#stage = stage;
+    this.#host = host;
+    const { signal } = this.#listening;
+    stage.addEventListener('pointerdown', (event) => this.#down(event), { signal });
+    stage.addEventListener('pointermove', (event) => this.#move(event), { signal });
+    stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
+    stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
+    stage.addEventListener('pointerleave', () => host.hover(null), { signal });
+    stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
+    stage.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
+  }
+
+  /** The space bar is held: the next press pans. */
+  set space(held: boolean) {
+    this.#space = held;
+  }
+
+  release(): void {
+    this.#listening.abort();
+  }
+
+  #down(event: PointerEvent): void {
+    if (event.button > 1) return;
+    // A handle's button would otherwise start a selection or take the focus away from where the editor puts it.
+    event.preventDefault();
+    this.#stage.setPointerCapture(event.pointerId);
+    if (event.pointerType === 'touch') this.#fingers.set(event.pointerId, this.#place(event));
+    if (this.#fingers.size > 1) {
+      if (this.#pressing !== null) this.#host.pressCancel();
+      this.#pressing = null;
+      this.#navigating = true;
+      return;
+    }
+    if (this.#pressing !== null) return;
+    this.#pressing = event.pointerId;
+    this.#host.pressDown(this.#pointer(event), this.#space || event.button === 1);
+  }
+
+  #move(event: PointerEvent): void {
+    if (this.#navigating && this.#fingers.has(event.pointerId)) {
+      this.#navigate(event);
+    } else if (event.pointerId === this.#pressing) {
+      this.#host.pressMove(this.#pointer(event));
+    } else if (event.pointerType !== 'touch') {
+      this.#host.hover(this.#pointer(event));
+    }
+  }
+
+  #up(event: PointerEvent): void {
+    this.#lift(event);
+    if (event.pointerId !== this.#pressing) return;
+    this.#pressing = null;
+    this.#host.pressUp(this.#pointer(event));
+  }
+
+  #cancel(event: PointerEvent): void {
+    this.#lift(event);
+    if (event.pointerId !== this.#pressing) return;
+    this.#pressing = null;
+    this.#host.pressCancel();
+  }
+
+  #lift(event: PointerEvent): void {
+    this.#fingers.delete(event.pointerId);
+    if (this.#fingers.size === 0) this.#navigating = false;
+  }
+
+  #navigate(event: PointerEvent): void {
+    const before = [...this.#fingers.values()];
+    this.#fingers.set(event.pointerId, this.#place(event));
+    const after = [...this.#fingers.values()];
+    const { camera } = this.#host;
+    const [a, b] = before;
+    const [c, d] = after;
+    if (a && b && c && d) this.#host.look(pinched(camera, [a, b], [c, d]));
+    else if (a && c) this.#host.look(panned(camera, subtract(c, a)));
+  }
+
+  #wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const { camera } = this.#host;
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1;
+    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    if (event.ctrlKey || event.metaKey) {
+      const rate = Math.abs(dy) < 50 ? PINCH_ZOOM : WHEEL_ZOOM;
+      this.#host.look(scaledAt(camera, camera.scale * Math.exp(-dy * rate), this.#place(event)));
+    } else {
+      this.#host.look(panned(camera, event.shiftKey && dx === 0 ? [-dy, 0] : [-dx, -dy]));
+    }
+  }
+
+  #place(event: MouseEvent): Vec {
+    const { left, top } = this.#stage.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+
+  #pointer(event: PointerEvent): StagePointer {
+    return {
+      stage: this.#place(event),
+      shift: event.shiftKey,
+      alt: event.altKey,
+      coarse: event.pointerType === 'touch',
+    };
+  }
+}

@@ -1,0 +1,46 @@
+/** The line at the bottom: what the solver did, where the zoom stands, and that nothing leaves the browser. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { icon } from './icons';
+import type { EditorActions, EditorModel } from './model';
+import { commandButton } from './toolbar';
+
+const counted = (count: number, one: string): string =>
+  `${count.toLocaleString('en')} ${one}${count === 1 ? '' : 's'}`;
+
+/** Two digits are enough to see whether something became slower. */
+const timed = (ms: number): string =>
+  ms >= 1000 ? `${(ms / 1000).toFixed(1)} s` : `${ms >= 10 ? Math.round(ms) : ms.toFixed(1)} ms`;
+
+export function statusLine(model: EditorModel, actions: EditorActions): TemplateResult {
+  return html`<div class="status" part="status" role="group" aria-label="Status">
+    <span class="solved">
+      ${model.progress ? progress(model, actions) : model.solved ? solved(model) : nothing}
+    </span>
+    <span class="private" title="Pictures are opened, warped and saved on this machine only.">
+      ${icon('lock')}Nothing leaves your browser
+    </span>
+    <span class="zoom" role="group" aria-label="Zoom">
+      ${commandButton('zoom-out', model, actions)}
+      <output class="percent" aria-label="Zoom">${Math.round(model.camera.scale * 100)} %</output>
+      ${commandButton('zoom-in', model, actions)} ${commandButton('fit', model, actions)}
+      ${commandButton('actual', model, actions)}
+    </span>
+  </div>`;
+}
+
+function progress(model: EditorModel, actions: EditorActions): TemplateResult {
+  return html`<span class="spinner" aria-hidden="true"></span>${model.progress?.label}
+    ${
+      model.progress?.cancellable
+        ? html`<button type="button" class="link" @click=${() => actions.cancelSolve()}>Cancel</button>`
+        : nothing
+    }`;
+}
+
+function solved(model: EditorModel): TemplateResult {
+  if (!model.solved) return html``;
+  const { samples, virtualSites, ms } = model.solved;
+  const size = model.picture ? `${model.picture.width} × ${model.picture.height} px` : '';
+  return html`<span class="size">${size}</span> <span>${counted(samples, 'sample')}</span>
+    <span>${counted(virtualSites, 'virtual handle')}</span> <span>${timed(ms)}</span>`;
+}

@@ -1,0 +1,22 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+
+const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+
+export default defineConfig({
+  root: path('.'),
+  // Relative, so that the built page works at any address.
+  base: './',
+  cacheDir: path('../node_modules/.vite'),
+  server: { fs: { allow: [path('..')] } },
+  worker: { format: 'es' },
+  build: {
+    target: 'es2022',
+    // The wasm stays a file of its own: it is compiled while it streams in.
+    assetsInlineLimit: 0,
+  },
+  test: {
+    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs'],
+    environment: 'node',
+  },
+});
