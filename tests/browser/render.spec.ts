@@ -34,7 +34,7 @@ test('blends motions by weight, and leaves vertices without weights at rest (eq.
       weights: new Float32Array([0.25, 0.75, 0.25, 0.75, 0.25, 0.75]),
       siteRest: [0, 0, 3, 3],
     });
-    renderer.setMotions(new Float32Array([1, 0, 0, 0, 16, 0, 0, 0, 1, 0, 3, 3, 3, 19, 0, 0]));
+    renderer.setMotions(new Float32Array([1, 0, 0, 1, 0, 0, 16, 0, 0, 0, 0, 0, 1, 0, 0, 1, 3, 3, 3, 19, 0, 0, 0, 0]));
     const pixels = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 40, height: 40 });
     const alphaAt = (x: number, y: number) => pixels[(y * 40 + x) * 4 + 3];
     return [alphaAt(1, 1), alphaAt(5, 13), alphaAt(3, 13), alphaAt(5, 11), alphaAt(25, 25), alphaAt(23, 25)];
@@ -60,7 +60,7 @@ test('turns clockwise on screen by a positive angle, about the place where the s
       weights: new Float32Array(4).fill(1),
       siteRest: [8, 8],
     });
-    renderer.setMotions(new Float32Array([0, 1, 8, 8, 8, 8, 0, 0]));
+    renderer.setMotions(new Float32Array([0, 1, -1, 0, 8, 8, 8, 8, 0, 0, 0, 0]));
     const pixels = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 16, height: 16 });
     return [pixels[(12 * 16 + 8) * 4], pixels[(8 * 16 + 12) * 4]];
   });
@@ -122,7 +122,7 @@ test('draws the same again after the browser took the context away', async ({ pa
       weights: new Float32Array(3).fill(1),
       siteRest: [32, 32],
     });
-    renderer.setMotions(new Float32Array([0.9, 0.2, 32, 32, 35, 30, 0, 0]));
+    renderer.setMotions(new Float32Array([0.9, 0.2, -0.3, 1.1, 32, 32, 35, 30, 0, 0, 0, 0]));
     const view = { scale: 1, x: 0, y: 0, width: 64, height: 64, overlays: { mesh: true } };
     const before = renderer.readPixels(view);
     const control = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');

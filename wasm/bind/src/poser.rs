@@ -21,8 +21,8 @@ impl Poser {
         pose::Poser::from_bytes(bytes).map(Self).map_err(|error| to_js(&error))
     }
 
-    /// The motions of all sites for the project's `handles` as JSON: sites × 8 numbers, which are
-    /// a, b, rest x, rest y, posed x, posed y, depth and 0, for T(p) = posed + [a −b; b a] (p − rest).
+    /// The motions of all sites for the project's `handles` as JSON: sites × 12 numbers, which are
+    /// a, b, c, d, rest x, rest y, posed x, posed y, depth, angle and twice 0, for T(p) = posed + [a c; b d] (p − rest).
     ///
     /// # Errors
     /// For handles that are not to the letter of the format, or not those that were solved.

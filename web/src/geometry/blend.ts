@@ -4,6 +4,7 @@
  * The GPU does the same for every frame; this copy serves questions that are asked once per click (what lies under the
  * pointer?). Cost: linear in the number of stored weights.
  */
+import type { Vec } from './vec';
 
 /** A mesh with sparse weights, as the solver hands it out. */
 export interface Skin {
@@ -17,14 +18,20 @@ export interface Skin {
   readonly weights: Float32Array;
 }
 
-/** Numbers per site in a motions array: a, b, rest x, rest y, posed x, posed y, depth, unused. */
-export const MOTION_STRIDE = 8;
+/** Numbers per site in a motions array: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, and two unused. */
+export const MOTION_STRIDE = 12;
+
+/** Where a site is posed. */
+export const sitePlace = (motions: Float32Array, site: number): Vec => [
+  motions[MOTION_STRIDE * site + 6] ?? 0,
+  motions[MOTION_STRIDE * site + 7] ?? 0,
+];
 
 /** How far a site is turned, degrees. */
 export const siteTurn = (motions: Float32Array, site: number): number =>
-  (Math.atan2(motions[MOTION_STRIDE * site + 1] ?? 0, motions[MOTION_STRIDE * site] ?? 1) * 180) / Math.PI;
+  ((motions[MOTION_STRIDE * site + 9] ?? 0) * 180) / Math.PI;
 
-/** Vertices × 2: the posed positions. T(p) = posed + [a −b; b a] (p − rest). Without motions, the rest positions. */
+/** Vertices × 2: the posed positions. T(p) = posed + [a c; b d] (p − rest). Without motions, the rest positions. */
 export function posedPositions(skin: Skin, motions: Float32Array | null): Float32Array {
   const posed = Float32Array.from(skin.positions);
   if (!motions) return posed;
@@ -40,12 +47,10 @@ export function posedPositions(skin: Skin, motions: Float32Array | null): Float3
     for (let entry = from; entry < to; entry++) {
       const weight = skin.weights[entry] ?? 0;
       const at = MOTION_STRIDE * (skin.sites[entry] ?? 0);
-      const a = motions[at] ?? 1;
-      const b = motions[at + 1] ?? 0;
-      const dx = px - (motions[at + 2] ?? 0);
-      const dy = py - (motions[at + 3] ?? 0);
-      x += weight * ((motions[at + 4] ?? 0) + a * dx - b * dy);
-      y += weight * ((motions[at + 5] ?? 0) + b * dx + a * dy);
+      const dx = px - (motions[at + 4] ?? 0);
+      const dy = py - (motions[at + 5] ?? 0);
+      x += weight * ((motions[at + 6] ?? 0) + (motions[at] ?? 1) * dx + (motions[at + 2] ?? 0) * dy);
+      y += weight * ((motions[at + 7] ?? 0) + (motions[at + 1] ?? 0) * dx + (motions[at + 3] ?? 1) * dy);
     }
     posed[2 * vertex] = x;
     posed[2 * vertex + 1] = y;

@@ -22,21 +22,26 @@ const motions = (...sites: readonly (readonly number[])[]) => {
 describe('posedPositions', () => {
   it('is the rest without motions, and for vertices without weights', () => {
     expect(posedPositions(skin, null)).toEqual(skin.positions);
-    const posed = posedPositions(skin, motions([1, 0, 0, 0, 3, 4], [1, 0, 1, 0, 4, 4]));
+    const posed = posedPositions(skin, motions([1, 0, 0, 1, 0, 0, 3, 4], [1, 0, 0, 1, 1, 0, 4, 4]));
     expect([...posed]).toEqual([3, 4, 4, 4, 4, 5, 3, 5, 5, 5]);
   });
 
   it('turns about the site’s rest place', () => {
     // A quarter turn, clockwise on the screen, about (1, 0) for the right side.
-    const posed = posedPositions(skin, motions([1, 0, 0, 0, 0, 0], [0, 1, 1, 0, 1, 0]));
+    const posed = posedPositions(skin, motions([1, 0, 0, 1, 0, 0, 0, 0], [0, 1, -1, 0, 1, 0, 1, 0]));
     expect([...posed.slice(4, 6)]).toEqual([0, 0]);
+  });
+
+  it('stretches along one direction alone', () => {
+    const stretch = [3, 0, 0, 1, 0, 0, 0, 0];
+    expect([...posedPositions(skin, motions(stretch, stretch)).slice(2, 6)]).toEqual([3, 0, 3, 1]);
   });
 });
 
 describe('locate', () => {
   it('inverts the map, with the motion it has there', () => {
     // Everything doubled and turned by a quarter about the origin, then moved by (10, 0).
-    const turn = [0, 2, 0, 0, 10, 0];
+    const turn = [0, 2, -2, 0, 0, 0, 10, 0];
     const posed = posedPositions(skin, motions(turn, turn));
     const found = locate(skin, posed, [10 - 2 * 0.75, 2 * 0.25]);
     expect(found?.rest[0]).toBeCloseTo(0.25);

@@ -1,7 +1,7 @@
 /**
  * Arrays that the vertex shader looks things up in, as textures of floats.
  *
- * Texel i lies at (i mod width, i / width); the width is even, so that two texels of one record share a row.
+ * Texel i lies at (i mod width, i / width).
  */
 import * as twgl from 'twgl.js';
 

@@ -14,8 +14,8 @@ export interface WarpMesh {
   readonly siteRest: ArrayLike<number>;
 }
 
-/** Numbers that describe a site's motion: a, b, rest x, rest y, posed x, posed y, depth, unused. */
-export const MOTION_SIZE = 8;
+/** Numbers that describe a site's motion: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, and two unused. */
+export const MOTION_SIZE = 12;
 
 /** The whole picture as two triangles at rest: what is drawn while nothing is solved. */
 export function unwarpedMesh(width: number, height: number): WarpMesh {

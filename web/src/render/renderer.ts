@@ -57,7 +57,7 @@ export class Renderer {
   }
 
   /**
-   * Sites × 8, see {@link MOTION_SIZE}; null lays the mesh at rest.
+   * Sites × 12, see {@link MOTION_SIZE}; null lays the mesh at rest.
    * @throws RangeError where there is not one motion for each site of the mesh.
    */
   setMotions(motions: Float32Array | null): void {

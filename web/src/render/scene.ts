@@ -2,7 +2,7 @@
  * What one WebGL context holds: programs, the picture, the mesh with its weights, the motions. A lost context takes all
  * of it away, and `Renderer` builds another scene.
  *
- * A drag costs one upload of sites × 32 bytes a frame; the blending (eq. 1) runs per vertex on the graphics card.
+ * A drag costs one upload of sites × 48 bytes a frame; the blending (eq. 1) runs per vertex on the graphics card.
  */
 import * as twgl from 'twgl.js';
 import type { View } from '../geometry/view';
@@ -70,7 +70,7 @@ export class Scene {
     this.#posed = false;
   }
 
-  /** Sites × 8, or null to lay the mesh at rest. */
+  /** Sites × 12, or null to lay the mesh at rest. */
   setMotions(motions: Float32Array | null): void {
     this.#posed = motions !== null;
     if (motions) this.#loaded?.motions.update(motions);

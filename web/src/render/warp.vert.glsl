@@ -1,13 +1,13 @@
 #version 300 es
 // Where a vertex goes: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex.
-// A motion T_i is kept about its site's own rest place: T_i(p) = posed_i + [a −b; b a] (p − rest_i).
+// A motion T_i is kept about its site's own rest place: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 
 // Per entry: (site, weight).
 uniform sampler2D u_weights;
-// Two texels per site: (a, b, rest), (posed, depth, 0).
+// Three texels per site: (a, b, c, d), (rest, posed), (depth, angle, 0, 0).
 uniform sampler2D u_motions;
 uniform vec2 u_picture_size;
 uniform vec2 u_canvas_size;
@@ -27,10 +27,9 @@ vec4 record(sampler2D data, int index) {
 }
 
 vec2 moved(int site, vec2 p) {
-  vec4 turn = record(u_motions, 2 * site);
-  vec2 posed = record(u_motions, 2 * site + 1).xy;
-  vec2 arm = p - turn.zw;
-  return posed + vec2(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y);
+  vec4 linear = record(u_motions, 3 * site);
+  vec4 places = record(u_motions, 3 * site + 1);
+  return places.zw + mat2(linear) * (p - places.xy);
 }
 
 vec2 blended(vec2 p) {

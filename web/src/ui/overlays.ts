@@ -1,6 +1,6 @@
 /** Virtual sites and the cell graph, drawn over the picture where it has been posed. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
-import { MOTION_STRIDE } from '../geometry/blend';
+import { sitePlace } from '../geometry/blend';
 import { type Camera, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import type { OverlayFlags } from './model';
@@ -16,10 +16,7 @@ export interface SiteGraph {
 }
 
 const place = (graph: SiteGraph, camera: Camera, site: number): Vec =>
-  toStage(camera, [
-    graph.motions[MOTION_STRIDE * site + 4] ?? 0,
-    graph.motions[MOTION_STRIDE * site + 5] ?? 0,
-  ]);
+  toStage(camera, sitePlace(graph.motions, site));
 
 export function siteOverlay(graph: SiteGraph | null, camera: Camera, flags: OverlayFlags): SVGTemplateResult {
   return svg`

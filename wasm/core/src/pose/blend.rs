@@ -7,11 +7,11 @@ use glam::{DMat2, DVec2};
 use super::Motion;
 use crate::weight::Influence;
 
-/// Where every site is taken: T_i(p) = posed_i + [a −b; b a] (p − rest_i).
+/// Where every site is taken: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 #[derive(Debug, Clone)]
 pub struct Pose {
     rest: Arc<[DVec2]>,
-    linear: Vec<DVec2>,
+    linear: Vec<DMat2>,
     motions: Vec<Motion>,
 }
 
@@ -34,7 +34,7 @@ impl Pose {
     #[must_use]
     pub fn moved(&self, site: usize, p: DVec2) -> DVec2 {
         let rest = self.rest[site];
-        rest + self.motions[site].translation + self.linear[site].rotate(p - rest)
+        rest + self.motions[site].translation + self.linear[site] * (p - rest)
     }
 
     /// Eq. 1 from weights alone. With no weights the point stays.
@@ -56,21 +56,23 @@ impl Pose {
         for &Influence { site, weight, gradient } in influences {
             let (moved, linear) = (self.moved(site, p), self.linear[site]);
             posed += weight * moved;
-            derivative += weight * DMat2::from_cols(linear, linear.perp());
+            derivative += weight * linear;
             // Gradients sum to zero: relative to p, fewer digits cancel.
             derivative += DMat2::from_cols((moved - p) * gradient.x, (moved - p) * gradient.y);
         }
         Mapped { posed, det: derivative.determinant() }
     }
 
-    /// Sites × 8 for the vertex shader: a, b, rest x, rest y, posed x, posed y, depth, 0.
+    /// Sites × 12 for the vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest y, posed x,
+    /// posed y, depth, angle, 0, 0.
     #[must_use]
     pub fn packed(&self) -> Vec<f32> {
         let sites = self.rest.iter().zip(&self.linear).zip(&self.motions);
         sites
-            .flat_map(|((&rest, &linear), motion)| {
-                let posed = rest + motion.translation;
-                [linear.x, linear.y, rest.x, rest.y, posed.x, posed.y, motion.depth, 0.0].map(|value| value as f32)
+            .flat_map(|((&rest, linear), motion)| {
+                let ([a, b, c, d], posed) = (linear.to_cols_array(), rest + motion.translation);
+                [a, b, c, d, rest.x, rest.y, posed.x, posed.y, motion.depth, motion.angle, 0.0, 0.0]
+                    .map(|value| value as f32)
             })
             .collect()
     }

@@ -6,8 +6,10 @@ mod laplacian;
 mod motion;
 mod poser;
 mod rigid;
+mod strain;
 
 pub use blend::{Mapped, Pose};
 pub use harmonic::HarmonicFields;
 pub use motion::Motion;
 pub use poser::Poser;
+pub use strain::Strain;

@@ -88,7 +88,7 @@ impl Poser {
             Rotation::Auto => self.turn_of_edges(site, handles),
         };
         let translation = posed_place(handle) - self.rest[site];
-        Motion { angle, log_scale: libm::log(handle.scale), translation, depth: handle.depth }
+        Motion::similarity(angle, handle.scale, translation, handle.depth)
     }
 
     /// The rotation that best takes the edges to neighbouring handles from rest to pose.

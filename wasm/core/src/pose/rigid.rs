@@ -47,8 +47,12 @@ impl Rigid {
             return;
         }
         let mut posed: Vec<DVec2> = rest.iter().zip(&*motions).map(|(&h, motion)| h + motion.translation).collect();
-        let mut linear: Vec<DVec2> = motions.iter().map(Motion::linear).collect();
-        let scale: Vec<f64> = motions.iter().map(|motion| libm::exp(motion.log_scale)).collect();
+        let scale: Vec<f64> = motions.iter().map(|motion| libm::exp(motion.strain.mean())).collect();
+        let turn = |(motion, &scale): (&Motion, &f64)| {
+            let (sin, cos) = libm::sincos(motion.angle);
+            scale * DVec2::new(cos, sin)
+        };
+        let mut linear: Vec<DVec2> = motions.iter().zip(&scale).map(turn).collect();
         let (low, high) = rest.iter().fold((rest[0], rest[0]), |(low, high), &h| (low.min(h), high.max(h)));
         let settled = SETTLED * (high - low).length();
         for _ in 0..TURNS {

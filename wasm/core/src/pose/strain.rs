@@ -1,0 +1,123 @@
+//! How a site stretches what is around it, as a logarithm.
+
+use std::ops::{Add, Mul};
+
+use glam::{DMat2, DVec2};
+use serde::{Deserialize, Serialize};
+
+/// Logarithm of the least factor that a length may be stretched by.
+const LEAST: f64 = 1e-9;
+
+/// The logarithm of a stretch: a symmetric matrix, [xx xy; xy yy], by its three numbers.
+///
+/// Stretches blend as sums of their logarithms, so a blend of stretches is one, too: lengths stay above 0, and nothing is turned
+/// or turned over (log-Euclidean means: Arsigny et al. 2007).
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Strain {
+    /// Along x.
+    pub xx: f64,
+    /// Between the axes.
+    pub xy: f64,
+    /// Along y.
+    pub yy: f64,
+}
+
+impl Strain {
+    /// The same stretch in all directions.
+    #[must_use]
+    pub fn uniform(scale: f64) -> Self {
+        let log = libm::log(scale);
+        Self { xx: log, xy: 0.0, yy: log }
+    }
+
+    /// A stretch by `along` in a direction of length 1 and by `across` at right angles to it; by 1e-9 at least.
+    #[must_use]
+    pub fn of_bone(direction: DVec2, along: f64, across: f64) -> Self {
+        // Written so that NaN is passed on.
+        let log = |stretch: f64| libm::log(if stretch < LEAST { LEAST } else { stretch });
+        let (along, across) = (log(along), log(across));
+        let DVec2 { x, y } = direction;
+        // ln(along) uuᵀ + ln(across) nnᵀ, written so that equal ones give exactly a multiple of the identity.
+        let excess = along - across;
+        Self { xx: across + excess * x * x, xy: excess * x * y, yy: across + excess * y * y }
+    }
+
+    /// The stretch itself: the exponential, in closed form, exact for a multiple of the identity.
+    #[must_use]
+    pub fn stretch(&self) -> DMat2 {
+        // With the mean m and D the rest, D² = r² I: exp(m I + D) = eᵐ (cosh r I + (sinh r / r) D).
+        let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
+        let r = libm::hypot(half, self.xy);
+        let (even, odd) = (libm::cosh(r), if r == 0.0 { 1.0 } else { libm::sinh(r) / r });
+        let across = odd * self.xy;
+        libm::exp(mean) * DMat2::from_cols_array(&[even + odd * half, across, across, even - odd * half])
+    }
+
+    /// Logarithm of the uniform scale that makes areas grow as much.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        (self.xx + self.yy) / 2.0
+    }
+}
+
+impl Add for Strain {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { xx: self.xx + other.xx, xy: self.xy + other.xy, yy: self.yy + other.yy }
+    }
+}
+
+impl Mul<Strain> for f64 {
+    type Output = Strain;
+
+    fn mul(self, strain: Strain) -> Strain {
+        Strain { xx: self * strain.xx, xy: self * strain.xy, yy: self * strain.yy }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn direction(angle: f64) -> DVec2 {
+        let (sin, cos) = libm::sincos(angle);
+        DVec2::new(cos, sin)
+    }
+
+    #[test]
+    fn a_uniform_strain_is_a_multiple_of_the_identity_to_the_last_bit() {
+        for scale in [1e-6, 0.3, 1.0, 1.7, 1e9] {
+            let scaled = libm::exp(libm::log(scale));
+            assert_eq!(Strain::uniform(scale).stretch(), DMat2::from_diagonal(DVec2::splat(scaled)));
+            let bone = Strain::of_bone(direction(0.7), scale, scale);
+            assert_eq!(bone.stretch(), DMat2::from_diagonal(DVec2::splat(scaled)));
+        }
+    }
+
+    #[test]
+    fn a_bone_is_stretched_along_itself_and_across() {
+        for (angle, along, across) in [(0.0, 2.0, 1.0), (0.4, 3.0, 0.5), (2.0, 1e-3, 1.0), (-1.2, 1.0, 1.0 + 1e-9)] {
+            let u = direction(angle);
+            let stretch = Strain::of_bone(u, along, across).stretch();
+            assert!((stretch * u).distance(along * u) < 1e-12, "{stretch}");
+            assert!((stretch * u.perp()).distance(across * u.perp()) < 1e-12, "{stretch}");
+        }
+    }
+
+    #[test]
+    fn a_bone_of_no_length_is_kept_above_0() {
+        let stretch = Strain::of_bone(DVec2::X, 0.0, 1.0).stretch();
+        assert!((stretch.determinant() - 1e-9).abs() < 1e-15);
+        assert!(Strain::of_bone(DVec2::X, f64::NAN, 1.0).stretch().is_nan());
+    }
+
+    #[test]
+    fn strains_along_one_bone_multiply() {
+        let u = direction(0.9);
+        let [twice, thrice] = [2.0, 3.0].map(|along| Strain::of_bone(u, along, 1.0));
+        let six = Strain::of_bone(u, 6.0, 1.0).stretch();
+        assert!((twice + thrice).stretch().abs_diff_eq(six, 1e-12));
+        assert!((0.5 * Strain::of_bone(u, 9.0, 1.0)).stretch().abs_diff_eq(thrice.stretch(), 1e-12));
+    }
+}
