@@ -133,7 +133,7 @@ impl Suite {
     fn yardstick(&self, solution: &Solution, project: &Project) -> Yardstick {
         let navigation = Navigation::new(solution.domain());
         let sources: Vec<DVec2> = project.handles.iter().filter_map(|handle| point(&handle.shape)).collect();
-        let samples = Samples::new(solution.domain(), &navigation, &sources, project.samples as usize);
+        let samples = Samples::new(solution.domain(), &navigation, &sources, &[], project.samples as usize);
         let points = &samples.mesh.vertices;
         let mut propagation = Propagation::default();
         let mut distances = vec![0.0; samples.len()];
@@ -184,7 +184,7 @@ fn solve(stages: &[Stages], solution: &Solution) -> Solve {
     let of = |part: fn(&Stages) -> f64| median(stages.iter().map(part));
     Solve {
         samples: solution.samples,
-        virtual_sites: solution.sites.iter().filter(|site| site.handle.is_none()).count(),
+        virtual_sites: solution.sites.iter().filter(|site| !site.origin.is_real()).count(),
         sampling_ms: of(|s| s.sampling),
         regions_ms: of(|s| s.regions),
         weights_ms: of(|s| s.weights),

@@ -1,6 +1,7 @@
 //! What the core promises, on domains that are hard for it.
 
 mod alpha;
+mod bars;
 mod cloud;
 mod geodesic;
 mod given;

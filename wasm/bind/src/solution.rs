@@ -1,5 +1,6 @@
 //! A solution as typed arrays.
 
+use c2warp::site::Origin;
 use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
@@ -37,7 +38,7 @@ impl Solution {
             sites: solution.weights.sites.clone(),
             weights: solution.weights.weights.iter().map(|&weight| weight as f32).collect(),
             site_rest: solution.sites.iter().flat_map(|site| site.rest.to_array()).collect(),
-            site_handle: solution.sites.iter().map(|site| site.handle.map_or(-1, |handle| handle as i32)).collect(),
+            site_handle: solution.sites.iter().map(|site| handle_of(site.origin)).collect(),
             site_edges: solution.graph.links.concat(),
             cells: solution.nearest.clone(),
             rings: flat(rings.iter().flatten().map(DVec2::to_array)),
@@ -45,6 +46,14 @@ impl Solution {
             poser: solution.poser().to_bytes(),
             report,
         }
+    }
+}
+
+fn handle_of(origin: Origin) -> i32 {
+    match origin {
+        Origin::Point { handle } | Origin::Bone { handle, .. } => handle as i32,
+        Origin::Virtual => -1,
+        Origin::Boundary => -2,
     }
 }
 
@@ -90,7 +99,7 @@ impl Solution {
         self.site_rest.clone()
     }
 
-    /// Sites: index of the handle in the project, −1 for a virtual site.
+    /// Sites: index of the handle in the project, −1 for a virtual site, −2 for one of a held boundary.
     #[wasm_bindgen(getter)]
     pub fn site_handle(&self) -> Vec<i32> {
         self.site_handle.clone()

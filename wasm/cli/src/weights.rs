@@ -30,12 +30,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         let mut table = csv::Writer::from_writer(writer);
         table.write_record(["point", "site", "kind", "handle", "site_x", "site_y", "weight"])?;
         for (point, &place) in points.iter().enumerate() {
-            for (index, weight) in solution.weights_at(place).unwrap_or_default() {
+            for (index, weight) in solution.weights_at(place).unwrap_or_default().into_iter().filter(|&(_, w)| w > 0.0)
+            {
                 let site = &solution.sites[index];
-                let (kind, handle) = match site.handle {
-                    Some(handle) => ("real", scene.project.handles[handle].id.as_str()),
-                    None => ("virtual", ""),
-                };
+                let kind = if site.origin.is_real() { "real" } else { "virtual" };
+                // A held boundary is real, and no handle's.
+                let handle = site.origin.handle().map_or("", |handle| scene.project.handles[handle].id.as_str());
                 table.write_record([
                     &point.to_string(),
                     &index.to_string(),

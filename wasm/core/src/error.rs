@@ -179,6 +179,31 @@ pub enum Error {
         /// Their intrinsic distance in pixels.
         distance: f64,
     },
+    /// Two corners of a bar or polygon on one spot.
+    #[error("handle “{id}” has no length between its corners {corner} and the next: move or delete one of them")]
+    BarTooShort {
+        /// Id of the handle.
+        id: String,
+        /// Index of the corner.
+        corner: usize,
+    },
+    /// Two bars that run along each other.
+    #[error(
+        "handles “{first}” and “{second}” run along each other; bars may cross and touch, but not lie on one another"
+    )]
+    BarsOverlap {
+        /// Id of one handle.
+        first: String,
+        /// Id of the other; the same where a handle lies on itself.
+        second: String,
+    },
+    /// A handle where nothing may move.
+    #[error("handle “{id}” stands on the boundary, which is held: move it at least {min} px inside, or set fix_boundary to false",
+        min = crate::bone::HELD_CLEARANCE)]
+    OnHeldBoundary {
+        /// Id of the handle.
+        id: String,
+    },
     /// More handles than can be solved.
     #[error("{count} handles are too many: at most {max} can be solved, and handle “{id}” is the first beyond",
         max = crate::site::MAX_HANDLES)]
@@ -335,6 +360,9 @@ impl Error {
             | Self::OutlineTooFine { .. } => "domain",
             Self::HandleOutside { .. } => "handle-outside",
             Self::HandlesTooClose { .. } => "handles-too-close",
+            Self::BarTooShort { .. } => "bar-too-short",
+            Self::BarsOverlap { .. } => "bars-overlap",
+            Self::OnHeldBoundary { .. } => "on-held-boundary",
             Self::TooManyHandles { .. } => "too-many-handles",
             Self::Unsupported { .. } => "unsupported",
             Self::PoseMismatch { .. } | Self::PoseNotFinite { .. } => "pose",

@@ -37,6 +37,7 @@
 //! Units: image pixels, pixel centres at +0.5, y down, origin at the top left; radians. The same input gives the same bits on
 //! every platform.
 
+mod bone;
 pub mod cloud;
 pub mod distance;
 pub mod domain;
@@ -62,6 +63,6 @@ pub use error::Error;
 pub use given_mesh::GivenMesh;
 pub use picture::{MAX_PIXELS, MAX_SIDE, MIN_SIDE, Picture, check_size};
 pub use render_mesh::RenderMesh;
-pub use report::{Inspection, Report, StageTimes};
+pub use report::{Inspection, Outside, Report, StageTimes};
 pub use solution::Solution;
 pub use solver::{Solver, Stage, solve, solve_cloud, solve_mesh};

@@ -23,7 +23,9 @@ pub struct Report {
     pub bar_handles: usize,
     /// Polygon handles.
     pub polygon_handles: usize,
-    /// Sites of handles.
+    /// Parts of bars and polygons outside the domain.
+    pub outside: Vec<Outside>,
+    /// Sites of handles, and of a held boundary.
     pub real_sites: usize,
     /// Sites that Algorithm 1 added.
     pub virtual_sites: usize,
@@ -39,6 +41,17 @@ pub struct Report {
     pub folded_triangles: usize,
     /// A fingerprint of the samples' weights: equal exactly where every bit is.
     pub weights_hash: String,
+}
+
+/// A part of a bar or polygon that lies outside the domain, or on its held boundary: it moves nothing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Outside {
+    /// Id of the handle.
+    pub handle: String,
+    /// Where the part begins, at rest.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
 }
 
 /// Milliseconds spent in each stage, and on a pose. The core has no clock: whoever runs the stages measures them.

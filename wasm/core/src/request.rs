@@ -3,10 +3,14 @@
 use glam::DVec2;
 
 use crate::{
-    distance::Place,
+    bone::{HELD_CLEARANCE, Line, Skeleton},
+    distance::{Navigation, Place},
+    domain::edges,
     error::Error,
     picture::Picture,
     project::{Blend, PoseMode, Project, Shape, Weighting},
+    report::Outside,
+    segment::segment_distance,
     site::{MAX_HANDLES, MIN_SEPARATION},
     solver::Outline,
 };
@@ -18,15 +22,29 @@ pub(crate) struct Request {
     pub(crate) density: usize,
     pub(crate) mode: PoseMode,
     pub(crate) weighting: Weighting,
-    /// Id and rest place of each handle.
-    pub(crate) handles: Vec<(String, DVec2)>,
+    pub(crate) fix_boundary: bool,
+    /// Number of handles of all kinds.
+    pub(crate) handles: usize,
+    points: Vec<PointHandle>,
+    lines: Vec<Line>,
 }
 
-/// A handle's site before it is solved.
-pub(crate) struct RealSite<P = Place> {
-    pub(crate) handle: usize,
-    pub(crate) rest: DVec2,
-    pub(crate) place: P,
+#[derive(Debug, Clone, PartialEq)]
+struct PointHandle {
+    handle: u32,
+    id: String,
+    rest: DVec2,
+}
+
+/// The rest places of all handles, checked, as the domain has them.
+#[derive(Debug)]
+pub(crate) struct Rest<P = Place> {
+    /// Point handles: where they rest, their place, their index. From top to bottom, whatever their order in the project: the
+    /// result must not depend on that.
+    pub(crate) points: Vec<(DVec2, P, u32)>,
+    pub(crate) skeleton: Skeleton,
+    /// Parts of lines outside the domain.
+    pub(crate) outside: Vec<Outside>,
 }
 
 impl Request {
@@ -35,46 +53,103 @@ impl Request {
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
             return Err(Error::TooManyHandles { count: project.handles.len(), id: handle.id.clone() });
         }
-        let rest = |at: usize| match project.handles[at].shape {
-            Shape::Point { rest, .. } => Ok(rest),
-            Shape::Bar { .. } => Err(unsupported(format!("handles[{at}].kind"), "a bar handle")),
-            Shape::Polygon { .. } => Err(unsupported(format!("handles[{at}].kind"), "a polygon handle")),
-        };
-        let handles = (0..project.handles.len()).map(|at| Ok((project.handles[at].id.clone(), rest(at)?)));
+        let (mut points, mut lines) = (Vec::new(), Vec::new());
+        for (at, handle) in project.handles.iter().enumerate() {
+            let (at, id) = (at as u32, handle.id.clone());
+            let line =
+                |corners: &[DVec2], closed| Line { handle: at, id: id.clone(), corners: corners.to_vec(), closed };
+            match &handle.shape {
+                Shape::Point { rest, .. } => points.push(PointHandle { handle: at, id, rest: *rest }),
+                Shape::Bar { rest, .. } => lines.push(line(rest, false)),
+                Shape::Polygon { rest, .. } => lines.push(line(rest, true)),
+            }
+        }
         Ok(Self {
             samples: project.samples as usize,
             density: project.pose.density as usize,
             mode: project.pose.mode,
             weighting: project.weighting.clone(),
-            handles: handles.collect::<Result<_, Error>>()?,
+            fix_boundary: project.fix_boundary,
+            handles: project.handles.len(),
+            points,
+            lines,
         })
     }
 
-    /// The handles' sites from top to bottom, whatever the order of the handles: the result must not depend on it.
-    pub(crate) fn real_sites(&self, outline: &Outline) -> Result<Vec<RealSite>, Error> {
-        self.sites_at(|p| outline.navigation.place(p))
-    }
-
-    /// The same, for what tells the place of a point, or that it lies outside.
-    pub(crate) fn sites_at<P>(&self, place: impl Fn(DVec2) -> Option<P>) -> Result<Vec<RealSite<P>>, Error> {
-        let site = |(handle, (id, rest)): (usize, &(String, DVec2))| {
-            let outside = || Error::HandleOutside { id: id.clone(), x: rest.x, y: rest.y };
-            let place = place(*rest).ok_or_else(outside)?;
-            Ok(RealSite { handle, rest: *rest, place })
-        };
-        let mut sites = self.handles.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
-        sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
-        for (at, a) in sites.iter().enumerate() {
-            for b in sites[at + 1..].iter().take_while(|b| b.rest.y - a.rest.y < MIN_SEPARATION) {
-                let distance = a.rest.distance(b.rest);
+    /// The handles in a domain.
+    ///
+    /// # Errors
+    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
+    /// [`Error::BarsOverlap`].
+    pub(crate) fn rest(&self, outline: &Outline) -> Result<Rest, Error> {
+        let navigation: &Navigation = &outline.navigation;
+        let mut rest = self.points_at(|p| navigation.place(p))?;
+        if self.fix_boundary {
+            let on_boundary = |p: DVec2| {
+                let mut walls = outline.domain.rings().iter().flat_map(|ring| edges(ring));
+                walls.any(|(a, b)| segment_distance(p, a, b) < HELD_CLEARANCE)
+            };
+            if let Some(point) = self.points.iter().find(|point| on_boundary(point.rest)) {
+                return Err(Error::OnHeldBoundary { id: point.id.clone() });
+            }
+        }
+        (rest.skeleton, rest.outside) = Skeleton::new(&self.lines, &outline.domain, navigation, self.fix_boundary)?;
+        for point in &self.points {
+            for bone in &rest.skeleton.bones {
+                let distance = bone.distance(point.rest);
                 if distance < MIN_SEPARATION {
-                    let (first, second) = (a.handle.min(b.handle), a.handle.max(b.handle));
-                    let id = |handle: usize| self.handles[handle].0.clone();
-                    return Err(Error::HandlesTooClose { first: id(first), second: id(second), distance });
+                    let line = self.lines.iter().find(|line| line.handle == bone.handle);
+                    let line = line.expect("bones are pieces of lines").id.clone();
+                    return Err(Error::HandlesTooClose { first: point.id.clone(), second: line, distance });
                 }
             }
         }
-        Ok(sites)
+        Ok(rest)
+    }
+
+    /// The same where there are point handles alone, for what tells the place of a point, or that it lies outside.
+    ///
+    /// # Errors
+    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`].
+    pub(crate) fn points_at<P>(&self, place: impl Fn(DVec2) -> Option<P>) -> Result<Rest<P>, Error> {
+        let site = |&PointHandle { handle, ref id, rest }: &PointHandle| {
+            let outside = || Error::HandleOutside { id: id.clone(), x: rest.x, y: rest.y };
+            Ok((rest, place(rest).ok_or_else(outside)?, handle))
+        };
+        let mut points = self.points.iter().map(site).collect::<Result<Vec<_>, Error>>()?;
+        points.sort_by(|(a, ..), (b, ..)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
+        for (at, &(p, _, of_p)) in points.iter().enumerate() {
+            for &(q, _, of_q) in points[at + 1..].iter().take_while(|(q, ..)| q.y - p.y < MIN_SEPARATION) {
+                let distance = p.distance(q);
+                if distance < MIN_SEPARATION {
+                    let id = |handle: u32| {
+                        let known = self.points.iter().find(|point| point.handle == handle);
+                        known.expect("a handle of the request").id.clone()
+                    };
+                    let (first, second) = (id(of_p.min(of_q)), id(of_p.max(of_q)));
+                    return Err(Error::HandlesTooClose { first, second, distance });
+                }
+            }
+        }
+        Ok(Rest { points, skeleton: Skeleton::default(), outside: Vec::new() })
+    }
+
+    /// Refuses what a bare point cloud cannot have.
+    pub(crate) fn check_points_only(&self) -> Result<(), Error> {
+        if let Some(line) = self.lines.first() {
+            let path = format!("handles[{}].kind", line.handle);
+            return Err(unsupported(path, "a bar or polygon on a point cloud, which has no straight lines,"));
+        }
+        if self.fix_boundary {
+            return Err(unsupported("fix_boundary".into(), "the boundary of a point cloud, which has none,"));
+        }
+        Ok(())
+    }
+
+    /// Numbers of point handles, bars and polygons.
+    pub(crate) fn kinds(&self) -> [usize; 3] {
+        let polygons = self.lines.iter().filter(|line| line.closed).count();
+        [self.points.len(), self.lines.len() - polygons, polygons]
     }
 }
 
@@ -92,9 +167,6 @@ pub(crate) fn check_size(project: &Project, picture: &Picture) -> Result<(), Err
 }
 
 fn check_supported(project: &Project) -> Result<(), Error> {
-    if project.fix_boundary {
-        return Err(unsupported("fix_boundary".into(), "a held boundary"));
-    }
     if project.pose.blend == Blend::Rigid {
         return Err(unsupported("pose.blend".into(), "the rigid blend"));
     }

@@ -10,7 +10,7 @@ use crate::{
     error::Error,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     render_mesh::RenderMesh,
-    report::{Fingerprint, Report},
+    report::{Fingerprint, Outside, Report},
     site::{Site, SiteGraph},
     solver::Outline,
     weight::{Influence, SparseWeights, Weights},
@@ -23,7 +23,7 @@ pub struct Solution {
     pub mesh: RenderMesh,
     /// The weights of the mesh's vertices.
     pub weights: SparseWeights,
-    /// Real sites from top to bottom, then virtual ones as they were inserted.
+    /// Point handles and the first sites of bars and of a held boundary from top to bottom, then others as they were inserted.
     pub sites: Vec<Site>,
     /// The cell graph.
     pub graph: SiteGraph,
@@ -37,6 +37,9 @@ pub struct Solution {
     pub phi_sums: Vec<f64>,
     /// The worst score δ / r_d before each round of Algorithm 1.
     pub scores: Vec<f64>,
+    /// Numbers of point handles, bars and polygons.
+    pub(crate) kinds: [usize; 3],
+    pub(crate) outside: Vec<Outside>,
     pub(crate) poser: Poser,
     pub(crate) functions: Weights,
     pub(crate) outline: Arc<Outline>,
@@ -75,6 +78,12 @@ impl Solution {
         Some(influences.into_iter().map(|influence| (influence.site, influence.weight)).collect())
     }
 
+    /// Parts of bars and polygons that lie outside the domain, or on its held boundary: they move nothing.
+    #[must_use]
+    pub fn outside(&self) -> &[Outside] {
+        &self.outside
+    }
+
     /// Where a point goes (eq. 1), and how its surroundings grow; `None` outside the domain.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<Mapped> {
@@ -106,7 +115,7 @@ impl Solution {
     /// The solve in numbers, with the folds of a pose.
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
-        let real = self.sites.iter().filter(|site| site.handle.is_some()).count();
+        let real = self.sites.iter().filter(|site| site.origin.is_real()).count();
         let entries = self.weights.offsets[self.samples] as usize;
         let covers = self.weights.offsets[..=self.samples].windows(2).map(|row| (row[1] - row[0]) as usize);
         let reached = self.phi_sums.iter().zip(&self.nearest).filter(|&(_, &nearest)| nearest != u32::MAX);
@@ -119,9 +128,10 @@ impl Solution {
             holes: self.domain().holes(),
             specks: self.domain().specks(),
             reflex_corners: self.outline.navigation.reflex_corners().count(),
-            point_handles: real,
-            bar_handles: 0,
-            polygon_handles: 0,
+            point_handles: self.kinds[0],
+            bar_handles: self.kinds[1],
+            polygon_handles: self.kinds[2],
+            outside: self.outside.clone(),
             real_sites: real,
             virtual_sites: self.sites.len() - real,
             scores: self.scores.iter().copied().filter(|score| score.is_finite()).collect(),

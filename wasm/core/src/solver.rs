@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use crate::{
+    bone::Track,
     cloud::{CloudSolution, PointCloud},
     distance::{Navigation, Propagation},
     domain::Domain,
@@ -14,9 +15,9 @@ use crate::{
     pose::{HarmonicFields, Poser},
     project::{DomainSpec, Project},
     render_mesh::RenderMesh,
-    request::{RealSite, Request, check_size},
+    request::{Request, Rest, check_size},
     sample::{Rim, Samples},
-    site::{Regions, Site, SiteGraph, insert_virtual_sites},
+    site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
     weight::{Basis, Weights, field_bound, support_radii},
 };
@@ -73,7 +74,7 @@ type DomainKey = Option<DomainSpec>;
 #[derive(Debug)]
 struct Work {
     request: Request,
-    outline: Option<Arc<Outline>>,
+    rest: Option<Rest>,
     samples: Option<Samples>,
     regions: Option<Divided>,
 }
@@ -102,32 +103,32 @@ impl Solver {
             let outline = Outline::new(project.domain.as_ref(), picture)?;
             self.outline = Some((project.domain.clone(), Arc::new(outline)));
         }
-        self.work = Some(Work { request, outline: None, samples: None, regions: None });
+        self.work = Some(Work { request, rest: None, samples: None, regions: None });
         Ok(())
     }
 
     /// Runs the next stage of the solve and tells which it was; `None` when there is none left.
     ///
     /// # Errors
-    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::TooManySites`]. The solve is then over; the last
-    /// solution stays.
+    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
+    /// [`Error::BarsOverlap`], [`Error::TooManySites`]. The solve is then over; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
         let (Some(mut work), Some((_, outline))) = (self.work.take(), &self.outline) else { return Ok(None) };
         let outline = Arc::clone(outline);
-        let sites = || work.request.real_sites(&outline);
-        let stage = match (&work.outline, &work.samples, &work.regions) {
+        let stage = match (&work.rest, &work.samples, &work.regions) {
             (None, ..) => {
-                sites()?;
-                work.outline = Some(outline);
+                work.rest = Some(work.request.rest(&outline)?);
                 Stage::Domain
             }
-            (_, None, _) => {
-                let rest: Vec<DVec2> = sites()?.iter().map(|site| site.rest).collect();
-                work.samples = Some(Samples::new(&outline.domain, &outline.navigation, &rest, work.request.samples));
+            (Some(rest), None, _) => {
+                let points: Vec<DVec2> = rest.points.iter().map(|&(rest, ..)| rest).collect();
+                let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
+                let count = work.request.samples;
+                work.samples = Some(Samples::new(&outline.domain, &outline.navigation, &points, &bones, count));
                 Stage::Sampling
             }
-            (_, Some(samples), None) => {
-                work.regions = Some(self.divide(&outline, samples, sites()?, work.request.density)?);
+            (Some(rest), Some(samples), None) => {
+                work.regions = Some(self.divide(&outline, samples, rest, &work.request)?);
                 Stage::Regions
             }
             _ => {
@@ -144,20 +145,23 @@ impl Solver {
         &mut self,
         outline: &Outline,
         samples: &Samples,
-        sites: Vec<RealSite>,
-        density: usize,
+        rest: &Rest,
+        request: &Request,
     ) -> Result<Divided, Error> {
-        let mut regions = Regions::new(&outline.navigation, samples, &mut self.propagation);
-        for RealSite { handle, rest, place } in sites {
-            regions.insert(rest, place, Some(handle));
-        }
-        let scores = insert_virtual_sites(&mut regions, density)?;
+        let (navigation, skeleton) = (&outline.navigation, &rest.skeleton);
+        let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
+        let held = if request.fix_boundary { outline.domain.rings() } else { &[] };
+        let obstacles = Obstacles { skeleton, tracks, held };
+        let mut regions = Regions::new(navigation, samples, &obstacles, &mut self.propagation);
+        regions.insert_real_sites(&rest.points)?;
+        let scores = insert_virtual_sites(&mut regions, request.density)?;
         let (sites, nearest) = regions.finished();
         Ok((sites, nearest, scores))
     }
 
     fn finish(&mut self, work: Work, outline: Arc<Outline>) -> Solution {
-        let Work { request, samples, regions, .. } = work;
+        let Work { request, rest, samples, regions } = work;
+        let Rest { skeleton, outside, .. } = rest.expect("checked in an earlier stage");
         let samples = samples.expect("sampled in an earlier stage");
         let (mut sites, nearest, scores) = regions.expect("divided in an earlier stage");
         let (navigation, weighting) = (&outline.navigation, &request.weighting);
@@ -170,11 +174,12 @@ impl Solver {
         for (radius, site) in support_radii(weighting, &sites).into_iter().zip(&mut sites) {
             site.support_radius = radius;
         }
-        let functions = Weights::new(navigation, &sites, Basis::new(weighting.degree, weighting.filling));
+        let basis = Basis::new(weighting.degree, weighting.filling);
+        let functions = Weights::new(navigation, &sites, &skeleton, basis);
         let (mut weights, phi_sums) = functions.of_samples(&sites, &samples);
-        let graph = SiteGraph::new(&sites);
+        let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let poser = Poser::new(&sites, &graph, &harmonic, request.handles.len(), request.mode);
+        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode);
         let rim = if outline.soft { Rim::new(&samples.mesh, &samples.outline, outline.size) } else { Rim::default() };
         let mesh = RenderMesh::new(&samples, &rim, &weights, &harmonic);
         weights.extend_as(&rim.owners);
@@ -189,6 +194,8 @@ impl Solver {
             nearest,
             phi_sums,
             scores,
+            kinds: request.kinds(),
+            outside,
             functions,
             outline,
         }
@@ -239,14 +246,14 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
 pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error> {
     let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
     let samples = mesh.samples();
-    let sites = request.real_sites(&outline)?;
+    let rest = request.rest(&outline)?;
     // Outline and mesh agree within rounding only, beside which a handle may stand.
-    if let Some(RealSite { handle, rest, .. }) = sites.iter().find(|site| samples.around(site.rest).is_none()) {
-        return Err(Error::HandleOutside { id: request.handles[*handle].0.clone(), x: rest.x, y: rest.y });
+    if let Some(&(p, _, handle)) = rest.points.iter().find(|(p, ..)| samples.around(*p).is_none()) {
+        return Err(Error::HandleOutside { id: project.handles[handle as usize].id.clone(), x: p.x, y: p.y });
     }
     let mut solver = Solver::new();
-    let regions = solver.divide(&outline, &samples, sites, request.density)?;
-    let work = Work { request, outline: None, samples: Some(samples), regions: Some(regions) };
+    let regions = solver.divide(&outline, &samples, &rest, &request)?;
+    let work = Work { request, rest: Some(rest), samples: Some(samples), regions: Some(regions) };
     Ok(solver.finish(work, outline))
 }
 
@@ -255,11 +262,13 @@ pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error
 /// What the project says of picture, domain and number of samples plays no part.
 ///
 /// # Errors
-/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings; [`Error::Unsupported`] for bars,
+/// polygons and a held boundary.
 pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
     let request = Request::new(project)?;
-    let sites = request.sites_at(|p| cloud.contains(p).then_some(()))?;
-    let handles: Vec<(usize, DVec2)> = sites.iter().map(|site| (site.handle, site.rest)).collect();
+    request.check_points_only()?;
+    let rest = request.points_at(|p| cloud.contains(p).then_some(()))?;
+    let handles: Vec<(u32, DVec2)> = rest.points.iter().map(|&(rest, (), handle)| (handle, rest)).collect();
     CloudSolution::new(cloud, &handles, &request.weighting, request.density, request.mode)
 }
 

@@ -8,7 +8,7 @@ use super::PointCloud;
 use crate::{
     distance::{DistanceField, Place},
     error::Error,
-    site::{MAX_SITES, Site, SiteGraph, allowed_score, score},
+    site::{MAX_SITES, Origin, Site, SiteGraph, allowed_score, score},
     triangulation::NONE,
 };
 
@@ -29,17 +29,17 @@ impl<'a> Regions<'a> {
         Self { cloud, sites: Vec::new(), points: Vec::new(), nearest, distance }
     }
 
-    pub(super) fn insert(&mut self, point: u32, handle: Option<usize>) {
+    pub(super) fn insert(&mut self, point: u32, origin: Origin) {
         let (at, new) = (point as usize, self.sites.len() as u32);
         let from = self.cloud.graph.distances(&self.cloud.points, at);
         let (separation, mut clearance) = (self.distance[at], f64::INFINITY);
         for (site, &point) in self.sites.iter_mut().zip(&self.points) {
             let d = from[point as usize];
             site.separation = site.separation.min(d);
-            if handle.is_some() {
+            if origin.is_real() {
                 site.clearance = site.clearance.min(d);
             }
-            if site.handle.is_some() {
+            if site.origin.is_real() {
                 clearance = clearance.min(d);
             }
         }
@@ -52,7 +52,7 @@ impl<'a> Regions<'a> {
         self.points.push(point);
         self.sites.push(Site {
             rest,
-            handle,
+            origin,
             separation,
             clearance,
             cell_radius: 0.0,
@@ -86,7 +86,7 @@ impl<'a> Regions<'a> {
             if self.sites.len() >= MAX_SITES {
                 return Err(Error::TooManySites);
             }
-            self.insert(farthest[next].1, None);
+            self.insert(farthest[next].1, Origin::Virtual);
         }
     }
 

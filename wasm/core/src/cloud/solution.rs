@@ -6,10 +6,11 @@ use glam::DVec2;
 
 use super::{PointCloud, regions::Regions};
 use crate::{
+    bone::Skeleton,
     error::Error,
     pose::{HarmonicFields, Pose, Poser},
     project::{PoseMode, Weighting},
-    site::{Site, SiteGraph},
+    site::{Origin, Site, SiteGraph},
     weight::{Basis, SparseWeights, support_radii},
 };
 
@@ -37,7 +38,7 @@ impl CloudSolution {
     /// Solves for `handles`, each a number and a place in the cloud, that are apart and sorted.
     pub(crate) fn new(
         cloud: &PointCloud,
-        handles: &[(usize, DVec2)],
+        handles: &[(u32, DVec2)],
         weighting: &Weighting,
         density: usize,
         mode: PoseMode,
@@ -47,7 +48,7 @@ impl CloudSolution {
         let (cloud, at) = cloud.with(&places);
         let mut regions = Regions::new(&cloud);
         for (&(handle, _), &point) in handles.iter().zip(&at) {
-            regions.insert(point, Some(handle));
+            regions.insert(point, Origin::Point { handle });
         }
         let scores = regions.insert_virtual_sites(density)?;
         let graph = regions.dual();
@@ -63,7 +64,7 @@ impl CloudSolution {
         }
         let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let poser = Poser::new(&sites, &graph, &harmonic, handles.len(), mode);
+        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), handles.len(), mode);
         Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, cloud, poser })
     }
 

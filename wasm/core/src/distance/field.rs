@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::Place;
+use crate::segment::segment_distance;
 
 /// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray
 /// must fall into one of them whatever the rounding. A path that cuts a corner by this much is shorter by at most as much.
@@ -27,6 +28,27 @@ impl Window {
     fn sees(&self, p: DVec2) -> bool {
         let to = p - self.source;
         self.first.perp_dot(to) >= -WINDOW_SLACK && to.perp_dot(self.last) >= -WINDOW_SLACK
+    }
+
+    /// The part of a segment that lies in the cone.
+    fn seen_of(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
+        let (to_a, to_b) = (a - self.source, b - self.source);
+        let sides = [
+            (self.first.perp_dot(to_a), self.first.perp_dot(to_b)),
+            (to_a.perp_dot(self.last), to_b.perp_dot(self.last)),
+        ];
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (at_a, at_b) in sides.map(|(at_a, at_b)| (at_a + WINDOW_SLACK, at_b + WINDOW_SLACK)) {
+            if at_a < 0.0 && at_b < 0.0 {
+                return None;
+            }
+            if at_a < 0.0 {
+                from = from.max(at_a / (at_a - at_b));
+            } else if at_b < 0.0 {
+                to = to.min(at_a / (at_a - at_b));
+            }
+        }
+        (from <= to).then(|| (a.lerp(b, from), a.lerp(b, to)))
     }
 }
 
@@ -97,6 +119,21 @@ impl DistanceField {
             }
         }
         best.filter(|foot| foot.distance <= self.bound)
+    }
+
+    /// The least distance to a point of the segment from `a` to `b`, which lies in one place; infinite beyond the bound and
+    /// where no path leads.
+    pub(crate) fn distance_to_segment(&self, place: Place, a: DVec2, b: DVec2) -> f64 {
+        let mut best = f64::INFINITY;
+        for window in self.windows_in(place) {
+            if window.nearest >= best {
+                break;
+            }
+            if let Some((from, to)) = window.seen_of(a, b) {
+                best = best.min(window.offset + segment_distance(window.source, from, to));
+            }
+        }
+        if best <= self.bound { best } else { f64::INFINITY }
     }
 
     /// Triangles that hold a point nearer than `radius`, ascending; perhaps some more.

@@ -67,6 +67,11 @@ impl Navigation {
         self.locator.locate(&self.mesh, p).map(|t| Place(t as u32))
     }
 
+    /// All triangles with their corners.
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = (Place, [DVec2; 3])> + '_ {
+        (0..self.mesh.triangles.len()).map(|t| (Place(t as u32), self.mesh.corners(t)))
+    }
+
     /// Number of the connected part of the domain that a place lies in.
     #[must_use]
     pub fn island_of(&self, place: Place) -> usize {

@@ -21,10 +21,10 @@ pub struct HarmonicFields {
 
 impl HarmonicFields {
     pub(crate) fn new(sites: &[Site], graph: &SiteGraph) -> Self {
-        let is_real: Vec<bool> = sites.iter().map(|site| site.handle.is_some()).collect();
+        let is_real: Vec<bool> = sites.iter().map(|site| site.origin.is_real()).collect();
         let laplacian = Laplacian::new(&is_real, graph.iter());
         let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); sites.len()];
-        for (real, _) in sites.iter().enumerate().filter(|(_, site)| site.handle.is_some()) {
+        for (real, _) in sites.iter().enumerate().filter(|(_, site)| site.origin.is_real()) {
             rows[real].push((real as u32, 1.0));
             let mut flow = vec![0.0; laplacian.free.len()];
             for &(_, row, weight) in laplacian.boundary.iter().filter(|&&(from, ..)| from as usize == real) {

@@ -39,6 +39,11 @@ impl Motion {
         Self { angle, strain: Strain::of_bone(direction, along, across), translation, depth }
     }
 
+    /// The same motion as one about a place `from` away, where its linear part is `linear`.
+    pub(crate) fn seen_from(&self, from: DVec2, linear: DMat2) -> Self {
+        Self { translation: self.translation + linear * from - from, ..*self }
+    }
+
     /// The weighted sum of motions.
     pub(crate) fn blended(motions: impl Iterator<Item = (Self, f64)>) -> Self {
         motions.fold(Self::default(), |sum, (motion, weight)| Self {

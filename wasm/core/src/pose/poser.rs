@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
 use super::{HarmonicFields, Motion, Pose, rigid::Rigid};
 use crate::{
+    bone::{BoneMotion, Skeleton},
     error::Error,
     project::{Handle, PoseMode, Rotation, Shape},
-    site::{Site, SiteGraph},
+    site::{Origin, Site, SiteGraph},
 };
 
 /// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples.
@@ -18,12 +19,13 @@ use crate::{
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Poser {
     rest: Arc<[DVec2]>,
-    /// Handle of each real site.
-    handle: Vec<Option<u32>>,
+    origin: Vec<Origin>,
+    skeleton: Skeleton,
     handles: usize,
     /// ϖ: for each site its real sites and their shares.
     shares: Vec<Vec<(u32, f64)>>,
-    /// Pairs of real sites that are neighbours, and how strongly: the edges that turn automatic rotations.
+    /// Pairs of real sites that are neighbours, one of them a point handle, and how strongly: the edges that turn automatic
+    /// rotations.
     edges: Vec<(u32, u32, f64)>,
     /// In the rigid mode.
     rigid: Option<Rigid>,
@@ -34,18 +36,20 @@ impl Poser {
         sites: &[Site],
         graph: &SiteGraph,
         harmonic: &HarmonicFields,
+        skeleton: Skeleton,
         handles: usize,
         mode: PoseMode,
     ) -> Self {
         let edges = effective_links(sites, graph, harmonic);
-        let is_real: Vec<bool> = sites.iter().map(|site| site.handle.is_some()).collect();
+        let is_real: Vec<bool> = sites.iter().map(|site| site.origin.is_real()).collect();
         let rigid = match mode {
             PoseMode::Harmonic => None,
             PoseMode::Rigid => Some(Rigid::new(&is_real, graph.iter())),
         };
         Self {
             rest: sites.iter().map(|site| site.rest).collect(),
-            handle: sites.iter().map(|site| site.handle.map(|handle| handle as u32)).collect(),
+            origin: sites.iter().map(|site| site.origin).collect(),
+            skeleton,
             handles,
             shares: harmonic.rows.clone(),
             edges,
@@ -53,50 +57,72 @@ impl Poser {
         }
     }
 
-    /// The motions of all sites when the handles are posed as given; their rest places play no part.
+    /// The motions of all sites when the handles are posed as given; their rest places play no part, but for the turn of bars
+    /// and polygons.
     ///
     /// # Errors
-    /// [`Error::PoseMismatch`] for another number of handles than was solved; [`Error::PoseNotFinite`].
+    /// [`Error::PoseMismatch`] for other handles than were solved; [`Error::PoseNotFinite`].
     pub fn pose(&self, handles: &[Handle]) -> Result<Pose, Error> {
-        if handles.len() != self.handles {
+        if handles.len() != self.handles || !self.fits(handles) {
             return Err(Error::PoseMismatch { expected: self.handles, found: handles.len() });
         }
-        let mut motions = vec![Motion::default(); self.rest.len()];
-        for (site, handle) in self.handle.iter().enumerate() {
-            let Some(handle) = handle.map(|at| &handles[at as usize]) else { continue };
-            let motion = self.motion(site, handle, handles);
-            if !motion.is_in_bounds() {
-                return Err(Error::PoseNotFinite { id: handle.id.clone() });
+        let mut motions = self.real_motions(handles);
+        for (origin, motion) in self.origin.iter().zip(&motions) {
+            if let Some(handle) = origin.handle().filter(|_| !motion.is_in_bounds()) {
+                return Err(Error::PoseNotFinite { id: handles[handle].id.clone() });
             }
-            motions[site] = motion;
         }
-        for site in (0..motions.len()).filter(|&site| self.handle[site].is_none()) {
-            let shares = self.shares[site].iter();
-            motions[site] = Motion::blended(shares.map(|&(real, share)| (motions[real as usize], share)));
+        let linear: Vec<DMat2> = motions.iter().map(Motion::linear).collect();
+        for site in (0..motions.len()).filter(|&site| !self.origin[site].is_real()) {
+            let here = |&(real, share): &(u32, f64)| {
+                let real = real as usize;
+                let from = self.rest[site] - self.rest[real];
+                (motions[real].seen_from(from, linear[real]), share)
+            };
+            motions[site] = Motion::blended(self.shares[site].iter().map(here));
         }
         if let Some(rigid) = &self.rigid {
-            let is_free = |site: &Option<u32>| site.is_none_or(|at| handles[at as usize].rotation == Rotation::Auto);
-            let is_free: Vec<bool> = self.handle.iter().map(is_free).collect();
+            let is_free = |origin: &Origin| match origin {
+                Origin::Virtual => true,
+                Origin::Point { handle } => handles[*handle as usize].rotation == Rotation::Auto,
+                Origin::Bone { .. } | Origin::Boundary => false,
+            };
+            let is_free: Vec<bool> = self.origin.iter().map(is_free).collect();
             rigid.settle(&self.rest, &mut motions, &is_free);
         }
         Ok(Pose::new(Arc::clone(&self.rest), motions))
     }
 
-    fn motion(&self, site: usize, handle: &Handle, handles: &[Handle]) -> Motion {
-        let angle = match handle.rotation {
-            Rotation::Degrees(degrees) => degrees.to_radians(),
-            Rotation::Auto => self.turn_of_edges(site, handles),
-        };
-        let translation = posed_place(handle) - self.rest[site];
-        Motion::similarity(angle, handle.scale, translation, handle.depth)
+    /// Whether handles are of the kinds, and have the corners, that were solved.
+    fn fits(&self, handles: &[Handle]) -> bool {
+        let mut points = self.origin.iter().filter_map(|origin| match origin {
+            Origin::Point { handle } => Some(&handles[*handle as usize]),
+            _ => None,
+        });
+        points.all(|handle| matches!(handle.shape, Shape::Point { .. })) && self.skeleton.fits(handles)
     }
 
-    /// The rotation that best takes the edges to neighbouring handles from rest to pose.
-    fn turn_of_edges(&self, site: usize, handles: &[Handle]) -> f64 {
-        let posed = |real: usize| {
-            let handle = self.handle[real].expect("edges join real sites") as usize;
-            posed_place(&handles[handle])
+    /// The motions of the real sites; none of the virtual ones yet.
+    fn real_motions(&self, handles: &[Handle]) -> Vec<Motion> {
+        let bones = self.skeleton.motions(handles);
+        let motion = |(&rest, origin): (&DVec2, &Origin)| match *origin {
+            Origin::Point { handle } => of_point(rest, &handles[handle as usize]),
+            Origin::Bone { handle, bone } => of_bone(rest, &bones[bone as usize], handles[handle as usize].depth),
+            Origin::Boundary | Origin::Virtual => Motion::default(),
         };
+        let mut motions: Vec<Motion> = self.rest.iter().zip(&self.origin).map(motion).collect();
+        for site in 0..motions.len() {
+            if let Origin::Point { handle } = self.origin[site]
+                && handles[handle as usize].rotation == Rotation::Auto
+            {
+                motions[site].angle = self.turn_of_edges(site, &motions);
+            }
+        }
+        motions
+    }
+
+    /// The rotation that best takes the edges to neighbouring real sites from rest to pose.
+    fn turn_of_edges(&self, site: usize, motions: &[Motion]) -> f64 {
         let (mut cos, mut sin) = (0.0, 0.0);
         for &(i, j, weight) in &self.edges {
             let (i, j) = (i as usize, j as usize);
@@ -104,7 +130,8 @@ impl Poser {
             if i != site && j != site {
                 continue;
             }
-            let (before, after) = (self.rest[other] - self.rest[site], posed(other) - posed(site));
+            let before = self.rest[other] - self.rest[site];
+            let after = before + (motions[other].translation - motions[site].translation);
             let weight = weight / before.length_squared();
             cos += weight * before.dot(after);
             sin += weight * before.perp_dot(after);
@@ -123,22 +150,38 @@ impl Poser {
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let poser: Self = postcard::from_bytes(bytes).map_err(|_| Error::PoserBytes)?;
         let sites = poser.rest.len();
-        let real = |site: u32| poser.handle.get(site as usize).is_some_and(Option::is_some);
-        let whole = poser.handle.len() == sites
+        let real = |site: u32| poser.origin.get(site as usize).is_some_and(|origin| origin.is_real());
+        let known = |origin: &Origin| match *origin {
+            Origin::Point { handle } => (handle as usize) < poser.handles,
+            Origin::Bone { handle, bone } => {
+                (handle as usize) < poser.handles && (bone as usize) < poser.skeleton.bones.len()
+            }
+            Origin::Boundary | Origin::Virtual => true,
+        };
+        let whole = poser.origin.len() == sites
             && poser.shares.len() == sites
             && poser.shares.iter().flatten().all(|&(site, _)| real(site))
             && poser.edges.iter().all(|&(i, j, _)| real(i) && real(j))
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
-            && poser.handle.iter().flatten().all(|&handle| (handle as usize) < poser.handles);
+            && poser.skeleton.is_whole(poser.handles)
+            && poser.origin.iter().all(known);
         if whole { Ok(poser) } else { Err(Error::PoserBytes) }
     }
 }
 
-fn posed_place(handle: &Handle) -> DVec2 {
-    match &handle.shape {
-        Shape::Point { posed, .. } => *posed,
-        Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => posed[0],
-    }
+fn of_point(rest: DVec2, handle: &Handle) -> Motion {
+    let Shape::Point { posed, .. } = handle.shape else { unreachable!("kinds are checked before") };
+    let angle = match handle.rotation {
+        Rotation::Degrees(degrees) => degrees.to_radians(),
+        Rotation::Auto => 0.0,
+    };
+    Motion::similarity(angle, handle.scale, posed - rest, handle.depth)
+}
+
+/// What a bone does at one of its sites.
+fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
+    let motion = Motion::of_bone(bone.angle, bone.along, bone.stretch, bone.across, DVec2::ZERO, depth);
+    Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }
 }
 
 /// The cell graph seen from its real sites alone: a link's weight is what flows between two handles, directly and by way of
@@ -148,7 +191,7 @@ fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields)
     for (i, j, weight) in graph.iter() {
         for (real, other) in [(i, j), (j, i)] {
             // Links between two real sites count from both ends, as flows by way of virtual sites do.
-            if sites[real].handle.is_some() {
+            if sites[real].origin.is_real() {
                 for &(to, share) in harmonic.rows[other].iter().filter(|&&(to, _)| to as usize != real) {
                     let pair = ((real as u32).min(to), (real as u32).max(to));
                     *flow.entry(pair).or_default() += weight * share;
@@ -156,5 +199,7 @@ fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields)
             }
         }
     }
-    flow.into_iter().map(|((i, j), weight)| (i, j, weight)).collect()
+    let is_point = |site: u32| matches!(sites[site as usize].origin, Origin::Point { .. });
+    let turning = flow.into_iter().filter(|&((i, j), _)| is_point(i) || is_point(j));
+    turning.map(|((i, j), weight)| (i, j, weight)).collect()
 }

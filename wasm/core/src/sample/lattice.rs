@@ -25,10 +25,11 @@ pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     2.0 * quadratic / ((linear * linear + 4.0 * quadratic * wanted).sqrt() - linear)
 }
 
-/// Lattice points inside the domain and clear of the outline's `segments` and of the sites.
+/// Lattice points inside the domain and clear of the outline's `segments`, of the sites and of the bones.
 pub(super) fn inner_points(
     domain: &Domain,
     sites: &[DVec2],
+    bones: &[[DVec2; 2]],
     spacing: f64,
     vertices: &[DVec2],
     segments: &[[usize; 2]],
@@ -41,6 +42,9 @@ pub(super) fn inner_points(
     }
     for &site in sites {
         lattice.clear_around(&mut inside, site, site, clearance);
+    }
+    for &[a, b] in bones {
+        lattice.clear_around(&mut inside, a, b, clearance);
     }
     let nodes = (0..lattice.rows).flat_map(|row| (0..lattice.columns).map(move |column| (row, column)));
     nodes.filter(|&(row, column)| inside[row * lattice.columns + column]).map(|(r, c)| lattice.node(r, c)).collect()

@@ -2,6 +2,7 @@
 //!
 //! Samples carry the cells and the drawn mesh. Distances and weights do not depend on them: those are evaluated.
 
+mod bones;
 mod lattice;
 mod outline;
 mod refine;
@@ -45,11 +46,12 @@ impl Samples {
     /// sampled symmetrically; points along the outline with all its corners; every site; and finer lattices where sites
     /// are closer to one another than the lattice resolves (the paper's up-sampling).
     ///
-    /// `sites` must lie in the domain and be distinct.
+    /// `sites` must lie in the domain and be distinct; `bones` are straight lines in it, along which there are edges of the
+    /// mesh wherever nothing else is close.
     ///
     /// Cost: O(n log n); nearly all of it is the triangulation.
     #[must_use]
-    pub fn new(domain: &Domain, navigation: &Navigation, sites: &[DVec2], count: usize) -> Self {
+    pub fn new(domain: &Domain, navigation: &Navigation, sites: &[DVec2], bones: &[[DVec2; 2]], count: usize) -> Self {
         let spacing = lattice::spacing(domain, count);
         let mut points = outline::Outline::new(domain, sites, spacing);
         let mut at_sites = Vec::with_capacity(sites.len());
@@ -57,9 +59,10 @@ impl Samples {
             at_sites.push(points.place_site(site));
         }
         let mut vertices = points.vertices;
+        bones::add_bones(&mut vertices, bones, spacing);
         let patches = refine::patches(sites, spacing);
         let taken = vertices.len();
-        vertices.extend(lattice::inner_points(domain, sites, spacing, &vertices[..taken], &points.segments));
+        vertices.extend(lattice::inner_points(domain, sites, bones, spacing, &vertices[..taken], &points.segments));
         refine::add_patches(&mut vertices, &patches, navigation, domain);
         let mesh = Triangulation::constrained_delaunay(vertices, points.segments);
         Self::from_mesh(mesh, navigation, points.rings, at_sites, spacing)

@@ -35,9 +35,22 @@ const CONVERGED: f64 = 1e-12;
 pub(super) type Wall = (DVec2, DVec2);
 
 /// Climbs a cone where it is the least of all `cones`, within a square of half side `reach` around `start` and, as if they
-/// had no ends, behind the `walls`.
-pub(super) fn climb(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f64) -> DVec2 {
-    let mut p = start;
+/// had no ends, behind the `walls`. Where two ways lead as far, as they do from an axis of symmetry, it goes both.
+pub(super) fn climb(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f64) -> (DVec2, Option<DVec2>) {
+    let (first, forked) = climb_one(cone, cones, walls, start, reach, Fork::First);
+    (first, forked.then(|| climb_one(cone, cones, walls, start, reach, Fork::Last).0))
+}
+
+/// Which of several steps that go as far is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Fork {
+    First,
+    Last,
+}
+
+/// One way up, and whether there was another.
+fn climb_one(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f64, fork: Fork) -> (DVec2, bool) {
+    let (mut p, mut forked) = (start, false);
     let mut sides = Vec::with_capacity(cones.len() + 4);
     for _ in 0..STEPS {
         let (value, gradient) = (cone.value(p), cone.gradient(p));
@@ -50,13 +63,14 @@ pub(super) fn climb(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, r
             let normal = -(b - a).normalize().perp();
             Side { normal, limit: normal.dot(a - p) }
         }));
-        let Some(step) = farthest_step(gradient, &sides, reach) else { break };
+        let Some((step, other)) = farthest_step(gradient, &sides, reach, fork) else { break };
+        forked |= other;
         p += step;
         if step.length() <= CONVERGED * reach {
             break;
         }
     }
-    p
+    (p, forked)
 }
 
 /// Climbs a cone along the segment from `a` to `b` where it is the least of all `cones`. It begins in the middle: an end may
@@ -96,10 +110,15 @@ struct Side {
     limit: f64,
 }
 
-/// The step that goes farthest in a direction under all conditions: the best of the corners that two of them make.
-fn farthest_step(direction: DVec2, sides: &[Side], reach: f64) -> Option<DVec2> {
+/// Steps differ, and gains do not, by this share of the reach.
+const SAME_STEP: f64 = 1e-6;
+const SAME_GAIN: f64 = 1e-12;
+
+/// The step that goes farthest in a direction under all conditions: the best of the corners that two of them make. Also tells
+/// whether another goes as far.
+fn farthest_step(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
     let slack = 1e-12 * reach;
-    let mut best: Option<(f64, DVec2)> = None;
+    let mut best: Option<(f64, DVec2, bool)> = None;
     for (i, a) in sides.iter().enumerate() {
         for b in &sides[i + 1..] {
             let area = a.normal.perp_dot(b.normal);
@@ -108,13 +127,21 @@ fn farthest_step(direction: DVec2, sides: &[Side], reach: f64) -> Option<DVec2> 
             }
             let step = (a.limit * -b.normal.perp() + b.limit * a.normal.perp()) / area;
             let gain = direction.dot(step);
-            let known = best.is_some_and(|(known, _)| gain <= known);
-            if !known && sides.iter().all(|side| side.normal.dot(step) <= side.limit + slack) {
-                best = Some((gain, step));
+            let tie = SAME_GAIN * reach;
+            let worse = best.is_some_and(|(known, ..)| gain < known - tie);
+            if worse || sides.iter().any(|side| side.normal.dot(step) > side.limit + slack) {
+                continue;
             }
+            best = match best {
+                Some((known, other, forked)) if gain <= known + tie => {
+                    let forked = forked || step.distance(other) > SAME_STEP * reach;
+                    if fork == Fork::Last { Some((gain, step, forked)) } else { Some((known, other, forked)) }
+                }
+                _ => Some((gain, step, false)),
+            };
         }
     }
-    best.map(|(_, step)| step)
+    best.map(|(_, step, forked)| (step, forked))
 }
 
 #[cfg(test)]
@@ -127,9 +154,18 @@ mod tests {
         let on_circle = |x: f64, y: f64| Cone { apex: centre + 50.0 * DVec2::new(x, y), offset: 0.0 };
         let cones = [on_circle(1.0, 0.0), on_circle(-0.6, 0.8), on_circle(-0.6, -0.8)];
         for cone in &cones {
-            let top = climb(cone, &cones, &[], centre + DVec2::new(2.0, -1.5), 10.0);
+            let (top, _) = climb(cone, &cones, &[], centre + DVec2::new(2.0, -1.5), 10.0);
             assert!(top.distance(centre) < 1e-12);
         }
+    }
+
+    #[test]
+    fn two_ways_that_lead_as_far_are_both_gone() {
+        let cones = [(0.0, 0.0), (0.0, 100.0), (-60.0, 30.0), (60.0, 30.0)];
+        let cones = cones.map(|apex| Cone { apex: apex.into(), offset: 0.0 });
+        let (one, other) = climb(&cones[0], &cones, &[], DVec2::new(0.0, 45.0), 30.0);
+        let other = other.expect("two ways");
+        assert!(one.distance(DVec2::new(-other.x, other.y)) < 1e-9 && one.x.abs() > 5.0, "{one} and {other}");
     }
 
     #[test]

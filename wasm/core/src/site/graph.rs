@@ -6,6 +6,7 @@
 //! depends on exact lengths only: it changes smoothly when a handle is placed elsewhere and keeps the symmetry of a scene.
 
 use super::Site;
+use crate::bone::Skeleton;
 
 /// Cells are linked up to this multiple of the distance at which they can touch. In a regular packing of sites
 /// neighbours are 0.87 of that distance apart and second neighbours 1.5, in a corridor 1 and 2: they stay unlinked.
@@ -27,12 +28,14 @@ impl SiteGraph {
     }
 
     /// Links the sites, whose fields must reach their [`field_bound`](Self::field_bound).
-    pub(crate) fn new(sites: &[Site]) -> Self {
+    ///
+    /// What lies on two sides of a bone is not linked: the bone is between.
+    pub(crate) fn new(sites: &[Site], skeleton: &Skeleton) -> Self {
         let mut graph = Self::default();
         for (i, a) in sites.iter().enumerate() {
             for (j, b) in sites.iter().enumerate().skip(i + 1) {
                 let limit = ROOM * (a.cell_radius + b.cell_radius);
-                if a.island != b.island || a.rest.distance(b.rest) >= limit {
+                if a.island != b.island || a.rest.distance(b.rest) >= limit || skeleton.is_between(a.rest, b.rest) {
                     continue;
                 }
                 let (larger, smaller) = if a.cell_radius >= b.cell_radius { (a, b) } else { (b, a) };

@@ -5,14 +5,16 @@ mod farthest;
 mod graph;
 mod regions;
 mod summit;
+mod tessellation;
 mod virtual_sites;
 
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
 use crate::distance::{DistanceField, Place};
 
 pub use graph::SiteGraph;
-pub(crate) use regions::Regions;
+pub(crate) use regions::{Obstacles, Regions};
 pub(crate) use virtual_sites::{allowed_score, insert_virtual_sites, score};
 
 /// Sites closer than this, in pixels, count as one spot.
@@ -26,16 +28,57 @@ pub const MAX_SITES: usize = 8192;
 /// [`Site::reach_limit`].
 const GRADING: f64 = 1.7;
 
+/// What a site is there for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Origin {
+    /// A point handle.
+    Point {
+        /// Its index in the project.
+        handle: u32,
+    },
+    /// A bar or polygon handle: one of the places that stand for a straight piece of it.
+    Bone {
+        /// Its index in the project.
+        handle: u32,
+        /// Number of the piece.
+        bone: u32,
+    },
+    /// The outline, where the project holds it.
+    Boundary,
+    /// Algorithm 1.
+    Virtual,
+}
+
+impl Origin {
+    /// Whether the site moves as the person says, and not as its neighbours do.
+    #[must_use]
+    pub fn is_real(self) -> bool {
+        self != Self::Virtual
+    }
+
+    /// The project's handle that it belongs to.
+    #[must_use]
+    pub fn handle(self) -> Option<usize> {
+        match self {
+            Self::Point { handle } | Self::Bone { handle, .. } => Some(handle as usize),
+            Self::Boundary | Self::Virtual => None,
+        }
+    }
+}
+
 /// A site with its cell. Lengths in pixels.
+///
+/// The sites of connected bones, and those of a held outline, are one body: they may reach over one another, and for them
+/// others are only those outside it.
 #[derive(Debug, Clone)]
 pub struct Site {
     /// h_i, at rest.
     pub rest: DVec2,
-    /// The project's handle it belongs to, or `None` for a virtual site.
-    pub handle: Option<usize>,
-    /// Distance to the nearest other site, r_h; infinite for the only site of an island.
+    /// What it is there for.
+    pub origin: Origin,
+    /// Distance to the nearest other site or bone, r_h; infinite where an island has no other.
     pub separation: f64,
-    /// Distance to the nearest other real site; infinite where there is none.
+    /// Distance to the nearest other point handle, bone or held outline; infinite where there is none.
     pub clearance: f64,
     /// Distance to the farthest point of the cell, r_d.
     pub cell_radius: f64,

@@ -2,15 +2,35 @@
 
 use glam::DVec2;
 
-use super::{Site, cells::Cells};
+use super::{Origin, Site, cells::Cells, tessellation::Chain};
 use crate::{
+    bone::{Skeleton, Track},
     distance::{Navigation, Place, Propagation},
+    domain::{Ring, edges},
     sample::Samples,
+    segment::segment_distance,
     triangulation::NONE,
 };
 
 /// The farthest point of a cell is no farther than its farthest sample by more than this many edges, also in a narrow tip.
 pub(super) const NEAR_TOP: f64 = 2.0;
+
+/// Fields of real sites, and all fields where there are bones, reach this much farther than the largest cell: as far as
+/// any support may, so that nothing it must stay clear of is overlooked.
+const LOOK_OUT: f64 = 1.75;
+
+/// The body of a held outline: bones have lower numbers.
+const BOUNDARY: u32 = u32::MAX;
+
+/// What supports must stay clear of, besides sites.
+#[derive(Debug)]
+pub(crate) struct Obstacles<'a> {
+    pub(crate) skeleton: &'a Skeleton,
+    /// The bones on the navigation mesh.
+    pub(crate) tracks: Vec<Track>,
+    /// The outline where it is held, or nothing.
+    pub(crate) held: &'a [Ring],
+}
 
 /// A point of the domain, where it lies and how far the nearest site is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +52,9 @@ pub(super) enum Far {
 pub(crate) struct Regions<'a> {
     pub(crate) navigation: &'a Navigation,
     pub(crate) samples: &'a Samples,
+    pub(super) obstacles: &'a Obstacles<'a>,
     pub(crate) sites: Vec<Site>,
+    pub(super) chains: Vec<Chain>,
     pub(crate) cells: Cells,
     /// Farthest points of each cell.
     pub(super) far: Vec<Far>,
@@ -42,7 +64,12 @@ pub(crate) struct Regions<'a> {
 }
 
 impl<'a> Regions<'a> {
-    pub(crate) fn new(navigation: &'a Navigation, samples: &'a Samples, propagation: &'a mut Propagation) -> Self {
+    pub(crate) fn new(
+        navigation: &'a Navigation,
+        samples: &'a Samples,
+        obstacles: &'a Obstacles<'a>,
+        propagation: &'a mut Propagation,
+    ) -> Self {
         let mut along = vec![[NONE; 2]; samples.len()];
         for ring in &samples.outline {
             let n = ring.len();
@@ -51,39 +78,59 @@ impl<'a> Regions<'a> {
             }
         }
         let cells = Cells::new(samples.len());
-        Self { navigation, samples, sites: Vec::new(), cells, far: Vec::new(), along, propagation }
+        let (sites, chains, far) = (Vec::new(), Vec::new(), Vec::new());
+        Self { navigation, samples, obstacles, sites, chains, cells, far, along, propagation }
     }
 
     /// Adds a site at a point of the domain.
-    pub(crate) fn insert(&mut self, rest: DVec2, place: Place, handle: Option<usize>) {
+    pub(crate) fn insert(&mut self, rest: DVec2, place: Place, origin: Origin) {
         let island = self.navigation.island_of(place);
         // No sample of the island is farther from its nearest site, so the new cell reaches no farther either.
         let island_sites = (0..self.sites.len()).filter(|&i| self.sites[i].island == island);
         let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
-        let bound = radius.map_or(f64::INFINITY, |radius| radius + 2.0 * self.samples.longest_edge);
+        let looks_out = origin.is_real() || !self.obstacles.tracks.is_empty();
+        let factor = if looks_out { LOOK_OUT } else { 1.0 };
+        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.samples.longest_edge));
         let field = self.propagation.field(self.navigation, place, rest, bound);
+        let body = self.body(origin);
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
-        for site in self.sites.iter_mut().filter(|site| site.island == island) {
+        for at in 0..self.sites.len() {
+            if self.sites[at].island != island || (body.is_some() && self.body(self.sites[at].origin) == body) {
+                continue;
+            }
+            let site = &mut self.sites[at];
             let straight = site.rest.distance(rest);
             if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
                 let d = site.field.distance(place, rest);
                 site.separation = site.separation.min(d);
                 separation = separation.min(d);
-                if handle.is_some() {
+                if origin.is_real() {
                     site.clearance = site.clearance.min(d);
                 }
-                if site.handle.is_some() {
+                if site.origin.is_real() {
                     clearance = clearance.min(d);
                 }
             }
         }
+        let bones = &self.obstacles.skeleton.bones;
+        for (bone, track) in bones.iter().zip(&self.obstacles.tracks) {
+            let other = track.island == island && Some(bone.body) != body;
+            if other && bone.distance(rest) < clearance {
+                clearance = clearance.min(track.distance(&field));
+            }
+        }
+        if body != Some(BOUNDARY) {
+            let walls = self.obstacles.held.iter().flat_map(|ring| edges(ring));
+            clearance = walls.map(|(a, b)| segment_distance(rest, a, b)).fold(clearance, f64::min);
+        }
+        separation = separation.min(clearance);
         let start = self.samples.around(rest).expect("sites lie in the domain");
         let samples = self.samples;
         let distance = |at: usize| field.distance(samples.places[at], samples.mesh.vertices[at]);
         self.cells.insert(samples, start, distance);
         self.sites.push(Site {
             rest,
-            handle,
+            origin,
             separation,
             clearance,
             cell_radius: 0.0,
@@ -107,6 +154,15 @@ impl<'a> Regions<'a> {
             }
         }
         self.far.push(Far::Within(f64::INFINITY));
+    }
+
+    /// The body that a site is part of.
+    fn body(&self, origin: Origin) -> Option<u32> {
+        match origin {
+            Origin::Bone { bone, .. } => Some(self.obstacles.skeleton.bones[bone as usize].body),
+            Origin::Boundary => Some(BOUNDARY),
+            Origin::Point { .. } | Origin::Virtual => None,
+        }
     }
 
     /// The sites with their cell radii, and the nearest site of each sample.

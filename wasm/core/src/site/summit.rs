@@ -13,8 +13,10 @@ use crate::triangulation::NONE;
 /// Two farthest points nearer than this share of the sample spacing are one.
 const SAME_POINT: f64 = 1e-3;
 
-/// A sample this many edges from a farthest point leads to the same.
+/// A sample this many edges from a farthest point leads to the same, if no other cells meet around it.
 const SAME_SUMMIT: f64 = 1.5;
+/// Cells meet where their sites are equally far within this share: wider than what a climb leaves.
+const MEETING: f64 = 1e-6;
 /// How often a climb is taken up again where it ended.
 const RESTARTS: usize = 8;
 
@@ -22,6 +24,8 @@ impl Regions<'_> {
     /// Finds the farthest points of a site's cell. There is at least one.
     pub(crate) fn find_farthest(&mut self, site: usize) {
         let mut points: Vec<FarPoint> = Vec::new();
+        // The sites whose cells meet at each.
+        let mut meeting: Vec<Vec<u32>> = Vec::new();
         let radius = self.sampled_radius(site);
         let mut tops: Vec<usize> = self.cells.of(site).filter(|&at| self.is_top(site, at, radius)).collect();
         if tops.is_empty() {
@@ -31,16 +35,19 @@ impl Regions<'_> {
         }
         tops.sort_by(|&a, &b| self.cells.distance[b].total_cmp(&self.cells.distance[a]).then(a.cmp(&b)));
         for at in tops {
-            let under = |known: &FarPoint| {
+            let under = |(known, cells): (&FarPoint, &Vec<u32>)| {
                 known.at.distance(self.samples.mesh.vertices[at]) < SAME_SUMMIT * self.samples.reach[at]
+                    && self.samples.graph.of(at).iter().all(|&n| cells.contains(&self.cells.nearest[n as usize]))
             };
-            if points.iter().any(under) {
+            if points.iter().zip(&meeting).any(under) {
                 continue;
             }
-            let Some(point) = self.summit(site, at) else { continue };
             let same = SAME_POINT * self.samples.reach[at];
-            if points.iter().all(|known| known.at.distance(point.at) > same) {
-                points.push(point);
+            for point in self.summits(site, at) {
+                if points.iter().all(|known| known.at.distance(point.at) > same) {
+                    meeting.push(self.meeting_at(&point));
+                    points.push(point);
+                }
             }
         }
         if points.is_empty() {
@@ -50,6 +57,16 @@ impl Regions<'_> {
         let greatest = points.iter().map(|point| point.distance).fold(0.0, f64::max);
         points.retain(|point| point.distance >= greatest * (1.0 - TIE));
         self.far[site] = Far::Known(points);
+    }
+
+    /// The sites whose cells meet at a point.
+    fn meeting_at(&self, point: &FarPoint) -> Vec<u32> {
+        let near = point.distance * (1.0 + MEETING);
+        let sites = self.sites.iter().enumerate();
+        let meeting = sites.filter(|(_, site)| {
+            site.rest.distance(point.at) <= near && site.field.distance(point.place, point.at) <= near
+        });
+        meeting.map(|(site, _)| site as u32).collect()
     }
 
     /// Whether a sample may be next to a farthest point: it is nearly as far as any of the cell, and either no neighbour in the
@@ -68,15 +85,16 @@ impl Regions<'_> {
         is_corner || !around.iter().any(higher)
     }
 
-    /// The farthest point of a site's cell near one of its samples.
-    fn summit(&self, site: usize, at: usize) -> Option<FarPoint> {
+    /// The farthest point of a site's cell near one of its samples, and others as far.
+    fn summits(&self, site: usize, at: usize) -> Vec<FarPoint> {
         let samples = self.samples;
         let sample =
             FarPoint { at: samples.mesh.vertices[at], place: samples.places[at], distance: self.cells.distance[at] };
         let sample = (self.cells.nearest[at] == site as u32).then_some(sample);
-        let mut summit = self.higher(site, at, samples.mesh.vertices[at], sample)?;
+        let mut summits = self.higher(site, at, samples.mesh.vertices[at], sample);
         // In the tip of a narrow cell the way may lead out of what was known around its beginning.
         for _ in 0..RESTARTS {
+            let Some(&summit) = summits.first() else { break };
             if summit.at.distance(sample.map_or(DVec2::NAN, |sample| sample.at)) < samples.reach[at] {
                 break;
             }
@@ -84,16 +102,17 @@ impl Regions<'_> {
             let distance = |v: &u32| samples.mesh.vertices[*v as usize].distance_squared(summit.at);
             let near = near.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let near = near.expect("a triangle has corners") as usize;
-            match self.higher(site, near, summit.at, Some(summit)) {
-                Some(next) if next.distance > summit.distance * (1.0 + TIE) => summit = next,
-                _ => break,
+            let next = self.higher(site, near, summit.at, Some(summit));
+            if next.first().is_none_or(|next| next.distance <= summit.distance * (1.0 + TIE)) {
+                break;
             }
+            summits = next;
         }
-        Some(summit)
+        summits
     }
 
-    /// The farthest point of a site's cell that is found from a place near sample `at`, or `known` where none is farther.
-    fn higher(&self, site: usize, at: usize, from: DVec2, known: Option<FarPoint>) -> Option<FarPoint> {
+    /// The farthest points of a site's cell that are found from a place near sample `at`, all as far, and no nearer than `known`.
+    fn higher(&self, site: usize, at: usize, from: DVec2, known: Option<FarPoint>) -> Vec<FarPoint> {
         let samples = self.samples;
         let Surroundings { own, others, walls } = self.surroundings(site, at);
         let all: Vec<Cone> = own.iter().chain(&others).copied().collect();
@@ -109,9 +128,9 @@ impl Regions<'_> {
             own.iter().flat_map(|cone| {
                 let along = walls.iter().map(|&(a, b)| climb_along(cone, limits, a, b));
                 let free = climb(cone, limits, &[], from, reach);
-                let inside = self.navigation.place(free).is_some();
-                let top = if inside { free } else { climb(cone, limits, &walls, from, reach) };
-                along.chain([top])
+                let inside = self.navigation.place(free.0).is_some();
+                let (top, other) = if inside { free } else { climb(cone, limits, &walls, from, reach) };
+                along.chain([top]).chain(other)
             })
         });
         let in_cell = |p: DVec2| {
@@ -120,8 +139,10 @@ impl Regions<'_> {
             let of_site = self.sites[site].field.distance(place, p) <= distance * (1.0 + TIE);
             (of_site && distance.is_finite()).then_some(FarPoint { at: p, place, distance })
         };
-        let farther = |best: FarPoint, p: FarPoint| if p.distance > best.distance { p } else { best };
-        known.into_iter().chain(tops.filter_map(in_cell)).reduce(farther)
+        let mut found: Vec<FarPoint> = known.into_iter().chain(tops.filter_map(in_cell)).collect();
+        let greatest = found.iter().map(|point| point.distance).fold(0.0, f64::max);
+        found.retain(|point| point.distance >= greatest * (1.0 - TIE));
+        found
     }
 
     /// The cones that are least at the samples around one, and the pieces of the outline there.

@@ -12,7 +12,7 @@
 //! the number of virtual sites grows from some 90 to some 300.
 
 use super::{
-    MAX_SITES,
+    MAX_SITES, Origin,
     regions::{FarPoint, Regions},
 };
 use crate::error::Error;
@@ -37,13 +37,15 @@ pub(crate) type Scores = Vec<f64>;
 pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Result<Scores, Error> {
     let mut scores = Scores::new();
     let limit = allowed_score();
-    let real = regions.sites.len();
+    let mut inserted = 0;
     loop {
+        // Bones first: on them nothing virtual may stand.
+        regions.tessellate()?;
         let worst = greatest(regions, score);
         scores.push(worst);
         let points = if worst > limit {
             tied_farthest(regions, score, worst)
-        } else if regions.sites.len() - real < density && real > 0 {
+        } else if inserted < density && !regions.sites.is_empty() {
             let radius = greatest(regions, size);
             tied_farthest(regions, size, radius)
         } else {
@@ -53,7 +55,8 @@ pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Res
             if regions.sites.len() >= MAX_SITES {
                 return Err(Error::TooManySites);
             }
-            regions.insert(point.at, point.place, None);
+            regions.insert(point.at, point.place, Origin::Virtual);
+            inserted += 1;
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use glam::DVec2;
 
-use super::{Basis, SparseWeights};
+use super::{Basis, SparseWeights, sharing::Sharing};
 use crate::{
+    bone::Skeleton,
     distance::{Navigation, Place},
     sample::Samples,
     site::Site,
@@ -24,6 +25,7 @@ pub struct Influence {
 #[derive(Debug, Clone)]
 pub struct Weights {
     basis: Basis,
+    sharing: Sharing,
     /// Sites whose support reaches into each triangle of the navigation mesh, as compressed rows.
     reaching_start: Vec<u32>,
     reaching: Vec<u32>,
@@ -31,7 +33,7 @@ pub struct Weights {
 
 impl Weights {
     /// Prepares the weights of sites whose support radii are set and whose fields reach as far.
-    pub(crate) fn new(navigation: &Navigation, sites: &[Site], basis: Basis) -> Self {
+    pub(crate) fn new(navigation: &Navigation, sites: &[Site], skeleton: &Skeleton, basis: Basis) -> Self {
         let mut lists: Vec<Vec<u32>> = vec![Vec::new(); navigation.mesh.triangles.len()];
         for (i, site) in sites.iter().enumerate() {
             for triangle in site.field.triangles_within(site.support_radius) {
@@ -43,7 +45,8 @@ impl Weights {
             *sum += list.len() as u32;
             Some(*sum)
         }));
-        Self { basis, reaching_start, reaching: lists.concat() }
+        let sharing = Sharing::new(sites, skeleton);
+        Self { basis, sharing, reaching_start, reaching: lists.concat() }
     }
 
     /// The weights at a point and their gradients, ascending by site. Empty where no site reaches.
@@ -68,6 +71,7 @@ impl Weights {
             sum_gradient += gradient;
             influences.push(Influence { site: site as usize, weight: phi, gradient });
         }
+        self.sharing.share_out(p, &mut influences);
         for influence in &mut influences {
             influence.weight /= sum;
             influence.gradient = (influence.gradient - influence.weight * sum_gradient) / sum;
@@ -102,6 +106,8 @@ impl Weights {
             }
             by_site.push(covered);
         }
-        SparseWeights::normalised(samples.len(), &by_site)
+        let (mut weights, sums) = SparseWeights::normalised(samples.len(), &by_site);
+        self.sharing.share_out_rows(&samples.mesh.vertices, &mut weights);
+        (weights, sums)
     }
 }

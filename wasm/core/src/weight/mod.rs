@@ -2,6 +2,7 @@
 
 mod basis;
 mod evaluate;
+mod sharing;
 mod sparse;
 mod support;
 

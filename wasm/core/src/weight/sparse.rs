@@ -55,6 +55,11 @@ impl SparseWeights {
         self.sites[range.clone()].iter().zip(&self.weights[range]).map(|(&site, &weight)| (site as usize, weight))
     }
 
+    /// The weights of a point, in the order of [`row`](Self::row).
+    pub(super) fn row_mut(&mut self, point: usize) -> &mut [f64] {
+        &mut self.weights[self.offsets[point] as usize..self.offsets[point + 1] as usize]
+    }
+
     /// Appends points that move as others do.
     pub(crate) fn extend_as(&mut self, owners: &[u32]) {
         for &owner in owners {

@@ -1,0 +1,420 @@
+//! Bars and polygons: what is on them moves by them alone (paper, section V-D).
+
+use std::collections::BTreeSet;
+
+use c2warp::{
+    Error, Solution,
+    pose::Pose,
+    project::{Handle, PoseMode, Project, Rotation, Shape, Support},
+    site::Origin,
+};
+use glam::DVec2;
+use proptest::prelude::*;
+
+use crate::scenes::{handle, project, scenes, solved, spread};
+
+/// What is owed on a bar, in pixels.
+const ON_BAR: f64 = 1e-6;
+
+fn points(corners: &[(f64, f64)]) -> Vec<DVec2> {
+    corners.iter().map(|&corner| corner.into()).collect()
+}
+
+fn line(id: &str, shape: Shape) -> Handle {
+    Handle { id: id.into(), shape, rotation: Rotation::Auto, scale: 1.0, depth: 0.0 }
+}
+
+pub(crate) fn bar(id: &str, rest: &[(f64, f64)], posed: &[(f64, f64)]) -> Handle {
+    line(id, Shape::Bar { rest: points(rest), posed: points(posed) })
+}
+
+pub(crate) fn polygon(id: &str, rest: &[(f64, f64)], posed: &[(f64, f64)]) -> Handle {
+    line(id, Shape::Polygon { rest: points(rest), posed: points(posed) })
+}
+
+/// A square of 360 px with handles in it.
+fn square(support: Support, handles: Vec<Handle>) -> Project {
+    let ring = points(&[(20.0, 20.0), (380.0, 20.0), (380.0, 380.0), (20.0, 380.0)]);
+    let mut project = project(&[ring], &[], support);
+    project.handles = handles;
+    project
+}
+
+fn posed(project: &Project) -> (Solution, Pose) {
+    let solution = solved(project).expect("a valid scene");
+    let pose = solution.poser().pose(&project.handles).expect("finite");
+    (solution, pose)
+}
+
+fn goes(solution: &Solution, pose: &Pose, p: DVec2) -> DVec2 {
+    solution.map(pose, p).expect("inside").posed
+}
+
+/// Shares along a line, many of them near its ends.
+fn shares() -> impl Iterator<Item = f64> {
+    (0..=100).map(|i| f64::from(i) / 100.0).chain([1e-9, 1e-4, 1.0 - 1e-4])
+}
+
+/// Every point of each piece of a line, `rest`, lands on the same piece of `posed`.
+fn check_on_line(solution: &Solution, pose: &Pose, rest: &[DVec2], posed: &[DVec2], closed: bool) {
+    let n = rest.len();
+    for i in 0..if closed { n } else { n - 1 } {
+        let j = (i + 1) % n;
+        for share in shares() {
+            let (at, expected) = (goes(solution, pose, rest[i].lerp(rest[j], share)), posed[i].lerp(posed[j], share));
+            assert!(at.distance(expected) <= ON_BAR, "{share} of piece {i}: {at}, not {expected}");
+        }
+    }
+}
+
+fn check_lines(project: &Project, solution: &Solution, pose: &Pose) {
+    for handle in &project.handles {
+        match &handle.shape {
+            Shape::Point { rest, posed } => assert!(goes(solution, pose, *rest).distance(*posed) <= ON_BAR),
+            Shape::Bar { rest, posed } => check_on_line(solution, pose, rest, posed, false),
+            Shape::Polygon { rest, posed } => check_on_line(solution, pose, rest, posed, true),
+        }
+    }
+}
+
+fn all_kinds() -> Vec<Handle> {
+    vec![
+        bar("straight", &[(60.0, 80.0), (200.0, 100.0)], &[(60.0, 60.0), (230.0, 120.0)]),
+        bar(
+            "bent",
+            &[(60.0, 330.0), (120.0, 300.0), (140.0, 340.0), (230.0, 345.0)],
+            &[(50.0, 320.0), (125.0, 310.0), (140.0, 360.0), (220.0, 330.0)],
+        ),
+        polygon(
+            "eye",
+            &[(260.0, 200.0), (320.0, 190.0), (330.0, 240.0), (280.0, 260.0)],
+            &[(250.0, 200.0), (320.0, 180.0), (335.0, 240.0), (285.0, 265.0)],
+        ),
+        handle(3, (120.0, 200.0).into(), (135.0, 190.0).into(), 30.0),
+        handle(4, (296.0, 222.0).into(), (290.0, 220.0).into(), 0.0),
+        handle(5, (130.0, 95.0).into(), (140.0, 100.0).into(), 0.0),
+    ]
+}
+
+#[test]
+fn what_rests_on_a_bar_or_polygon_lands_on_it() {
+    for support in [Support::Paper, Support::Smooth] {
+        for mode in [PoseMode::Harmonic, PoseMode::Rigid] {
+            for density in [0, 60] {
+                let mut project = square(support, all_kinds());
+                (project.pose.mode, project.pose.density) = (mode, density);
+                let (solution, pose) = posed(&project);
+                check_lines(&project, &solution, &pose);
+            }
+        }
+    }
+}
+
+#[test]
+fn all_weight_on_a_bar_is_its_own_and_sums_to_one() {
+    let project = square(Support::Smooth, all_kinds());
+    let (solution, _) = posed(&project);
+    let Shape::Bar { rest, .. } = &project.handles[1].shape else { panic!("a bar") };
+    for pair in rest.windows(2) {
+        for share in shares() {
+            let weights = solution.weights_at(pair[0].lerp(pair[1], share)).expect("inside");
+            assert!((weights.iter().map(|&(_, weight)| weight).sum::<f64>() - 1.0).abs() <= 1e-12);
+            for (site, weight) in weights {
+                assert!(weight >= 0.0);
+                assert!(weight == 0.0 || solution.sites[site].origin.handle() == Some(1));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_loop_keeps_its_inside() {
+    let eye = [(260.0, 200.0), (320.0, 190.0), (330.0, 240.0), (280.0, 260.0), (250.0, 230.0)];
+    let turn = |p: DVec2| DVec2::from_angle(0.7).rotate(p - 290.0) + DVec2::new(282.0, 301.0);
+    let turned: Vec<(f64, f64)> = eye.iter().map(|&p| turn(p.into()).into()).collect();
+    for mode in [PoseMode::Harmonic, PoseMode::Rigid] {
+        let others = [handle(1, (60.0, 60.0).into(), (60.0, 60.0).into(), 0.0)];
+        let mut project = square(Support::Smooth, [polygon("eye", &eye, &turned)].into_iter().chain(others).collect());
+        (project.pose.mode, project.pose.density) = (mode, 120);
+        let (solution, pose) = posed(&project);
+        let mut inside = 0;
+        for p in spread(20_000) {
+            let edges = eye.iter().zip(eye.iter().cycle().skip(1));
+            let is_inside =
+                edges.map(|(&a, &b)| (DVec2::from(a), DVec2::from(b))).all(|(a, b)| (b - a).perp_dot(p - a) > 0.0);
+            if is_inside {
+                inside += 1;
+                assert!(goes(&solution, &pose, p).distance(turn(p)) <= ON_BAR, "{p}");
+            }
+        }
+        assert!(inside > 300);
+    }
+}
+
+#[test]
+fn bars_that_cross_meet_in_the_mean_of_where_they_go_and_bend_there() {
+    let first = bar("first", &[(100.0, 200.0), (300.0, 200.0)], &[(100.0, 220.0), (300.0, 220.0)]);
+    let second = bar("second", &[(150.0, 100.0), (150.0, 300.0)], &[(160.0, 100.0), (160.0, 300.0)]);
+    let (solution, pose) = posed(&square(Support::Smooth, vec![first, second]));
+    // The first takes the crossing to (150, 220), the second to (160, 200).
+    let joint = DVec2::new(155.0, 210.0);
+    let pieces = [
+        ((100.0, 200.0), (100.0, 220.0)),
+        ((300.0, 200.0), (300.0, 220.0)),
+        ((150.0, 100.0), (160.0, 100.0)),
+        ((150.0, 300.0), (160.0, 300.0)),
+    ];
+    for (rest, end) in pieces {
+        check_on_line(&solution, &pose, &[DVec2::from(rest), DVec2::new(150.0, 200.0)], &[end.into(), joint], false);
+    }
+}
+
+#[test]
+fn bars_that_touch_or_share_an_end_are_joined_there() {
+    let stem = bar("stem", &[(200.0, 200.0), (200.0, 330.0)], &[(210.0, 200.0), (230.0, 320.0)]);
+    let beam = bar("beam", &[(100.0, 200.0), (300.0, 200.0)], &[(100.0, 190.0), (300.0, 230.0)]);
+    let arm = bar("arm", &[(300.0, 200.0), (340.0, 120.0)], &[(304.0, 226.0), (340.0, 100.0)]);
+    let (solution, pose) = posed(&square(Support::Smooth, vec![stem, beam, arm]));
+    // The middle of the beam goes to (200, 210), the top of the stem to (210, 200).
+    let (middle, end) = (DVec2::new(205.0, 205.0), DVec2::new(302.0, 228.0));
+    let at = |x: f64, y: f64| DVec2::new(x, y);
+    check_on_line(&solution, &pose, &[at(200.0, 200.0), at(200.0, 330.0)], &[middle, at(230.0, 320.0)], false);
+    check_on_line(&solution, &pose, &[at(100.0, 200.0), at(200.0, 200.0)], &[at(100.0, 190.0), middle], false);
+    check_on_line(&solution, &pose, &[at(200.0, 200.0), at(300.0, 200.0)], &[middle, end], false);
+    check_on_line(&solution, &pose, &[at(300.0, 200.0), at(340.0, 120.0)], &[end, at(340.0, 100.0)], false);
+}
+
+#[test]
+fn crossing_bars_that_agree_stay_straight() {
+    let shift = |corners: [(f64, f64); 2]| corners.map(|(x, y)| (x + 12.0, y - 9.0));
+    let (first, second) = ([(100.0, 200.0), (300.0, 220.0)], [(150.0, 100.0), (190.0, 300.0)]);
+    let handles = vec![bar("first", &first, &shift(first)), bar("second", &second, &shift(second))];
+    let project = square(Support::Paper, handles);
+    let (solution, pose) = posed(&project);
+    check_lines(&project, &solution, &pose);
+}
+
+#[test]
+fn a_bar_over_a_hole_moves_what_is_on_both_sides_and_tells_what_fell_out() {
+    let rings = [
+        points(&[(20.0, 20.0), (380.0, 20.0), (380.0, 380.0), (20.0, 380.0)]),
+        points(&[(150.0, 150.0), (250.0, 150.0), (250.0, 250.0), (150.0, 250.0)]),
+    ];
+    let mut project = project(&rings, &[], Support::Smooth);
+    project.handles = vec![bar("over", &[(100.0, 200.0), (400.0, 200.0)], &[(100.0, 180.0), (400.0, 230.0)])];
+    let (solution, pose) = posed(&project);
+    let goal = |x: f64| DVec2::new(100.0, 180.0).lerp(DVec2::new(400.0, 230.0), (x - 100.0) / 300.0);
+    for x in [100.0, 123.0, 150.0, 250.0, 301.0, 380.0] {
+        assert!(goes(&solution, &pose, DVec2::new(x, 200.0)).distance(goal(x)) <= ON_BAR, "{x}");
+    }
+    let outside: Vec<([f64; 2], [f64; 2])> = solution.outside().iter().map(|part| (part.from, part.to)).collect();
+    assert_eq!(outside, [([150.0, 200.0], [250.0, 200.0]), ([380.0, 200.0], [400.0, 200.0])]);
+    assert!(solution.outside().iter().all(|part| part.handle == "over"));
+}
+
+#[test]
+fn a_held_boundary_stays() {
+    for (support, mode, density) in [(Support::Paper, PoseMode::Harmonic, 0), (Support::Smooth, PoseMode::Rigid, 40)] {
+        let rings = [
+            points(&[(20.0, 20.0), (380.0, 20.0), (360.0, 200.0), (380.0, 380.0), (20.0, 380.0)]),
+            points(&[(150.0, 150.0), (190.0, 150.0), (180.0, 180.0)]),
+        ];
+        let mut project = project(&rings, &[], support);
+        project.fix_boundary = true;
+        (project.pose.mode, project.pose.density) = (mode, density);
+        project.handles = vec![
+            handle(0, (100.0, 100.0).into(), (130.0, 110.0).into(), 30.0),
+            handle(1, (30.0, 300.0).into(), (35.0, 310.0).into(), 0.0),
+            // Touches the boundary, where its end falls out.
+            bar("bar", &[(250.0, 300.0), (250.0, 380.0)], &[(270.0, 290.0), (260.0, 380.0)]),
+        ];
+        let (solution, pose) = posed(&project);
+        for ring in &rings {
+            for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                for share in shares() {
+                    let p = a.lerp(*b, share);
+                    assert!(goes(&solution, &pose, p).distance(p) <= 1e-9, "{p}");
+                }
+            }
+        }
+        let outline = solution.mesh.vertices.iter().zip(solution.posed_vertices(&pose));
+        let on_outline = |p: DVec2| p.x == 20.0 || p.y == 20.0 || p.y == 380.0;
+        assert!(outline.filter(|(p, _)| on_outline(**p)).all(|(p, posed)| p.distance(posed) <= 1e-9));
+        assert_eq!(solution.outside().len(), 1);
+        assert!(goes(&solution, &pose, (100.0, 100.0).into()).distance((130.0, 110.0).into()) <= ON_BAR);
+        assert!(goes(&solution, &pose, (250.0, 340.0).into()).distance((265.0, 335.0).into()) <= ON_BAR);
+    }
+}
+
+#[test]
+fn a_close_point_asks_for_sites_of_a_bar_where_it_is_close_alone() {
+    let long = bar("long", &[(40.0, 200.0), (360.0, 200.0)], &[(40.0, 200.0), (360.0, 200.0)]);
+    let sites = |gap: f64| {
+        let close = handle(1, (200.0, 200.0 - gap).into(), (200.0, 200.0 - gap).into(), 0.0);
+        let (solution, _) = posed(&square(Support::Paper, vec![long.clone(), close]));
+        let on_bar = |site: &&c2warp::site::Site| matches!(site.origin, Origin::Bone { .. });
+        (solution.sites.iter().filter(on_bar).count(), solution.sites.len())
+    };
+    // The paper's uniform pieces, as long as the gap is wide, would be 32, 320 and 3,200.
+    let (wide, narrow, hair) = (sites(10.0), sites(1.0), sites(0.1));
+    eprintln!("sites of the bar, and all: {wide:?}, {narrow:?}, {hair:?}");
+    assert!(narrow.0 < wide.0 + 40 && hair.0 < narrow.0 + 40, "{wide:?}, {narrow:?}, {hair:?}");
+}
+
+#[test]
+fn a_symmetric_scene_with_bars_has_a_symmetric_result() {
+    let mirror = |p: DVec2| DVec2::new(400.0 - p.x, p.y);
+    for (mode, fix_boundary) in [(PoseMode::Harmonic, false), (PoseMode::Rigid, false), (PoseMode::Rigid, true)] {
+        let left = bar("left", &[(80.0, 100.0), (110.0, 250.0)], &[(60.0, 110.0), (120.0, 270.0)]);
+        let right = bar("right", &[(320.0, 100.0), (290.0, 250.0)], &[(340.0, 110.0), (280.0, 270.0)]);
+        let brow =
+            bar("brow", &[(150.0, 80.0), (200.0, 60.0), (250.0, 80.0)], &[(140.0, 70.0), (200.0, 80.0), (260.0, 70.0)]);
+        let mut project = square(Support::Smooth, vec![left, right, brow]);
+        project.fix_boundary = fix_boundary;
+        (project.pose.mode, project.pose.density) = (mode, 50);
+        let (solution, pose) = posed(&project);
+        for p in spread(3000) {
+            let Some(here) = solution.map(&pose, p) else { continue };
+            let there = goes(&solution, &pose, mirror(p));
+            assert!(mirror(here.posed).distance(there) <= 1e-6, "{mode:?}: {p} goes to {} and {there}", here.posed);
+        }
+    }
+}
+
+#[test]
+fn det_is_that_of_the_map_around_joints_too() {
+    let (solution, pose) = posed(&square(Support::Smooth, all_kinds()));
+    let mut worst = 0.0_f64;
+    let step = 1e-5;
+    for p in spread(3000) {
+        let at = |p: DVec2| solution.map(&pose, p).map(|mapped| mapped.posed);
+        let sides = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].map(|axis| at(p + step * axis));
+        let (Some(mapped), [Some(right), Some(left), Some(down), Some(up)]) = (solution.map(&pose, p), sides) else {
+            continue;
+        };
+        let det = ((right - left) / (2.0 * step)).perp_dot((down - up) / (2.0 * step));
+        worst = worst.max((mapped.det - det).abs() / det.abs().max(1.0));
+    }
+    assert!(worst < 1e-4, "{worst}");
+}
+
+#[test]
+fn a_bar_in_a_wrong_place_is_refused_by_name() {
+    let refused = |handles: Vec<Handle>, held: bool| {
+        let mut project = square(Support::Paper, handles);
+        project.fix_boundary = held;
+        let error = solved(&project).expect_err("refused");
+        (error.code(), error.to_string())
+    };
+    let at_rest = |id: &str, corners: &[(f64, f64)]| bar(id, corners, corners);
+    let point = |x: f64, y: f64| handle(7, (x, y).into(), (x, y).into(), 0.0);
+    for (handles, held, code, names) in [
+        (vec![at_rest("dot", &[(50.0, 50.0), (50.0, 50.001)])], false, "bar-too-short", &["dot"][..]),
+        (vec![at_rest("fold", &[(50.0, 50.0), (90.0, 50.0), (60.0, 50.0)])], false, "bars-overlap", &["fold"]),
+        (
+            vec![at_rest("one", &[(50.0, 50.0), (90.0, 50.0)]), at_rest("two", &[(70.0, 50.0), (120.0, 50.0)])],
+            false,
+            "bars-overlap",
+            &["one", "two"],
+        ),
+        (
+            vec![at_rest("bar", &[(50.0, 50.0), (90.0, 50.0)]), point(70.0, 50.005)],
+            false,
+            "handles-too-close",
+            &["bar", "h7"],
+        ),
+        (vec![at_rest("far", &[(5.0, 5.0), (15.0, 15.0)])], false, "handle-outside", &["far"]),
+        (vec![at_rest("edge", &[(20.5, 50.0), (20.5, 90.0)])], true, "on-held-boundary", &["edge"]),
+        (vec![point(20.5, 90.0)], true, "on-held-boundary", &["h7"]),
+    ] {
+        let (found, message) = refused(handles, held);
+        assert_eq!(found, code, "{message}");
+        assert!(names.iter().all(|name| message.contains(&format!("“{name}”"))), "{message}");
+    }
+    // A pose for other handles than were solved.
+    let (solution, _) = posed(&square(Support::Paper, vec![at_rest("bar", &[(50.0, 50.0), (90.0, 50.0)])]));
+    assert!(matches!(solution.poser().pose(&[point(50.0, 50.0)]), Err(Error::PoseMismatch { .. })));
+}
+
+#[test]
+fn more_than_half_a_turn_is_counted_and_no_length_is_no_harm() {
+    let mut project =
+        square(Support::Smooth, vec![bar("bar", &[(100.0, 200.0), (200.0, 200.0)], &[(200.0, 200.0), (100.0, 200.0)])]);
+    project.handles[0].rotation = Rotation::Degrees(500.0);
+    let (solution, pose) = posed(&project);
+    assert!(pose.motions().iter().all(|motion| (motion.angle.to_degrees() - 540.0).abs() < 1e-9));
+    project.handles[0] = bar("bar", &[(100.0, 200.0), (200.0, 200.0)], &[(150.0, 200.0), (150.0, 200.0)]);
+    let pose = solution.poser().pose(&project.handles).expect("finite");
+    for p in spread(300) {
+        assert!(solution.map(&pose, p).is_none_or(|mapped| mapped.posed.is_finite()));
+    }
+}
+
+/// A scene of points with some bars and polygons laid over it.
+fn mixed_scenes() -> impl Strategy<Value = Project> {
+    let corner = || (10.0..390.0_f64, 10.0..390.0_f64).prop_map(DVec2::from);
+    let lines = proptest::collection::vec((proptest::collection::vec(corner(), 2..5), any::<bool>()), 1..4);
+    (scenes(), lines, any::<bool>()).prop_map(|((rings, places, support), lines, held)| {
+        let mut project = project(&rings, &places, support);
+        project.samples = 1000;
+        project.fix_boundary = held;
+        for (at, (rest, closed)) in lines.into_iter().enumerate() {
+            let posed: Vec<DVec2> = rest.iter().map(|&p| p + DVec2::new(7.0, -4.0) + 0.05 * p.perp()).collect();
+            let shape =
+                if closed && rest.len() > 2 { Shape::Polygon { rest, posed } } else { Shape::Bar { rest, posed } };
+            project.handles.push(line(&format!("line{at}"), shape));
+        }
+        project
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 48,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    /// Random lines cross, leave the domain, run through holes and pass points and one another closely.
+    #[test]
+    fn random_bars_are_solved_or_refused_and_weights_stay_weights(mut project in mixed_scenes(), by in 0..4_usize) {
+        let Ok(solution) = solved(&project) else { return Ok(()) };
+        let pose = solution.poser().pose(&project.handles).expect("finite");
+        for p in spread(400) {
+            let Some(weights) = solution.weights_at(p) else { continue };
+            prop_assert!(weights.iter().all(|&(_, weight)| weight >= 0.0));
+            let sum: f64 = weights.iter().map(|&(_, weight)| weight).sum();
+            prop_assert!(weights.is_empty() || (sum - 1.0).abs() <= 1e-12, "weights at {} sum to {}", p, sum);
+            prop_assert!(solution.map(&pose, p).expect("inside").posed.is_finite());
+        }
+        for site in &solution.sites {
+            prop_assert!(site.cell_radius < site.support_radius, "{:?} at {}", site.origin, site.rest);
+        }
+        // Points of every bone, wherever it is in the domain: all weight is of sites that agree there.
+        for handle in &project.handles {
+            let (Shape::Bar { rest, .. } | Shape::Polygon { rest, .. }) = &handle.shape else { continue };
+            for pair in rest.windows(2) {
+                for share in [0.03, 0.21, 0.5, 0.77, 0.99] {
+                    let p = pair[0].lerp(pair[1], share);
+                    let weights = solution.weights_at(p).unwrap_or_default();
+                    let fallen = solution.outside().iter().any(|part| {
+                        let (from, to) = (DVec2::from(part.from), DVec2::from(part.to));
+                        (to - from).normalize().perp_dot(p - from).abs() < 1e-6
+                            && (p - from).dot(to - from) >= -1e-6 && (p - to).dot(from - to) >= -1e-6
+                    });
+                    if fallen { continue }
+                    let of: BTreeSet<Option<usize>> = weights.iter().filter(|&&(_, weight)| weight > 1e-9)
+                        .map(|&(site, _)| solution.sites[site].origin.handle()).collect();
+                    prop_assert!(!of.contains(&None), "something virtual weighs on {} at {p}", handle.id);
+                }
+            }
+        }
+        let handles = project.handles.len();
+        project.handles.rotate_left(by % handles);
+        let turned = solved(&project).expect("a valid scene");
+        prop_assert!(turned.weights == solution.weights, "another order of the handles, other weights");
+        let posed = turned.poser().pose(&project.handles).expect("finite");
+        prop_assert!(turned.posed_vertices(&posed) == solution.posed_vertices(&pose));
+    }
+}

@@ -1,0 +1,181 @@
+//! Where lines turn and meet: cuts them into pieces between joints.
+
+use glam::DVec2;
+
+use super::{Anchor, Line};
+use crate::{
+    error::Error,
+    segment::{nearest_on_segment, segment_distance},
+    site::MIN_SEPARATION,
+};
+
+/// Two touches of the same two pieces this far apart, in pixels, are an overlap: they run along each other.
+const OVERLAP: f64 = 10.0 * MIN_SEPARATION;
+
+/// A piece of a line between two joints.
+pub(super) struct Piece {
+    pub(super) handle: u32,
+    pub(super) segment: u32,
+    /// Where on the segment it begins and ends, 0 to 1.
+    pub(super) shares: [f64; 2],
+    pub(super) joints: [u32; 2],
+}
+
+pub(super) struct Cuts {
+    pub(super) pieces: Vec<Piece>,
+    pub(super) joints: Vec<Vec<Anchor>>,
+}
+
+/// A straight piece of a line with the places where it is cut.
+struct Segment<'a> {
+    line: &'a Line,
+    number: usize,
+    a: DVec2,
+    b: DVec2,
+    /// Share of the segment, and the node there.
+    stops: Vec<(f64, usize)>,
+}
+
+impl Cuts {
+    /// # Errors
+    /// [`Error::BarTooShort`], [`Error::BarsOverlap`].
+    pub(super) fn new(lines: &[&Line]) -> Result<Self, Error> {
+        let mut nodes = Nodes::default();
+        let mut segments: Vec<Segment> = Vec::new();
+        for &line in lines {
+            let first = nodes.anchors.len();
+            for corner in 0..line.corners.len() {
+                // The last corner of an open line is the end of the last piece.
+                let (segment, share) =
+                    if corner < line.segments() { (corner, 0.0) } else { (line.segments() - 1, 1.0) };
+                nodes.add(Anchor { handle: line.handle, segment: segment as u32, share });
+            }
+            for number in 0..line.segments() {
+                let (a, b) = line.segment(number);
+                if a.distance(b) < MIN_SEPARATION {
+                    return Err(Error::BarTooShort { id: line.id.clone(), corner: number });
+                }
+                let end = first + (number + 1) % line.corners.len();
+                segments.push(Segment { line, number, a, b, stops: vec![(0.0, first + number), (1.0, end)] });
+            }
+        }
+        for i in 0..segments.len() {
+            for j in i + 1..segments.len() {
+                let (before, after) = segments.split_at_mut(j);
+                let (s, t) = (&mut before[i], &mut after[0]);
+                match meeting(s, t) {
+                    Meeting::Apart => {}
+                    Meeting::At(p) => {
+                        let (on_s, on_t) = (s.stop(p, &mut nodes), t.stop(p, &mut nodes));
+                        nodes.join(on_s, on_t);
+                    }
+                    Meeting::Along => {
+                        let [mut first, mut second] = [&s.line.id, &t.line.id].map(Clone::clone);
+                        if t.line.handle < s.line.handle {
+                            std::mem::swap(&mut first, &mut second);
+                        }
+                        return Err(Error::BarsOverlap { first, second });
+                    }
+                }
+            }
+        }
+        let joints = nodes.joints();
+        let mut pieces = Vec::new();
+        for segment in &mut segments {
+            segment.stops.sort_by(|(s, _), (t, _)| s.total_cmp(t));
+            pieces.extend(segment.stops.windows(2).map(|pair| Piece {
+                handle: segment.line.handle,
+                segment: segment.number as u32,
+                shares: [pair[0].0, pair[1].0],
+                joints: [nodes.joint[pair[0].1], nodes.joint[pair[1].1]],
+            }));
+        }
+        Ok(Self { pieces, joints })
+    }
+}
+
+impl Segment<'_> {
+    /// The node at a place on the segment: one that is there, or a new one.
+    fn stop(&mut self, p: DVec2, nodes: &mut Nodes) -> usize {
+        let along = self.b - self.a;
+        let share = ((p - self.a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        let near = MIN_SEPARATION / along.length();
+        if let Some(&(_, node)) = self.stops.iter().find(|(known, _)| (known - share).abs() < near) {
+            return node;
+        }
+        let node = nodes.add(Anchor { handle: self.line.handle, segment: self.number as u32, share });
+        self.stops.push((share, node));
+        node
+    }
+}
+
+enum Meeting {
+    Apart,
+    At(DVec2),
+    Along,
+}
+
+/// Where two segments are within [`MIN_SEPARATION`] of each other.
+fn meeting(s: &Segment, t: &Segment) -> Meeting {
+    let ((a, b), (c, d)) = ((s.a, s.b), (t.a, t.b));
+    let slack = DVec2::splat(MIN_SEPARATION);
+    if (a.max(b) + slack).cmplt(c.min(d)).any() || (c.max(d) + slack).cmplt(a.min(b)).any() {
+        return Meeting::Apart;
+    }
+    let touching = |end: DVec2, from: DVec2, to: DVec2| segment_distance(end, from, to) < MIN_SEPARATION;
+    let of_s = [a, b].into_iter().filter(|&end| touching(end, c, d));
+    let of_t = [c, d].into_iter().filter(|&end| touching(end, a, b)).map(|end| nearest_on_segment(end, a, b));
+    let mut touches: Vec<DVec2> = of_s.chain(of_t).collect();
+    let (ab, cd) = (b - a, d - c);
+    let crosses = ab.perp_dot(c - a) * ab.perp_dot(d - a) < 0.0 && cd.perp_dot(a - c) * cd.perp_dot(b - c) < 0.0;
+    if crosses && touches.is_empty() {
+        touches.push(a + ab * (cd.perp_dot(a - c) / ab.perp_dot(cd)));
+    }
+    let Some(&first) = touches.first() else { return Meeting::Apart };
+    if touches.iter().any(|touch| touch.distance(first) > OVERLAP) { Meeting::Along } else { Meeting::At(first) }
+}
+
+/// Places on lines, joined into joints.
+#[derive(Default)]
+struct Nodes {
+    anchors: Vec<Anchor>,
+    /// A node of the same joint nearer to its first one; at the end, the joint's number.
+    parent: Vec<usize>,
+    joint: Vec<u32>,
+}
+
+impl Nodes {
+    fn add(&mut self, anchor: Anchor) -> usize {
+        self.anchors.push(anchor);
+        self.parent.push(self.parent.len());
+        self.parent.len() - 1
+    }
+
+    fn root(&self, mut node: usize) -> usize {
+        while self.parent[node] != node {
+            node = self.parent[node];
+        }
+        node
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b)] = a.min(b);
+    }
+
+    /// Numbers the joints and lists what each is made of.
+    fn joints(&mut self) -> Vec<Vec<Anchor>> {
+        let mut number = vec![u32::MAX; self.anchors.len()];
+        let mut joints: Vec<Vec<Anchor>> = Vec::new();
+        for node in 0..self.anchors.len() {
+            let root = self.root(node);
+            if number[root] == u32::MAX {
+                number[root] = joints.len() as u32;
+                joints.push(Vec::new());
+            }
+            joints[number[root] as usize].push(self.anchors[node]);
+        }
+        self.joint = (0..self.anchors.len()).map(|node| number[self.root(node)]).collect();
+        joints
+    }
+}

@@ -1,0 +1,29 @@
+//! The line of a bar, or of a polygon, at rest.
+
+use glam::DVec2;
+
+/// A chain of corners, closed for a polygon.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Line {
+    /// Index of the handle.
+    pub(crate) handle: u32,
+    pub(crate) id: String,
+    pub(crate) corners: Vec<DVec2>,
+    pub(crate) closed: bool,
+}
+
+impl Line {
+    pub(super) fn coordinates(&self) -> impl Iterator<Item = f64> + '_ {
+        self.corners.iter().flat_map(|corner| [corner.y, corner.x])
+    }
+
+    /// Number of pieces between corners.
+    pub(crate) fn segments(&self) -> usize {
+        if self.closed { self.corners.len() } else { self.corners.len() - 1 }
+    }
+
+    /// The ends of a piece.
+    pub(crate) fn segment(&self, at: usize) -> (DVec2, DVec2) {
+        (self.corners[at], self.corners[(at + 1) % self.corners.len()])
+    }
+}

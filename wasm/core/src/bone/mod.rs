@@ -1,0 +1,213 @@
+//! Bones: the straight pieces of bar and polygon handles (paper, section V-D).
+//!
+//! A bar or polygon is cut where its line turns, where it meets another, and where it leaves the domain; what remains are
+//! bones. Each moves by one map, so a straight bar stays straight between its sites too. Bones that meet do so in a joint,
+//! and all that meet, directly or by way of others, are one body.
+//!
+//! One rule for what is shared: a joint goes to the mean of the places that the handles there ask for, and each of them
+//! bends there. Where they agree nothing bends.
+
+mod clip;
+mod cut;
+mod lines;
+mod motion;
+mod track;
+
+use std::cmp::Ordering;
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use crate::{distance::Navigation, domain::Domain, error::Error, report::Outside, segment::segment_distance};
+
+pub(crate) use lines::Line;
+pub(crate) use motion::BoneMotion;
+pub(crate) use track::Track;
+
+/// A held boundary keeps bones this far away, in pixels: on it nothing can both move and stay.
+pub(crate) const HELD_CLEARANCE: f64 = 1.0;
+
+/// Places this near to a bone, in pixels, are on it: above rounding, far below what handles are apart.
+const ON_BONE: f64 = 1e-6;
+
+/// A place on the line of a handle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Anchor {
+    pub(crate) handle: u32,
+    /// The piece between corners `segment` and `segment + 1`.
+    pub(crate) segment: u32,
+    /// How much of the piece lies before: 0 to 1, without 1 where another piece follows.
+    pub(crate) share: f64,
+}
+
+/// A straight piece of a handle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Bone {
+    pub(crate) handle: u32,
+    pub(crate) rest: [DVec2; 2],
+    joints: [u32; 2],
+    /// Number of the connected bones that it is one of.
+    pub(crate) body: u32,
+}
+
+/// All bones of a scene, in an order that does not depend on that of the handles.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Skeleton {
+    pub(crate) bones: Vec<Bone>,
+    /// What each joint is made of.
+    joints: Vec<Vec<Anchor>>,
+}
+
+impl Skeleton {
+    /// Cuts lines into bones. Also tells which parts of them lie outside the domain, or too near to its held boundary.
+    ///
+    /// # Errors
+    /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::HandleOutside`] and [`Error::OnHeldBoundary`] for a line of
+    /// which nothing is left.
+    pub(crate) fn new(
+        lines: &[Line],
+        domain: &Domain,
+        navigation: &Navigation,
+        held: bool,
+    ) -> Result<(Self, Vec<Outside>), Error> {
+        // Rounding depends on the order of lines, which must not be that of the handles.
+        let mut lines: Vec<&Line> = lines.iter().collect();
+        lines.sort_by(|a, b| lexical(a.coordinates(), b.coordinates()));
+        let cuts = cut::Cuts::new(&lines)?;
+        let mut skeleton = Self { bones: Vec::new(), joints: cuts.joints };
+        let mut outside = Vec::new();
+        for line in lines {
+            let (before, mut off_boundary) = (skeleton.bones.len(), false);
+            for piece in cuts.pieces.iter().filter(|piece| piece.handle == line.handle) {
+                let (a, b) = line.segment(piece.segment as usize);
+                let at = |share: f64| a.lerp(b, share);
+                let [from, to] = piece.shares;
+                let (mut stop, mut joint) = (from, Some(piece.joints[0]));
+                for [mut enter, mut leave] in clip::inside(domain, navigation, at(from), at(to)) {
+                    (enter, leave) = (from + enter * (to - from), from + leave * (to - from));
+                    if held {
+                        let Some(clear) = clip::clear_of_outline(domain, at(enter), at(leave), HELD_CLEARANCE) else {
+                            off_boundary = true;
+                            continue;
+                        };
+                        (enter, leave) = (enter + clear[0] * (leave - enter), enter + clear[1] * (leave - enter));
+                    }
+                    if enter > stop {
+                        outside.push(Outside { handle: line.id.clone(), from: at(stop).into(), to: at(enter).into() });
+                        joint = None;
+                    }
+                    let mut joint_at = |share: f64| {
+                        skeleton.joints.push(vec![Anchor { handle: piece.handle, segment: piece.segment, share }]);
+                        skeleton.joints.len() as u32 - 1
+                    };
+                    let first = joint.take().unwrap_or_else(|| joint_at(enter));
+                    let last = if leave >= to { piece.joints[1] } else { joint_at(leave) };
+                    stop = leave;
+                    let rest = [at(enter), at(leave)];
+                    skeleton.bones.push(Bone { handle: piece.handle, rest, joints: [first, last], body: 0 });
+                }
+                if stop < to {
+                    outside.push(Outside { handle: line.id.clone(), from: at(stop).into(), to: at(to).into() });
+                }
+            }
+            if skeleton.bones.len() == before {
+                let (id, DVec2 { x, y }) = (line.id.clone(), line.corners[0]);
+                return Err(if off_boundary {
+                    Error::OnHeldBoundary { id }
+                } else {
+                    Error::HandleOutside { id, x, y }
+                });
+            }
+        }
+        let key = |bone: &Bone| {
+            let [a, b] = bone.rest;
+            let swap = (b.y, b.x) < (a.y, a.x);
+            let [a, b] = if swap { [b, a] } else { [a, b] };
+            [a.y, a.x, b.y, b.x]
+        };
+        skeleton.bones.sort_by(|a, b| lexical(key(a).into_iter(), key(b).into_iter()));
+        skeleton.number_bodies();
+        Ok((skeleton, outside))
+    }
+
+    fn number_bodies(&mut self) {
+        for bone in &mut self.bones {
+            bone.body = u32::MAX;
+        }
+        let mut bodies = 0;
+        for seed in 0..self.bones.len() {
+            if self.bones[seed].body != u32::MAX {
+                continue;
+            }
+            let mut stack = vec![seed];
+            while let Some(at) = stack.pop() {
+                self.bones[at].body = bodies;
+                let joints = self.bones[at].joints;
+                let meets =
+                    |bone: &Bone| bone.body == u32::MAX && bone.joints.iter().any(|joint| joints.contains(joint));
+                stack.extend((0..self.bones.len()).filter(|&other| meets(&self.bones[other])));
+            }
+            bodies += 1;
+        }
+    }
+
+    /// Whether all is as [`new`](Self::new) makes it, for handles with so many corners: to be asked of what came from
+    /// elsewhere.
+    pub(crate) fn is_whole(&self, handles: usize) -> bool {
+        let anchor = |anchor: &Anchor| (anchor.handle as usize) < handles && anchor.share.is_finite();
+        self.bones.iter().all(|bone| {
+            (bone.handle as usize) < handles
+                && bone.joints.iter().all(|&joint| self.joints.get(joint as usize).is_some_and(|j| !j.is_empty()))
+        }) && self.joints.iter().flatten().all(anchor)
+    }
+
+    /// Whether several bones of a body share out what it weighs.
+    pub(crate) fn is_jointed(&self, bone: usize) -> bool {
+        let body = self.bones[bone].body;
+        self.bones.iter().enumerate().any(|(other, known)| other != bone && known.body == body)
+    }
+
+    /// Whether the straight way between two places crosses a bone that neither lies on. Its ends count.
+    pub(crate) fn is_between(&self, p: DVec2, q: DVec2) -> bool {
+        self.bones.iter().any(|bone| {
+            let [a, b] = bone.rest;
+            let (along, way) = (b - a, q - p);
+            // Distances from the line of the bone, and of its ends from the way.
+            let [side_p, side_q] = [p, q].map(|place| along.perp_dot(place - a) / along.length());
+            let [side_a, side_b] = [a, b].map(|end| way.perp_dot(end - p) / way.length());
+            let across = |from: f64, to: f64, least: f64| from.min(to) < -least && from.max(to) > least;
+            across(side_p, side_q, ON_BONE) && across(side_a, side_b, -ON_BONE)
+        })
+    }
+}
+
+fn lexical(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> Ordering {
+    a.zip(b).fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
+}
+
+impl Bone {
+    pub(crate) fn length(&self) -> f64 {
+        self.rest[0].distance(self.rest[1])
+    }
+
+    /// Straight distance to a place.
+    pub(crate) fn distance(&self, p: DVec2) -> f64 {
+        segment_distance(p, self.rest[0], self.rest[1])
+    }
+
+    /// How far a place is off the bone, in square pixels, and the gradient: zero on it and nowhere else, twice
+    /// continuously differentiable, and about the squared distance far away.
+    pub(crate) fn offset(&self, p: DVec2) -> (f64, DVec2) {
+        let [a, b] = self.rest;
+        let length = self.length();
+        let along = (b - a) / length;
+        let x = (p - a).dot(along);
+        let across = (p - a) - along * x;
+        // The squared distance has a jump in its second derivative where an end begins to be nearest; e³ / (e + length) has not.
+        let (beyond, outwards) = if x < 0.0 { (-x, -along) } else { ((x - length).max(0.0), along) };
+        let sum = beyond + length;
+        let value = across.length_squared() + beyond * beyond * beyond / sum;
+        let slope = beyond * beyond * (2.0 * beyond + 3.0 * length) / (sum * sum);
+        (value, 2.0 * across + slope * outwards)
+    }
+}
