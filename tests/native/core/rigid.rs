@@ -82,8 +82,7 @@ fn a_turned_scene_is_turned_whole() {
     let (solution, pose) = pose_of(&posed(&[ring], &places.map(|p| (p, turn(p))), PoseMode::Rigid));
     for p in spread(500) {
         if let Some(mapped) = solution.map(&pose, p) {
-            // The turns end when no site moves by more than a millionth of the scene.
-            assert!(mapped.posed.distance(turn(p)) < 0.05, "{p} goes to {}", mapped.posed);
+            assert!(mapped.posed.distance(turn(p)) < 1e-3, "{p} goes to {}", mapped.posed);
         }
     }
 }

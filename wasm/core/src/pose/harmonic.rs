@@ -1,16 +1,13 @@
 //! ϖ_i: how much of each handle's motion a virtual site takes (paper, sections IV-B and V-C).
 //!
 //! On the cell graph, ϖ_i is 1 at handle i, 0 at the others and harmonic elsewhere. The paper iterates the Laplacian "tens of
-//! times"; here the system is solved by conjugate gradients to the last digits. Weights of links are positive, so the
-//! matrix is an M-matrix and fields are non-negative; they sum to 1.
+//! times"; here it is factorised once for all fields, in a way that adds and multiplies positive numbers only. So every
+//! share is right to the last digits, however small, none is negative, and they sum to 1.
 //!
-//! Cost: a few dozen products with the sparse matrix for each handle.
+//! Cost: see [`Elimination`](super::elimination); one solution for each handle.
 
 use super::laplacian::Laplacian;
 use crate::site::{Site, SiteGraph};
-
-/// Residual of the fields: the last digits.
-const PRECISION: f64 = 1e-14;
 
 /// The harmonic fields at all sites.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -26,12 +23,11 @@ impl HarmonicFields {
         let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); sites.len()];
         for (real, _) in sites.iter().enumerate().filter(|(_, site)| site.origin.is_real()) {
             rows[real].push((real as u32, 1.0));
-            let mut flow = vec![0.0; laplacian.free.len()];
+            let mut field = vec![0.0; laplacian.free.len()];
             for &(_, row, weight) in laplacian.boundary.iter().filter(|&&(from, ..)| from as usize == real) {
-                flow[row as usize] += weight;
+                field[row as usize] += weight;
             }
-            let mut field = vec![0.0; flow.len()];
-            laplacian.solve(&flow, &mut field, PRECISION);
+            laplacian.inverse.solve(&mut field);
             for (site, value) in field.into_iter().enumerate().filter(|&(_, value)| value > 0.0) {
                 rows[laplacian.free[site] as usize].push((real as u32, value));
             }

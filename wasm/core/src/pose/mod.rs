@@ -1,6 +1,8 @@
 //! From where the handles were taken to where every point goes (paper, sections III (eq. 1) and IV-B (eq. 4)).
 
 mod blend;
+mod descent;
+mod elimination;
 mod harmonic;
 mod laplacian;
 mod motion;

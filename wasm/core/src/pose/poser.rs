@@ -15,7 +15,7 @@ use crate::{
 
 /// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples.
 ///
-/// Cost of a pose: microseconds in the harmonic mode, some hundred of them in the rigid one.
+/// Cost of a pose: microseconds in the harmonic mode, some hundreds of them in the rigid one.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Poser {
     rest: Arc<[DVec2]>,
@@ -41,10 +41,10 @@ impl Poser {
         mode: PoseMode,
     ) -> Self {
         let edges = effective_links(sites, graph, harmonic);
-        let is_real: Vec<bool> = sites.iter().map(|site| site.origin.is_real()).collect();
+        let is_real = sites.iter().map(|site| site.origin.is_real()).collect();
         let rigid = match mode {
             PoseMode::Harmonic => None,
-            PoseMode::Rigid => Some(Rigid::new(&is_real, graph.iter())),
+            PoseMode::Rigid => Some(Rigid::new(is_real, graph.iter())),
         };
         Self {
             rest: sites.iter().map(|site| site.rest).collect(),

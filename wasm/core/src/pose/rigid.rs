@@ -1,121 +1,144 @@
 //! The rigid pose mode: virtual sites move so that the cell graph bends as rigidly as it can.
 //!
 //! As-rigid-as-possible (Sorkine and Alexa 2007) on the sites alone: the motions minimise
-//! Σ w_ij |(p_i − p_j) − s_i R_i (h_i − h_j)|² over the links, each from both its ends. Real sites stay where the handles are,
-//! with their rotation where the person set one. It needs no rotations from the person, and bends a limb as a limb bends.
+//! Σ w_ij |(p_i − p_j) − R_i S_i (h_i − h_j)|² over the links, each from both its ends. The stretches S_i are those of the
+//! harmonic pose. Real sites stay where the handles are, with their rotation where the person set one. It needs no rotations
+//! from the person, and bends a limb as a limb bends.
 //!
-//! Two steps take turns: the rotations that fit the places best, in closed form; the places that fit the rotations best, by the
-//! Laplacian. They begin at the harmonic pose, so a pose depends on nothing but the handles. Cost: 200 sites take some ten
-//! microseconds a turn.
+//! The rotations that fit given places best have a closed form, so the energy is one of the places alone; it is lowered by
+//! [`descent`](super::descent) on the factorised Laplacian. That begins at the harmonic pose, so a pose depends on nothing but
+//! the handles: not on the way they were dragged there. Cost: 200 sites take some twenty turns of 12 µs.
 
-use glam::DVec2;
+use std::sync::OnceLock;
+
+use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Motion, laplacian::Laplacian};
+use super::{Motion, descent::descend, laplacian::Laplacian};
 
-/// Turns at most. Bending a strip by three pins takes some sixty to settle within [`SETTLED`].
-const TURNS: usize = 120;
-/// A turn that moves no site by more than this share of the scene's extent is the last: a thousandth of a pixel.
-const SETTLED: f64 = 1e-6;
+/// A turn that moves no site by more than this share of the scene's extent is the last: a ten-thousandth of a pixel.
+const SETTLED: f64 = 1e-7;
 
-/// Residual of the places in one turn: finer than [`SETTLED`], which the turns have to reach in the end.
-const PRECISION: f64 = 1e-9;
-
-/// The links between sites, and the matrix of their global step.
+/// The links between sites.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rigid {
     links: Vec<(u32, u32, f64)>,
-    laplacian: Laplacian,
+    is_real: Vec<bool>,
+    /// Made when the first pose asks for it: it is several times the size of the links, and as quickly made as read.
+    #[serde(skip)]
+    laplacian: OnceLock<Laplacian>,
+}
+
+/// A link of one pose.
+struct Edge {
+    sites: [usize; 2],
+    weight: f64,
+    /// The edge at rest, stretched as either site asks.
+    rest: [DVec2; 2],
 }
 
 impl Rigid {
-    pub(super) fn new(is_real: &[bool], links: impl Iterator<Item = (usize, usize, f64)> + Clone) -> Self {
-        let laplacian = Laplacian::new(is_real, links.clone());
-        Self { links: links.map(|(i, j, weight)| (i as u32, j as u32, weight)).collect(), laplacian }
+    pub(super) fn new(is_real: Vec<bool>, links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
+        let links = links.map(|(i, j, weight)| (i as u32, j as u32, weight)).collect();
+        Self { links, is_real, laplacian: OnceLock::new() }
     }
 
-    /// Whether every index is one of so many sites: to be asked of what came from elsewhere.
+    /// Whether it is made for so many sites: to be asked of what came from elsewhere.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
-        let known = |site: u32| (site as usize) < sites;
-        self.links.iter().all(|&(i, j, _)| known(i) && known(j)) && self.laplacian.is_whole(sites)
+        let known = |&(i, j, weight): &(u32, u32, f64)| i < j && (j as usize) < sites && (0.0..=1.0).contains(&weight);
+        self.is_real.len() == sites && self.links.iter().all(known)
+    }
+
+    fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
     /// Takes the harmonic motions to rigid ones. `is_free` tells of each site whether its rotation is to be found.
     pub(super) fn settle(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool]) {
-        let free = &self.laplacian.free;
+        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&self.is_real, self.links()));
+        let free = &laplacian.free;
         if free.is_empty() {
             return;
         }
-        let mut posed: Vec<DVec2> = rest.iter().zip(&*motions).map(|(&h, motion)| h + motion.translation).collect();
-        let scale: Vec<f64> = motions.iter().map(|motion| libm::exp(motion.strain.mean())).collect();
-        let turn = |(motion, &scale): (&Motion, &f64)| {
-            let (sin, cos) = libm::sincos(motion.angle);
-            scale * DVec2::new(cos, sin)
+        let stretch: Vec<DMat2> = motions.iter().map(|motion| motion.strain.stretch()).collect();
+        let edge = |(i, j, weight): (usize, usize, f64)| {
+            let at_rest = rest[j] - rest[i];
+            Edge { sites: [i, j], weight, rest: [stretch[i] * at_rest, stretch[j] * at_rest] }
         };
-        let mut linear: Vec<DVec2> = motions.iter().zip(&scale).map(turn).collect();
+        let mut bending = Bending {
+            edges: self.links().map(edge).collect(),
+            posed: rest.iter().zip(&*motions).map(|(&h, motion)| h + motion.translation).collect(),
+            turns: motions.iter().map(|motion| turn(motion.angle)).collect(),
+            torques: vec![DVec2::ZERO; rest.len()],
+            forces: vec![DVec2::ZERO; rest.len()],
+            is_free,
+        };
         let (low, high) = rest.iter().fold((rest[0], rest[0]), |(low, high), &h| (low.min(h), high.max(h)));
         let settled = SETTLED * (high - low).length();
-        for _ in 0..TURNS {
-            self.fit_rotations(rest, &posed, &scale, &mut linear, is_free);
-            if self.fit_places(rest, &linear, &mut posed) <= settled {
-                break;
-            }
-        }
-        self.fit_rotations(rest, &posed, &scale, &mut linear, is_free);
+        let mut places: Vec<DVec2> = free.iter().map(|&site| bending.posed[site as usize]).collect();
+        descend(&mut places, &laplacian.inverse, settled, |places, gradient| bending.energy(free, places, gradient));
+        bending.energy(free, &places, &mut vec![DVec2::ZERO; places.len()]);
         for (site, motion) in motions.iter_mut().enumerate() {
-            motion.translation = posed[site] - rest[site];
+            motion.translation = bending.posed[site] - rest[site];
             if is_free[site] {
-                motion.angle = libm::atan2(linear[site].y, linear[site].x);
+                motion.angle = libm::atan2(bending.turns[site].y, bending.turns[site].x);
             }
         }
     }
+}
 
-    /// The rotation at each free site that takes its links at rest nearest to where they are. A site without links, or whose
-    /// links have shrunk to nothing, keeps its own.
-    fn fit_rotations(&self, rest: &[DVec2], posed: &[DVec2], scale: &[f64], linear: &mut [DVec2], is_free: &[bool]) {
-        let mut turns = vec![DVec2::ZERO; rest.len()];
-        for &(i, j, weight) in &self.links {
-            let (i, j) = (i as usize, j as usize);
-            let (before, after) = (rest[j] - rest[i], posed[j] - posed[i]);
+fn turn(angle: f64) -> DVec2 {
+    let (sin, cos) = libm::sincos(angle);
+    DVec2::new(cos, sin)
+}
+
+/// A pose on the way to its least energy.
+struct Bending<'a> {
+    edges: Vec<Edge>,
+    posed: Vec<DVec2>,
+    /// Cosine and sine of each site's rotation.
+    turns: Vec<DVec2>,
+    torques: Vec<DVec2>,
+    forces: Vec<DVec2>,
+    is_free: &'a [bool],
+}
+
+impl Bending<'_> {
+    /// A quarter of the energy when the free sites are at these places, with the rotations that fit them best and less a constant; its
+    /// gradient has the Laplacian for its second derivative as long as no rotation changes.
+    ///
+    /// A site without links, or whose links have shrunk to nothing, keeps its rotation.
+    fn energy(&mut self, free: &[u32], places: &[DVec2], gradient: &mut [DVec2]) -> f64 {
+        for (&site, &place) in free.iter().zip(places) {
+            self.posed[site as usize] = place;
+        }
+        self.torques.fill(DVec2::ZERO);
+        let mut lengths = 0.0;
+        for &Edge { sites: [i, j], weight, rest } in &self.edges {
+            let after = self.posed[j] - self.posed[i];
+            lengths += weight * after.length_squared();
             // The same from both ends: both edges change their sign.
-            let turn = weight * DVec2::new(before.dot(after), before.perp_dot(after));
-            turns[i] += turn;
-            turns[j] += turn;
-        }
-        for (site, turn) in turns.into_iter().enumerate().filter(|&(site, _)| is_free[site]) {
-            if let Some(rotation) = turn.try_normalize() {
-                linear[site] = scale[site] * rotation;
+            for (site, before) in [(i, rest[0]), (j, rest[1])] {
+                self.torques[site] += weight * DVec2::new(before.dot(after), before.perp_dot(after));
             }
         }
-    }
-
-    /// The places of the virtual sites that fit all rotations best. Tells how far any of them moved.
-    fn fit_places(&self, rest: &[DVec2], linear: &[DVec2], posed: &mut [DVec2]) -> f64 {
-        let mut pull = vec![DVec2::ZERO; rest.len()];
-        for &(i, j, weight) in &self.links {
-            let (i, j) = (i as usize, j as usize);
-            let edge = weight * ((linear[i] + linear[j]) / 2.0).rotate(rest[i] - rest[j]);
-            pull[i] += edge;
-            pull[j] -= edge;
+        let mut fit = 0.0;
+        for ((turn, &torque), &is_free) in self.turns.iter_mut().zip(&self.torques).zip(self.is_free) {
+            if is_free {
+                *turn = torque.try_normalize().unwrap_or(*turn);
+            }
+            fit += turn.dot(torque);
         }
-        let laplacian = &self.laplacian;
-        let mut right: Vec<DVec2> = laplacian.free.iter().map(|&site| pull[site as usize]).collect();
-        for &(real, row, weight) in &laplacian.boundary {
-            right[row as usize] += weight * posed[real as usize];
+        self.forces.fill(DVec2::ZERO);
+        for &Edge { sites: [i, j], weight, rest } in &self.edges {
+            let turned = (self.turns[i].rotate(rest[0]) + self.turns[j].rotate(rest[1])) / 2.0;
+            let force = weight * (self.posed[j] - self.posed[i] - turned);
+            self.forces[i] -= force;
+            self.forces[j] += force;
         }
-        let solved = |axis: fn(&DVec2) -> f64| {
-            let right: Vec<f64> = right.iter().map(axis).collect();
-            let mut x: Vec<f64> = laplacian.free.iter().map(|&site| axis(&posed[site as usize])).collect();
-            laplacian.solve(&right, &mut x, PRECISION);
-            x
-        };
-        let (x, y) = (solved(|p| p.x), solved(|p| p.y));
-        let mut moved = 0.0_f64;
-        for (&site, (x, y)) in laplacian.free.iter().zip(x.into_iter().zip(y)) {
-            let place = DVec2::new(x, y);
-            moved = moved.max(place.distance(posed[site as usize]));
-            posed[site as usize] = place;
+        for (&site, gradient) in free.iter().zip(gradient) {
+            *gradient = self.forces[site as usize];
         }
-        moved
+        (lengths - fit) / 2.0
     }
 }
