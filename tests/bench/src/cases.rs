@@ -1,8 +1,7 @@
 //! The scenes that are solved: like the paper's of Table I, and its gingerbread figure of Table II.
 //!
-//! The paper's pictures are not to be had; these resemble them in shape, and have as many handles and samples. Bars count
-//! as one point handle each until there are bars. So that Algorithm 1 has about as much to do nevertheless, the scenes
-//! of Table I ask for as many virtual sites as the paper's had.
+//! The paper's pictures are not to be had; these resemble them in shape, and have as many bars, points and samples. So that
+//! Algorithm 1 has about as much to do, the scenes of Table I ask for as many virtual sites as the paper's had.
 
 use c2warp::{
     Error, Picture,
@@ -96,6 +95,17 @@ impl Scene {
         Self { project, rgba }
     }
 
+    /// The same scene with straight bars besides.
+    fn with_bars(mut self, bars: &[[(f64, f64); 2]]) -> Self {
+        let bar = |(at, ends): (usize, &[(f64, f64); 2])| {
+            let rest = ends.map(DVec2::from).to_vec();
+            let shape = Shape::Bar { posed: rest.clone(), rest };
+            Handle { id: format!("b{at}"), shape, rotation: Rotation::Auto, scale: 1.0, depth: 0.0 }
+        };
+        self.project.handles.extend(bars.iter().enumerate().map(bar));
+        self
+    }
+
     /// The same picture with other numbers of samples and, at least, of virtual sites.
     #[must_use]
     pub fn project(&self, samples: u32, virtual_sites: u32) -> Project {
@@ -127,7 +137,7 @@ pub fn table_1() -> [Scene; 6] {
     [tower(), wolf(), portrait(), alligator(), rabbit(), road()]
 }
 
-/// A tapering tower with storeys, battlements and a gate; handles up both sides.
+/// A tapering tower with storeys, battlements and a gate; bars up both sides.
 fn tower() -> Scene {
     let mut limbs =
         vec![limb((250.0, 730.0), 130.0, (250.0, 200.0), 70.0), limb((90.0, 760.0), 30.0, (410.0, 760.0), 30.0)];
@@ -139,11 +149,13 @@ fn tower() -> Scene {
     let gate =
         [limb((250.0, 830.0), 36.0, (250.0, 690.0), 36.0), spot((250.0, 290.0), 16.0), spot((250.0, 470.0), 18.0)];
     let storeys = [120.0, 230.0, 340.0, 450.0, 560.0, 740.0];
-    let handles: Vec<_> = storeys.iter().flat_map(|&y| [(192.0 - y / 16.0, y), (308.0 + y / 16.0, y)]).collect();
-    Scene::on_limbs((500, 820), &limbs, &gate, &handles)
+    let side = |x: f64, y: f64, lean: f64| [(x - lean * (y - 30.0), y - 30.0), (x - lean * (y + 30.0), y + 30.0)];
+    let bars: Vec<_> =
+        storeys.iter().flat_map(|&y| [side(196.0, y, 1.0 / 16.0), side(304.0, y, -1.0 / 16.0)]).collect();
+    Scene::on_limbs((500, 820), &limbs, &gate, &[]).with_bars(&bars)
 }
 
-/// A four-legged animal from the side; handles on head, tail and paws.
+/// A four-legged animal from the side; bars along its legs, points on snout and tail.
 fn wolf() -> Scene {
     let limbs = [
         limb((240.0, 230.0), 75.0, (500.0, 240.0), 62.0),
@@ -157,22 +169,27 @@ fn wolf() -> Scene {
         limb((490.0, 270.0), 38.0, (450.0, 450.0), 15.0),
         limb((535.0, 260.0), 36.0, (560.0, 450.0), 15.0),
     ];
-    let handles = [(90.0, 150.0), (640.0, 302.0), (190.0, 450.0), (290.0, 450.0), (450.0, 450.0), (560.0, 450.0)];
-    Scene::on_limbs((700, 500), &limbs, &[], &handles)
+    let bars = [
+        [(210.0, 330.0), (190.0, 450.0)],
+        [(280.0, 330.0), (290.0, 450.0)],
+        [(480.0, 330.0), (450.0, 450.0)],
+        [(545.0, 330.0), (560.0, 450.0)],
+    ];
+    Scene::on_limbs((700, 500), &limbs, &[], &[(90.0, 150.0), (640.0, 302.0)]).with_bars(&bars)
 }
 
-/// A whole picture; handles on eyes, mouth and shoulders.
+/// A whole picture; bars along brows, eyes, mouth and shoulders.
 fn portrait() -> Scene {
-    let handles = [
-        (240.0, 300.0),
-        (360.0, 300.0),
-        (300.0, 380.0),
-        (250.0, 440.0),
-        (350.0, 440.0),
-        (140.0, 640.0),
-        (460.0, 640.0),
+    let bars = [
+        [(205.0, 260.0), (265.0, 252.0)],
+        [(335.0, 252.0), (395.0, 260.0)],
+        [(215.0, 300.0), (260.0, 300.0)],
+        [(340.0, 300.0), (385.0, 300.0)],
+        [(250.0, 430.0), (350.0, 430.0)],
+        [(80.0, 690.0), (200.0, 620.0)],
+        [(400.0, 620.0), (520.0, 690.0)],
     ];
-    Scene::on_rectangle((600, 780), &handles)
+    Scene::on_rectangle((600, 780), &[]).with_bars(&bars)
 }
 
 /// A long, low animal; handles on snout, back and tail.
@@ -206,10 +223,10 @@ fn rabbit() -> Scene {
     Scene::on_limbs((600, 740), &limbs, &[], &[(217.0, 60.0), (383.0, 60.0), (300.0, 470.0), (170.0, 668.0)])
 }
 
-/// A whole picture; handles along both kerbs of a road that narrows into the distance.
+/// A whole picture; bars along both kerbs and the middle of a road that narrows into the distance, points beside it.
 fn road() -> Scene {
-    let handles = [(120.0, 560.0), (310.0, 380.0), (390.0, 240.0), (680.0, 560.0), (490.0, 380.0), (430.0, 240.0)];
-    Scene::on_rectangle((800, 600), &handles)
+    let bars = [[(120.0, 560.0), (390.0, 240.0)], [(680.0, 560.0), (430.0, 240.0)], [(400.0, 560.0), (408.0, 300.0)]];
+    Scene::on_rectangle((800, 600), &[(120.0, 200.0), (410.0, 120.0), (690.0, 200.0)]).with_bars(&bars)
 }
 
 /// The figure of Table II; handles on head, hands, belly and feet, which need no virtual site.

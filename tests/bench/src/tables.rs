@@ -26,7 +26,7 @@ pub fn tables(results: &Results) -> String {
 }
 
 const TABLE_1_NOTE: &str = "
-Scenes drawn to resemble the paper's. Bars count as one point handle each, for want of bars; each scene asks for as many
+Scenes drawn to resemble the paper's. Each scene asks for as many
 virtual sites as the paper's had. t_rd is the stage of regions, t_w that of weights (harmonic fields and drawn mesh
 included). The paper: one core of an i7-3740QM.
 ";

@@ -4,6 +4,7 @@ use c2warp::{Error, GivenMesh, Solution, project::Support, solve_mesh};
 use glam::DVec2;
 use proptest::prelude::*;
 
+use crate::bars::bar;
 use crate::scenes::{handle, project, scenes, solved, spread};
 
 /// What the order of triangles and corners may change: rounding in the places of virtual sites.
@@ -144,7 +145,7 @@ fn coarse_and_needle_like_meshes_are_solved_too() {
 }
 
 #[test]
-fn handles_beside_the_mesh_and_unsupported_ones_are_refused() {
+fn handles_beside_the_mesh_and_on_its_held_boundary_are_refused() {
     let (vertices, triangles) = grid(4, 4, 10.0);
     let mesh = GivenMesh::new(vertices, triangles).expect("a mesh");
     let mut outside = project(&[], &[(5.0, 5.0).into(), (30.5, 5.0).into()], Support::Paper);
@@ -153,7 +154,26 @@ fn handles_beside_the_mesh_and_unsupported_ones_are_refused() {
     outside.handles = vec![handle(0, DVec2::splat(5.0), DVec2::splat(5.0), 0.0); 2];
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("two on one spot").code(), "handles-too-close");
     outside.fix_boundary = true;
-    assert_eq!(solve_mesh(&outside, &mesh).expect_err("a held boundary").code(), "unsupported");
+    outside.handles = vec![handle(0, DVec2::new(5.0, 0.0), DVec2::new(5.0, 2.0), 0.0)];
+    assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle on it").code(), "on-held-boundary");
+}
+
+#[test]
+fn bars_and_a_held_boundary_move_a_given_mesh_too() {
+    let (vertices, triangles) = grid(21, 21, 10.0);
+    let mesh = GivenMesh::new(vertices, triangles).expect("a mesh");
+    let mut project = project(&[], &[], Support::Smooth);
+    project.fix_boundary = true;
+    project.handles = vec![bar("bar", &[(60.0, 100.0), (140.0, 100.0)], &[(60.0, 110.0), (140.0, 90.0)])];
+    let solution = solve_mesh(&project, &mesh).expect("a valid scene");
+    let posed = solution.posed_vertices(&solution.poser().pose(&project.handles).expect("finite"));
+    for (p, posed) in solution.mesh.vertices.iter().zip(posed) {
+        if p.x == 0.0 || p.y == 0.0 || p.x == 200.0 || p.y == 200.0 {
+            assert!(p.distance(posed) <= 1e-9);
+        } else if p.y == 100.0 && (60.0..=140.0).contains(&p.x) {
+            assert!(posed.distance(DVec2::new(p.x, 110.0 - (p.x - 60.0) / 4.0)) <= 1e-6);
+        }
+    }
 }
 
 #[test]

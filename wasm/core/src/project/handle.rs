@@ -18,10 +18,12 @@ pub struct Handle {
     /// Point, bar or polygon, before and after.
     #[serde(flatten)]
     pub shape: Shape,
-    /// The turn about the handle's own place, in degrees.
+    /// The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number
+    /// then tells of the whole turns: each piece is turned by the angle nearest to it.
     #[schemars(default)]
     pub rotation: Rotation,
-    /// The growth about the handle's own place, above 0.
+    /// The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners
+    /// tell.
     #[schemars(default = "default_scale", extend("exclusiveMinimum" = 0))]
     pub scale: f64,
     /// What lies over what where the picture covers itself: more is nearer.

@@ -96,9 +96,9 @@ export type Blend = 'linear' | 'rigid';
 export interface PointHandle {
   /** A name that no other handle of the project has. */
   readonly id: string;
-  /** The turn about the handle's own place, in degrees. Left out: 0. */
+  /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Left out: 1. */
+  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. Left out: 1. */
   readonly scale?: number;
   /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
   readonly depth?: number;
@@ -113,9 +113,9 @@ export interface PointHandle {
 export interface BarHandle {
   /** A name that no other handle of the project has. */
   readonly id: string;
-  /** The turn about the handle's own place, in degrees. Left out: 0. */
+  /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Left out: 1. */
+  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. Left out: 1. */
   readonly scale?: number;
   /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
   readonly depth?: number;
@@ -130,9 +130,9 @@ export interface BarHandle {
 export interface PolygonHandle {
   /** A name that no other handle of the project has. */
   readonly id: string;
-  /** The turn about the handle's own place, in degrees. Left out: 0. */
+  /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Left out: 1. */
+  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. Left out: 1. */
   readonly scale?: number;
   /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
   readonly depth?: number;
