@@ -34,7 +34,9 @@ test('blends motions by weight, and leaves vertices without weights at rest (eq.
       weights: new Float32Array([0.25, 0.75, 0.25, 0.75, 0.25, 0.75]),
       siteRest: [0, 0, 3, 3],
     });
-    renderer.setMotions(new Float32Array([1, 0, 0, 1, 0, 0, 16, 0, 0, 0, 0, 0, 1, 0, 0, 1, 3, 3, 3, 19, 0, 0, 0, 0]));
+    renderer.setMotions(
+      new Float32Array([1, 0, 0, 1, 0, 0, 16, 0, 0, 0, 0, 0, 1, 0, 0, 1, 3, 3, 3, 19, 0, 0, 0, 0]),
+    );
     const pixels = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 40, height: 40 });
     const alphaAt = (x: number, y: number) => pixels[(y * 40 + x) * 4 + 3];
     return [alphaAt(1, 1), alphaAt(5, 13), alphaAt(3, 13), alphaAt(5, 11), alphaAt(25, 25), alphaAt(23, 25)];
