@@ -1,4 +1,5 @@
 /** The WebGL renderer alone, on meshes whose picture is known. */
+import { posedPositions } from '../../web/src/geometry/blend';
 import { expect, test } from './fixtures';
 
 test.beforeEach(async ({ page }) => {
@@ -150,3 +151,73 @@ test('draws the same again after the browser took the context away', async ({ pa
   });
   expect(result).toEqual({ whileLost: true, afterwards: false, blank: false, differing: 0 });
 });
+
+for (const blend of ['linear', 'rigid'] as const) {
+  test(`places vertices at 6,000 px to a fiftieth of a pixel by the ${blend} blend`, async ({ page }) => {
+    // Turned and stretched from all corners of a large picture, in a view of 64 px that shows a hundredth of a pixel each.
+    const motion = (x: number, y: number, angle: number) => {
+      const [cos, sin, half] = [Math.cos(angle), Math.sin(angle), angle / 2];
+      const linear = [1.1 * cos, 1.1 * sin, -0.9 * sin, 0.9 * cos];
+      return [...linear, x, y, x + 31.7, y - 18.3, 0, angle, Math.cos(half), Math.sin(half)];
+    };
+    const corners = [motion(0, 0, 0.4), motion(6000, 0, -0.7), motion(0, 6000, 1.1), motion(6000, 6000, 0.2)];
+    const mesh = {
+      positions: Float32Array.of(5731.3, 5877.7, 4000, 5900, 5500, 4100),
+      triangles: Uint32Array.of(0, 1, 2),
+      offsets: Uint32Array.of(0, 4, 8, 12),
+      sites: Uint32Array.of(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3),
+      weights: Float32Array.of(0.4, 0.3, 0.2, 0.1, 0.4, 0.3, 0.2, 0.1, 0.4, 0.3, 0.2, 0.1),
+    };
+    const motions = Float32Array.from(corners.flat());
+    const posed = posedPositions(mesh, motions, blend);
+    const [px = 0, py = 0] = posed;
+    const alphas = await page.evaluate(
+      async ({ mesh, motions, blend, px, py }) => {
+        const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
+        const { bitmap } = await harness.decodePicture(white);
+        const renderer = new harness.Renderer(document.createElement('canvas'));
+        renderer.setPicture(bitmap);
+        renderer.setSolution({
+          positions: Float32Array.from(mesh.positions),
+          triangles: Uint32Array.from(mesh.triangles),
+          offsets: Uint32Array.from(mesh.offsets),
+          sites: Uint32Array.from(mesh.sites),
+          weights: Float32Array.from(mesh.weights),
+          siteRest: new Float32Array(8),
+        });
+        renderer.setMotions(Float32Array.from(motions), blend);
+        const view = { scale: 100, x: 32 - 100 * px, y: 32 - 100 * py, width: 64, height: 64 };
+        return Array.from(renderer.readPixels(view).filter((_, i) => i % 4 === 3));
+      },
+      {
+        mesh: {
+          positions: [...mesh.positions],
+          triangles: [...mesh.triangles],
+          offsets: [...mesh.offsets],
+          sites: [...mesh.sites],
+          weights: [...mesh.weights],
+        },
+        motions: [...motions],
+        blend,
+        px,
+        py,
+      },
+    );
+    // Every pixel that is farther than two hundredths from both sides at the first corner is as it has to be.
+    const side = (to: number, x: number, y: number) => {
+      const [dx, dy] = [(posed[2 * to] ?? 0) - px, (posed[2 * to + 1] ?? 0) - py];
+      return ((x - px) * dy - (y - py) * dx) / Math.hypot(dx, dy);
+    };
+    const [inside, outside] = [[] as number[], [] as number[]];
+    const turn = Math.sign(side(1, posed[4] ?? 0, posed[5] ?? 0));
+    alphas.forEach((alpha, at) => {
+      const [x, y] = [px + ((at % 64) - 31.5) / 100, py + (Math.floor(at / 64) - 31.5) / 100];
+      const within = Math.min(turn * side(1, x, y), -turn * side(2, x, y));
+      if (within > 0.02) inside.push(alpha);
+      if (within < -0.02) outside.push(alpha);
+    });
+    expect(inside.length).toBeGreaterThan(200);
+    expect(outside.length).toBeGreaterThan(200);
+    expect([...new Set(inside), ...new Set(outside)]).toEqual([255, 0]);
+  });
+}

@@ -54,3 +54,25 @@ for (const scale of [1, 0.4, 1.7]) {
     expectAgreement(await difference(webgl, cpu, info));
   });
 }
+
+test('the rigid blend, of turns that are far apart and a stretch', async ({ page }, info) => {
+  const { webgl, cpu } = await page.evaluate(async () => {
+    const file = await harness.drawnPicture();
+    return harness.drawnTwice(
+      {
+        format: 'c2warp/1',
+        image: { src: 'drawn.png', width: 256, height: 256 },
+        pose: { blend: 'rigid', density: 12 },
+        handles: [
+          { id: 'top', kind: 'point', rest: [40, 50], posed: [80, 90], rotation: 100 },
+          { id: 'middle', kind: 'point', rest: [150, 130], posed: [138, 136], rotation: -60 },
+          { id: 'foot', kind: 'point', rest: [50, 200], posed: [90, 180], rotation: 725, scale: 0.8 },
+          { id: 'island', kind: 'point', rest: [208, 128], posed: [214, 150], rotation: 30 },
+        ],
+      },
+      file,
+      1.5,
+    );
+  });
+  expectAgreement(await difference(webgl, cpu, info));
+});

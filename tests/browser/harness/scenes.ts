@@ -17,7 +17,7 @@ export async function drawnTwice(project: Project, file: Blob, scale: number) {
   const renderer = new Renderer(document.createElement('canvas'));
   renderer.setPicture(picture.bitmap);
   renderer.setSolution(solution);
-  renderer.setMotions(poser.pose(JSON.stringify(project.handles)));
+  renderer.setMotions(poser.pose(JSON.stringify(project.handles)), project.pose?.blend);
   const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
   const webgl = straight(renderer.readPixels({ scale, x: 0, y: 0, width, height }));
   const cpu = await engine.warp(project, scale);

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use c2warp::{
     Error, Solution,
     pose::Pose,
-    project::{Handle, PoseMode, Project, Rotation, Shape, Support},
+    project::{Blend, Handle, PoseMode, Project, Rotation, Shape, Support},
     site::Origin,
 };
 use glam::DVec2;
@@ -42,7 +42,7 @@ fn square(support: Support, handles: Vec<Handle>) -> Project {
 
 fn posed(project: &Project) -> (Solution, Pose) {
     let solution = solved(project).expect("a valid scene");
-    let pose = solution.poser().pose(&project.handles).expect("finite");
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     (solution, pose)
 }
 
@@ -333,7 +333,7 @@ fn a_bar_in_a_wrong_place_is_refused_by_name() {
     }
     // A pose for other handles than were solved.
     let (solution, _) = posed(&square(Support::Paper, vec![at_rest("bar", &[(50.0, 50.0), (90.0, 50.0)])]));
-    assert!(matches!(solution.poser().pose(&[point(50.0, 50.0)]), Err(Error::PoseMismatch { .. })));
+    assert!(matches!(solution.poser().pose(&[point(50.0, 50.0)], Blend::Linear), Err(Error::PoseMismatch { .. })));
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn more_than_half_a_turn_is_counted_and_no_length_is_no_harm() {
     let (solution, pose) = posed(&project);
     assert!(pose.motions().iter().all(|motion| (motion.angle.to_degrees() - 540.0).abs() < 1e-9));
     project.handles[0] = bar("bar", &[(100.0, 200.0), (200.0, 200.0)], &[(150.0, 200.0), (150.0, 200.0)]);
-    let pose = solution.poser().pose(&project.handles).expect("finite");
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     for p in spread(300) {
         assert!(solution.map(&pose, p).is_none_or(|mapped| mapped.posed.is_finite()));
     }
@@ -380,7 +380,7 @@ proptest! {
     #[test]
     fn random_bars_are_solved_or_refused_and_weights_stay_weights(mut project in mixed_scenes(), by in 0..4_usize) {
         let Ok(solution) = solved(&project) else { return Ok(()) };
-        let pose = solution.poser().pose(&project.handles).expect("finite");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         for p in spread(400) {
             let Some(weights) = solution.weights_at(p) else { continue };
             prop_assert!(weights.iter().all(|&(_, weight)| weight >= 0.0));
@@ -414,7 +414,7 @@ proptest! {
         project.handles.rotate_left(by % handles);
         let turned = solved(&project).expect("a valid scene");
         prop_assert!(turned.weights == solution.weights, "another order of the handles, other weights");
-        let posed = turned.poser().pose(&project.handles).expect("finite");
+        let posed = turned.poser().pose(&project.handles, project.pose.blend).expect("finite");
         prop_assert!(turned.posed_vertices(&posed) == solution.posed_vertices(&pose));
     }
 }

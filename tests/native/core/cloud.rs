@@ -84,7 +84,7 @@ fn a_pose_moves_handles_where_they_are_taken_in_either_mode() {
         let points = shaken(|_| true);
         let cloud = PointCloud::new(points.clone(), NEIGHBOURS).expect("a cloud");
         let solution = solve_cloud(&project, &cloud).expect("a scene that can be solved");
-        let pose = solution.poser().pose(&project.handles).expect("a pose");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("a pose");
         assert_eq!(solution.map(&pose, places[0]), Some(places[0] + DVec2::new(30.0, -10.0)));
         assert_eq!(solution.map(&pose, places[1]), Some(places[1]));
         let posed = solution.posed_points(&pose);

@@ -166,7 +166,7 @@ fn bars_and_a_held_boundary_move_a_given_mesh_too() {
     project.fix_boundary = true;
     project.handles = vec![bar("bar", &[(60.0, 100.0), (140.0, 100.0)], &[(60.0, 110.0), (140.0, 90.0)])];
     let solution = solve_mesh(&project, &mesh).expect("a valid scene");
-    let posed = solution.posed_vertices(&solution.poser().pose(&project.handles).expect("finite"));
+    let posed = solution.posed_vertices(&solution.poser().pose(&project.handles, project.pose.blend).expect("finite"));
     for (p, posed) in solution.mesh.vertices.iter().zip(posed) {
         if p.x == 0.0 || p.y == 0.0 || p.x == 200.0 || p.y == 200.0 {
             assert!(p.distance(posed) <= 1e-9);

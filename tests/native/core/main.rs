@@ -2,6 +2,7 @@
 
 mod alpha;
 mod bars;
+mod blend;
 mod cloud;
 mod geodesic;
 mod given;

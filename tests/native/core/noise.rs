@@ -69,7 +69,7 @@ fn noise_of_every_grain_is_solved_or_refused() {
                     let reached = solution.weights.row(v).next().is_some();
                     assert!(!reached || (sum - 1.0).abs() <= 1e-12, "case {case}: {sum}");
                 }
-                let pose = solution.poser().pose(&project.handles).expect("finite");
+                let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
                 assert!(solution.posed_vertices(&pose).iter().all(|p| p.is_finite()), "case {case}");
             }
             // A handle may stand on a speck, which is no part of the domain, or on another handle.

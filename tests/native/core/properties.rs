@@ -95,7 +95,7 @@ proptest! {
         let mut project = project(&rings, &places, support);
         let solution = solved(&project).expect("a valid scene");
         project.handles = places.iter().enumerate().map(|(id, &p)| handle(id, p, p + shift, 0.0)).collect();
-        let pose = solution.poser().pose(&project.handles).expect("finite");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         for p in spread(300) {
             let moved = solution.weights_at(p).is_some_and(|weights| !weights.is_empty());
             if let Some(mapped) = solution.map(&pose, p).filter(|_| moved) {
@@ -152,7 +152,7 @@ proptest! {
         let Ok(solution) = solved(&project) else { return Ok(()) };
         let posed = rest + DVec2::new(12.0, -7.0);
         project.handles = vec![handle(0, rest, posed, degrees)];
-        let pose = solution.poser().pose(&project.handles).expect("finite");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         for p in spread(100) {
             let weights = solution.weights_at(p);
             if weights.is_some_and(|weights| !weights.is_empty()) {
@@ -178,7 +178,7 @@ fn the_scene_moves_and_the_result_moves_with_it() {
         (project.image.width, project.image.height) = (10_300, 300);
         project.handles[0] = handle(0, moved[0], moved[0] + DVec2::new(5.0, 25.0), 40.0);
         let solution = solved(&project).expect("a valid scene");
-        let pose = solution.poser().pose(&project.handles).expect("finite");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         let inside = spread(2000).filter_map(|p| solution.map(&pose, p + shift));
         inside.map(|mapped| mapped.posed - shift).collect()
     };
@@ -208,7 +208,7 @@ fn a_symmetric_scene_has_a_symmetric_result() {
     ];
     let solution = solved(&project).expect("a valid scene");
     assert!(solution.sites.len() > 8);
-    let pose = solution.poser().pose(&project.handles).expect("finite");
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     let mut compared = 0;
     for p in spread(4000) {
         let (Some(here), Some(there)) = (solution.map(&pose, p), solution.map(&pose, mirror(p))) else { continue };

@@ -66,7 +66,7 @@ fn ten_times_the_samples_change_the_picture_by_little() {
     for (name, rings, moves) in posed_scenes() {
         let [(coarse_sites, coarse), (fine_sites, fine)] = [8_000, 80_000].map(|samples| {
             let (project, solution) = scene(&rings, &moves, samples, Support::Smooth);
-            let pose = solution.poser().pose(&project.handles).expect("finite");
+            let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
             let points = spread(2_500).map(|p| p * 2.5).filter_map(|p| solution.map(&pose, p)).take(1_000);
             (solution.sites.len() as f64, points.map(|mapped| mapped.posed).collect::<Vec<DVec2>>())
         });

@@ -23,7 +23,7 @@ fn posed(rings: &[Vec<DVec2>], moves: &[(DVec2, DVec2)], mode: PoseMode) -> Proj
 
 fn pose_of(project: &Project) -> (Solution, Pose) {
     let solution = solved(project).expect("a valid scene");
-    let pose = solution.poser().pose(&project.handles).expect("finite");
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     (solution, pose)
 }
 

@@ -1,6 +1,9 @@
 //! Poses in the page: motions of all sites, once a frame.
 
-use c2warp::{Error, pose, project::handles_from_json};
+use c2warp::{
+    Error, pose,
+    project::{Blend, handles_from_json},
+};
 use wasm_bindgen::prelude::*;
 
 use crate::error::to_js;
@@ -22,12 +25,15 @@ impl Poser {
     }
 
     /// The motions of all sites for the project's `handles` as JSON: sites × 12 numbers, which are
-    /// a, b, c, d, rest x, rest y, posed x, posed y, depth, angle and twice 0, for T(p) = posed + [a c; b d] (p − rest).
+    /// a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
     ///
     /// # Errors
     /// For handles that are not to the letter of the format, or not those that were solved.
     pub fn pose(&self, handles_json: &str) -> Result<Vec<f32>, JsValue> {
-        let pose = handles_from_json(handles_json).map_err(Error::from).and_then(|handles| self.0.pose(&handles));
+        // Motions are the same for either blend: the page does the blending.
+        let pose = handles_from_json(handles_json)
+            .map_err(Error::from)
+            .and_then(|handles| self.0.pose(&handles, Blend::Linear));
         pose.map(|pose| pose.packed()).map_err(|error| to_js(&error))
     }
 }

@@ -65,7 +65,12 @@ impl Session {
         match &self.project {
             Some(project) if self.finished => {
                 let start = now_ms();
-                let pose = self.solver.solution().poser().pose(&project.handles).map_err(|error| to_js(&error))?;
+                let pose = self
+                    .solver
+                    .solution()
+                    .poser()
+                    .pose(&project.handles, project.pose.blend)
+                    .map_err(|error| to_js(&error))?;
                 let ms = StageTimes { pose: now_ms() - start, ..self.ms.clone() };
                 let report = Inspection { report: self.solver.solution().report(&pose), ms };
                 let report = serde_json::to_string(&report).expect("numbers under names are JSON");
@@ -116,7 +121,7 @@ impl Session {
             while self.try_advance()?.is_some() {}
         }
         let solution = self.solver.solution();
-        let pose = solution.poser().pose(&project.handles)?;
+        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         let posed = solution.posed_vertices(&pose);
         let mesh = &solution.mesh;
         let picture = Picture::new(width, height, &self.rgba)?;

@@ -44,7 +44,7 @@ const STRAIGHT: f64 = 1e-12;
 ///     ]
 /// }"#).map_err(c2warp::Error::from)?;
 /// let solution = solve_mesh(&project, &mesh)?;
-/// let pose = solution.poser().pose(&project.handles)?;
+/// let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 /// let posed = solution.posed_vertices(&pose);
 /// assert_eq!(posed.len(), 12);
 /// assert_eq!(posed[7], [30.0, 15.0].into());

@@ -28,7 +28,7 @@
 //!     ]
 //! }"#).map_err(c2warp::Error::from)?;
 //! let solution = solve(&project, &picture)?;
-//! let pose = solution.poser().pose(&project.handles)?;
+//! let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 //! let mapped = solution.map(&pose, [54.0, 24.0].into()).expect("inside the picture");
 //! assert_eq!(mapped.posed, [54.0, 30.0].into());
 //! # Ok::<(), c2warp::Error>(())

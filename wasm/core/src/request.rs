@@ -8,7 +8,7 @@ use crate::{
     domain::edges,
     error::Error,
     picture::Picture,
-    project::{Blend, PoseMode, Project, Shape, Weighting},
+    project::{PoseMode, Project, Shape, Weighting},
     report::Outside,
     segment::segment_distance,
     site::{MAX_HANDLES, MIN_SEPARATION},
@@ -167,9 +167,6 @@ pub(crate) fn check_size(project: &Project, picture: &Picture) -> Result<(), Err
 }
 
 fn check_supported(project: &Project) -> Result<(), Error> {
-    if project.pose.blend == Blend::Rigid {
-        return Err(unsupported("pose.blend".into(), "the rigid blend"));
-    }
     if let Some(at) = project.handles.iter().position(|handle| handle.depth != 0.0) {
         return Err(unsupported(format!("handles[{at}].depth"), "a depth"));
     }

@@ -7,7 +7,7 @@ import init, { Poser as GeneratedPoser, project_check } from './generated/c2warp
 export interface Poser {
   /**
    * @param handles The project's handles as JSON.
-   * @returns Sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, 0, 0.
+   * @returns Sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half of it.
    */
   pose(handles: string): Float32Array<ArrayBuffer>;
   free(): void;

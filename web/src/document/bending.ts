@@ -3,6 +3,7 @@
  *
  * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the paper's own way.
  */
+import type { Blend } from '../geometry/blend';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
 /** Virtual sites to ask for: how finely a rigid picture can bend. */
@@ -16,6 +17,8 @@ const SETTINGS = {
 } as const satisfies Record<PoseMode, object>;
 
 export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'harmonic';
+
+export const blendOf = (project: Project): Blend => project.pose?.blend ?? 'linear';
 
 /** The rotation of a handle that nobody has turned. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;

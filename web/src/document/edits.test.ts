@@ -55,6 +55,8 @@ describe('what a solution depends on', () => {
     expect(solveKey(moveHandles(two, ['b'], [1, 1]).project)).toBe(key);
     expect(solveKey(removeHandles(two, ['b']).project)).not.toBe(key);
     expect(solveKey({ ...two.project, samples: 99 })).not.toBe(key);
+    expect(solveKey({ ...two.project, pose: { ...two.project.pose, blend: 'rigid' } })).toBe(key);
+    expect(solveKey({ ...two.project, pose: { ...two.project.pose, density: 7 } })).not.toBe(key);
   });
 
   it('lets an older solution follow the handles it knows', () => {

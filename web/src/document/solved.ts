@@ -1,15 +1,16 @@
 /**
  * What a solution depends on, and how a newer pose is put to an older solution.
  *
- * Posing never needs a new solve; placing, removing and the settings do. While a newer solve runs, the picture follows
+ * Posing never needs a new solve, nor does another blend; placing, removing and the other settings do. While a newer solve runs, the picture follows
  * the handles that the last solution knows.
  */
 import type { Handle, Project } from './project';
 
 /** Equal for two projects exactly when one solution serves both. */
 export function solveKey(project: Project): string {
-  const { handles, ...settings } = project;
-  return JSON.stringify([settings, handles.map(({ id, kind, rest }) => [id, kind, rest])]);
+  const { handles, pose, ...settings } = project;
+  const { blend: _, ...bending } = pose ?? {};
+  return JSON.stringify([settings, bending, handles.map(({ id, kind, rest }) => [id, kind, rest])]);
 }
 
 /** The handles of `solved`, in its order and at its rest places, posed as `current` has them. */

@@ -4,6 +4,7 @@
  * The element gives it a place and draws the model; everything that holds a worker, a WebGL context or a listener is
  * here, so that `dispose` gives all of it back.
  */
+import { blendOf } from '../document/bending';
 import { anchor } from '../document/handle';
 import { deviceView } from '../geometry/camera';
 import type { ToolName } from '../tools/machine';
@@ -123,6 +124,7 @@ export class Desk {
           overlays: this.#overlays,
         }),
         motions: () => this.posing.motions(),
+        blend: () => blendOf(this.workbench.editing.project),
       });
     } catch (error) {
       this.talking.report(error);

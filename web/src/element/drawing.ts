@@ -1,11 +1,13 @@
 /** Draws at most once a frame what has changed since the last: the pose, the view, or both. */
 import type { SolutionData } from '../compute/solution';
+import type { Blend } from '../geometry/blend';
 import type { View } from '../geometry/view';
 import { Renderer } from '../render/renderer';
 
 export interface DrawingHost {
   view(): View;
   motions(): Float32Array | null;
+  blend(): Blend;
 }
 
 export class Drawing {
@@ -50,7 +52,7 @@ export class Drawing {
 
   #draw(): void {
     this.#frame = 0;
-    if (!this.#posed) this.#renderer.setMotions(this.#host.motions());
+    if (!this.#posed) this.#renderer.setMotions(this.#host.motions(), this.#host.blend());
     this.#posed = true;
     this.#renderer.draw(this.#host.view());
   }

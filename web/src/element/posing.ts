@@ -1,8 +1,10 @@
 /** The posed picture as geometry: the motions that draw it, and what lies where on it. */
+import { blendOf } from '../document/bending';
 import { anchor, isAutomatic, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
-import { posedPositions, siteTurn } from '../geometry/blend';
+import { posedPositions } from '../geometry/blend';
 import { type Located, locate } from '../geometry/locate';
+import { siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
 import type { SiteGraph } from '../ui/overlays';
@@ -93,7 +95,9 @@ export class Posing {
   #positions(): Float32Array {
     const motions = this.motions();
     const positions = this.#workbench.solving.current?.data;
-    this.#posed ??= positions ? posedPositions(positions, motions) : new Float32Array();
+    this.#posed ??= positions
+      ? posedPositions(positions, motions, blendOf(this.#workbench.editing.project))
+      : new Float32Array();
     return this.#posed;
   }
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { MOTION_STRIDE, posedPositions, type Skin } from './blend';
+import { posedPositions } from './blend';
 import { locate } from './locate';
+import { MOTION_STRIDE, type Skin } from './skin';
 
 /** A unit square of two triangles, its left side held by site 0 and its right by site 1; a lone vertex without weights. */
 const skin: Skin = {

@@ -5,7 +5,7 @@
  * first, which picks what the person sees where the picture overlaps itself. Cost: linear in the triangles, once per
  * click.
  */
-import type { Skin } from './blend';
+import type { Skin } from './skin';
 import type { Vec } from './vec';
 
 export interface Located {

@@ -14,7 +14,7 @@ export interface WarpMesh {
   readonly siteRest: ArrayLike<number>;
 }
 
-/** Numbers that describe a site's motion: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, and two unused. */
+/** Numbers that describe a site's motion: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half of it. */
 export const MOTION_SIZE = 12;
 
 /** The whole picture as two triangles at rest: what is drawn while nothing is solved. */

@@ -4,6 +4,7 @@
  * Takes flat arrays, and knows of neither handles nor solver. Keeps what it was given, so that a context which the
  * browser took away is filled again once it comes back.
  */
+import type { Blend } from '../geometry/blend';
 import type { View } from '../geometry/view';
 import { MOTION_SIZE, unwarpedMesh, type WarpMesh } from './mesh';
 import { Scene } from './scene';
@@ -16,6 +17,7 @@ export class Renderer {
   #picture: ImageBitmap | undefined;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
+  #blend: Blend = 'linear';
 
   /** Called when a lost context is back and the picture wants to be drawn again. */
   onrestore: (() => void) | null = null;
@@ -57,16 +59,17 @@ export class Renderer {
   }
 
   /**
-   * Sites × 12, see {@link MOTION_SIZE}; null lays the mesh at rest.
+   * Sites × 12, see {@link MOTION_SIZE}, and how they are blended; null lays the mesh at rest.
    * @throws RangeError where there is not one motion for each site of the mesh.
    */
-  setMotions(motions: Float32Array | null): void {
+  setMotions(motions: Float32Array | null, blend: Blend = 'linear'): void {
     const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
     if (motions && motions.length !== sites * MOTION_SIZE) {
       throw new RangeError(`${motions.length / MOTION_SIZE} motions for ${sites} sites`);
     }
     this.#motions = motions;
-    if (!this.lost) this.#scene?.setMotions(motions);
+    this.#blend = blend;
+    if (!this.lost) this.#scene?.setMotions(motions, blend);
   }
 
   draw(view: View): void {
@@ -102,7 +105,7 @@ export class Renderer {
   #restore(): void {
     this.#scene = new Scene(this.#gl);
     this.#fill();
-    this.#scene.setMotions(this.#motions);
+    this.#scene.setMotions(this.#motions, this.#blend);
     this.onrestore?.();
   }
 

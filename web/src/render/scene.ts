@@ -2,9 +2,10 @@
  * What one WebGL context holds: programs, the picture, the mesh with its weights, the motions. A lost context takes all
  * of it away, and `Renderer` builds another scene.
  *
- * A drag costs one upload of sites × 48 bytes a frame; the blending (eq. 1) runs per vertex on the graphics card.
+ * A drag costs one upload of sites × 48 bytes a frame; the blending runs per vertex on the graphics card.
  */
 import * as twgl from 'twgl.js';
+import type { Blend } from '../geometry/blend';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import lineFragment from './line.frag.glsl?raw';
@@ -31,6 +32,7 @@ export class Scene {
   #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
   #loaded: LoadedMesh | undefined;
   #posed = false;
+  #blend: Blend = 'linear';
 
   /** @throws Error where a shader does not compile, which names the reason. */
   constructor(gl: WebGL2RenderingContext) {
@@ -71,8 +73,9 @@ export class Scene {
   }
 
   /** Sites × 12, or null to lay the mesh at rest. */
-  setMotions(motions: Float32Array | null): void {
+  setMotions(motions: Float32Array | null, blend: Blend): void {
     this.#posed = motions !== null;
+    this.#blend = blend;
     if (motions) this.#loaded?.motions.update(motions);
   }
 
@@ -97,6 +100,7 @@ export class Scene {
       u_canvas_size: [view.width, view.height],
       u_view: [view.scale, view.x, view.y],
       u_at_rest: view.compare === true || !this.#posed,
+      u_rigid: this.#blend === 'rigid',
       u_colour: MESH_COLOUR,
     };
     drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);

@@ -1,5 +1,6 @@
 #version 300 es
-// Where a vertex goes: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex.
+// Where a vertex goes: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex, or the rigid blend of
+// wasm/core/src/pose/dual.rs. Everything is summed relative to p: at 6,000 px a sum of places would lose a hundredth of a pixel.
 // A motion T_i is kept about its site's own rest place: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 precision highp float;
 precision highp int;
@@ -7,13 +8,15 @@ precision highp sampler2D;
 
 // Per entry: (site, weight).
 uniform sampler2D u_weights;
-// Three texels per site: (a, b, c, d), (rest, posed), (depth, angle, 0, 0).
+// Three texels per site: (a, b, c, d), (rest, posed), (depth, angle, cosine and sine of half
+// of it).
 uniform sampler2D u_motions;
 uniform vec2 u_picture_size;
 uniform vec2 u_canvas_size;
 // Device pixels: (scale, x, y) of the view.
 uniform vec3 u_view;
 uniform bool u_at_rest;
+uniform bool u_rigid;
 
 in vec2 a_rest;
 // First entry and number of entries.
@@ -26,22 +29,59 @@ vec4 record(sampler2D data, int index) {
   return texelFetch(data, ivec2(index % width, index / width), 0);
 }
 
-vec2 moved(int site, vec2 p) {
-  vec4 linear = record(u_motions, 3 * site);
-  vec4 places = record(u_motions, 3 * site + 1);
-  return places.zw + mat2(linear) * (p - places.xy);
+vec2 linearly_blended(vec2 p) {
+  vec2 sum = vec2(0.0);
+  for (int entry = int(a_row.x); entry < int(a_row.x + a_row.y); entry++) {
+    vec2 site_weight = record(u_weights, entry).xy;
+    int site = int(site_weight.x);
+    vec4 places = record(u_motions, 3 * site + 1);
+    sum += site_weight.y * (places.zw - p + mat2(record(u_motions, 3 * site)) * (p - places.xy));
+  }
+  return p + sum;
+}
+
+// Of complex numbers.
+vec2 product(vec2 a, vec2 b) {
+  return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+vec2 conjugate(vec2 a) {
+  return vec2(a.x, -a.y);
+}
+
+// |P|² from which the blend is rigid.
+const float RIGID = 0.25;
+
+vec2 rigidly_blended(vec2 p) {
+  vec2 posed = vec2(0.0);
+  vec2 stretched = vec2(0.0);
+  vec2 turn = vec2(0.0);
+  vec2 half_turn = vec2(0.0);
+  vec2 moved = vec2(0.0);
+  for (int entry = int(a_row.x); entry < int(a_row.x + a_row.y); entry++) {
+    vec2 site_weight = record(u_weights, entry).xy;
+    int site = int(site_weight.x);
+    vec4 places = record(u_motions, 3 * site + 1);
+    vec2 arm = p - places.xy;
+    vec2 own_half = record(u_motions, 3 * site + 2).zw;
+    vec2 own_turn = product(own_half, own_half);
+    vec2 own_posed = places.zw - p + product(own_turn, arm);
+    posed += site_weight.y * own_posed;
+    stretched += site_weight.y * (product(conjugate(own_turn), mat2(record(u_motions, 3 * site)) * arm) - arm);
+    turn += site_weight.y * own_turn;
+    half_turn += site_weight.y * own_half;
+    moved += site_weight.y * product(conjugate(own_half), own_posed);
+  }
+  vec2 linear = posed + product(turn, stretched);
+  vec2 apart = moved + product(half_turn, stretched) - product(conjugate(half_turn), linear);
+  float u = dot(half_turn, half_turn) / RIGID;
+  float reciprocal = (u >= 1.0 ? 1.0 / u : 3.0 - 3.0 * u + u * u) / RIGID;
+  return p + linear + product(apart, half_turn * reciprocal);
 }
 
 vec2 blended(vec2 p) {
-  int first = int(a_row.x);
-  int count = int(a_row.y);
-  if (u_at_rest || count == 0) return p;
-  vec2 sum = vec2(0.0);
-  for (int entry = first; entry < first + count; entry++) {
-    vec2 site_weight = record(u_weights, entry).xy;
-    sum += site_weight.y * moved(int(site_weight.x), p);
-  }
-  return sum;
+  if (u_at_rest || a_row.y == 0u) return p;
+  return u_rigid ? rigidly_blended(p) : linearly_blended(p);
 }
 
 void main() {

@@ -1,7 +1,7 @@
 /** Virtual sites and the cell graph, drawn over the picture where it has been posed. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
-import { sitePlace } from '../geometry/blend';
 import { type Camera, toStage } from '../geometry/camera';
+import { sitePlace } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { OverlayFlags } from './model';
 

@@ -34,7 +34,7 @@ pub use solution::CloudSolution;
 ///     ]
 /// }"#).map_err(c2warp::Error::from)?;
 /// let solution = solve_cloud(&project, &cloud)?;
-/// let pose = solution.poser().pose(&project.handles)?;
+/// let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 /// assert_eq!(solution.map(&pose, [250.0, 100.0].into()), Some([250.0, 130.0].into()));
 /// assert_eq!(solution.posed_points(&pose).len(), 600);
 /// # Ok::<(), c2warp::Error>(())

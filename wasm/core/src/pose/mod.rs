@@ -2,6 +2,7 @@
 
 mod blend;
 mod descent;
+mod dual;
 mod elimination;
 mod harmonic;
 mod laplacian;

@@ -9,7 +9,7 @@ use super::{HarmonicFields, Motion, Pose, rigid::Rigid};
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
-    project::{Handle, PoseMode, Rotation, Shape},
+    project::{Blend, Handle, PoseMode, Rotation, Shape},
     site::{Origin, Site, SiteGraph},
 };
 
@@ -57,12 +57,12 @@ impl Poser {
         }
     }
 
-    /// The motions of all sites when the handles are posed as given; their rest places play no part, but for the turn of bars
-    /// and polygons.
+    /// The motions of all sites when the handles are posed as given, to be blended in one way or the other; their rest places
+    /// play no part, but for the turn of bars and polygons.
     ///
     /// # Errors
     /// [`Error::PoseMismatch`] for other handles than were solved; [`Error::PoseNotFinite`].
-    pub fn pose(&self, handles: &[Handle]) -> Result<Pose, Error> {
+    pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
         if handles.len() != self.handles || !self.fits(handles) {
             return Err(Error::PoseMismatch { expected: self.handles, found: handles.len() });
         }
@@ -90,7 +90,7 @@ impl Poser {
             let is_free: Vec<bool> = self.origin.iter().map(is_free).collect();
             rigid.settle(&self.rest, &mut motions, &is_free);
         }
-        Ok(Pose::new(Arc::clone(&self.rest), motions))
+        Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
     }
 
     /// Whether handles are of the kinds, and have the corners, that were solved.

@@ -1,0 +1,27 @@
+/** A mesh that sites move, and their motions, as the solver and its poser hand them out. */
+import type { Vec } from './vec';
+
+/** A mesh with sparse weights, as the solver hands it out. */
+export interface Skin {
+  /** Vertices × 2, rest positions in image pixels. */
+  readonly positions: Float32Array;
+  /** Triangles × 3, drawn in order: the later covers the earlier. */
+  readonly triangles: Uint32Array;
+  /** Vertices + 1: rows of `sites` and `weights`. An empty row stays at rest. */
+  readonly offsets: Uint32Array;
+  readonly sites: Uint32Array;
+  readonly weights: Float32Array;
+}
+
+/** Numbers per site in a motions array: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half of it. */
+export const MOTION_STRIDE = 12;
+
+/** Where a site is posed. */
+export const sitePlace = (motions: Float32Array, site: number): Vec => [
+  motions[MOTION_STRIDE * site + 6] ?? 0,
+  motions[MOTION_STRIDE * site + 7] ?? 0,
+];
+
+/** How far a site is turned, degrees. */
+export const siteTurn = (motions: Float32Array, site: number): number =>
+  ((motions[MOTION_STRIDE * site + 9] ?? 0) * 180) / Math.PI;
