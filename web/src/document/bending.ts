@@ -17,10 +17,10 @@ const SETTINGS = {
 
 export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'harmonic';
 
-/** The rotation of a handle that nobody has turned. */
+/** The rotation of a point that nobody has turned. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
-/** The project bent in another way. Handles that nobody has turned rest as they do there, and the others keep their turn. */
+/** The project bent in another way. Points that nobody has turned rest as they do there, and the others keep their turn. */
 export function bent(project: Project, mode: PoseMode): Project {
   const { support, density, rotation } = SETTINGS[mode];
   return {
@@ -40,4 +40,5 @@ export const detailed = (project: Project, detail: Detail): Project => ({
   pose: { ...project.pose, density: DETAILS[detail] },
 });
 
-const isUnturned = ({ rotation = 0 }: Handle): boolean => rotation === 0 || rotation === 'auto';
+const isUnturned = ({ kind, rotation = 0 }: Handle): boolean =>
+  kind === 'point' && (rotation === 0 || rotation === 'auto');
