@@ -2,10 +2,11 @@
 import { anchor, isAutomatic, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions, siteTurn } from '../geometry/blend';
-import { type Located, locate } from '../geometry/locate';
+import { foldCount, foldedTriangles } from '../geometry/folds';
+import { type Located, locate, locateNear } from '../geometry/locate';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
-import type { SiteGraph } from '../ui/overlays';
+import type { FoldedMesh, SiteGraph } from '../ui/overlays';
 import type { Workbench } from './workbench';
 
 export class Posing {
@@ -14,6 +15,7 @@ export class Posing {
   #motions: Float32Array | null = null;
   #posed: Float32Array | null = null;
   #turns: Turns | null = null;
+  #folds: number | null = null;
 
   constructor(workbench: Workbench) {
     this.#workbench = workbench;
@@ -25,6 +27,7 @@ export class Posing {
     this.#motions = null;
     this.#posed = null;
     this.#turns = null;
+    this.#folds = null;
   }
 
   /** Motions under the pose as it is now; null where there is no solution yet. */
@@ -32,9 +35,10 @@ export class Posing {
     const { project } = this.#workbench.editing;
     if (project !== this.#project) {
       this.#project = project;
-      this.#motions = this.#workbench.solving.motions(project);
+      this.#motions = this.#newest(project);
       this.#posed = null;
       this.#turns = null;
+      this.#folds = null;
     }
     return this.#motions;
   }
@@ -53,6 +57,40 @@ export class Posing {
     if (solving.current) return locate(solving.current.data, this.#positions(), at);
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
     return inside ? { rest: at, rotation: 0, scale: 1 } : null;
+  }
+
+  /** The same, and beside the picture as if it went on there. */
+  placeNear(at: Vec): Placement {
+    const { current } = this.#workbench.solving;
+    const near = current && locateNear(current.data, this.#positions(), at);
+    return near ?? { rest: at, rotation: 0, scale: 1 };
+  }
+
+  /** How many triangles the pose as it is now turns over. */
+  folds(): number {
+    const mesh = this.#mesh;
+    this.motions();
+    this.#folds ??= mesh ? foldCount(mesh, this.#positions()) : 0;
+    return this.#folds;
+  }
+
+  /** The same for any other pose of the handles; infinite where there is no such pose. */
+  foldsOf(project: Project): number {
+    const mesh = this.#mesh;
+    if (!mesh) return 0;
+    try {
+      return foldCount(mesh, posedPositions(mesh, this.#workbench.solving.motions(project)));
+    } catch {
+      return Number.POSITIVE_INFINITY;
+    }
+  }
+
+  /** The triangles that have turned over. */
+  folded(): FoldedMesh | null {
+    const mesh = this.#mesh;
+    if (!mesh || this.folds() === 0) return null;
+    const posed = this.#positions();
+    return { posed, triangles: foldedTriangles(mesh, posed) };
   }
 
   /** Where a point of the original goes; null outside what is warped. */
@@ -88,6 +126,20 @@ export class Posing {
         return [handle.id, turn];
       }),
     );
+  }
+
+  /** A pose that is none, such as a bar drawn together to one spot, leaves the picture as it was. */
+  #newest(project: Project): Float32Array | null {
+    try {
+      return this.#workbench.solving.motions(project);
+    } catch {
+      return this.#motions;
+    }
+  }
+
+  get #mesh() {
+    const data = this.#workbench.solving.current?.data;
+    return data ? { ...data, samples: data.report.samples } : null;
   }
 
   #positions(): Float32Array {
