@@ -75,7 +75,7 @@ export class Desk {
       },
     });
     this.guarding = new Guarding({
-      foldsOf: (project) => this.posing.foldsOf(project),
+      foldsOf: (project, limit) => this.posing.foldsOf(project, limit),
       get turns() {
         return desk.posing.turns();
       },

@@ -10,8 +10,8 @@ import type { Turns } from '../document/handle';
 import type { Project } from '../document/project';
 
 export interface GuardingHost {
-  /** How many triangles a pose turns over. */
-  foldsOf(project: Project): number;
+  /** How many triangles a pose turns over; counts no farther than one beyond `limit`. */
+  foldsOf(project: Project, limit: number): number;
   /** How far automatic handles are turned in the pose as it is. */
   readonly turns: Turns;
 }
@@ -45,7 +45,7 @@ export class Guarding {
 
   /** A drag begins at this pose: it may keep the folds that it has, and make no more. */
   begin(document: Document): void {
-    this.#allowed = this.#on ? this.#host.foldsOf(document.project) : null;
+    this.#allowed = this.#on ? this.#host.foldsOf(document.project, Number.POSITIVE_INFINITY) : null;
   }
 
   /** The drag is over. */
@@ -57,8 +57,8 @@ export class Guarding {
   /** How far the document may go from `present`, which is allowed, to `wanted`. */
   limited(present: Document, wanted: Document): Document {
     if (!this.#on) return wanted;
-    const allowed = this.#allowed ?? this.#host.foldsOf(present.project);
-    this.#holding = this.#host.foldsOf(wanted.project) > allowed;
+    const allowed = this.#allowed ?? this.#host.foldsOf(present.project, Number.POSITIVE_INFINITY);
+    this.#holding = this.#host.foldsOf(wanted.project, allowed) > allowed;
     return this.#holding ? this.#farthest(present, wanted, allowed) : wanted;
   }
 
@@ -67,7 +67,7 @@ export class Guarding {
     let [good, share] = [present.project, 0];
     for (let step = 1; step <= STEPS; step++) {
       const tried = between(present.project, wanted.project, share + 0.5 ** step, turns);
-      if (this.#host.foldsOf(tried) > allowed) continue;
+      if (this.#host.foldsOf(tried, allowed) > allowed) continue;
       share += 0.5 ** step;
       good = tried;
     }

@@ -2,7 +2,7 @@
 import { anchor, isAutomatic, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions, siteTurn } from '../geometry/blend';
-import { foldCount, foldedTriangles } from '../geometry/folds';
+import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
 import { type Located, locate, locateNear } from '../geometry/locate';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
@@ -16,6 +16,7 @@ export class Posing {
   #posed: Float32Array | null = null;
   #turns: Turns | null = null;
   #folds: number | null = null;
+  #folding: FoldingMesh | null = null;
 
   constructor(workbench: Workbench) {
     this.#workbench = workbench;
@@ -28,6 +29,7 @@ export class Posing {
     this.#posed = null;
     this.#turns = null;
     this.#folds = null;
+    this.#folding = null;
   }
 
   /** Motions under the pose as it is now; null where there is no solution yet. */
@@ -68,18 +70,17 @@ export class Posing {
 
   /** How many triangles the pose as it is now turns over. */
   folds(): number {
-    const mesh = this.#mesh;
     this.motions();
-    this.#folds ??= mesh ? foldCount(mesh, this.#positions()) : 0;
+    this.#folds ??= foldCount(this.#foldable, this.#positions());
     return this.#folds;
   }
 
-  /** The same for any other pose of the handles; infinite where there is no such pose. */
-  foldsOf(project: Project): number {
-    const mesh = this.#mesh;
-    if (!mesh) return 0;
+  /** The same for any other pose of the handles, at most one beyond `limit`; infinite where there is no such pose. */
+  foldsOf(project: Project, limit: number): number {
+    const { solving } = this.#workbench;
+    if (!solving.current) return 0;
     try {
-      return foldCount(mesh, posedPositions(mesh, this.#workbench.solving.motions(project)));
+      return foldCount(this.#foldable, posedPositions(solving.current.data, solving.motions(project)), limit);
     } catch {
       return Number.POSITIVE_INFINITY;
     }
@@ -87,10 +88,9 @@ export class Posing {
 
   /** The triangles that have turned over. */
   folded(): FoldedMesh | null {
-    const mesh = this.#mesh;
-    if (!mesh || this.folds() === 0) return null;
+    if (this.folds() === 0) return null;
     const posed = this.#positions();
-    return { posed, triangles: foldedTriangles(mesh, posed) };
+    return { posed, triangles: foldedTriangles(this.#foldable, posed) };
   }
 
   /** Where a point of the original goes; null outside what is warped. */
@@ -137,9 +137,11 @@ export class Posing {
     }
   }
 
-  get #mesh() {
+  /** What can fold of the solution shown. */
+  get #foldable(): FoldingMesh {
     const data = this.#workbench.solving.current?.data;
-    return data ? { ...data, samples: data.report.samples } : null;
+    this.#folding ??= data ? foldingMesh(data, data.report.samples) : new Uint32Array();
+    return this.#folding;
   }
 
   #positions(): Float32Array {

@@ -207,14 +207,14 @@ export const chromeStyle = css`
     border: 2px solid var(--_accent);
     border-radius: 50%;
   }
-  .item .dot.bar {
+  .item .dot.of-bar {
     height: 0;
     width: 11px;
     border-width: 2px 0 0;
     border-radius: 1px;
     rotate: -35deg;
   }
-  .item .dot.polygon {
+  .item .dot.of-polygon {
     border-radius: 2px;
   }
   .item[aria-pressed='true'] {
@@ -429,8 +429,24 @@ export const chromeStyle = css`
       grid-area: fields;
       margin: 4px 0 0;
     }
-    .fields > :nth-child(n + 3) {
-      grid-column: auto;
+    .fields {
+      grid-template-columns: repeat(6, 1fr);
+    }
+    .fields > :nth-child(n) {
+      grid-column: span 2;
+    }
+    .fields > .pair,
+    .fields > .turn {
+      grid-column: span 3;
+    }
+    .fields > .turn {
+      order: 1;
+    }
+    .fields > .depth {
+      order: 2;
+    }
+    .pair {
+      gap: 0;
     }
     .field .unit,
     .row .faint {

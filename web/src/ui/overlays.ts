@@ -44,7 +44,7 @@ export function foldOverlay(folded: FoldedMesh | null, camera: Camera): SVGTempl
     const corner: Vec = [posed[2 * vertex] ?? 0, posed[2 * vertex + 1] ?? 0];
     path += `${at % 3 === 0 ? 'M' : 'L'}${text(toStage(camera, corner))}${at % 3 === 2 ? 'Z' : ''}`;
   });
-  return svg`<path class="folds" d=${path}/>`;
+  return outlined('folds', path);
 }
 
 function graphPath(graph: SiteGraph, camera: Camera): string {

@@ -100,11 +100,11 @@ function besides(
   actions: EditorActions,
 ): TemplateResult {
   if (field === 'rotation' && selected.some((handle) => !isLine(handle))) {
-    return html`<div class="pair">${input} ${automaticToggle(selected, model, actions)}</div>`;
+    return html`<div class="pair turn">${input} ${automaticToggle(selected, model, actions)}</div>`;
   }
   if (field !== 'depth') return input;
   const enabled = (end: number) => !model.readonly && selected.some((handle) => depthOf(handle) !== end);
-  return html`<div class="pair">
+  return html`<div class="pair depth">
     ${input} ${commandButton('backward', model, actions, { enabled: enabled(DEPTHS.least) })}
     ${commandButton('forward', model, actions, { enabled: enabled(DEPTHS.most) })}
   </div>`;
@@ -138,7 +138,7 @@ function numberField(
   };
   // Across a bar or polygon: along it, its corners tell.
   const tip = look.field === 'scale' && selected.every(isLine) ? 'How much it grows across itself' : look.tip;
-  return html`<label class="field" title=${tip ?? nothing}>
+  return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${tip ?? nothing}>
     <span class="label">${look.label}</span>
     <input
       type="number"
@@ -196,7 +196,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
                   @click=${(event: MouseEvent) =>
                     event.shiftKey ? actions.toggle(handle.id) : actions.select([handle.id])}
                 >
-                  <span class="dot ${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
+                  <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
                   ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}
                 </button>
               </li>`,

@@ -11,7 +11,12 @@ export const stageStyle = css`
     -webkit-user-select: none;
     background: repeating-conic-gradient(var(--_checker) 0 25%, transparent 0 50%) 50% / 24px 24px var(--_ground);
   }
+  /* The focus that a press gives shows nowhere: keys alone show where they go. */
   .stage:focus-visible {
+    outline: none;
+  }
+  :host(.keyed) .stage:focus-visible {
+    outline: 2px solid var(--_accent);
     outline-offset: -3px;
   }
   canvas,
@@ -82,6 +87,9 @@ export const stageStyle = css`
     border: 0;
     background: #fff;
     box-shadow: 0 0 0 1.5px var(--c2-handle, #2558e8);
+  }
+  .handle.middle-mark[aria-pressed='false']:not(:focus-visible)::before {
+    opacity: 0;
   }
   .handles.drawing {
     opacity: 0.45;
@@ -184,10 +192,10 @@ export const stageStyle = css`
   }
   .body {
     fill: var(--c2-handle, #2558e8);
-    opacity: 0.14;
+    opacity: 0.09;
   }
   .line-handle.selected .body {
-    opacity: 0.24;
+    opacity: 0.16;
   }
   .draft .line {
     stroke: var(--c2-handle, #2558e8);
@@ -216,10 +224,17 @@ export const stageStyle = css`
     fill: var(--c2-handle, #2558e8);
     stroke: #fff;
   }
+  /* What is turned over has next to no width: its rim has to show it. */
   .folds {
-    fill: #ff2d1abf;
-    stroke: #fff;
-    stroke-width: 0.75;
+    fill: #f0250f;
+    stroke: #f0250f;
+    stroke-width: 2.5;
+    stroke-linejoin: round;
+  }
+  .folds.pale {
+    fill: none;
+    stroke: #fffc;
+    stroke-width: 6;
   }
   .box {
     fill: color-mix(in srgb, var(--_accent) 14%, transparent);
