@@ -42,7 +42,7 @@ async function bring(editor: Editor, event: 'drop' | 'paste', file: ReturnType<t
 test('the project is saved, and opens exactly as it was', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 30, y: -50 });
-  const told = await editor.told('right hand');
+  const told = await editor.still(() => editor.told('right hand'));
   const saved = await editor.download('Save the project file');
   expect(saved.suggestedFilename()).toBe('gingerbread.c2warp.json');
   const text = (await bytes(saved)).toString();
@@ -54,7 +54,7 @@ test('the project is saved, and opens exactly as it was', async ({ page }) => {
   await editor.button('Reset all handles').click();
   await editor.choose(project(text, 'gingerbread.c2warp.json'));
   await expect(editor.button('Undo: open gingerbread.c2warp.json')).toBeEnabled();
-  expect(await editor.told('right hand')).toEqual(told);
+  await expect.poll(() => editor.told('right hand')).toEqual(told);
   expect((await bytes(await editor.download('Save the project file'))).toString()).toBe(text);
 });
 
@@ -66,7 +66,7 @@ test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
   const { width, height, channels, data } = decode(await bytes(exported));
   expect([width, height, channels]).toEqual([1024, 1280, 4]);
   const alpha = (x: number, y: number) => data[(Math.round(y) * width + Math.round(x)) * 4 + 3];
-  const hand = await editor.told('right hand');
+  const hand = await editor.still(() => editor.told('right hand'));
   expect(alpha(hand.x, hand.y)).toBe(255);
   expect(alpha(900, 560)).toBe(0);
   expect(alpha(2, 2)).toBe(0);
@@ -81,14 +81,14 @@ test('a reload brings everything back: picture, pose, history', async ({ page })
   await page.keyboard.press('Enter');
   await expect(editor.handles).toHaveCount(1);
   await page.keyboard.press('ArrowRight');
-  const told = await editor.told('handle 1');
+  const told = await editor.still(() => editor.told('handle 1'));
 
   // What was done a moment ago is being written; nothing on the page tells when it is.
   await page.waitForTimeout(500);
   await page.reload();
   await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
   await expect(editor.handles).toHaveCount(1);
-  expect(await editor.told('handle 1')).toEqual(told);
+  await expect.poll(() => editor.told('handle 1')).toEqual(told);
   await editor.button('Undo: move handle 1').click();
   await editor.button('Undo: add handle').click();
   await expect(editor.handles).toHaveCount(0);
@@ -100,7 +100,7 @@ for (const event of ['drop', 'paste'] as const) {
   test(`a picture is opened by ${event}, and the way back keeps the work`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 20, y: -40 });
-    const told = await editor.told('left hand');
+    const told = await editor.still(() => editor.told('left hand'));
     await bring(editor, event, png('disc.png', disc(64)));
     await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
     await expect(editor.handles).toHaveCount(0);
@@ -124,7 +124,7 @@ test('a project without its picture asks for it, and takes it when it comes', as
   const asked = page.waitForEvent('filechooser');
   await editor.button('Open picture').click();
   await (await asked).setFiles(png('disc.png', disc(64)));
-  expect(await editor.told('middle')).toEqual({ x: 36, y: 30, rotation: 0 });
+  await expect.poll(() => editor.told('middle')).toEqual({ x: 36, y: 30, rotation: 0 });
 });
 
 const sample = (handles: unknown[]) => ({
@@ -151,7 +151,8 @@ for (const [title, file, message] of REFUSED) {
   test(`${title} is refused in a notice, and the work stays`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 20, y: -40 });
-    const [told, hand] = [await editor.told('left hand'), await editor.place('left hand')];
+    const told = await editor.still(() => editor.told('left hand'));
+    const hand = await editor.place('left hand');
     const before = await editor.look(hand, 12);
     await editor.choose(file);
     await expect(editor.notice).toContainText(message);
@@ -161,6 +162,6 @@ for (const [title, file, message] of REFUSED) {
     await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
     await expect(editor.notice).toBeHidden();
     await editor.button('Undo: move left hand').click();
-    expect(await editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+    await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
   });
 }

@@ -10,13 +10,13 @@ test('Tab goes from handle to handle, and arrow keys move what has the focus', a
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   for (const key of ['ArrowRight', 'Shift+ArrowUp', 'ArrowLeft', 'ArrowRight'])
     await page.keyboard.press(key);
-  const told = await editor.told('left hand');
+  const told = await editor.still(() => editor.told('left hand'));
   expect(told).toMatchObject({ x: 125, y: 506 });
   await expect(page.getByText(`left hand: x 125, y 506, rotation ${told.rotation} degrees`)).toBeAttached();
 
   // Nudges in a row are one step.
   await page.keyboard.press('Control+z');
-  expect(await editor.told('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });
+  await expect.poll(() => editor.told('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });
   await expect(page.getByText('Undone: Move left hand')).toBeAttached();
 });
 
@@ -25,10 +25,10 @@ test('comma and full stop turn', async ({ page }) => {
   await editor.handle('head').focus();
   await page.keyboard.press('.');
   await page.keyboard.press('Shift+Period');
-  expect((await editor.told('head')).rotation).toBe(16);
+  await expect.poll(async () => (await editor.told('head')).rotation).toBe(16);
   await page.keyboard.press('Shift+Comma');
   await page.keyboard.press(',');
-  expect((await editor.told('head')).rotation).toBe(0);
+  await expect.poll(async () => (await editor.told('head')).rotation).toBe(0);
 });
 
 test('a handle is placed, selected and deleted by keys', async ({ page }) => {
@@ -63,18 +63,18 @@ test('O shows the original for as long as it is held', async ({ page }) => {
   const bent = await editor.look(hand, 16);
   await page.keyboard.down('o');
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
-  expect(apart(before, await editor.look(hand, 16))).toBeLessThan(SAME);
+  await expect.poll(async () => apart(before, await editor.look(hand, 16))).toBeLessThan(SAME);
   await page.keyboard.up('o');
-  expect(apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
+  await expect.poll(async () => apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
 });
 
 test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async ({ page }) => {
   const editor = await Editor.open(page);
   const fitted = await editor.zoom();
   await page.keyboard.press('1');
-  expect(await editor.zoom()).toBe(1);
+  await expect.poll(() => editor.zoom()).toBe(1);
   await page.keyboard.press('0');
-  expect(await editor.zoom()).toBe(fitted);
+  await expect.poll(() => editor.zoom()).toBe(fitted);
 
   const hand = await editor.place('left hand');
   await page.mouse.move(hand.x, hand.y);
@@ -82,7 +82,7 @@ test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async 
   await page.mouse.wheel(0, -120);
   await page.keyboard.up('Control');
   await expect.poll(() => editor.zoom()).toBeGreaterThan(fitted);
-  const after = await editor.place('left hand');
+  const after = await editor.still(() => editor.place('left hand'));
   expect(Math.hypot(after.x - hand.x, after.y - hand.y)).toBeLessThan(1);
 
   await page.mouse.wheel(0, 50);
@@ -90,7 +90,7 @@ test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async 
   await page.keyboard.down('Space');
   await editor.drag({ x: hand.x + 60, y: hand.y + 200 }, { x: 30, y: 50 });
   await page.keyboard.up('Space');
-  expect((await editor.place('left hand')).x).toBeCloseTo(after.x + 30, 0);
+  await expect.poll(async () => (await editor.place('left hand')).x).toBeCloseTo(after.x + 30, 0);
   await expect(editor.button('Undo')).toBeDisabled();
 });
 

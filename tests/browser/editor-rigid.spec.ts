@@ -18,12 +18,14 @@ test('a dragged hand turns by itself, and its field tells how far', async ({ pag
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   // The arm points up now: against the clock.
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  expect(await rotationInFile(editor, 'right-hand')).toBe('auto');
+  await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
   await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'true');
-  expect((await editor.told('right hand')).rotation).toBe(Math.round(await turn(editor)));
+  await expect
+    .poll(async () => (await editor.told('right hand')).rotation)
+    .toBe(Math.round(await turn(editor)));
 
   await editor.button('Reset to rest').click();
-  expect(await rotationInFile(editor, 'right-hand')).toBe('auto');
+  await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
   await expect.poll(() => turn(editor)).toBeCloseTo(0, 1);
 });
 
@@ -31,28 +33,28 @@ test('pinned, a hand keeps its turn wherever it goes, until it is freed', async 
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  const shown = await turn(editor);
+  const shown = await editor.still(() => turn(editor));
   const toggle = editor.button('Automatic turn');
   await toggle.click();
   await expect(toggle).toHaveAttribute('aria-pressed', 'false');
-  expect(await turn(editor)).toBe(shown);
+  await expect.poll(() => turn(editor)).toBe(shown);
   await editor.dragHandle('right hand', { x: 40, y: 150 });
-  expect(await turn(editor)).toBe(shown);
+  await expect.poll(() => turn(editor)).toBe(shown);
 
   await toggle.click();
   await expect.poll(() => turn(editor)).not.toBe(shown);
   await page.keyboard.press('Control+z');
-  expect(await turn(editor)).toBe(shown);
+  await expect.poll(() => turn(editor)).toBe(shown);
 });
 
 test('the ring takes an automatic turn on from where it is', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  const shown = await turn(editor);
-  const hand = await editor.place('right hand');
+  const shown = await editor.still(() => turn(editor));
+  const hand = await editor.still(() => editor.place('right hand'));
   await editor.drag({ x: hand.x + 40, y: hand.y }, { x: -40, y: 40 });
-  expect(Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
+  await expect.poll(async () => Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
   await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'false');
 });
 
@@ -70,16 +72,16 @@ test('another way to bend is one click and one undo step', async ({ page }) => {
   await page.keyboard.press('Enter');
   await expect(smooth).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('group', { name: 'Detail' })).toBeHidden();
-  expect(await settings()).toEqual(['harmonic', 0, 'paper']);
+  await expect.poll(() => settings()).toEqual(['harmonic', 0, 'paper']);
 
   await page.keyboard.press('Control+z');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.button('Undo')).toBeDisabled();
-  expect(await settings()).toEqual(['rigid', 30, 'smooth']);
+  await expect.poll(() => settings()).toEqual(['rigid', 30, 'smooth']);
 
   const solved = page.locator('c2-warp .solved');
   const before = await solved.textContent();
   await page.getByRole('button', { name: 'Fine', exact: true }).click();
   await expect(solved).not.toHaveText(before ?? '');
-  expect(await settings()).toEqual(['rigid', 60, 'smooth']);
+  await expect.poll(() => settings()).toEqual(['rigid', 60, 'smooth']);
 });

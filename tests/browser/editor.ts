@@ -74,6 +74,27 @@ export class Editor {
     );
   }
 
+  /** What a question is answered once the page answers it alike for two frames: for what later answers are compared with. */
+  async still<T>(ask: () => Promise<T>): Promise<T> {
+    let before = await ask();
+    await expect
+      .poll(async () => {
+        await this.drawn();
+        const [last, now] = [before, await ask()];
+        before = now;
+        return JSON.stringify(now) === JSON.stringify(last);
+      })
+      .toBe(true);
+    return before;
+  }
+
+  /** Two frames: one to pose, one to be shown. */
+  async drawn(): Promise<void> {
+    await this.page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
+  }
+
   async drag(from: Place, by: Place): Promise<void> {
     const { mouse } = this.page;
     await mouse.move(from.x, from.y);
@@ -89,10 +110,7 @@ export class Editor {
 
   /** A piece of what is drawn around a place, without anything that floats over the picture. */
   async look(at: Place, radius = 24): Promise<Buffer> {
-    // Two frames: one to pose, one to be shown.
-    await this.page.evaluate(
-      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-    );
+    await this.drawn();
     const clip = { x: at.x - radius, y: at.y - radius, width: 2 * radius, height: 2 * radius };
     const style = 'c2-warp::part(handle) { opacity: 0 }';
     return this.page.screenshot({ clip, style });

@@ -41,9 +41,19 @@ export interface Report {
   readonly cover_max: number;
   readonly min_phi_sum: number;
   readonly folded_triangles: number;
+  /** Parts of bars and polygons that lie outside the domain, or on its held boundary, and move nothing. */
+  readonly outside?: readonly OutsidePart[];
   /** Equal exactly where all weights are equal bit for bit. */
   readonly weights_hash: string;
   readonly ms: Readonly<Record<string, number>>;
+}
+
+export interface OutsidePart {
+  /** Id of the handle. */
+  readonly handle: string;
+  /** From where to where it lies outside, at rest. */
+  readonly from: readonly [x: number, y: number];
+  readonly to: readonly [x: number, y: number];
 }
 
 /** The stages of a solve, in order. */

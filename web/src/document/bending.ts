@@ -20,10 +20,10 @@ export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'har
 
 export const blendOf = (project: Project): Blend => project.pose?.blend ?? 'linear';
 
-/** The rotation of a handle that nobody has turned. */
+/** The rotation of a point that nobody has turned. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
-/** The project bent in another way. Handles that nobody has turned rest as they do there, and the others keep their turn. */
+/** The project bent in another way. Points that nobody has turned rest as they do there, and the others keep their turn. */
 export function bent(project: Project, mode: PoseMode): Project {
   const { support, density, rotation } = SETTINGS[mode];
   return {
@@ -43,4 +43,5 @@ export const detailed = (project: Project, detail: Detail): Project => ({
   pose: { ...project.pose, density: DETAILS[detail] },
 });
 
-const isUnturned = ({ rotation = 0 }: Handle): boolean => rotation === 0 || rotation === 'auto';
+const isUnturned = ({ kind, rotation = 0 }: Handle): boolean =>
+  kind === 'point' && (rotation === 0 || rotation === 'auto');

@@ -2,7 +2,7 @@
 import type { Vec } from '../geometry/vec';
 import { restingRotation } from './bending';
 import type { Document } from './document';
-import { atRest, moved, turnedTo } from './handle';
+import { atDepth, atRest, cornerPut, depthOf, isLine, moved, turnedTo } from './handle';
 import type { Handle, Project } from './project';
 
 const withHandles = (document: Document, handles: readonly Handle[]): Document => ({
@@ -45,6 +45,26 @@ export const turnHandles = (
   degrees: (handle: Handle) => number,
 ): Document => changeHandles(document, ids, (handle) => turnedTo(handle, degrees(handle)));
 
+/** One corner of a handle put elsewhere; its turn goes on from `before`. */
+export const putCorner = (
+  document: Document,
+  id: string,
+  index: number,
+  at: Vec,
+  before?: number,
+): Document =>
+  changeHandles(document, [id], (handle) => (isLine(handle) ? cornerPut(handle, index, at, before) : handle));
+
+/** Nearer to the eye by so much, or farther where it is negative. */
+export const raiseHandles = (document: Document, ids: readonly string[], by: number): Document =>
+  changeHandles(document, ids, (handle) => atDepth(handle, depthOf(handle) + by));
+
+/** Whether the outline of what bends stays where it is. */
+export const holdBoundary = (document: Document, held: boolean): Document => ({
+  ...document,
+  project: { ...document.project, fix_boundary: held },
+});
+
 export const resetHandles = (document: Document, ids: readonly string[]): Document =>
   changeHandles(document, ids, (handle) => atRest(handle, restingRotation(document.project)));
 
@@ -55,9 +75,9 @@ export function selectHandles(document: Document, ids: readonly string[]): Docum
 }
 
 /** "handle-7": the first free number after the count, so that names rarely come back. */
-export function freeId(project: Project): string {
+export function freeId(project: Project, word = 'handle'): string {
   const taken = new Set(project.handles.map((handle) => handle.id));
   let number = project.handles.length + 1;
-  while (taken.has(`handle-${number}`)) number++;
-  return `handle-${number}`;
+  while (taken.has(`${word}-${number}`)) number++;
+  return `${word}-${number}`;
 }

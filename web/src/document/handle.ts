@@ -1,6 +1,7 @@
 /** One handle: reading it, and the pure changes that a person makes to it. */
-import { add, bearing, scaled, type Vec, wrapDegrees } from '../geometry/vec';
-import type { Handle, Rotation } from './project';
+import { bestTurn, centre, nearestTurn } from '../geometry/polyline';
+import { add, type Vec, wrapDegrees } from '../geometry/vec';
+import type { Handle, LineHandle, Rotation } from './project';
 
 /** How far each automatic handle is turned now, degrees by id. */
 export type Turns = ReadonlyMap<string, number>;
@@ -12,45 +13,45 @@ const rounded = (value: number): number => Math.round(value * 100) / 100 || 0;
 const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 
 /** The corners of a handle at rest or posed; a point has one. */
-const corners = (handle: Handle, of: 'rest' | 'posed'): readonly Vec[] =>
+export const corners = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonly Vec[] =>
   handle.kind === 'point' ? [handle[of]] : handle[of];
 
 /** Where a handle is taken hold of: the mean of its corners. */
-export function anchor(handle: Handle, of: 'rest' | 'posed' = 'posed'): Vec {
-  const all = corners(handle, of);
-  return scaled(
-    all.reduce<Vec>((sum, p) => add(sum, p), [0, 0]),
-    1 / all.length,
-  );
-}
+export const anchor = (handle: Handle, of: 'rest' | 'posed' = 'posed'): Vec => centre(corners(handle, of));
 
-export const isAutomatic = (handle: Handle): boolean => handle.rotation === 'auto';
+export const isLine = (handle: Handle): handle is LineHandle => handle.kind !== 'point';
 
-/** The handle's rotation in degrees. An automatic one reads as the turn of its own corners, a lone point as in `turns`. */
+/** A point that is turned by what is around it. What has corners is turned by them. */
+export const isAutomatic = (handle: Handle): boolean => !isLine(handle) && handle.rotation === 'auto';
+
+/**
+ * The handle's rotation in degrees. What has corners is turned as they are: by the angle nearest to the number that it
+ * was given, so that whole turns count. An automatic point reads as in `turns`.
+ */
 export function rotationOf(handle: Handle, turns = NO_TURNS): number {
-  if (typeof handle.rotation === 'number') return handle.rotation;
-  if (handle.rotation === undefined) return 0;
-  if (handle.kind === 'point') return turns.get(handle.id) ?? 0;
-  const turn = (of: 'rest' | 'posed') => bearing(handle[of][0] ?? [0, 0], handle[of].at(-1) ?? [0, 0]);
-  return wrapDegrees(turn('posed') - turn('rest'));
+  const given = typeof handle.rotation === 'number' ? handle.rotation : 0;
+  if (isLine(handle)) return turnNear(handle, given);
+  return handle.rotation === 'auto' ? (turns.get(handle.id) ?? 0) : given;
 }
 
 export const scaleOf = (handle: Handle): number => handle.scale ?? 1;
+export const depthOf = (handle: Handle): number => handle.depth ?? 0;
+
+/** How far below or above the others a handle may be put. */
+export const DEPTHS = { least: -10, most: 10 } as const;
 
 /** What screen readers and messages call it: its id as words. */
 export const nameOf = (handle: Handle): string => handle.id.replace(/[-_]+/g, ' ').trim() || handle.id;
 
 /** The handle with every posed corner passed through `place`. */
-function replaced(handle: Handle, place: (p: Vec) => Vec): Handle {
-  return handle.kind === 'point'
-    ? { ...handle, posed: place(handle.posed) }
-    : { ...handle, posed: handle.posed.map(place) };
-}
+const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
+  isLine(handle) ? { ...handle, posed: handle.posed.map(place) } : { ...handle, posed: place(handle.posed) };
 
 export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => roundedVec(add(p, by)));
 
-/** Turned about its own anchor to a rotation in degrees, kept in (−180, 180]. */
+/** Turned about its own anchor to a rotation in degrees: a point to one in (−180, 180], what has corners by any number of turns. */
 export function turnedTo(handle: Handle, degrees: number): Handle {
+  if (!isLine(handle)) return { ...handle, rotation: rounded(wrapDegrees(degrees)) };
   const pivot = anchor(handle);
   const turn = ((degrees - rotationOf(handle)) * Math.PI) / 180;
   const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
@@ -58,8 +59,24 @@ export function turnedTo(handle: Handle, degrees: number): Handle {
     const [dx, dy] = [x - pivot[0], y - pivot[1]];
     return roundedVec([pivot[0] + cos * dx - sin * dy, pivot[1] + sin * dx + cos * dy]);
   };
-  const placed = handle.kind === 'point' ? handle : replaced(handle, about);
-  return { ...placed, rotation: rounded(wrapDegrees(degrees)) };
+  return { ...replaced(handle, about), rotation: rounded(degrees) };
+}
+
+/**
+ * One corner put elsewhere. The handle's turn goes on from `before` (degrees), so that a corner led around the others
+ * more than half a turn does not flip what they hold.
+ */
+export function cornerPut(
+  handle: LineHandle,
+  index: number,
+  at: Vec,
+  before = rotationOf(handle),
+): LineHandle {
+  const posed = handle.posed.map((corner, k) => (k === index ? roundedVec(at) : corner));
+  const next: LineHandle = { ...handle, posed };
+  const turn = turnNear(next, before);
+  const counted = typeof handle.rotation === 'number' || Math.abs(turn) > 180;
+  return counted ? { ...next, rotation: rounded(turn) } : next;
 }
 
 /** Turned by whatever is around it. */
@@ -67,18 +84,28 @@ export const freed = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' 
 
 export const scaledTo = (handle: Handle, scale: number): Handle => ({ ...handle, scale: rounded(scale) });
 
-/** Back at rest: where it was placed, not scaled, and turned by nothing or by what is around it. */
-export const atRest = (handle: Handle, rotation: Rotation): Handle => ({
-  ...(handle.kind === 'point' ? { ...handle, posed: handle.rest } : { ...handle, posed: handle.rest }),
-  rotation,
-  scale: 1,
+export const atDepth = (handle: Handle, depth: number): Handle => ({
+  ...handle,
+  depth: rounded(Math.min(DEPTHS.most, Math.max(DEPTHS.least, depth))),
 });
+
+/** Back at rest: where it was placed, not scaled, and turned by nothing or by what is around it. */
+export const atRest = (handle: Handle, rotation: Rotation): Handle =>
+  isLine(handle)
+    ? { ...handle, posed: handle.rest, rotation: 'auto', scale: 1 }
+    : { ...handle, posed: handle.rest, rotation, scale: 1 };
 
 /** An automatic rotation is never a change of its own. */
 export function isAtRest(handle: Handle): boolean {
   const rest = corners(handle, 'rest');
-  const same = corners(handle, 'posed').every((p, k) => p[0] === rest[k]?.[0] && p[1] === rest[k]?.[1]);
+  const same = corners(handle).every((p, k) => p[0] === rest[k]?.[0] && p[1] === rest[k]?.[1]);
   return same && rotationOf(handle) === 0 && scaleOf(handle) === 1;
+}
+
+/** The turn of the corners that is nearest to `degrees`. */
+function turnNear({ rest, posed }: LineHandle, degrees: number): number {
+  const turn = bestTurn(rest, posed);
+  return turn === null ? degrees : nearestTurn(turn, degrees);
 }
 
 export { rounded, roundedVec };

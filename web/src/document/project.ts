@@ -14,7 +14,11 @@ export type HandleFile = file.Handle;
 type Posed<H extends HandleFile> = H & { readonly posed: H['rest'] };
 
 export type PointHandle = Posed<file.PointHandle>;
-export type Handle = PointHandle | Posed<file.BarHandle> | Posed<file.PolygonHandle>;
+export type BarHandle = Posed<file.BarHandle>;
+export type PolygonHandle = Posed<file.PolygonHandle>;
+/** A handle with corners. */
+export type LineHandle = BarHandle | PolygonHandle;
+export type Handle = PointHandle | LineHandle;
 
 export interface Project extends Omit<ProjectFile, 'handles'> {
   readonly handles: readonly Handle[];

@@ -18,6 +18,8 @@ export function followedHandles(solved: Project, current: Project): readonly Han
   const now = new Map(current.handles.map((handle) => [handle.id, handle]));
   return solved.handles.map((handle) => {
     const { posed, kind, rotation, scale, depth } = now.get(handle.id) ?? handle;
-    return kind === handle.kind ? ({ ...handle, posed, rotation, scale, depth } as Handle) : handle;
+    // Points hold two numbers and lines as many as they have corners: another length is another handle.
+    const same = kind === handle.kind && posed.length === handle.posed.length;
+    return same ? ({ ...handle, posed, rotation, scale, depth } as Handle) : handle;
   });
 }

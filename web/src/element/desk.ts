@@ -5,7 +5,7 @@
  * here, so that `dispose` gives all of it back.
  */
 import { blendOf } from '../document/bending';
-import { anchor } from '../document/handle';
+import { anchor, nameOf } from '../document/handle';
 import { deviceView } from '../geometry/camera';
 import type { ToolName } from '../tools/machine';
 import type { Effect } from '../tools/state';
@@ -14,8 +14,10 @@ import type { EditorActions, EditorModel, Hint, OverlayFlags } from '../ui/model
 import { Drawing } from './drawing';
 import type { ChangeKind } from './editing';
 import { Files } from './files';
+import { Guarding } from './guarding';
 import { Input } from './input';
 import { Keeping } from './keeping';
+import { Noticing } from './noticing';
 import type { Picture } from './picture';
 import { Posing } from './posing';
 import { run } from './running';
@@ -46,16 +48,19 @@ export class Desk {
   readonly posing: Posing;
   readonly files: Files;
   readonly talking: Talking;
+  readonly guarding: Guarding;
   readonly canvas = document.createElement('canvas');
   readonly #host: DeskHost;
   readonly #keeping: Keeping | null;
+  readonly #noticing: Noticing;
   #drawing: Drawing | null = null;
   #input: Input | null = null;
   #sizing: ResizeObserver | null = null;
   #settling: ReturnType<typeof setTimeout> | undefined;
   #box: EditorModel['box'] = null;
   #comparing = false;
-  #overlays: OverlayFlags = { mesh: false, sites: false, graph: false };
+  #overlays: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false };
+  #settings = false;
   #touched = false;
 
   constructor(host: DeskHost, autosave: string | null) {
@@ -70,16 +75,29 @@ export class Desk {
         return current !== null && pending !== null;
       },
     });
+    this.guarding = new Guarding({
+      foldsOf: (project, limit) => this.posing.foldsOf(project, limit),
+      get turns() {
+        return desk.posing.turns();
+      },
+    });
+    this.#noticing = new Noticing({
+      folds: () => this.posing.folds(),
+      changed: () => host.changed(),
+      outside: (ids) => this.#tellOutside(ids),
+    });
     this.workbench = new Workbench({
       opened: (picture) => this.#opened(picture),
       solved: ({ data }) => {
         this.posing.forget();
         this.#drawing?.setSolution(data);
+        this.#noticing.solved(data.report);
         this.#host.changed();
       },
       edited: (kind) => this.#edited(kind),
       say: (text) => this.talking.say(text),
       carryOut: (effect) => this.#carryOut(effect),
+      guarding: this.guarding,
       get turns() {
         return desk.posing.turns();
       },
@@ -114,7 +132,7 @@ export class Desk {
       looked: () => this.#looked(),
       run: (command) => this.run(command),
       compare: (on) => this.#compare(on),
-      held: (id) => this.#focus(id),
+      held: (id, corner) => this.#focus(id, corner),
     });
     try {
       this.#drawing = new Drawing(this.canvas, {
@@ -149,6 +167,7 @@ export class Desk {
   dispose(): void {
     clearTimeout(this.#settling);
     this.talking.dispose();
+    this.#noticing.dispose();
     this.#sizing?.disconnect();
     this.#input?.release();
     this.#drawing?.dispose();
@@ -166,6 +185,7 @@ export class Desk {
       choose: (tool) => this.choose(tool),
       flip: () => this.#compare(!this.#comparing),
       bail: () => this.#bail(),
+      settings: () => this.#openSettings(!this.#settings),
       looked: () => this.#looked(),
     });
   }
@@ -174,6 +194,12 @@ export class Desk {
     const { editing } = this.workbench;
     if (this.#host.readonly && tool !== 'hand') return;
     editing.apply(editing.machine.choose(tool));
+    // A line is drawn on the picture: what was selected lets go of the arrow keys.
+    if (tool === 'bar' || tool === 'polygon') {
+      editing.select([]);
+      const active = this.#host.root.activeElement;
+      if (active?.closest('.handles')) this.#focus(undefined);
+    }
     this.#looked();
   }
 
@@ -189,7 +215,7 @@ export class Desk {
       disabled,
       dark,
       camera: this.viewing.camera,
-      grips: this.#input?.grips ?? { handle: 0, ring: 0, band: 0, slop: 0 },
+      grips: this.#input?.grips ?? { handle: 0, line: 0, ring: 0, band: 0, slop: 0 },
       undo: editing.undoLabel,
       redo: editing.redoLabel,
       solved: solving.label,
@@ -200,6 +226,12 @@ export class Desk {
       comparing: this.#comparing,
       overlays: this.#overlays,
       sites: this.#overlays.sites || this.#overlays.graph ? this.posing.graph() : null,
+      folded: this.#overlays.folds ? this.posing.folded() : null,
+      folds: this.#overlays.folds || this.guarding.on ? this.posing.folds() : this.#noticing.folds,
+      guarded: this.guarding.on,
+      holding: this.guarding.holding,
+      settings: this.#settings,
+      draft: editing.machine.draft,
       box: this.#box,
       crosshair: this.#input?.crosshair ?? null,
       cursor: this.#input?.cursor ?? 'default',
@@ -217,6 +249,14 @@ export class Desk {
     automatic: (on) => this.workbench.editing.automatic(on),
     bend: (mode) => this.workbench.editing.bend(mode),
     detail: (detail) => this.workbench.editing.detail(detail),
+    holdBoundary: (held) => this.workbench.editing.holdBoundary(held),
+    guard: (on) => {
+      this.guarding.on = on;
+      this.#host.changed();
+    },
+    finish: () => this.#input?.finish(),
+    back: () => this.workbench.editing.apply(this.workbench.editing.machine.back()),
+    settings: (on) => this.#openSettings(on),
     select: (ids) => this.workbench.editing.select(ids),
     toggle: (id) => this.workbench.editing.toggle(id),
     cancelSolve: () => this.workbench.cancelSolve(),
@@ -234,7 +274,8 @@ export class Desk {
     const { editing, solving } = this.workbench;
     const handle =
       editing.project.handles.find(({ id }) => id === hint?.handle) ?? editing.project.handles[0];
-    if (!hint || !handle || this.#touched || readonly || !solving.current) return null;
+    if (!hint || !handle || this.#touched || readonly || !solving.current || editing.machine.draft)
+      return null;
     return { text: hint.text, at: anchor(handle) };
   }
 
@@ -249,6 +290,7 @@ export class Desk {
   #edited(kind: ChangeKind): void {
     if (kind !== 'selection') {
       this.#drawing?.pose();
+      this.#noticing.posed();
       if (this.workbench.editing.undoLabel !== null) this.#touched = true;
     }
     if (kind === 'change') {
@@ -280,9 +322,32 @@ export class Desk {
 
   #bail(): void {
     const { editing } = this.workbench;
-    if (editing.machine.busy) editing.apply(editing.machine.cancel());
+    if (editing.machine.busy || editing.machine.draft) {
+      editing.apply(editing.machine.bail());
+      this.#looked();
+    } else if (this.#settings) this.#openSettings(false);
     else if (this.talking.notice) this.talking.notify(null);
     else editing.select([]);
+  }
+
+  /** Once for each solve that finds other handles beyond the picture than the one before. */
+  #tellOutside(ids: readonly string[]): void {
+    const names = ids.flatMap((id) => {
+      const handle = this.workbench.editing.project.handles.find((other) => other.id === id);
+      return handle ? [nameOf(handle)] : [];
+    });
+    const [first, ...more] = names;
+    if (first === undefined) return;
+    const text =
+      more.length === 0
+        ? `Only the part of ${first} on the picture bends it: the rest lies beside it.`
+        : `Only the parts on the picture bend it of ${more.slice(0, -1).reduce((all, name) => `${all}, ${name}`, first)} and ${more.at(-1)}.`;
+    this.talking.notify({ kind: 'info', text });
+  }
+
+  #openSettings(on: boolean): void {
+    this.#settings = on;
+    this.#host.changed();
   }
 
   #compare(on: boolean): void {
@@ -297,11 +362,13 @@ export class Desk {
   }
 
   /** A handle just held takes the focus, else the picture does, so that keys go on working. */
-  #focus(id: string | undefined): void {
+  #focus(id: string | undefined, corner?: number): void {
     this.#host.changed();
     queueMicrotask(() => {
-      const handle =
-        id === undefined ? null : this.#host.root.querySelector(`[data-handle="${CSS.escape(id)}"]`);
+      const named = id === undefined ? '' : CSS.escape(id);
+      const wanted =
+        corner === undefined ? `[data-handle="${named}"]` : `[data-of="${named}"][data-corner="${corner}"]`;
+      const handle = id === undefined ? null : this.#host.root.querySelector(wanted);
       const target = handle ?? this.#host.root.querySelector('.stage');
       if (target instanceof HTMLElement) target.focus({ preventScroll: true });
     });

@@ -7,7 +7,10 @@ import { bent, type Detail, detailed, modeOf } from '../document/bending';
 import { type Document, handleById, selectedHandles } from '../document/document';
 import {
   changeHandles,
+  holdBoundary,
   moveHandles,
+  putCorner,
+  raiseHandles,
   removeHandles,
   resetHandles,
   selectHandles,
@@ -15,7 +18,11 @@ import {
 } from '../document/edits';
 import {
   anchor,
+  atDepth,
+  DEPTHS,
+  depthOf,
   freed,
+  isLine,
   moved,
   nameOf,
   rotationOf,
@@ -27,10 +34,11 @@ import {
 import { History, type HistoryRecord } from '../document/history';
 import type { Handle, PoseMode, Project } from '../document/project';
 import { solveKey } from '../document/solved';
-import type { Vec } from '../geometry/vec';
+import { add, type Vec } from '../geometry/vec';
 import { ToolMachine } from '../tools/machine';
-import type { Effect } from '../tools/state';
+import type { Draft, Effect } from '../tools/state';
 import type { Field } from '../ui/model';
+import type { Guarding } from './guarding';
 
 /** `open`: another document; `input`: within a drag; `change`: committed; `selection`: only what is selected. */
 export type ChangeKind = 'open' | 'input' | 'change' | 'selection';
@@ -40,6 +48,7 @@ export interface EditingHost {
   say(text: string): void;
   /** How far automatic handles are turned under the document as it is. */
   readonly turns: Turns;
+  readonly guarding: Guarding;
   /** Effects that are not about the document. */
   carryOut(effect: Effect): void;
 }
@@ -47,6 +56,8 @@ export interface EditingHost {
 export class Editing {
   readonly machine = new ToolMachine();
   readonly #host: EditingHost;
+  /** What was drawn last, and the solution that it needs. */
+  #drawn: { readonly draft: Draft; readonly key: string } | null = null;
   #history: History<Document>;
 
   constructor(host: EditingHost, document: Document) {
@@ -76,20 +87,23 @@ export class Editing {
 
   /** Starts over with another document and its history. */
   open(record: HistoryRecord<Document>): void {
-    this.machine.cancel();
+    this.machine.bail();
+    this.#drawn = null;
+    this.#host.guarding.end();
     this.#history = History.from(record);
     this.#host.edited('open');
   }
 
   /** Carries out what a tool asks for. */
   apply(effects: readonly Effect[]): void {
-    const history = this.#history;
     for (const effect of effects) {
-      if (effect.type === 'begin') history.begin(effect.label);
+      if (effect.type === 'begin') this.#begin(effect.label);
       else if (effect.type === 'edit') this.#input(effect.document);
       else if (effect.type === 'commit') this.#commit();
       else if (effect.type === 'bail') this.#bail();
       else if (effect.type === 'select') this.select(effect.ids);
+      else if (effect.type === 'drawn') this.#drawn = { draft: effect.draft, key: solveKey(this.project) };
+      else if (effect.type === 'drafted') this.#sayDraft(effect.draft);
       else this.#host.carryOut(effect);
     }
   }
@@ -138,25 +152,47 @@ export class Editing {
   nudge(by: Vec): void {
     const { selection } = this.document;
     const label = `Move ${this.#selectionName()}`;
-    this.#step(label, moveHandles(this.document, selection, by), `nudge ${selection.join(' ')}`);
-    this.#sayPlace();
+    this.#guarded(label, moveHandles(this.document, selection, by), `nudge ${selection.join(' ')}`);
+  }
+
+  /** The same for one corner of a handle. */
+  nudgeCorner(id: string, index: number, by: Vec): void {
+    const handle = handleById(this.document, id);
+    const at = handle && isLine(handle) ? handle.posed[index] : undefined;
+    if (!handle || !at) return;
+    const next = putCorner(this.document, id, index, add(at, by));
+    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`);
+  }
+
+  /** Nearer to the eye by so much, or farther. */
+  raise(by: number): void {
+    const { selection } = this.document;
+    if (selection.length === 0) return;
+    const label = `${by > 0 ? 'Bring forward' : 'Send back'} ${this.#selectionName()}`;
+    this.#step(label, raiseHandles(this.document, selection, by), `depth ${selection.join(' ')}`);
+    this.#sayDepth();
+  }
+
+  holdBoundary(held: boolean): void {
+    this.step(held ? 'Hold the boundary' : 'Free the boundary', holdBoundary(this.document, held));
   }
 
   turn(by: number): void {
     const { selection } = this.document;
     const { turns } = this.#host;
     const turned = turnHandles(this.document, selection, (handle) => rotationOf(handle, turns) + by);
-    this.#step(`Turn ${this.#selectionName()}`, turned, `turn ${selection.join(' ')}`);
-    this.#sayPlace();
+    this.#guarded(`Turn ${this.#selectionName()}`, turned, `turn ${selection.join(' ')}`);
   }
 
   /** Lets everything selected turn by itself, or keeps it as it is turned now. */
   automatic(on: boolean): void {
-    const { selection } = this.document;
     const { turns } = this.#host;
+    // What has corners is turned by them, whatever its neighbours do.
+    const points = selectedHandles(this.document).filter((handle) => !isLine(handle));
+    const ids = points.map((handle) => handle.id);
     const document = on
-      ? changeHandles(this.document, selection, freed)
-      : turnHandles(this.document, selection, (handle) => rotationOf(handle, turns));
+      ? changeHandles(this.document, ids, freed)
+      : turnHandles(this.document, ids, (handle) => rotationOf(handle, turns));
     this.step(`${on ? 'Free' : 'Pin'} the turn of ${this.#selectionName()}`, document);
   }
 
@@ -178,12 +214,13 @@ export class Editing {
       y: (handle) => moved(handle, [0, value - anchor(handle)[1]]),
       rotation: (handle) => turnedTo(handle, value),
       scale: (handle) => scaledTo(handle, value),
+      depth: (handle) => atDepth(handle, value),
     };
     const { selection } = this.document;
     const document = changeHandles(this.document, selection, set[field]);
     const label = `Set ${field} of ${this.#selectionName()}`;
-    this.#step(label, document, `${field} ${selection.join(' ')}`);
-    this.#sayPlace();
+    this.#guarded(label, document, `${field} ${selection.join(' ')}`);
+    if (field === 'depth') this.#sayDepth();
   }
 
   /** What came in a row of nudges is over. */
@@ -194,15 +231,48 @@ export class Editing {
   /** Takes back whatever needs the solution of this key, which is not to be had. Returns whether anything was left to go back to. */
   withdraw(key: string): boolean {
     this.machine.cancel();
+    this.#host.guarding.end();
+    const drawn = this.#drawn?.key === key ? this.#drawn.draft : null;
     const left = this.#history.withdraw((document) => solveKey(document.project) !== key);
+    // What took a dozen clicks is not lost because one of them was wrong.
+    if (drawn) this.machine.resume(drawn);
+    this.#drawn = null;
     if (left) this.#host.edited('change');
     return left;
+  }
+
+  /** The same as a step, as far as the guard lets it go; what became of it is said. */
+  #guarded(label: string, wanted: Document, key: string): void {
+    const { guarding } = this.#host;
+    const document = guarding.limited(this.document, wanted);
+    if (document === this.document && guarding.holding) {
+      this.#host.say('Stopped: more would fold the picture');
+      return;
+    }
+    this.#step(label, document, key);
+    this.#sayPlace();
   }
 
   /** Steps of one key in a row are one undo step. */
   #step(label: string, document: Document, key: string | null): void {
     this.#history.step(label, document, key);
     this.#host.edited('change');
+  }
+
+  #sayDepth(): void {
+    const [handle] = selectedHandles(this.document);
+    if (!handle) return;
+    const depth = depthOf(handle);
+    const end = depth === DEPTHS.most ? ', in front' : depth === DEPTHS.least ? ', at the back' : '';
+    this.#host.say(`${nameOf(handle)}: depth ${depth}${end}`);
+  }
+
+  #sayDraft(draft: Draft | null): void {
+    const [at] = draft?.corners.slice(-1) ?? [];
+    const [x, y] = at?.map(Math.round) ?? [];
+    this.#host.say(
+      draft ? `${draft.kind}, corner ${draft.corners.length}: x ${x}, y ${y}` : 'Drawing given up',
+    );
   }
 
   #sayPlace(): void {
@@ -226,12 +296,18 @@ export class Editing {
     return more.length > 0 ? `${more.length + 1} handles` : handle ? nameOf(handle) : id;
   }
 
+  #begin(label: string): void {
+    this.#history.begin(label);
+    this.#host.guarding.begin(this.document);
+  }
+
   #input(document: Document): void {
-    this.#history.update(document);
+    this.#history.update(this.#host.guarding.limited(this.document, document));
     this.#host.edited('input');
   }
 
   #commit(): void {
+    this.#host.guarding.end();
     if (!this.#history.commit()) return;
     this.#host.edited('change');
     const label = this.#history.undoLabel ?? '';
@@ -239,6 +315,7 @@ export class Editing {
   }
 
   #bail(): void {
+    this.#host.guarding.end();
     this.#history.bail();
     this.#host.edited('input');
   }

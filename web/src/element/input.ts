@@ -21,14 +21,14 @@ export interface InputHost {
   looked(): void;
   run(command: CommandName): void;
   compare(on: boolean): void;
-  /** A press has ended on this handle: it takes the focus. */
-  held(id: string | undefined): void;
+  /** A press has ended on this handle, or on one of its corners: it takes the focus. */
+  held(id: string | undefined, corner?: number): void;
 }
 
 /** CSS pixels that the controls reach, for a mouse and for a finger. */
 const REACH = {
-  fine: { handle: 14, ring: 40, band: 8, slop: 3 },
-  coarse: { handle: 24, ring: 52, band: 18, slop: 8 },
+  fine: { handle: 14, line: 9, ring: 40, band: 8, slop: 3 },
+  coarse: { handle: 24, line: 20, ring: 52, band: 18, slop: 8 },
 } as const;
 
 /** An arrow key moves the picture or the crosshair by this many CSS pixels for each pixel it would nudge. */
@@ -84,6 +84,7 @@ export class Input {
     const { scale } = this.#host.viewing.camera;
     return {
       handle: reach.handle / scale,
+      line: reach.line / scale,
       ring: reach.ring / scale,
       band: reach.band / scale,
       slop: reach.slop / scale,
@@ -97,16 +98,27 @@ export class Input {
       grips: this.grips,
       turns: posing.turns(),
       place: (at) => posing.place(at),
+      placeNear: (at) => posing.placeNear(at),
     };
   }
 
   get cursor(): string {
     const { machine } = this.#host.editing;
     if (this.#space || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
-    const under = this.#hovered && this.#host.editable ? hit(this.scene, this.#hovered) : null;
+    if (machine.draft) return machine.draft.finishing ? 'pointer' : 'crosshair';
+    const places = machine.tool !== 'select';
+    const under = this.#hovered && this.#host.editable ? hit(this.scene, this.#hovered, !places) : null;
     if (under?.part === 'ring') return TURN_CURSOR;
     if (under) return machine.busy ? 'grabbing' : 'move';
-    return machine.tool === 'point' ? 'crosshair' : 'default';
+    return places ? 'crosshair' : 'default';
+  }
+
+  /** What is being drawn is done. */
+  finish(): void {
+    const { editing } = this.#host;
+    this.crosshair = null;
+    this.#apply(editing.machine.finish(this.scene));
+    if (!editing.machine.draft) this.#host.held(editing.document.selection[0]);
   }
 
   release(): void {
@@ -137,9 +149,11 @@ export class Input {
   #up(pointer: StagePointer): void {
     const { editing } = this.#host;
     const press = this.#press(pointer);
-    const held = hit(this.scene, press.at);
+    const drawing = editing.machine.draft !== null;
+    const held = drawing ? null : hit(this.scene, press.at, editing.machine.tool === 'select');
     this.#apply(editing.machine.up(press, this.scene));
-    this.#host.held(held?.part === 'handle' ? held.id : editing.document.selection[0]);
+    if (held?.part === 'corner') this.#host.held(held.id, held.index);
+    else this.#host.held(held?.part === 'handle' ? held.id : editing.document.selection[0]);
   }
 
   #apply(effects: Parameters<Editing['apply']>[0]): void {
@@ -154,8 +168,11 @@ export class Input {
 
   #hover(pointer: StagePointer | null): void {
     const before = this.cursor;
-    this.#hovered = pointer && this.#press(pointer).at;
-    if (this.cursor !== before) this.#host.looked();
+    const press = pointer && this.#press(pointer);
+    const { machine } = this.#host.editing;
+    this.#hovered = press?.at ?? null;
+    machine.hover(press, this.scene);
+    if (this.cursor !== before || machine.draft) this.#host.looked();
   }
 
   #holdSpace(held: boolean): void {
@@ -165,13 +182,17 @@ export class Input {
     this.#host.looked();
   }
 
-  /** Nudges what is selected; with the point tool and nothing selected, the crosshair; else the picture. */
+  /** Nudges the corner that has the focus, else what is selected; with a tool that places, the crosshair; else the picture. */
   #arrow(by: Vec): void {
     const { editing, viewing, editable } = this.#host;
-    if (editable && editing.document.selection.length > 0) editing.nudge(by);
-    else if (editable && editing.machine.tool === 'point') {
+    const { draft } = editing.machine;
+    const corner = this.#focusedCorner;
+    if (editable && corner && !draft) editing.nudgeCorner(corner.id, corner.index, by);
+    else if (editable && editing.document.selection.length > 0 && !draft) editing.nudge(by);
+    else if (editable && this.#places) {
       const step = ARROW_CROSSHAIR / viewing.camera.scale;
-      this.crosshair = add(this.crosshair ?? this.#middle, scaled(by, step));
+      this.crosshair = add(this.crosshair ?? draft?.corners.at(-1) ?? this.#middle, scaled(by, step));
+      editing.machine.hover(this.#pressAt(this.crosshair), this.scene);
       this.#host.looked();
     } else {
       const { camera } = viewing;
@@ -179,18 +200,41 @@ export class Input {
     }
   }
 
+  /** Places a handle or sets a corner at the crosshair. Where no arrow key has moved it, what is drawn is done. */
   #placeByKey(): void {
     const { editing, editable } = this.#host;
-    if (!editable || editing.machine.tool !== 'point') return;
-    const at = this.crosshair ?? this.#middle;
-    const press: Press = { at, stage: at, shift: false, alt: false };
+    const { machine } = editing;
+    if (!editable || !this.#places) return;
+    if (machine.draft && !this.crosshair) {
+      this.finish();
+      return;
+    }
+    const press = this.#pressAt(this.crosshair ?? this.#middle);
     // Away from handles' reach does not matter here: what is asked for is a new one.
-    const scene = { ...this.scene, grips: { ...this.grips, handle: -1, band: -1 } };
-    this.#apply(editing.machine.down(press, scene));
-    this.#apply(editing.machine.up(press, scene));
+    const scene = { ...this.scene, grips: { ...this.grips, handle: -1, line: -1, band: -1 } };
+    this.#apply(machine.down(press, scene));
+    this.#apply(machine.up(press, scene));
     this.crosshair = null;
     const [added] = editing.document.selection;
     if (added && handleById(editing.document, added)) this.#host.held(added);
+  }
+
+  /** The tool in hand puts something on the picture. */
+  get #places(): boolean {
+    const { tool } = this.#host.editing.machine;
+    return tool !== 'select' && tool !== 'hand';
+  }
+
+  #pressAt(at: Vec): Press {
+    return { at, stage: at, shift: false, alt: false };
+  }
+
+  /** The corner whose button has the focus. */
+  get #focusedCorner(): { readonly id: string; readonly index: number } | null {
+    const active = this.#root.activeElement;
+    if (!(active instanceof HTMLElement)) return null;
+    const { of: id, corner } = active.dataset;
+    return id === undefined || corner === undefined ? null : { id, index: Number(corner) };
   }
 
   get #middle(): Vec {

@@ -3,11 +3,12 @@ import { blendOf } from '../document/bending';
 import { anchor, isAutomatic, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
-import { type Located, locate } from '../geometry/locate';
+import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
+import { type Located, locate, locateNear } from '../geometry/locate';
 import { siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
-import type { SiteGraph } from '../ui/overlays';
+import type { FoldedMesh, SiteGraph } from '../ui/overlays';
 import type { Workbench } from './workbench';
 
 export class Posing {
@@ -16,6 +17,8 @@ export class Posing {
   #motions: Float32Array | null = null;
   #posed: Float32Array | null = null;
   #turns: Turns | null = null;
+  #folds: number | null = null;
+  #folding: FoldingMesh | null = null;
 
   constructor(workbench: Workbench) {
     this.#workbench = workbench;
@@ -27,6 +30,8 @@ export class Posing {
     this.#motions = null;
     this.#posed = null;
     this.#turns = null;
+    this.#folds = null;
+    this.#folding = null;
   }
 
   /** Motions under the pose as it is now; null where there is no solution yet. */
@@ -34,9 +39,10 @@ export class Posing {
     const { project } = this.#workbench.editing;
     if (project !== this.#project) {
       this.#project = project;
-      this.#motions = this.#workbench.solving.motions(project);
+      this.#motions = this.#newest(project);
       this.#posed = null;
       this.#turns = null;
+      this.#folds = null;
     }
     return this.#motions;
   }
@@ -55,6 +61,39 @@ export class Posing {
     if (solving.current) return locate(solving.current.data, this.#positions(), at);
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
     return inside ? { rest: at, rotation: 0, scale: 1 } : null;
+  }
+
+  /** The same, and beside the picture as if it went on there. */
+  placeNear(at: Vec): Placement {
+    const { current } = this.#workbench.solving;
+    const near = current && locateNear(current.data, this.#positions(), at);
+    return near ?? { rest: at, rotation: 0, scale: 1 };
+  }
+
+  /** How many triangles the pose as it is now turns over. */
+  folds(): number {
+    this.motions();
+    this.#folds ??= foldCount(this.#foldable, this.#positions());
+    return this.#folds;
+  }
+
+  /** The same for any other pose of the handles, at most one beyond `limit`; infinite where there is no such pose. */
+  foldsOf(project: Project, limit: number): number {
+    const { solving } = this.#workbench;
+    if (!solving.current) return 0;
+    try {
+      const posed = posedPositions(solving.current.data, solving.motions(project), blendOf(project));
+      return foldCount(this.#foldable, posed, limit);
+    } catch {
+      return Number.POSITIVE_INFINITY;
+    }
+  }
+
+  /** The triangles that have turned over. */
+  folded(): FoldedMesh | null {
+    if (this.folds() === 0) return null;
+    const posed = this.#positions();
+    return { posed, triangles: foldedTriangles(this.#foldable, posed) };
   }
 
   /** Where a point of the original goes; null outside what is warped. */
@@ -90,6 +129,22 @@ export class Posing {
         return [handle.id, turn];
       }),
     );
+  }
+
+  /** A pose that is none, such as a bar drawn together to one spot, leaves the picture as it was. */
+  #newest(project: Project): Float32Array | null {
+    try {
+      return this.#workbench.solving.motions(project);
+    } catch {
+      return this.#motions;
+    }
+  }
+
+  /** What can fold of the solution shown. */
+  get #foldable(): FoldingMesh {
+    const data = this.#workbench.solving.current?.data;
+    this.#folding ??= data ? foldingMesh(data, data.report.samples) : new Uint32Array();
+    return this.#folding;
   }
 
   #positions(): Float32Array {

@@ -15,6 +15,8 @@ export interface RunningHost {
   /** Holds the original up until it is asked again. */
   flip(): void;
   bail(): void;
+  /** Opens or closes what concerns the whole picture, where there is no room for it always. */
+  settings(): void;
   looked(): void;
 }
 
@@ -25,18 +27,26 @@ export function run(command: CommandName, host: RunningHost): void {
     change();
     host.looked();
   };
+  // In the middle of a drawing what is taken back is its last corner.
+  const drawing = () => editing.machine.draft !== null;
+  const back = () => editing.apply(editing.machine.back());
   const commands: Readonly<Record<CommandName, () => void>> = {
     select: () => host.choose('select'),
     point: () => host.choose('point'),
+    bar: () => host.choose('bar'),
+    polygon: () => host.choose('polygon'),
     hand: () => host.choose('hand'),
     open: () => !host.readonly && void files.choose(),
     save: () => void files.save(),
     export: () => void files.export(),
-    undo: () => edit(() => editing.undo()),
+    undo: () => edit(() => (drawing() ? look(back) : editing.undo())),
     redo: () => edit(() => editing.redo()),
     reset: () => edit(() => editing.reset(false)),
     'reset-all': () => edit(() => editing.reset(true)),
-    remove: () => edit(() => editing.remove()),
+    remove: () => edit(() => (drawing() ? look(back) : editing.remove())),
+    forward: () => edit(() => editing.raise(1)),
+    backward: () => edit(() => editing.raise(-1)),
+    settings: () => host.settings(),
     'select-all': () => editing.select(editing.project.handles.map((handle) => handle.id)),
     compare: () => host.flip(),
     fit: () => look(() => viewing.fit()),

@@ -56,6 +56,7 @@ export class Workbench {
         get turns() {
           return host.turns;
         },
+        guarding: host.guarding,
       },
       NOTHING,
     );

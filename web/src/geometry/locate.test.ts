@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { posedPositions } from './blend';
-import { locate } from './locate';
+import { locate, locateNear } from './locate';
 import { MOTION_STRIDE, type Skin } from './skin';
 
 /** A unit square of two triangles, its left side held by site 0 and its right by site 1; a lone vertex without weights. */
@@ -60,5 +60,18 @@ describe('locate', () => {
     const posed = Float32Array.of(0, 0, 1, 0, 1, 1, 0, 1, 0, 0.5);
     const found = locate(folded, posed, [0.9, 0.5]);
     expect(found?.rest[0]).toBeGreaterThan(1);
+  });
+
+  it('goes on beside the picture as at its nearest place', () => {
+    const turn = [0, 2, -2, 0, 0, 0, 10, 0];
+    const posed = posedPositions(skin, motions(turn, turn));
+    // What rests at (3, 0.5), beside the square.
+    const { rest, rotation } = locateNear(skin, posed, [10 - 2 * 0.5, 2 * 3]) ?? {
+      rest: [0, 0],
+      rotation: 0,
+    };
+    expect(rest[0]).toBeCloseTo(3);
+    expect(rest[1]).toBeCloseTo(0.5);
+    expect(rotation).toBeCloseTo(90);
   });
 });

@@ -45,6 +45,35 @@ export function locate(skin: Skin, posed: Float32Array, at: Vec): Located | null
   return null;
 }
 
+/**
+ * The same, and beside the picture as if it went on from the triangle that is nearest to `at`. Null for a mesh without any.
+ * Cost: linear in the triangles.
+ */
+export function locateNear(skin: Skin, posed: Float32Array, at: Vec): Located | null {
+  const inside = locate(skin, posed, at);
+  if (inside) return inside;
+  let [best, least] = [-1, Number.POSITIVE_INFINITY];
+  skin.triangles.forEach((vertex, index) => {
+    const away = (at[0] - (posed[2 * vertex] ?? 0)) ** 2 + (at[1] - (posed[2 * vertex + 1] ?? 0)) ** 2;
+    if (away < least) [best, least] = [index, away];
+  });
+  if (best < 0) return null;
+  const first = best - (best % 3);
+  const of = (points: Float32Array): Triangle => [
+    corner(points, skin.triangles[first] ?? 0),
+    corner(points, skin.triangles[first + 1] ?? 0),
+    corner(points, skin.triangles[first + 2] ?? 0),
+  ];
+  const vertex = skin.triangles[best] ?? 0;
+  const motion = nearestSimilarity(of(skin.positions), of(posed));
+  const scale = Math.max(motion.scale, Number.EPSILON);
+  const turn = (-motion.rotation * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(turn) / scale, Math.sin(turn) / scale];
+  const [from, to] = [corner(skin.positions, vertex), corner(posed, vertex)];
+  const [dx, dy] = [at[0] - to[0], at[1] - to[1]];
+  return { ...motion, rest: [from[0] + cos * dx - sin * dy, from[1] + sin * dx + cos * dy] };
+}
+
 type Triangle = readonly [Vec, Vec, Vec];
 
 const corner = (points: Float32Array, index: number): Vec => [

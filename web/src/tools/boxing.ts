@@ -1,13 +1,16 @@
 /** Drawing a box over empty space: it selects the handles inside, with Shift in addition to those selected before. */
 
-import { anchor } from '../document/handle';
+import { anchor, corners } from '../document/handle';
 import type { Project } from '../document/project';
 import { type Box, boxBetween, boxContains } from '../geometry/box';
 import type { Vec } from '../geometry/vec';
 import { outcome, type State } from './state';
 
+/** A bar or polygon is within once its middle or one of its corners is. */
 const idsWithin = (project: Project, box: Box): readonly string[] =>
-  project.handles.filter((handle) => boxContains(box, anchor(handle))).map((handle) => handle.id);
+  project.handles
+    .filter((handle) => [anchor(handle), ...corners(handle)].some((p) => boxContains(box, p)))
+    .map((handle) => handle.id);
 
 export const boxing = (before: readonly string[], from: Vec, shift: boolean, rest: State): State => {
   const kept = shift ? before : [];

@@ -1,29 +1,81 @@
-/** What lies under a press: a handle, the rotation ring of a selected one, or nothing. */
+/** What lies under a press: a handle, one of its corners, the rotation ring of a selected one, or nothing. */
 
-import { anchor } from '../document/handle';
+import { anchor, isLine } from '../document/handle';
+import type { Handle } from '../document/project';
+import { distanceToLine, isInside } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import type { Scene } from './state';
 
-export interface Hit {
-  readonly part: 'handle' | 'ring';
-  readonly id: string;
+export type Hit =
+  | { readonly part: 'handle' | 'ring'; readonly id: string }
+  | { readonly part: 'corner'; readonly id: string; readonly index: number };
+
+/** Something that may be taken hold of, and how far beside it the press is, beyond which it is out of reach. */
+interface Reach {
+  readonly hit: Hit;
+  readonly away: number;
 }
 
-/** The nearest handle within reach, before the nearest ring: a handle inside another's ring stays reachable. */
-export function hit({ document, grips }: Pick<Scene, 'document' | 'grips'>, at: Vec): Hit | null {
-  let best: Hit | null = null;
-  let least = grips.handle;
-  for (const handle of document.project.handles) {
-    const away = distance(anchor(handle), at);
-    // "<=": of two on one spot the later is drawn on top.
-    if (away <= least) [best, least] = [{ part: 'handle', id: handle.id }, away];
-  }
-  if (best) return best;
-  least = grips.band;
-  for (const handle of document.project.handles) {
-    const off = Math.abs(distance(anchor(handle), at) - grips.ring);
-    if (document.selection.includes(handle.id) && off <= least)
-      [best, least] = [{ part: 'ring', id: handle.id }, off];
-  }
+/**
+ * The nearest point or corner within reach; else the nearest ring; else the nearest line; else the polygon around the
+ * press. A handle inside another's ring stays reachable so.
+ *
+ * @param bodies whether the inside of a polygon counts: what is placed may lie in one.
+ */
+export function hit(
+  { document, grips }: Pick<Scene, 'document' | 'grips'>,
+  at: Vec,
+  bodies = true,
+): Hit | null {
+  const { handles } = document.project;
+  const selected = handles.filter(({ id }) => document.selection.includes(id));
+  return (
+    nearest(
+      handles.flatMap((handle) => knobs(handle, at)),
+      grips.handle,
+    ) ??
+    nearest(
+      selected.map((handle) => ring(handle, at, grips.ring)),
+      grips.band,
+    ) ??
+    nearest(
+      handles.map((handle) => line(handle, at)),
+      grips.line,
+    ) ??
+    nearest(bodies ? handles.map((handle) => body(handle, at)) : [], 0)
+  );
+}
+
+/** "<=": of two on one spot the later is drawn on top. */
+function nearest(reaches: readonly Reach[], within: number): Hit | null {
+  let [best, least]: [Hit | null, number] = [null, within];
+  for (const { hit, away } of reaches) if (away <= least) [best, least] = [hit, away];
   return best;
 }
+
+function knobs(handle: Handle, at: Vec): readonly Reach[] {
+  const { id } = handle;
+  if (!isLine(handle)) return [{ hit: { part: 'handle', id }, away: distance(handle.posed, at) }];
+  return handle.posed.map((corner, index) => ({
+    hit: { part: 'corner', id, index },
+    away: distance(corner, at),
+  }));
+}
+
+const ring = (handle: Handle, at: Vec, radius: number): Reach => ({
+  hit: { part: 'ring', id: handle.id },
+  away: Math.abs(distance(anchor(handle), at) - radius),
+});
+
+/** The line itself, or the mark at its middle, which may lie beside it. */
+const line = (handle: Handle, at: Vec): Reach => ({
+  hit: { part: 'handle', id: handle.id },
+  away: isLine(handle)
+    ? Math.min(distanceToLine(handle.posed, handle.kind === 'polygon', at), distance(anchor(handle), at))
+    : Number.POSITIVE_INFINITY,
+});
+
+const body = (handle: Handle, at: Vec): Reach => ({
+  hit: { part: 'handle', id: handle.id },
+  away: handle.kind === 'polygon' && isInside(handle.posed, at) ? 0 : Number.POSITIVE_INFINITY,
+});

@@ -1,10 +1,12 @@
 /** The tools by name, and the machine that keeps the state of the one in hand. */
+import { resumed } from './drafting';
 import { hand } from './hand';
+import { bar, polygon } from './lines';
 import { point } from './point';
 import { select } from './select';
-import type { Effect, Outcome, Press, Scene, State } from './state';
+import type { Draft, Effect, Outcome, Press, Scene, State } from './state';
 
-export const TOOLS = { select, point, hand } satisfies Record<string, State>;
+export const TOOLS = { select, point, bar, polygon, hand } satisfies Record<string, State>;
 
 export type ToolName = keyof typeof TOOLS;
 
@@ -12,6 +14,8 @@ export const isToolName = (name: unknown): name is ToolName => typeof name === '
 
 export class ToolMachine {
   #tool: ToolName = 'select';
+  /** Between presses: the tool itself, or what is being drawn with it. */
+  #resting: State = select;
   #state: State = select;
 
   get tool(): ToolName {
@@ -20,14 +24,19 @@ export class ToolMachine {
 
   /** A press is held: between down and up or cancel. */
   get busy(): boolean {
-    return this.#state !== TOOLS[this.#tool];
+    return this.#state !== this.#resting;
+  }
+
+  /** What is being drawn, with the corner in hand. */
+  get draft(): Draft | null {
+    return this.#state.draft ?? this.#resting.draft ?? null;
   }
 
   /** Takes up another tool; what the old one was about is cancelled. */
   choose(tool: ToolName): readonly Effect[] {
-    const effects = this.cancel();
+    const effects = tool === this.#tool ? this.cancel() : this.bail();
     this.#tool = tool;
-    this.#state = TOOLS[tool];
+    if (!this.#resting.draft) this.#settle(TOOLS[tool]);
     return effects;
   }
 
@@ -42,14 +51,64 @@ export class ToolMachine {
 
   up(press: Press, scene: Scene): readonly Effect[] {
     const effects = this.#take(this.#state.up?.(press, scene));
-    this.#state = TOOLS[this.#tool];
+    this.#rest();
     return effects;
   }
 
+  /** The press in hand is over, as if it had not been. */
   cancel(): readonly Effect[] {
+    if (!this.busy) return [];
     const effects = this.#take(this.#state.cancel?.());
-    this.#state = TOOLS[this.#tool];
+    this.#rest();
     return effects;
+  }
+
+  /** Gives up the press in hand, and what is being drawn. */
+  bail(): readonly Effect[] {
+    const effects = this.cancel();
+    if (!this.draft) return effects;
+    this.#settle(TOOLS[this.#tool]);
+    return [...effects, { type: 'drafted', draft: null }];
+  }
+
+  /** The pointer goes by, or has left. */
+  hover(press: Press | null, scene: Scene): void {
+    if (this.busy) return;
+    const result = this.#state.hover?.(press, scene);
+    if (result) this.#settle(result.next);
+  }
+
+  /** The drawing is done. */
+  finish(scene: Scene): readonly Effect[] {
+    return this.#between(this.#resting.finish?.(scene));
+  }
+
+  /** Takes the last corner back. */
+  back(): readonly Effect[] {
+    return this.#between(this.#resting.back?.());
+  }
+
+  /** Goes on with a drawing, unless something else is being drawn by now. */
+  resume(draft: Draft): void {
+    if (this.#tool !== draft.kind || this.draft || this.busy) return;
+    this.#settle(resumed(draft, TOOLS[this.#tool]));
+  }
+
+  #between(result: Outcome | undefined): readonly Effect[] {
+    if (this.busy || !result) return [];
+    this.#settle(result.next);
+    return result.effects;
+  }
+
+  #settle(state: State): void {
+    this.#resting = state;
+    this.#state = state;
+  }
+
+  /** After a press: what is drawn goes on, everything else is over. */
+  #rest(): void {
+    const lasts = this.#state === TOOLS[this.#tool] || this.#state.draft !== undefined;
+    this.#settle(lasts ? this.#state : this.#resting);
   }
 
   #take(result: Outcome | undefined): readonly Effect[] {

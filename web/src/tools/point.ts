@@ -6,7 +6,7 @@ import type { State } from './state';
 
 export const point: State = {
   down: (press, scene) => {
-    const target = hit(scene, press.at);
+    const target = hit(scene, press.at, false);
     return target ? pressed(target, press, scene, point) : placed(press, scene, point);
   },
 };

@@ -1,12 +1,14 @@
 /**
  * Holding a handle or a ring, not yet known whether for a click or a drag.
  *
- * A click selects (Shift: adds or takes away); a drag moves or, on the ring or with Alt, turns.
+ * A click selects (Shift: adds or takes away); a drag moves or, on the ring or with Alt, turns; on a corner it moves that
+ * one alone.
  */
 
 import { handleById } from '../document/document';
 import { anchor, nameOf } from '../document/handle';
 import { distance } from '../geometry/vec';
+import { cornering } from './cornering';
 import type { Hit } from './hit';
 import { moving } from './moving';
 import { type Effect, type Outcome, outcome, type Press, type Scene, type State } from './state';
@@ -44,16 +46,21 @@ function dragged(target: Hit, from: Press, press: Press, scene: Scene, rest: Sta
   const handle = handleById(document, target.id);
   if (!handle) return outcome(rest);
   const ids = document.selection.includes(target.id) ? document.selection : [target.id];
-  const what = ids.length > 1 ? `${ids.length} handles` : nameOf(handle);
+  const alone = target.part === 'corner' && !from.alt;
+  const what = ids.length > 1 && !alone ? `${ids.length} handles` : nameOf(handle);
   const turns = target.part === 'ring' || from.alt;
   const pivot = anchor(handle);
   // A press on the handle's own middle has no bearing yet; the first point off it has.
   const hold = target.part === 'ring' ? from.at : press.at;
-  const next = turns ? turning(scene, ids, pivot, hold, rest) : moving(document, ids, from.at, rest);
+  const moves =
+    target.part === 'corner'
+      ? cornering(document, target.id, target.index, from.at, rest)
+      : moving(document, ids, from.at, rest);
+  const next = turns ? turning(scene, ids, pivot, hold, rest) : moves;
   const first = next.move?.(press, scene) ?? outcome(next);
   return outcome(
     first.next,
-    { type: 'begin', label: `${turns ? 'Turn' : 'Move'} ${what}` },
+    { type: 'begin', label: `${turns ? 'Turn' : alone ? 'Move a corner of' : 'Move'} ${what}` },
     ...first.effects,
   );
 }

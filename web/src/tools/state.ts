@@ -7,6 +7,7 @@
 
 import type { Document } from '../document/document';
 import type { Turns } from '../document/handle';
+import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Vec } from '../geometry/vec';
 
@@ -22,8 +23,10 @@ export interface Press {
 
 /** How far the controls reach, in image pixels: it depends on the zoom and on finger or mouse. */
 export interface Grips {
-  /** Radius around a handle's place that takes hold of it. */
+  /** Radius around a handle's place or corner that takes hold of it. */
   readonly handle: number;
+  /** How far beside its line a bar is taken hold of. */
+  readonly line: number;
   /** Radius of the rotation ring, and half the width of the band that takes hold of it. */
   readonly ring: number;
   readonly band: number;
@@ -45,6 +48,19 @@ export interface Scene {
   readonly turns: Turns;
   /** The picture under a place, or null where there is none. */
   place(at: Vec): Placement | null;
+  /** The same, and beside the picture as if it went on from its nearest part. */
+  placeNear(at: Vec): Placement;
+}
+
+/** A bar or polygon that is being drawn. */
+export interface Draft {
+  readonly kind: LineHandle['kind'];
+  /** Where its corners are, on the posed picture. */
+  readonly corners: readonly Vec[];
+  /** Where the pointer would put the next. */
+  readonly next: Vec | null;
+  /** A press there would finish it. */
+  readonly finishing: boolean;
 }
 
 export type Effect =
@@ -55,7 +71,11 @@ export type Effect =
   | { readonly type: 'select'; readonly ids: readonly string[] }
   | { readonly type: 'box'; readonly box: Box | null }
   | { readonly type: 'pan'; readonly by: Vec }
-  | { readonly type: 'miss'; readonly at: Vec };
+  | { readonly type: 'miss'; readonly at: Vec }
+  /** A corner was set or taken back. */
+  | { readonly type: 'drafted'; readonly draft: Draft | null }
+  /** The handle just committed was drawn like this: should the solver refuse it, the drawing comes back. */
+  | { readonly type: 'drawn'; readonly draft: Draft };
 
 export interface Outcome {
   readonly next: State;
@@ -64,10 +84,18 @@ export interface Outcome {
 
 /** A state answers what it cares about; anything else leaves it as it is. */
 export interface State {
+  /** What is being drawn. A state with a draft lasts from press to press. */
+  readonly draft?: Draft;
   down?(press: Press, scene: Scene): Outcome;
   move?(press: Press, scene: Scene): Outcome;
   up?(press: Press, scene: Scene): Outcome;
   cancel?(): Outcome;
+  /** The pointer goes by without a press; null: it has left. */
+  hover?(press: Press | null, scene: Scene): Outcome;
+  /** The drawing is done. */
+  finish?(scene: Scene): Outcome;
+  /** Takes the last corner back. */
+  back?(): Outcome;
 }
 
 export const outcome = (next: State, ...effects: readonly Effect[]): Outcome => ({ next, effects });

@@ -59,9 +59,10 @@ class Bench {
   get #scene(): Scene {
     return {
       document: this.history.present,
-      grips: { handle: 10, ring: 30, band: 5, slop: 3 },
+      grips: { handle: 10, line: 5, ring: 30, band: 5, slop: 3 },
       turns: this.turns,
       place: () => this.placement,
+      placeNear: (at) => this.placement ?? { rest: at, rotation: 0, scale: 1 },
     };
   }
 

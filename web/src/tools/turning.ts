@@ -1,11 +1,11 @@
 /**
  * Turning handles, by the ring or by an Alt-drag: each selected one about its own place. Shift snaps to 15°. An automatic
- * one goes on from the turn that it has, and keeps what it is given.
+ * one goes on from the turn that it has, and keeps what it is given. The way around counts: twice around is two turns.
  */
 
 import { turnHandles } from '../document/edits';
 import { rotationOf } from '../document/handle';
-import { bearing, snapped, type Vec } from '../geometry/vec';
+import { bearing, snapped, type Vec, wrapDegrees } from '../geometry/vec';
 import { outcome, type Scene, type State } from './state';
 
 export const SNAP_DEGREES = 15;
@@ -18,18 +18,18 @@ export const turning = (
   from: Vec,
   rest: State,
 ): State => {
-  const start = bearing(pivot, from);
-  const state: State = {
+  const after = (turn: number, last: number): State => ({
     move: (press) => {
-      const turn = bearing(pivot, press.at) - start;
+      const now = bearing(pivot, press.at);
+      const whole = turn + wrapDegrees(now - last);
       const turned = turnHandles(document, ids, (handle) => {
-        const degrees = rotationOf(handle, turns) + turn;
+        const degrees = rotationOf(handle, turns) + whole;
         return press.shift ? snapped(degrees, SNAP_DEGREES) : degrees;
       });
-      return outcome(state, { type: 'edit', document: turned });
+      return outcome(after(whole, now), { type: 'edit', document: turned });
     },
     up: () => outcome(rest, { type: 'commit' }),
     cancel: () => outcome(rest, { type: 'bail' }),
-  };
-  return state;
+  });
+  return after(0, bearing(pivot, from));
 };

@@ -1,5 +1,6 @@
-/** How the picture bends: a choice of two, in words, and how finely. Shown while nothing is selected. */
+/** How the picture bends: a choice of two, in words, how finely, and two switches. Shown while nothing is selected. */
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import type { PoseMode } from '../document/project';
 import type { EditorActions, EditorModel } from './model';
@@ -37,8 +38,33 @@ export function bending(model: EditorModel, actions: EditorActions): TemplateRes
           </div>`
         : nothing
     }
+    ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => actions.holdBoundary(on))}
+    ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => actions.guard(on))}
   </section>`;
 }
+
+const toggle = (
+  word: string,
+  note: string,
+  on: boolean,
+  model: EditorModel,
+  choose: (on: boolean) => void,
+): TemplateResult => html`<label class="switch" title=${note}>
+  <span class="text">${word}<span class="faint">${note}</span></span>
+  <input
+    type="checkbox"
+    role="switch"
+    aria-label=${word}
+    aria-description=${note}
+    .checked=${live(on)}
+    ?disabled=${model.disabled || model.readonly}
+    @change=${(event: Event) => {
+      event.stopPropagation();
+      choose((event.target as HTMLInputElement).checked);
+    }}
+    @input=${(event: Event) => event.stopPropagation()}
+  />
+</label>`;
 
 const segment = (word: string, chosen: boolean, model: EditorModel, choose: () => void): TemplateResult =>
   html`<button

@@ -105,6 +105,62 @@ export const chromeStyle = css`
     margin-bottom: 10px;
     font-size: 12px;
   }
+  .switch {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+    margin-top: 10px;
+    padding-top: 10px;
+    border-top: 1px solid var(--_line);
+    cursor: pointer;
+  }
+  .switch + .switch {
+    margin-top: 8px;
+    padding-top: 0;
+    border: 0;
+  }
+  .switch .text {
+    flex: 1;
+    font-weight: 600;
+    font-size: 12px;
+  }
+  .switch .faint {
+    display: block;
+    margin: 0;
+    font-weight: 400;
+  }
+  .switch input {
+    appearance: none;
+    position: relative;
+    flex: none;
+    width: 34px;
+    height: 20px;
+    margin: 0;
+    border-radius: 10px;
+    background: light-dark(#c9c9c6, #55585e);
+    cursor: inherit;
+    transition: background var(--_speed);
+  }
+  .switch input::before {
+    content: '';
+    position: absolute;
+    inset: 2px auto 2px 2px;
+    width: 16px;
+    border-radius: 50%;
+    background: #fff;
+    box-shadow: 0 1px 2px #0005;
+    transition: translate var(--_speed);
+  }
+  .switch input:checked {
+    background: var(--_accent);
+  }
+  .switch input:checked::before {
+    translate: 14px 0;
+  }
+  .switch:has(:disabled) {
+    opacity: 0.45;
+    cursor: default;
+  }
   .row {
     display: flex;
     align-items: center;
@@ -150,6 +206,16 @@ export const chromeStyle = css`
     height: 9px;
     border: 2px solid var(--_accent);
     border-radius: 50%;
+  }
+  .item .dot.of-bar {
+    height: 0;
+    width: 11px;
+    border-width: 2px 0 0;
+    border-radius: 1px;
+    rotate: -35deg;
+  }
+  .item .dot.of-polygon {
+    border-radius: 2px;
   }
   .item[aria-pressed='true'] {
     background: color-mix(in srgb, var(--_accent) 12%, transparent);
@@ -226,6 +292,36 @@ export const chromeStyle = css`
     border-left: 0;
     border-right-color: light-dark(#26272bee, #ececeaee);
   }
+  .draft-bar {
+    position: absolute;
+    z-index: 2;
+    left: 50%;
+    bottom: 16px;
+    translate: -50% 0;
+    display: flex;
+    align-items: center;
+    gap: 2px;
+    padding: 4px 4px 4px 14px;
+    white-space: nowrap;
+    animation: appear var(--_speed);
+  }
+  .draft-bar .words {
+    margin-right: 10px;
+    color: var(--_faint);
+  }
+  .button.finish {
+    padding: 0 12px 0 8px;
+    background: var(--_accent);
+    color: var(--_on-accent);
+    font-weight: 600;
+  }
+  .button.finish:hover:not(:disabled) {
+    background: color-mix(in srgb, var(--_accent) 88%, var(--_text));
+  }
+  .button.finish:disabled {
+    background: var(--_raised);
+    color: var(--_faint);
+  }
   .notice {
     bottom: 16px;
     display: flex;
@@ -237,6 +333,9 @@ export const chromeStyle = css`
     border-left: 4px solid var(--_accent);
     overflow-wrap: anywhere;
     animation: appear var(--_speed);
+  }
+  .draft-bar ~ .notice {
+    bottom: 70px;
   }
   .notice.error {
     border-left-color: var(--_danger);
@@ -285,6 +384,26 @@ export const chromeStyle = css`
     .hint:not(.bubble) {
       bottom: 84px;
     }
+    .draft-bar {
+      bottom: 78px;
+    }
+    .button.finish {
+      padding: 0 14px 0 10px;
+    }
+    .switch {
+      min-height: 44px;
+      padding-top: 6px;
+      margin-top: 6px;
+    }
+    .switch + .switch {
+      margin-top: 2px;
+    }
+    .segment {
+      height: 44px;
+    }
+    .bending .faint {
+      margin-bottom: 6px;
+    }
     .notice {
       inset: 12px auto auto 50%;
     }
@@ -310,8 +429,24 @@ export const chromeStyle = css`
       grid-area: fields;
       margin: 4px 0 0;
     }
-    .fields > :nth-child(n + 3) {
-      grid-column: auto;
+    .fields {
+      grid-template-columns: repeat(6, 1fr);
+    }
+    .fields > :nth-child(n) {
+      grid-column: span 2;
+    }
+    .fields > .pair,
+    .fields > .turn {
+      grid-column: span 3;
+    }
+    .fields > .turn {
+      order: 1;
+    }
+    .fields > .depth {
+      order: 2;
+    }
+    .pair {
+      gap: 0;
     }
     .field .unit,
     .row .faint {

@@ -12,6 +12,8 @@ export interface Command {
 export const COMMANDS = {
   select: { label: 'Select and move', icon: 'select', keys: ['V'] },
   point: { label: 'Add a point handle', icon: 'point', keys: ['P'] },
+  bar: { label: 'Draw a bar', icon: 'bar', keys: ['B'] },
+  polygon: { label: 'Draw a polygon', icon: 'polygon', keys: ['G'] },
   hand: { label: 'Pan', icon: 'hand', keys: ['H'] },
   open: { label: 'Open a picture or a project', icon: 'open', keys: ['Mod+O'] },
   save: { label: 'Save the project file', icon: 'save', keys: ['Mod+S'] },
@@ -21,12 +23,15 @@ export const COMMANDS = {
   'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },
   reset: { label: 'Reset', icon: 'reset', keys: [] },
   remove: { label: 'Delete', icon: 'remove', keys: ['Delete', 'Backspace'] },
+  forward: { label: 'Bring forward', icon: 'forward', keys: [']'] },
+  backward: { label: 'Send back', icon: 'backward', keys: ['['] },
   compare: { label: 'Hold to compare with the original', icon: 'compare', keys: ['O'] },
   'select-all': { label: 'Select all handles', icon: 'select', keys: ['Mod+A'] },
   fit: { label: 'Fit the picture', icon: 'fit', keys: ['0'] },
   actual: { label: 'Actual size', icon: 'actual', keys: ['1'] },
   'zoom-in': { label: 'Zoom in', icon: 'plus', keys: ['+', '='] },
   'zoom-out': { label: 'Zoom out', icon: 'minus', keys: ['-'] },
+  settings: { label: 'How the picture bends', icon: 'settings', keys: [] },
   bail: { label: 'Cancel', icon: 'close', keys: ['Escape'] },
 } as const satisfies Record<string, Command> & Record<ToolName, Command>;
 

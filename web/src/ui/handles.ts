@@ -1,13 +1,22 @@
 /**
  * The handles over the picture: a faint mark where each rests, a thread to where it is posed, the rotation ring of the
- * selected ones, and over them one focusable button per handle. The buttons are for keyboards and screen readers too;
- * presses of a pointer go to the stage, which knows the tools.
+ * selected ones, and over them one focusable button per handle, and per corner of a bar or polygon. The buttons are for
+ * keyboards and screen readers too; presses of a pointer go to the stage, which knows the tools.
  */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import { anchor, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
-import type { Handle } from '../document/project';
-import { toStage } from '../geometry/camera';
+import {
+  anchor,
+  corners,
+  depthOf,
+  isLine,
+  nameOf,
+  rotationOf,
+  scaleOf,
+  type Turns,
+} from '../document/handle';
+import type { Handle, LineHandle } from '../document/project';
+import { type Camera, toStage } from '../geometry/camera';
 import { distance, type Vec } from '../geometry/vec';
 import type { EditorActions, EditorModel } from './model';
 
@@ -15,12 +24,15 @@ import type { EditorActions, EditorModel } from './model';
 export function handleLabel(handle: Handle, turns: Turns): string {
   const [x, y] = anchor(handle);
   const scale = scaleOf(handle);
+  const depth = depthOf(handle);
   return [
     `Handle ${nameOf(handle)}`,
+    ...(isLine(handle) ? [`${handle.kind} with ${handle.posed.length} corners`] : []),
     `x ${Math.round(x)}`,
     `y ${Math.round(y)}`,
     `rotation ${Math.round(rotationOf(handle, turns))} degrees`,
     ...(scale === 1 ? [] : [`scale ${scale}`]),
+    ...(depth === 0 ? [] : [`depth ${depth}`]),
   ].join(', ');
 }
 
@@ -32,7 +44,7 @@ export function handleMarks(model: EditorModel): SVGTemplateResult {
     const posed = toStage(camera, anchor(handle));
     const selected = document.selection.includes(handle.id);
     return svg`
-      ${distance(rest, posed) > 4 ? restMark(rest, posed) : nothing}
+      ${isLine(handle) ? lineMarks(handle, camera, selected) : distance(rest, posed) > 4 ? restMark(rest, posed) : nothing}
       ${selected && !model.readonly ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
   })}`;
 }
@@ -44,6 +56,21 @@ const restMark = (rest: Vec, posed: Vec): SVGTemplateResult => svg`<g class="res
   <circle cx=${rest[0]} cy=${rest[1]} r="4.5"/>
 </g>`;
 
+/** Where a bar or polygon rests, faintly, as soon as it is elsewhere; and where it is. */
+function lineMarks(handle: LineHandle, camera: Camera, selected: boolean): SVGTemplateResult {
+  const path = (of: 'rest' | 'posed') => {
+    const places = corners(handle, of).map((corner) => toStage(camera, corner));
+    return `M${places.join('L')}${handle.kind === 'polygon' ? 'Z' : ''}`;
+  };
+  const [rest, posed] = [path('rest'), path('posed')];
+  return svg`
+    ${rest === posed ? nothing : svg`<g class="rest"><path class="dashes under" d=${rest}/><path class="dashes" d=${rest}/></g>`}
+    <g class="line-handle ${selected ? 'selected' : ''}">
+      ${handle.kind === 'polygon' ? svg`<path class="body" d=${posed}/>` : nothing}
+      <path class="casing" d=${posed}/><path class="line" d=${posed}/>
+    </g>`;
+}
+
 /** The knob stands at the top when nothing is turned. */
 const ring = ([x, y]: Vec, rotation: number, radius: number): SVGTemplateResult => svg`<g
   class="ring" transform="translate(${x} ${y}) rotate(${rotation})">
@@ -54,7 +81,7 @@ const ring = ([x, y]: Vec, rotation: number, radius: number): SVGTemplateResult 
 
 export function handleButtons(model: EditorModel, actions: EditorActions): TemplateResult {
   const { document, camera } = model;
-  return html`<div class="handles" role="application" aria-label="Handles">
+  return html`<div class="handles ${model.draft ? 'drawing' : ''}" role="application" aria-label="Handles">
     ${repeat(
       document.project.handles,
       (handle) => handle.id,
@@ -62,26 +89,52 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
         const [x, y] = toStage(camera, anchor(handle));
         const selected = document.selection.includes(handle.id);
         return html`<button
-          type="button"
-          class="handle"
-          part="handle"
-          data-handle=${handle.id}
-          aria-label=${handleLabel(handle, model.turns)}
-          aria-pressed=${selected ? 'true' : 'false'}
-          ?disabled=${model.disabled}
-          style="transform: translate(${x}px, ${y}px)"
-          @focus=${(event: FocusEvent) => focused(event, handle.id, model, actions)}
-          @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
-        ></button>`;
+            type="button"
+            class="handle ${isLine(handle) ? 'middle-mark' : ''}"
+            part="handle"
+            data-handle=${handle.id}
+            aria-label=${handleLabel(handle, model.turns)}
+            aria-pressed=${selected ? 'true' : 'false'}
+            ?disabled=${model.disabled}
+            style="transform: translate(${x}px, ${y}px)"
+            @focus=${(event: FocusEvent) => focused(event, handle.id, model, actions)}
+            @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
+          ></button>
+          ${isLine(handle) ? cornerButtons(handle, selected, model, actions) : nothing}`;
       },
     )}
   </div>`;
 }
 
+/** The Tab key comes by the corners of what is selected only: of many handles it would never get through. */
+const cornerButtons = (
+  handle: LineHandle,
+  selected: boolean,
+  model: EditorModel,
+  actions: EditorActions,
+): readonly TemplateResult[] =>
+  handle.posed.map((corner, index) => {
+    const [x, y] = toStage(model.camera, corner);
+    const [left, top] = corner.map(Math.round);
+    return html`<button
+      type="button"
+      class="handle corner ${selected ? 'selected' : ''}"
+      part="handle"
+      data-of=${handle.id}
+      data-corner=${index}
+      tabindex=${selected ? 0 : -1}
+      aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
+      ?disabled=${model.disabled}
+      style="transform: translate(${x}px, ${y}px)"
+      @focus=${(event: FocusEvent) => focused(event, handle.id, model, actions)}
+      @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
+    ></button>`;
+  });
+
 /** The keyboard selects as it goes from handle to handle; a pointer has its own way to select. */
 function focused(event: FocusEvent, id: string, model: EditorModel, actions: EditorActions): void {
   const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
-  if (keyboard && !model.document.selection.includes(id)) actions.select([id]);
+  if (keyboard && !model.draft && !model.document.selection.includes(id)) actions.select([id]);
 }
 
 /** The box of a drag over empty space, in stage pixels. */

@@ -115,6 +115,20 @@ export const layout = css`
   .zoom {
     gap: 0;
   }
+  .status .folded {
+    gap: 5px;
+    padding: 0 8px;
+    color: var(--_warning);
+    font-size: 12px;
+    font-weight: 600;
+  }
+  .status .folded[aria-pressed='true'] {
+    background: color-mix(in srgb, var(--_warning) 16%, transparent);
+    color: var(--_warning);
+  }
+  .sheet-switch {
+    display: none;
+  }
   .percent {
     min-width: 46px;
     text-align: center;
@@ -172,8 +186,21 @@ export const layout = css`
       gap: 4px;
     }
     .tools .button {
-      width: 52px;
+      width: 48px;
       height: 46px;
+    }
+    .sheet-switch {
+      display: block;
+      margin-left: 2px;
+      padding-left: 4px;
+      border-left: 1px solid var(--_line);
+    }
+    .status .folded {
+      position: absolute;
+      left: 8px;
+    }
+    .status:has(.folded) .percent {
+      display: none;
     }
     .panel {
       display: none;

@@ -7,9 +7,9 @@ import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
-import type { Grips } from '../tools/state';
+import type { Draft, Grips } from '../tools/state';
 import type { CommandName } from './commands';
-import type { SiteGraph } from './overlays';
+import type { FoldedMesh, SiteGraph } from './overlays';
 
 export interface EditorModel {
   readonly document: Document;
@@ -31,6 +31,17 @@ export interface EditorModel {
   readonly comparing: boolean;
   readonly overlays: OverlayFlags;
   readonly sites: SiteGraph | null;
+  /** Triangles that have turned over, where they are to be shown. */
+  readonly folded: FoldedMesh | null;
+  /** How many there are. */
+  readonly folds: number;
+  /** The guard against folds is on; it holds something back now. */
+  readonly guarded: boolean;
+  readonly holding: boolean;
+  /** Settings of the whole picture are open where there is no room for them always. */
+  readonly settings: boolean;
+  /** What is being drawn. */
+  readonly draft: Draft | null;
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;
@@ -67,10 +78,10 @@ export interface Notice {
   readonly action?: { readonly label: string; run(): void };
 }
 
-export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph', boolean>>;
+export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph' | 'folds', boolean>>;
 
 /** A number of the selected handles that the panel can set. */
-export type Field = 'x' | 'y' | 'rotation' | 'scale';
+export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
 
 export interface EditorActions {
   run(command: CommandName): void;
@@ -80,6 +91,13 @@ export interface EditorActions {
   automatic(on: boolean): void;
   bend(mode: PoseMode): void;
   detail(detail: Detail): void;
+  holdBoundary(held: boolean): void;
+  /** Drags stop where they would fold the picture. */
+  guard(on: boolean): void;
+  /** What is being drawn is done; its last corner is taken back. */
+  finish(): void;
+  back(): void;
+  settings(on: boolean): void;
   select(ids: readonly string[]): void;
   toggle(id: string): void;
   cancelSolve(): void;

@@ -1,4 +1,4 @@
-/** Virtual sites and the cell graph, drawn over the picture where it has been posed. */
+/** Virtual sites, the cell graph and folds, drawn over the picture where it has been posed. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
 import { sitePlace } from '../geometry/skin';
@@ -15,6 +15,14 @@ export interface SiteGraph {
   readonly motions: Float32Array;
 }
 
+/** Some triangles of the posed mesh. */
+export interface FoldedMesh {
+  /** Vertices × 2, image pixels. */
+  readonly posed: Float32Array;
+  /** Triangles × 3. */
+  readonly triangles: Uint32Array;
+}
+
 const place = (graph: SiteGraph, camera: Camera, site: number): Vec =>
   toStage(camera, sitePlace(graph.motions, site));
 
@@ -27,6 +35,17 @@ export function siteOverlay(graph: SiteGraph | null, camera: Camera, flags: Over
 /** Twice, the first time pale and wider: it reads on any picture. */
 const outlined = (name: string, path: string): SVGTemplateResult =>
   svg`<path class="${name} pale" d=${path}/><path class=${name} d=${path}/>`;
+
+export function foldOverlay(folded: FoldedMesh | null, camera: Camera): SVGTemplateResult | typeof nothing {
+  if (!folded) return nothing;
+  const { posed, triangles } = folded;
+  let path = '';
+  triangles.forEach((vertex, at) => {
+    const corner: Vec = [posed[2 * vertex] ?? 0, posed[2 * vertex + 1] ?? 0];
+    path += `${at % 3 === 0 ? 'M' : 'L'}${text(toStage(camera, corner))}${at % 3 === 2 ? 'Z' : ''}`;
+  });
+  return outlined('folds', path);
+}
 
 function graphPath(graph: SiteGraph, camera: Camera): string {
   let path = '';

@@ -2,7 +2,18 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { selectedHandles } from '../document/document';
-import { anchor, isAtRest, isAutomatic, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import {
+  anchor,
+  DEPTHS,
+  depthOf,
+  isAtRest,
+  isAutomatic,
+  isLine,
+  nameOf,
+  rotationOf,
+  scaleOf,
+  type Turns,
+} from '../document/handle';
 import type { Handle } from '../document/project';
 import { bending } from './bending';
 import type { EditorActions, EditorModel, Field } from './model';
@@ -17,6 +28,7 @@ interface FieldLook {
   /** Decimals shown: as many as one can set by hand. */
   readonly digits: number;
   readonly least?: number;
+  readonly tip?: string;
   read(handle: Handle, turns: Turns): number;
 }
 
@@ -34,12 +46,22 @@ const FIELDS: readonly FieldLook[] = [
     least: 0.01,
     read: scaleOf,
   },
+  {
+    field: 'depth',
+    label: 'Depth',
+    name: 'depth',
+    unit: '',
+    step: 1,
+    digits: 2,
+    tip: `What lies over what, from ${DEPTHS.least} at the back to ${DEPTHS.most} in front`,
+    read: depthOf,
+  },
 ];
 
 export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
   const selected = selectedHandles(model.document);
   return html`<section
-    class="panel card ${selected.length > 0 ? 'open' : ''}"
+    class="panel card ${selected.length > 0 || model.settings ? 'open' : ''}"
     part="panel"
     aria-label="Properties"
   >
@@ -58,11 +80,7 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
     <h2>${title}</h2>
     <div class="fields">
       ${FIELDS.map((look) =>
-        look.field === 'rotation'
-          ? html`<div class="pair">
-              ${numberField(look, selected, model, actions)} ${automaticToggle(selected, model, actions)}
-            </div>`
-          : numberField(look, selected, model, actions),
+        besides(look, numberField(look, selected, model, actions), selected, model, actions),
       )}
     </div>
     <div class="row">
@@ -71,6 +89,25 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
       ${commandButton('remove', model, actions, { enabled: !model.readonly })}
     </div>
   </section>`;
+}
+
+/** A field, with the buttons that belong to it. */
+function besides(
+  { field }: FieldLook,
+  input: TemplateResult,
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  if (field === 'rotation' && selected.some((handle) => !isLine(handle))) {
+    return html`<div class="pair turn">${input} ${automaticToggle(selected, model, actions)}</div>`;
+  }
+  if (field !== 'depth') return input;
+  const enabled = (end: number) => !model.readonly && selected.some((handle) => depthOf(handle) !== end);
+  return html`<div class="pair depth">
+    ${input} ${commandButton('backward', model, actions, { enabled: enabled(DEPTHS.least) })}
+    ${commandButton('forward', model, actions, { enabled: enabled(DEPTHS.most) })}
+  </div>`;
 }
 
 /** Commits on Enter, on leaving the field and on its arrow keys; Escape puts the old number back. */
@@ -99,13 +136,15 @@ function numberField(
     const root = input.getRootNode() as ShadowRoot;
     root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });
   };
-  return html`<label class="field">
+  // Across a bar or polygon: along it, its corners tell.
+  const tip = look.field === 'scale' && selected.every(isLine) ? 'How much it grows across itself' : look.tip;
+  return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${tip ?? nothing}>
     <span class="label">${look.label}</span>
     <input
       type="number"
       name=${look.name}
       step=${look.step}
-      aria-label="${look.name} (${look.unit})"
+      aria-label="${look.name} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
       placeholder="mixed"
       .value=${live(shared)}
       ?disabled=${model.disabled || model.readonly}
@@ -122,8 +161,9 @@ function automaticToggle(
   model: EditorModel,
   actions: EditorActions,
 ): TemplateResult {
-  const free = selected.filter(isAutomatic).length;
-  const all = free === selected.length;
+  const points = selected.filter((handle) => !isLine(handle));
+  const free = points.filter(isAutomatic).length;
+  const all = free === points.length;
   return html`<button
     type="button"
     class="button toggle"
@@ -144,7 +184,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
     <h3>Handles <span class="faint">${project.handles.length}</span></h3>
     ${
       project.handles.length === 0
-        ? html`<p class="faint">None yet. Choose the point tool (P) and click the picture.</p>`
+        ? html`<p class="faint">None yet. Choose the point tool (P) and click the picture, or draw a bar (B) or a polygon (G).</p>`
         : html`<ul>
             ${project.handles.map(
               (handle) => html`<li>
@@ -156,7 +196,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
                   @click=${(event: MouseEvent) =>
                     event.shiftKey ? actions.toggle(handle.id) : actions.select([handle.id])}
                 >
-                  <span class="dot"></span><span class="name">${nameOf(handle)}</span>
+                  <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
                   ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}
                 </button>
               </li>`,

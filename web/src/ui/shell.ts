@@ -2,10 +2,11 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
+import { draftBar, draftMarks } from './drawing';
 import { crosshair, handleButtons, handleMarks, selectionBox } from './handles';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Hint } from './model';
-import { siteOverlay } from './overlays';
+import { foldOverlay, siteOverlay } from './overlays';
 import { panel } from './panel';
 import { statusLine } from './status';
 import { toolStrip, topBar } from './toolbar';
@@ -18,6 +19,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${stage(model, actions, canvas)} ${toolStrip(model, actions)} ${panel(model, actions)}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint ? hint(model.hint, model.camera) : nothing}
+      ${draftBar(model, actions)}
       ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${statusLine(model, actions)}
@@ -38,7 +40,8 @@ function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasEle
     ${canvas}
     <svg class="marks" aria-hidden="true">
       ${siteOverlay(model.sites, camera, model.overlays)}
-      ${handleMarks(model)} ${selectionBox(model)} ${crosshair(model)}
+      ${foldOverlay(model.folded, camera)} ${handleMarks(model)} ${draftMarks(model)} ${selectionBox(model)}
+      ${crosshair(model)}
     </svg>
     ${handleButtons(model, actions)}
     ${model.picture ? nothing : emptyStage(model, actions)}

@@ -11,7 +11,12 @@ export const stageStyle = css`
     -webkit-user-select: none;
     background: repeating-conic-gradient(var(--_checker) 0 25%, transparent 0 50%) 50% / 24px 24px var(--_ground);
   }
+  /* The focus that a press gives shows nowhere: keys alone show where they go. */
   .stage:focus-visible {
+    outline: none;
+  }
+  :host(.keyed) .stage:focus-visible {
+    outline: 2px solid var(--_accent);
     outline-offset: -3px;
   }
   canvas,
@@ -66,6 +71,29 @@ export const stageStyle = css`
   .handle:focus-visible {
     outline: none;
   }
+  /* The ends of a bar, the corners of a polygon: smaller than a point handle, as there are more of them. */
+  .handle.corner::before {
+    inset: 16px;
+    border-width: 2.5px;
+  }
+  .handle.corner.selected::before {
+    inset: 15.5px;
+    box-shadow: 0 1px 5px 1px #0008;
+  }
+  /* The middle of a bar or polygon takes the focus and shows nothing else: the line itself is what is held. */
+  .handle.middle-mark::before,
+  .handle.middle-mark[aria-pressed='true']::before {
+    inset: 18.5px;
+    border: 0;
+    background: #fff;
+    box-shadow: 0 0 0 1.5px var(--c2-handle, #2558e8);
+  }
+  .handle.middle-mark[aria-pressed='false']:not(:focus-visible)::before {
+    opacity: 0;
+  }
+  .handles.drawing {
+    opacity: 0.45;
+  }
   :host(.keyed) .handle:focus-visible::before {
     outline: 2px solid #fff;
     outline-offset: 2px;
@@ -76,6 +104,10 @@ export const stageStyle = css`
   @media (pointer: coarse) {
     .handle::before {
       inset: 12px;
+    }
+    .handle.corner::before,
+    .handle.corner.selected::before {
+      inset: 14px;
     }
   }
   .inviting .handle::after {
@@ -138,6 +170,71 @@ export const stageStyle = css`
   .crosshair {
     stroke: #fff;
     stroke-width: 1.75;
+  }
+  .line-handle,
+  .draft {
+    stroke-linejoin: round;
+  }
+  .casing {
+    stroke: #fff;
+    stroke-width: 5.5;
+    filter: drop-shadow(0 1px 1.5px #0008);
+  }
+  .line-handle .line {
+    stroke: var(--c2-handle, #2558e8);
+    stroke-width: 2.5;
+  }
+  .line-handle.selected .casing {
+    stroke-width: 7.5;
+  }
+  .line-handle.selected .line {
+    stroke-width: 4;
+  }
+  .body {
+    fill: var(--c2-handle, #2558e8);
+    opacity: 0.09;
+  }
+  .line-handle.selected .body {
+    opacity: 0.16;
+  }
+  .draft .line {
+    stroke: var(--c2-handle, #2558e8);
+    stroke-width: 2.5;
+  }
+  .draft .line.under {
+    stroke: #fff;
+    stroke-width: 5.5;
+  }
+  .draft .next,
+  .draft .closing {
+    stroke-dasharray: 1 6;
+  }
+  .draft .closing {
+    opacity: 0.7;
+  }
+  .draft .corner {
+    fill: #fff;
+    stroke: var(--c2-handle, #2558e8);
+    stroke-width: 2.5;
+  }
+  .draft .target {
+    stroke-width: 3;
+  }
+  .draft .hot {
+    fill: var(--c2-handle, #2558e8);
+    stroke: #fff;
+  }
+  /* What is turned over has next to no width: its rim has to show it. */
+  .folds {
+    fill: #f0250f;
+    stroke: #f0250f;
+    stroke-width: 2.5;
+    stroke-linejoin: round;
+  }
+  .folds.pale {
+    fill: none;
+    stroke: #fffc;
+    stroke-width: 6;
   }
   .box {
     fill: color-mix(in srgb, var(--_accent) 14%, transparent);

@@ -16,6 +16,7 @@ export function statusLine(model: EditorModel, actions: EditorActions): Template
     <span class="solved">
       ${model.progress ? progress(model, actions) : model.solved ? solved(model) : nothing}
     </span>
+    ${folds(model, actions)}
     <span class="private" title="Pictures are opened, warped and saved on this machine only.">
       ${icon('lock')}Nothing leaves your browser
     </span>
@@ -26,6 +27,26 @@ export function statusLine(model: EditorModel, actions: EditorActions): Template
       ${commandButton('actual', model, actions)}
     </span>
   </div>`;
+}
+
+/** A gentle warning, which shows them at a press; while the guard holds something back, that it does. */
+function folds(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+  const { folds: count, holding, overlays } = model;
+  if (count === 0 && !holding) return nothing;
+  const text = holding ? 'Stopped at a fold' : `${counted(count, 'triangle')} folded`;
+  const tip = overlays.folds ? 'Hide the folds' : 'Show the folds';
+  return html`<button
+    type="button"
+    class="button folded ${holding ? 'holding' : ''}"
+    part="button"
+    data-tip=${tip}
+    aria-label="${text}. ${tip}"
+    aria-pressed=${String(overlays.folds)}
+    ?disabled=${model.disabled}
+    @click=${() => actions.overlay('folds', !overlays.folds)}
+  >
+    ${icon('fold')}<span>${text}</span>
+  </button>`;
 }
 
 function progress(model: EditorModel, actions: EditorActions): TemplateResult {

@@ -17,6 +17,7 @@ export const theme = css`
     --_faint: light-dark(#6a6b70, #a2a4aa);
     --_ground: var(--c2-ground, light-dark(#f5f5f3, #191a1c));
     --_checker: var(--c2-checker, light-dark(#ebebe8, #1f2023));
+    --_warning: light-dark(#9a5b00, #f0b45a);
     --_danger: light-dark(#b3261e, #ff8f85);
     --_radius: var(--c2-radius, 10px);
     --_shadow: 0 1px 2px light-dark(#0000000f, #0006), 0 6px 24px light-dark(#00000014, #0007);
@@ -180,7 +181,9 @@ export const theme = css`
     .status [data-tip]:hover::after,
     .status [data-tip]:focus-visible::after,
     .panel [data-tip]:hover::after,
-    .panel [data-tip]:focus-visible::after {
+    .panel [data-tip]:focus-visible::after,
+    .draft-bar [data-tip]:hover::after,
+    .draft-bar [data-tip]:focus-visible::after {
       top: auto;
       bottom: calc(100% + 7px);
       left: auto;

@@ -65,7 +65,7 @@ export function topBar(model: EditorModel, actions: EditorActions): TemplateResu
 const told = (verb: string, label: string | null): string =>
   label === null ? verb : `${verb}: ${label.charAt(0).toLowerCase()}${label.slice(1)}`;
 
-const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'hand'];
+const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'bar', 'polygon', 'hand'];
 
 export function toolStrip(model: EditorModel, actions: EditorActions): TemplateResult {
   return html`<div class="tools card" part="tools" role="group" aria-label="Tools">
@@ -75,6 +75,12 @@ export function toolStrip(model: EditorModel, actions: EditorActions): TemplateR
         enabled: name === 'hand' || !model.readonly,
       }),
     )}
+    <span class="sheet-switch">
+      ${commandButton('settings', model, actions, {
+        pressed: model.settings,
+        enabled: model.picture !== null,
+      })}
+    </span>
   </div>`;
 }
 
@@ -113,6 +119,7 @@ const OVERLAY_LABELS = {
   mesh: 'Mesh',
   sites: 'Virtual handles',
   graph: 'Cell graph',
+  folds: 'Folds',
 } as const satisfies Record<keyof OverlayFlags, string>;
 
 function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult {

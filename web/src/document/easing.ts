@@ -1,0 +1,63 @@
+/** Between two poses of the same handles: what a guard tries when the farther one goes too far. */
+import { centre } from '../geometry/polyline';
+import { add, scaled, subtract, type Vec } from '../geometry/vec';
+import { corners, isLine, rotationOf, rounded, roundedVec, scaleOf, type Turns } from './handle';
+import type { Handle, Project } from './project';
+
+/**
+ * The pose at `share` of the way from one to the other: 0 is `from`, 1 is `to`. Everything but the poses is of `to`, and
+ * handles that `from` lacks are as in `to`.
+ *
+ * @param turns how far automatic points are turned in `from`.
+ */
+export function between(from: Project, to: Project, share: number, turns: Turns): Project {
+  const before = new Map(from.handles.map((handle) => [handle.id, handle]));
+  return {
+    ...to,
+    handles: to.handles.map((handle) => {
+      const start = before.get(handle.id);
+      return start && start !== handle ? eased(start, handle, share, turns) : handle;
+    }),
+  };
+}
+
+function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
+  const [start, end] = [rotationOf(from, turns), rotationOf(to, turns)];
+  const rotation =
+    typeof to.rotation === 'number' ? { rotation: rounded(start + share * (end - start)) } : {};
+  const scale = scaleOf(from) + share * (scaleOf(to) - scaleOf(from));
+  const common = { ...rotation, ...(to.scale === undefined ? {} : { scale }) };
+  const turn = start + share * (end - start);
+  const places = isLine(to) ? turnedBetween(from, to, share, [start, turn, end]) : [mixed(from, to, share)];
+  return isLine(to)
+    ? { ...to, ...common, posed: places }
+    : { ...to, ...common, posed: places[0] ?? to.posed };
+}
+
+const mixed = (from: Handle, to: Handle, share: number): Vec =>
+  roundedVec(mix(centre(corners(from)), centre(corners(to)), share));
+
+/** A line is turned as a whole, so that it keeps its length on the way. */
+function turnedBetween(
+  from: Handle,
+  to: Handle,
+  share: number,
+  [start, turn, end]: readonly [number, number, number],
+): readonly Vec[] {
+  const [a, b] = [corners(from), corners(to)];
+  if (a.length !== b.length) return b;
+  const [heart, goal] = [centre(a), centre(b)];
+  const middle = mix(heart, goal, share);
+  return b.map((corner, k) => {
+    const before = rotated(subtract(a[k] ?? heart, heart), turn - start);
+    const after = rotated(subtract(corner, goal), turn - end);
+    return roundedVec(add(middle, mix(before, after, share)));
+  });
+}
+
+const mix = (a: Vec, b: Vec, share: number): Vec => add(scaled(a, 1 - share), scaled(b, share));
+
+function rotated([x, y]: Vec, degrees: number): Vec {
+  const [cos, sin] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+  return [cos * x - sin * y, sin * x + cos * y];
+}

@@ -1,0 +1,75 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { type Document, newProject, openDocument } from '../document/document';
+import { addHandle, moveHandles, turnHandles } from '../document/edits';
+import { rotationOf } from '../document/handle';
+import { Guarding } from './guarding';
+
+/** Everything beyond x = 10 folds, and twice as much beyond 20; a turn beyond 45° too. */
+const foldsOf = ({ handles: [handle] }: Document['project']): number => {
+  if (handle?.kind !== 'point') return 0;
+  const far = handle.posed[0] > 20 ? 2 : handle.posed[0] > 10 ? 1 : 0;
+  return far + (rotationOf(handle) > 45 ? 1 : 0);
+};
+
+const at = (x: number): Document =>
+  addHandle(openDocument(newProject({ src: '', width: 8, height: 8 }, false)), {
+    id: 'a',
+    kind: 'point',
+    rest: [0, 0],
+    posed: [x, 0],
+  });
+const place = (document: Document) => {
+  const [handle] = document.project.handles;
+  return handle?.kind === 'point' ? handle.posed[0] : Number.NaN;
+};
+
+describe('the guard against folds', () => {
+  let guarding: Guarding;
+  beforeEach(() => {
+    guarding = new Guarding({ foldsOf, turns: new Map() });
+    guarding.on = true;
+  });
+
+  it('is off at first', () => {
+    guarding.on = false;
+    expect(place(guarding.limited(at(0), at(30)))).toBe(30);
+  });
+
+  it('lets a handle go up to the fold, creep along it, and come free', () => {
+    const start = at(0);
+    guarding.begin(start);
+    const held = guarding.limited(start, moveHandles(start, ['a'], [16, 0]));
+    expect(place(held)).toBeGreaterThan(9.9);
+    expect(place(held)).toBeLessThanOrEqual(10);
+    expect(guarding.holding).toBe(true);
+    const still = guarding.limited(held, moveHandles(start, ['a'], [40, 0]));
+    expect(place(still)).toBeLessThanOrEqual(10);
+    const back = guarding.limited(still, moveHandles(start, ['a'], [6, 0]));
+    expect(place(back)).toBe(6);
+    expect(guarding.holding).toBe(false);
+  });
+
+  it('keeps the folds that there were, and stops at more', () => {
+    const start = at(12);
+    guarding.begin(start);
+    expect(place(guarding.limited(start, at(18)))).toBe(18);
+    const held = place(guarding.limited(at(18), at(30)));
+    expect(held).toBeGreaterThan(19.9);
+    expect(held).toBeLessThanOrEqual(20);
+  });
+
+  it('stops a turn on its way', () => {
+    const start = at(0);
+    const held = guarding.limited(
+      start,
+      turnHandles(start, ['a'], () => 90),
+    );
+    const [handle] = held.project.handles;
+    expect(handle && rotationOf(handle)).toBeCloseTo(45, 0);
+  });
+
+  it('leaves the document as it is where nothing can move', () => {
+    const start = at(10);
+    expect(guarding.limited(start, at(10.5))).toBe(start);
+  });
+});

@@ -1,0 +1,52 @@
+import { describe, expect, it } from 'vitest';
+import { bestTurn, centre, constrained, distanceToLine, edgesOf, isInside, nearestTurn } from './polyline';
+import type { Vec } from './vec';
+
+const square: readonly Vec[] = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+
+describe('a line through corners', () => {
+  it('has one edge more when it is closed', () => {
+    expect(edgesOf(square, false)).toHaveLength(3);
+    expect(edgesOf(square, true)).toHaveLength(4);
+    expect(centre(square)).toEqual([2, 2]);
+  });
+
+  it('is as far away as its nearest place', () => {
+    expect(distanceToLine(square, false, [-1, 2])).toBeCloseTo(Math.hypot(1, 2));
+    expect(distanceToLine(square, true, [-1, 2])).toBe(1);
+    expect(distanceToLine([[3, 3]], false, [0, 0])).toBe(Number.POSITIVE_INFINITY);
+  });
+
+  it('holds what lies inside', () => {
+    expect(isInside(square, [1, 3])).toBe(true);
+    expect(isInside(square, [5, 3])).toBe(false);
+    expect(isInside(square, [-1, 0])).toBe(false);
+  });
+});
+
+describe('turns', () => {
+  it('are read from the corners, wherever they went', () => {
+    const turned = square.map(([x, y]): Vec => [20 - y, 7 + x]);
+    expect(bestTurn(square, turned)).toBeCloseTo(90);
+    expect(bestTurn([[1, 1]], [[2, 2]])).toBeNull();
+  });
+
+  it('go on past half a turn', () => {
+    expect(nearestTurn(-170, 185)).toBe(190);
+    expect(nearestTurn(10, -350)).toBe(-350);
+  });
+});
+
+describe('constrained', () => {
+  it('keeps to whole steps of direction, as far as the pointer went along it', () => {
+    const [x, y] = constrained([1, 1], [11, 3], 45);
+    expect(x).toBeCloseTo(11);
+    expect(y).toBeCloseTo(1);
+    expect(constrained([1, 1], [11, 9], 45)[1]).toBeCloseTo(10);
+  });
+});

@@ -1,0 +1,30 @@
+/** Dragging one corner of a bar or polygon. Shift keeps the edge that leads to it to steps of 45°. */
+import { type Document, handleById } from '../document/document';
+import { putCorner } from '../document/edits';
+import { isLine, rotationOf } from '../document/handle';
+import { constrained } from '../geometry/polyline';
+import { add, subtract, type Vec } from '../geometry/vec';
+import { STEP_DEGREES } from './drafting';
+import { outcome, type State } from './state';
+
+/** @param origin the document at the mark. */
+export const cornering = (origin: Document, id: string, index: number, from: Vec, rest: State): State => {
+  const handle = handleById(origin, id);
+  const start = handle && isLine(handle) ? handle.posed[index] : undefined;
+  if (!handle || !start || !isLine(handle)) return rest;
+  const { posed } = handle;
+  const neighbour = posed[index - 1] ?? posed[index + 1] ?? start;
+  /** The turn goes on from move to move. */
+  const after = (turn: number): State => ({
+    move: (press) => {
+      const at = add(start, subtract(press.at, from));
+      const goal = press.shift ? constrained(neighbour, at, STEP_DEGREES) : at;
+      const document = putCorner(origin, id, index, goal, turn);
+      const put = handleById(document, id);
+      return outcome(after(put ? rotationOf(put) : turn), { type: 'edit', document });
+    },
+    up: () => outcome(rest, { type: 'commit' }),
+    cancel: () => outcome(rest, { type: 'bail' }),
+  });
+  return after(rotationOf(handle));
+};

@@ -1,0 +1,148 @@
+/**
+ * Drawing a bar or polygon: every press sets a corner, which follows the pointer until it is let go.
+ *
+ * A press on the last corner finishes (a double click is that), and on the first one of a polygon. One press-drag-release
+ * draws a whole bar. Shift keeps to steps of 45°. Cancelling a press takes back the corner that it set, not the drawing.
+ */
+import { addHandle, freeId } from '../document/edits';
+import { isLine, rounded, roundedVec } from '../document/handle';
+import type { LineHandle, Project } from '../document/project';
+import { constrained } from '../geometry/polyline';
+import { distance, type Vec } from '../geometry/vec';
+import { type Draft, type Outcome, outcome, type Press, type Scene, type State } from './state';
+
+export type LineKind = LineHandle['kind'];
+
+export const CORNERS_NEEDED: Readonly<Record<LineKind, number>> = { bar: 2, polygon: 3 };
+
+/** Steps of direction while Shift is held, degrees. */
+export const STEP_DEGREES = 45;
+
+export const isDrawable = ({ kind, corners }: Draft): boolean => corners.length >= CORNERS_NEEDED[kind];
+
+/** The tool's state between presses, with nothing or something drawn. `rest` is the tool itself. */
+export function drafting(draft: Draft, rest: State): State {
+  const { corners } = draft;
+  const state: State = {
+    draft,
+    down: (press, scene) => {
+      if (finishes(draft, press.at, scene)) return outcome(finishing(draft, rest));
+      // Still on the last corner: there is nothing to add yet.
+      if (onLast(draft, press.at, scene)) return outcome(state);
+      return outcome(setting(draft, press, drawn(draft, press, scene), rest));
+    },
+    hover: (press, scene) => {
+      const next = press && drawn(draft, press, scene);
+      const onFinish = press !== null && finishes(draft, press.at, scene);
+      return outcome(drafting({ ...draft, next, finishing: onFinish }, rest));
+    },
+    finish: (scene) => (isDrawable(draft) ? finished(draft, scene, rest) : outcome(state)),
+    back: () => shortened({ ...draft, corners: corners.slice(0, -1) }, rest),
+  };
+  return state;
+}
+
+/** The first press of a drawing. */
+export function begun(kind: LineKind, press: Press, scene: Scene, rest: State): Outcome {
+  const draft: Draft = { kind, corners: [], next: null, finishing: false };
+  return outcome(setting(draft, press, drawn(draft, press, scene), rest), { type: 'select', ids: [] });
+}
+
+/** A drawing that comes back as it was. */
+export const resumed = (draft: Draft, rest: State): State =>
+  drafting({ ...draft, next: null, finishing: false }, rest);
+
+/** A corner is held: it follows the pointer. The first stays, and becomes an edge as soon as the pointer is dragged off. */
+const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
+  const first = draft.corners.length === 0;
+  const anchored: Draft = first ? { ...draft, corners: [at] } : draft;
+  const held = (corners: readonly Vec[]): State => {
+    const after: Draft = { ...draft, corners, next: null, finishing: false };
+    const whole = first && corners.length > 1 && draft.kind === 'bar';
+    return {
+      draft: after,
+      move: (press, scene) => {
+        if (distance(press.at, from.at) > scene.grips.slop) {
+          return outcome(held([...anchored.corners, drawn(anchored, press, scene)]));
+        }
+        return outcome(held(first ? [at] : [...draft.corners, at]));
+      },
+      up: (_, scene) =>
+        whole
+          ? finished(after, scene, rest)
+          : outcome(drafting(after, rest), { type: 'drafted', draft: after }),
+      cancel: () => shortened(draft, rest, false),
+    };
+  };
+  return held(first ? [at] : [...draft.corners, at]);
+};
+
+/** A press that finishes: on release, so that a slip or a second finger may still take it back. */
+const finishing = (draft: Draft, rest: State): State => ({
+  draft,
+  up: (_, scene) => finished(draft, scene, rest),
+  cancel: () => outcome(drafting(draft, rest)),
+});
+
+function shortened(draft: Draft, rest: State, told = true): Outcome {
+  const left = draft.corners.length > 0 ? draft : null;
+  const next = left ? drafting({ ...left, finishing: false }, rest) : rest;
+  return told ? outcome(next, { type: 'drafted', draft: left }) : outcome(next);
+}
+
+function finished(draft: Draft, scene: Scene, rest: State): Outcome {
+  const { project } = scene.document;
+  const handle = lineHandle(project, draft, (at) => scene.placeNear(at));
+  return outcome(
+    rest,
+    { type: 'begin', label: `Add ${draft.kind}` },
+    { type: 'edit', document: addHandle(scene.document, handle) },
+    { type: 'commit' },
+    { type: 'drawn', draft },
+  );
+}
+
+/** The handle that a drawing stands for. Its growth is the picture's own where it lies, so that the picture does not jump. */
+export function lineHandle(
+  project: Project,
+  { kind, corners }: Draft,
+  place: Scene['placeNear'],
+): LineHandle {
+  const posed = corners.map(roundedVec);
+  const placements = posed.map((at) => place(at));
+  const joints = project.handles.filter(isLine);
+  const rest = placements.map(
+    (placement, k) => jointAt(joints, posed[k] ?? placement.rest) ?? roundedVec(placement.rest),
+  );
+  const growth = placements.reduce((sum, { scale }) => sum + scale, 0) / Math.max(1, placements.length);
+  return { id: freeId(project, kind), kind, rest, posed, rotation: 'auto', scale: rounded(growth) || 1 };
+}
+
+/** Where a corner of another handle rests that is posed exactly here: the two are to meet at rest as well. */
+function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
+  for (const { rest, posed } of handles) {
+    const index = posed.findIndex((corner) => corner[0] === at[0] && corner[1] === at[1]);
+    if (index >= 0) return rest[index] ?? null;
+  }
+  return null;
+}
+
+/** Where the next corner goes: under the pointer, on a step with Shift, onto another handle's corner near by. */
+function drawn({ corners }: Draft, press: Press, scene: Scene): Vec {
+  const last = corners.at(-1);
+  if (press.shift && last) return constrained(last, press.at, STEP_DEGREES);
+  const others = scene.document.project.handles.filter(isLine).flatMap(({ posed }) => posed);
+  return others.find((corner) => distance(corner, press.at) <= scene.grips.line) ?? press.at;
+}
+
+function finishes(draft: Draft, at: Vec, scene: Scene): boolean {
+  if (!isDrawable(draft)) return false;
+  const [first] = draft.corners;
+  const closes = draft.kind === 'polygon' && first && distance(first, at) <= scene.grips.handle;
+  return closes || onLast(draft, at, scene);
+}
+
+function onLast({ corners }: Draft, at: Vec, { grips }: Scene): boolean {
+  const last = corners.at(-1);
+  return last !== undefined && distance(last, at) <= grips.line;
+}

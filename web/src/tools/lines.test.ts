@@ -1,0 +1,284 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { type Document, handleById, newProject, openDocument } from '../document/document';
+import { addHandle, selectHandles } from '../document/edits';
+import { anchor, corners, rotationOf } from '../document/handle';
+import type { BarHandle } from '../document/project';
+import type { Vec } from '../geometry/vec';
+import { ToolMachine, type ToolName } from './machine';
+import type { Draft, Effect, Press, Scene } from './state';
+
+const arm: BarHandle = {
+  id: 'arm',
+  kind: 'bar',
+  rest: [
+    [0, 0],
+    [100, 0],
+  ],
+  posed: [
+    [0, 0],
+    [100, 0],
+  ],
+  rotation: 'auto',
+};
+const image = { src: 'a.png', width: 400, height: 400 };
+
+/** The picture is shown 1000 px to the right of where it rests, everywhere. */
+class Bench {
+  readonly machine = new ToolMachine();
+  document: Document = selectHandles(addHandle(openDocument(newProject(image, true)), arm), []);
+  drafted: (Draft | null)[] = [];
+  drawn: Draft | null = null;
+
+  readonly scene = (): Scene => ({
+    document: this.document,
+    grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3 },
+    turns: new Map(),
+    place: () => null,
+    placeNear: ([x, y]) => ({ rest: [x - 1000, y], rotation: 0, scale: 2 }),
+  });
+
+  take(tool: ToolName) {
+    this.apply(this.machine.choose(tool));
+  }
+  down = (at: Vec, keys: Partial<Press> = {}) =>
+    this.apply(this.machine.down({ at, stage: at, shift: false, alt: false, ...keys }, this.scene()));
+  move = (at: Vec, keys: Partial<Press> = {}) =>
+    this.apply(this.machine.move({ at, stage: at, shift: false, alt: false, ...keys }, this.scene()));
+  up = (at: Vec) => this.apply(this.machine.up({ at, stage: at, shift: false, alt: false }, this.scene()));
+  click(...places: readonly Vec[]) {
+    for (const at of places) {
+      this.down(at);
+      this.up(at);
+    }
+  }
+  drag(from: Vec, to: Vec, keys: Partial<Press> = {}) {
+    this.down(from, keys);
+    this.move([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2], keys);
+    this.move(to, keys);
+    this.up(to);
+  }
+  get added() {
+    return this.document.project.handles[1];
+  }
+  posed(id: string) {
+    return handleById(this.document, id)?.posed;
+  }
+  apply(effects: readonly Effect[]) {
+    for (const effect of effects) {
+      if (effect.type === 'edit') this.document = effect.document;
+      else if (effect.type === 'select') this.document = selectHandles(this.document, effect.ids);
+      else if (effect.type === 'drafted') this.drafted.push(effect.draft);
+      else if (effect.type === 'drawn') this.drawn = effect.draft;
+    }
+  }
+}
+
+let bench: Bench;
+beforeEach(() => {
+  bench = new Bench();
+});
+
+describe('drawing a bar', () => {
+  beforeEach(() => bench.take('bar'));
+
+  it('takes clicks, and is done by a double click', () => {
+    bench.click([200, 200], [260, 200], [260, 260], [261, 260]);
+    expect(bench.added).toEqual({
+      id: 'bar-2',
+      kind: 'bar',
+      rest: [
+        [-800, 200],
+        [-740, 200],
+        [-740, 260],
+      ],
+      posed: [
+        [200, 200],
+        [260, 200],
+        [260, 260],
+      ],
+      rotation: 'auto',
+      scale: 2,
+    });
+    expect(bench.document.selection).toEqual(['bar-2']);
+    expect(bench.machine.draft).toBeNull();
+    expect(bench.drawn?.corners).toHaveLength(3);
+  });
+
+  it('is drawn by one press, drag and release', () => {
+    bench.drag([200, 200], [250, 260]);
+    expect(bench.added?.posed).toEqual([
+      [200, 200],
+      [250, 260],
+    ]);
+  });
+
+  it('is done by Enter as soon as it has two corners', () => {
+    bench.click([200, 200]);
+    bench.apply(bench.machine.finish(bench.scene()));
+    expect(bench.added).toBeUndefined();
+    bench.click([260, 200]);
+    bench.apply(bench.machine.finish(bench.scene()));
+    expect(bench.added?.posed).toHaveLength(2);
+  });
+
+  it('keeps to steps of 45° with Shift, clicked and dragged', () => {
+    bench.click([200, 200]);
+    bench.down([260, 204], { shift: true });
+    bench.up([260, 204]);
+    expect(bench.machine.draft?.corners[1]).toEqual([260, 200]);
+    bench.take('select');
+    bench.take('bar');
+    bench.drag([200, 200], [204, 150], { shift: true });
+    const end = bench.added && corners(bench.added)[1];
+    expect(end?.[0]).toBeCloseTo(200);
+    expect(end?.[1]).toBeCloseTo(150);
+  });
+
+  it('takes corners back one by one, and is given up by Escape', () => {
+    bench.click([200, 200], [260, 200]);
+    bench.apply(bench.machine.back());
+    expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
+    bench.apply(bench.machine.back());
+    expect(bench.machine.draft).toBeNull();
+    bench.click([200, 200], [260, 200]);
+    bench.apply(bench.machine.bail());
+    expect(bench.machine.draft).toBeNull();
+    expect(bench.drafted.at(-1)).toBeNull();
+    expect(bench.added).toBeUndefined();
+  });
+
+  it('loses a corner, not the drawing, when a second finger comes', () => {
+    bench.click([200, 200]);
+    bench.down([260, 200]);
+    bench.apply(bench.machine.cancel());
+    expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
+    bench.take('bar');
+    expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
+  });
+
+  it('meets the corner of another handle, at rest as well', () => {
+    bench.drag([200, 40], [104, 1]);
+    expect(bench.added?.posed).toEqual([
+      [200, 40],
+      [100, 0],
+    ]);
+    expect(bench.added?.rest).toEqual([
+      [-800, 40],
+      [100, 0],
+    ]);
+  });
+
+  it('comes back when it cannot be solved', () => {
+    bench.click([200, 200], [260, 200]);
+    const { draft } = bench.machine;
+    bench.apply(bench.machine.finish(bench.scene()));
+    if (draft) bench.machine.resume(draft);
+    expect(bench.machine.draft?.corners).toHaveLength(2);
+    bench.take('select');
+    if (draft) bench.machine.resume(draft);
+    expect(bench.machine.draft).toBeNull();
+  });
+
+  it('follows the pointer between presses, and pans in the middle of it', () => {
+    bench.click([200, 200]);
+    bench.machine.hover({ at: [230, 210], stage: [0, 0], shift: false, alt: false }, bench.scene());
+    expect(bench.machine.draft?.next).toEqual([230, 210]);
+    const pan = { down: () => ({ next: { up: () => ({ next: {}, effects: [] }) }, effects: [] }) };
+    bench.machine.down({ at: [0, 0], stage: [0, 0], shift: false, alt: false }, bench.scene(), pan);
+    bench.up([0, 0]);
+    expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
+  });
+});
+
+describe('drawing a polygon', () => {
+  beforeEach(() => bench.take('polygon'));
+
+  it('closes on its first corner', () => {
+    bench.click([200, 200], [260, 200], [230, 260], [204, 203]);
+    expect(bench.added).toMatchObject({ id: 'polygon-2', kind: 'polygon' });
+    expect(bench.added?.posed).toHaveLength(3);
+  });
+
+  it('wants three corners', () => {
+    bench.click([200, 200], [260, 200], [261, 200]);
+    expect(bench.added).toBeUndefined();
+    expect(bench.machine.draft?.corners).toHaveLength(2);
+  });
+
+  it('tells where a press would close it', () => {
+    bench.click([200, 200], [260, 200], [230, 260]);
+    bench.machine.hover({ at: [202, 200], stage: [0, 0], shift: false, alt: false }, bench.scene());
+    expect(bench.machine.draft?.finishing).toBe(true);
+  });
+});
+
+describe('a bar that is there', () => {
+  it('is moved by its line, with whatever else is selected', () => {
+    bench.drag([30, 2], [50, 22]);
+    expect(bench.posed('arm')).toEqual([
+      [20, 20],
+      [120, 20],
+    ]);
+    expect(bench.document.selection).toEqual(['arm']);
+  });
+
+  it('is bent by one end, and turned as its corners are', () => {
+    bench.drag([100, 0], [0, 100]);
+    expect(bench.posed('arm')).toEqual([
+      [0, 0],
+      [0, 100],
+    ]);
+    const bent = handleById(bench.document, 'arm');
+    expect(bent && rotationOf(bent)).toBeCloseTo(90);
+    expect(bent?.rotation).toBe('auto');
+  });
+
+  it('counts the turns of an end that is led around the other', () => {
+    bench.down([100, 0]);
+    for (const at of [
+      [0, 100],
+      [-100, 0],
+      [0, -100],
+      [100, 0],
+      [0, 100],
+    ] as const)
+      bench.move(at);
+    bench.up([0, 100]);
+    const turned = handleById(bench.document, 'arm');
+    expect(turned && rotationOf(turned)).toBeCloseTo(450);
+  });
+
+  it('turns by its ring, about its middle, by more than half a turn', () => {
+    bench.click([30, 0]);
+    bench.down([50, 30]);
+    for (const at of [
+      [20, 0],
+      [50, -30],
+      [80, 0],
+    ] as const)
+      bench.move(at);
+    bench.up([80, 0]);
+    const turned = handleById(bench.document, 'arm');
+    expect(turned?.rotation).toBe(270);
+    expect(turned && anchor(turned)).toEqual([50, 0]);
+    expect(bench.posed('arm')).toEqual([
+      [50, 50],
+      [50, -50],
+    ]);
+  });
+
+  it('is selected by a box that holds one of its corners', () => {
+    bench.drag([130, 40], [90, -40]);
+    expect(bench.document.selection).toEqual(['arm']);
+  });
+
+  it('is edited with its own tool once it is selected, and joined while it is not', () => {
+    bench.take('bar');
+    bench.click([100, 0]);
+    expect(bench.machine.draft?.corners).toEqual([[100, 0]]);
+    bench.apply(bench.machine.bail());
+    bench.document = selectHandles(bench.document, ['arm']);
+    bench.drag([100, 0], [120, 0]);
+    expect(bench.posed('arm')?.[1]).toEqual([120, 0]);
+  });
+});

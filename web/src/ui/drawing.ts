@@ -1,0 +1,59 @@
+/** A bar or polygon that is being drawn: its line as far as it goes, on to the pointer, and what can be done with it. */
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { toStage } from '../geometry/camera';
+import { CORNERS_NEEDED, isDrawable } from '../tools/drafting';
+import { icon } from './icons';
+import type { EditorActions, EditorModel } from './model';
+
+export function draftMarks({ draft, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!draft) return nothing;
+  const set = draft.corners.map((corner) => toStage(camera, corner));
+  const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
+  const all = next ? [...set, next] : set;
+  const [first] = set;
+  const last = set.at(-1);
+  const closes = draft.kind === 'polygon' && isDrawable(draft);
+  return svg`<g class="draft">
+    ${draft.kind === 'polygon' && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
+    <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
+    ${
+      next && last
+        ? svg`<path class="line under" d="M${last}L${next}"/><path class="line next" d="M${last}L${next}"/>`
+        : nothing
+    }
+    ${
+      draft.kind === 'polygon' && first && all.length > 2
+        ? svg`<path class="line closing" d="M${all.at(-1) ?? first}L${first}"/>`
+        : nothing
+    }
+    ${set.map(([x, y], k) => {
+      const target = (closes && k === 0) || (isDrawable(draft) && k === set.length - 1);
+      return svg`<circle class="corner ${target ? 'target' : ''} ${draft.finishing && target ? 'hot' : ''}"
+        cx=${x} cy=${y} r=${target ? 6 : 4.5}/>`;
+    })}
+  </g>`;
+}
+
+/** What to do next, with buttons for those who have no Enter key. */
+export function draftBar(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+  const { draft } = model;
+  if (!draft) return nothing;
+  const ready = isDrawable(draft);
+  const missing = CORNERS_NEEDED[draft.kind] - draft.corners.length;
+  const words = ready
+    ? 'Add corners, or finish'
+    : missing === 1
+      ? 'One corner more'
+      : `${missing} corners more`;
+  return html`<div class="draft-bar card" part="notice" role="group" aria-label="Drawing">
+    <span class="words">${words}</span>
+    ${button('undo', 'Take back the last corner', '⌫', () => actions.back())}
+    ${button('close', 'Give up drawing', 'Esc', () => actions.run('bail'))}
+    <button type="button" class="button finish" part="button" data-tip="Finish" data-keys="↵"
+      ?disabled=${!ready} @click=${() => actions.finish()}>${icon('done')}Finish</button>
+  </div>`;
+}
+
+const button = (name: 'undo' | 'close', label: string, keys: string, act: () => void): TemplateResult =>
+  html`<button type="button" class="button" part="button" data-tip=${label} data-keys=${keys} aria-label=${label}
+    @click=${act}>${icon(name)}</button>`;
