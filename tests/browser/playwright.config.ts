@@ -12,7 +12,11 @@ export default defineConfig({
   outputDir: '../../test-results',
   fullyParallel: true,
   workers: 2,
-  timeout: 60_000,
+  // Graphics run on the processor, which a machine may have little of: what is waited for may come late, never wrongly.
+  timeout: 120_000,
+  expect: { timeout: 20_000 },
+  // A second try for a hiccup of the browser; a test that needs it is named as flaky in the end.
+  retries: 1,
   reporter: 'list',
   use: {
     baseURL: origin,
