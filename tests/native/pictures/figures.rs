@@ -114,14 +114,14 @@ pub(super) fn road(p: DVec2) -> Colour {
     let (middle, half) = (130.0 + 18.0 * (1.0 - depth), 6.0 + 78.0 * depth);
     let off = (p.x - middle) / half;
     match () {
+        () if line(p, (28.0, 84.0), (28.0, 108.0), 5.0) => rgb(90, 60, 40),
+        () if disc(p, (28.0, 74.0), 17.0) => rgb(40, 100, 60),
         () if p.y < 70.0 && disc(p, (206.0, 30.0), 13.0) => rgb(252, 220, 120),
         () if p.y < 56.0 + 14.0 * (p.x / 40.0).cos() => between(rgb(120, 170, 220), rgb(220, 232, 240), p.y / 70.0),
         () if p.y < 70.0 => between(rgb(96, 130, 110), rgb(130, 150, 130), p.x / 260.0),
         () if off.abs() < 0.04 && (30.0 / (depth + 0.12)) as i32 % 2 == 0 => rgb(240, 236, 210),
         () if (0.88..0.94).contains(&off.abs()) => rgb(240, 236, 210),
         () if off.abs() < 1.0 => between(rgb(130, 130, 136), rgb(84, 84, 92), depth),
-        () if line(p, (28.0, 84.0), (28.0, 108.0), 5.0) => rgb(90, 60, 40),
-        () if disc(p, (28.0, 74.0), 17.0) => rgb(40, 100, 60),
         () => between(rgb(160, 180, 100), rgb(90, 130, 60), depth),
     }
 }

@@ -86,7 +86,7 @@ impl<'a> Dense<'a> {
     }
 
     /// Half-edges: two vertices, the weight, the triangle.
-    fn edges(&self) -> impl Iterator<Item = (usize, usize, f64, usize)> + '_ {
+    pub(crate) fn edges(&self) -> impl Iterator<Item = (usize, usize, f64, usize)> + '_ {
         self.fine.triangles.iter().zip(&self.cotangents).enumerate().flat_map(|(t, (corners, weights))| {
             (0..3).map(move |k| (corners[(k + 1) % 3] as usize, corners[(k + 2) % 3] as usize, weights[k], t))
         })
@@ -121,7 +121,7 @@ impl<'a> Dense<'a> {
     }
 
     /// The rotation of every triangle that fits the places best. Returns the energy that is left.
-    fn rotate(&self, posed: &[DVec2], rotations: &mut [DVec2]) -> f64 {
+    pub(crate) fn rotate(&self, posed: &[DVec2], rotations: &mut [DVec2]) -> f64 {
         let mut energy = 0.0;
         for (t, rotation) in rotations.iter_mut().enumerate() {
             let (before, after) = (self.fine.corners(t, &self.fine.vertices), self.fine.corners(t, posed));

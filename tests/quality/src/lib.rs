@@ -12,5 +12,6 @@ pub mod measure;
 pub mod methods;
 pub mod poses;
 pub mod sheet;
+pub mod subspace;
 pub mod tables;
 pub mod targets;

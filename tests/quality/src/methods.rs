@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use c2warp::{
     Error,
-    project::{Blend, PoseMode, Support},
+    project::{Blend, PoseMode, Project, Support},
     solve,
 };
 use glam::DVec2;
@@ -15,6 +15,7 @@ use crate::{
     least_squares,
     measure::{Distortion, jacobians},
     poses::StandardPose,
+    subspace::best,
     targets::Targets,
 };
 
@@ -31,6 +32,13 @@ pub enum Method {
         /// How motions are blended.
         blend: Blend,
     },
+    /// The best that sites of the rigid mode could do: the reference's energy over their motions.
+    Sites {
+        /// Virtual sites at least.
+        density: u32,
+        /// Whether motions may stretch and shear.
+        affine: bool,
+    },
     /// As rigid as possible over the whole mesh.
     Dense,
     /// Moving least squares.
@@ -41,7 +49,7 @@ pub enum Method {
 pub const EDITOR: Method = Method::Rigid { density: 30, blend: Blend::Linear };
 
 /// In the order of tables and sheets.
-pub const METHODS: [Method; 9] = [
+pub const METHODS: [Method; 12] = [
     Method::Paper,
     EDITOR,
     Method::Rigid { density: 60, blend: Blend::Linear },
@@ -49,6 +57,9 @@ pub const METHODS: [Method; 9] = [
     Method::Rigid { density: 200, blend: Blend::Linear },
     Method::Rigid { density: 30, blend: Blend::Rigid },
     Method::Rigid { density: 120, blend: Blend::Rigid },
+    Method::Sites { density: 30, affine: false },
+    Method::Sites { density: 30, affine: true },
+    Method::Sites { density: 120, affine: false },
     Method::Dense,
     Method::LeastSquares,
 ];
@@ -61,6 +72,7 @@ impl Method {
             Self::Paper => "paper".into(),
             Self::Rigid { density, blend: Blend::Linear } => format!("rigid {density}"),
             Self::Rigid { density, blend: Blend::Rigid } => format!("rigid {density}, rigid blend"),
+            Self::Sites { density, affine } => format!("best of {density}{}", if affine { ", affine" } else { "" }),
             Self::Dense => "dense".into(),
             Self::LeastSquares => "least squares".into(),
         }
@@ -121,6 +133,7 @@ impl Compared {
                 Method::Rigid { density, blend } => {
                     compared.by_solver(method, PoseMode::Rigid, Support::Smooth, blend, density)
                 }
+                Method::Sites { density, affine } => compared.by_sites(method, density, affine),
                 Method::Dense => Ok(compared.by_dense()),
                 Method::LeastSquares => Ok(compared.by_least_squares()),
             };
@@ -146,9 +159,7 @@ impl Compared {
         blend: Blend,
         density: u32,
     ) -> Result<Outcome, Error> {
-        let mut project = self.pose.project.clone();
-        project.weighting.support = support;
-        (project.pose.mode, project.pose.blend, project.pose.density) = (mode, blend, density);
+        let project = self.asking(mode, support, blend, density);
         let solution = solve(&project, &self.pose.solver_picture())?;
         let pose = solution.poser().pose(&project.handles)?;
         // The same samples whatever the mode, but for those that a solve adds.
@@ -172,6 +183,36 @@ impl Compared {
             sites: solution.sites.iter().enumerate().map(site).collect(),
             pose_ms: Some(pose_ms),
             frame_ms,
+            turns: None,
+            posed,
+        })
+    }
+
+    /// The pose's project with other settings.
+    fn asking(&self, mode: PoseMode, support: Support, blend: Blend, density: u32) -> Project {
+        let mut project = self.pose.project.clone();
+        project.weighting.support = support;
+        (project.pose.mode, project.pose.blend, project.pose.density) = (mode, blend, density);
+        project
+    }
+
+    fn by_sites(&self, method: Method, density: u32, affine: bool) -> Result<Outcome, Error> {
+        let project = self.asking(PoseMode::Rigid, Support::Smooth, Blend::Linear, density);
+        let solution = solve(&project, &self.pose.solver_picture())?;
+        let pose = solution.poser().pose(&project.handles)?;
+        let dense = Dense::new(&self.fine, &vec![Some(DVec2::ZERO); self.fine.vertices.len()]);
+        let start = Instant::now();
+        let posed = best(&dense, &self.fine, &solution, &pose, &project, affine);
+        let posed = posed.unwrap_or_else(|| self.fine.vertices.clone());
+        let map = |p| self.fine.interpolated(&posed, p).unwrap_or(p);
+        Ok(Outcome {
+            method,
+            distortion: Distortion::of(&self.fine, &posed),
+            off_handles: self.off_handles(&posed, map),
+            virtual_sites: Some(solution.sites.iter().filter(|site| site.handle.is_none()).count()),
+            sites: Vec::new(),
+            pose_ms: None,
+            frame_ms: ms_since(start),
             turns: None,
             posed,
         })
