@@ -179,7 +179,7 @@ impl Compared {
             method,
             distortion: Distortion::of(&self.fine, &posed),
             off_handles: self.off_handles(&posed, map),
-            virtual_sites: Some(solution.sites.iter().filter(|site| site.handle.is_none()).count()),
+            virtual_sites: Some(solution.sites.iter().filter(|site| !site.origin.is_real()).count()),
             sites: solution.sites.iter().enumerate().map(site).collect(),
             pose_ms: Some(pose_ms),
             frame_ms,
@@ -209,7 +209,7 @@ impl Compared {
             method,
             distortion: Distortion::of(&self.fine, &posed),
             off_handles: self.off_handles(&posed, map),
-            virtual_sites: Some(solution.sites.iter().filter(|site| site.handle.is_none()).count()),
+            virtual_sites: Some(solution.sites.iter().filter(|site| !site.origin.is_real()).count()),
             sites: Vec::new(),
             pose_ms: None,
             frame_ms: ms_since(start),
@@ -273,14 +273,16 @@ impl Compared {
         }
     }
 
-    /// Triangles that are turned over and lie farther than three of their sides from every point handle.
+    /// Triangles that are turned over and lie farther than three of their sides from every handle.
     #[must_use]
     pub fn folds_away_from_handles(&self, outcome: &Outcome) -> usize {
         let jacobians = jacobians(&self.fine, &outcome.posed);
         let is_away = |&t: &usize| {
             let corners = self.fine.corners(t, &self.fine.vertices);
             let side = corners[0].distance(corners[1]);
-            self.targets.points.iter().all(|(rest, _)| rest.distance(corners[0]) > 3.0 * side)
+            let is_far = |distance: f64| distance > 3.0 * side;
+            self.targets.points.iter().all(|(rest, _)| is_far(rest.distance(corners[0])))
+                && self.targets.pieces.iter().all(|piece| is_far(piece.nearest(corners[0]).1))
         };
         (0..jacobians.len()).filter(|&t| jacobians[t].determinant() < 0.0).filter(is_away).count()
     }

@@ -10,7 +10,8 @@
 use c2warp::{
     Solution,
     pose::Pose,
-    project::{Project, Shape},
+    project::{Project, Rotation},
+    site::Origin,
 };
 use faer::{Mat, Side, c64, prelude::Solve};
 use glam::DVec2;
@@ -26,7 +27,7 @@ const RIDGE: f64 = 1e-9;
 
 /// The lowest energy from where a pose of the solver is, over all motions of its sites.
 ///
-/// Point handles keep their place, other handles their motion. `affine`: motions may stretch and shear. The solution must be on the
+/// Point handles keep their place, and their rotation where the person set one; bars, polygons and held outlines their motion. `affine`: motions may stretch and shear. The solution must be on the
 /// mesh `fine`. `None` where the system cannot be factored.
 #[must_use]
 pub fn best(
@@ -38,20 +39,27 @@ pub fn best(
     affine: bool,
 ) -> Option<Vec<DVec2>> {
     let complex = |p: DVec2| c64::new(p.x, p.y);
-    let per_site = if affine { 3 } else { 2 };
+    let per_site = 3;
     let count = solution.sites.len() * per_site;
     // Motions that are given.
     let mut given: Vec<Option<c64>> = vec![None; count];
     for (at, site) in solution.sites.iter().enumerate() {
-        let Some(handle) = site.handle else { continue };
+        let turns = match site.origin {
+            Origin::Virtual => true,
+            Origin::Point { handle } => project.handles[handle as usize].rotation == Rotation::Auto,
+            Origin::Bone { .. } | Origin::Boundary => false,
+        };
+        if !affine {
+            given[at * per_site + 2] = Some(c64::ZERO);
+        }
         let moved = |offset: DVec2| pose.moved(at, site.rest + offset);
-        given[at * per_site] = Some(complex(moved(DVec2::ZERO)));
-        if !matches!(project.handles[handle].shape, Shape::Point { .. }) {
+        if site.origin.is_real() {
+            given[at * per_site] = Some(complex(moved(DVec2::ZERO)));
+        }
+        if !turns {
             let [x, y] = [DVec2::X, DVec2::Y].map(|axis| complex(moved(axis) - moved(DVec2::ZERO)));
             given[at * per_site + 1] = Some((x - c64::I * y) / 2.0 * site.cell_radius);
-            if affine {
-                given[at * per_site + 2] = Some((x + c64::I * y) / 2.0 * site.cell_radius);
-            }
+            given[at * per_site + 2] = Some((x + c64::I * y) / 2.0 * site.cell_radius);
         }
     }
     let free: Vec<usize> = (0..count).filter(|&at| given[at].is_none()).collect();
