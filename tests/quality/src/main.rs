@@ -15,8 +15,8 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match words[..] {
-        [folder] => compare(Path::new(folder), ""),
-        [folder, name] => compare(Path::new(folder), name),
+        [folder] if !folder.starts_with('-') => compare(Path::new(folder), ""),
+        [folder, name] if !folder.starts_with('-') => compare(Path::new(folder), name),
         _ => Err("usage: c2warp-quality FOLDER [NAME]".into()),
     };
     match done {

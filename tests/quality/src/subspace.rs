@@ -18,6 +18,9 @@ use glam::DVec2;
 
 use crate::{dense::Dense, fine::Fine};
 
+/// A place, or an edge, as a sum over parts of motions: their numbers and factors.
+type Sum = Vec<(usize, c64)>;
+
 /// A turn that lowers the energy by less than this share of it is the last.
 const SETTLED: f64 = 1e-7;
 /// Turns at most.
@@ -67,7 +70,7 @@ pub fn best(
     free.iter().enumerate().for_each(|(to, &at)| row[at] = to);
 
     // Each vertex as a sum over the motions.
-    let shares = |v: usize| -> Vec<(usize, c64)> {
+    let shares = |v: usize| -> Sum {
         let p = fine.vertices[v];
         let of_site = |(at, weight): (usize, f64)| {
             let site = &solution.sites[at];
@@ -80,11 +83,11 @@ pub fn best(
         };
         solution.weights.row(v).flat_map(of_site).collect()
     };
-    let vertices: Vec<Vec<(usize, c64)>> = (0..fine.vertices.len()).map(shares).collect();
-    let edges: Vec<(f64, usize, c64, Vec<(usize, c64)>)> = dense
+    let vertices: Vec<Sum> = (0..fine.vertices.len()).map(shares).collect();
+    let edges: Vec<(f64, usize, c64, Sum)> = dense
         .edges()
         .map(|(i, j, weight, t)| {
-            let mut sum: Vec<(usize, c64)> = vertices[i].clone();
+            let mut sum = vertices[i].clone();
             sum.extend(vertices[j].iter().map(|&(at, by)| (at, -by)));
             sum.sort_by_key(|entry| entry.0);
             sum.dedup_by(|next, kept| {
