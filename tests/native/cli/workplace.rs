@@ -7,7 +7,7 @@ use image::RgbaImage;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::pictures;
+use c2warp_tests::pictures;
 
 /// The name of the project file in every workplace.
 pub(crate) const PROJECT: &str = "scene.c2warp.json";

@@ -1,9 +1,9 @@
-//! The pictures of the scenes. None is symmetric in its colours, so that a mirrored or turned one is told apart.
+//! Pictures of a few pixels for the command line. None is symmetric in its colours, so that a mirrored or turned one is told apart.
 
 use image::{Rgba, RgbaImage};
 
 /// The picture of a name, as the scenes refer to it.
-pub(crate) fn drawn(name: &str) -> RgbaImage {
+pub(super) fn drawn(name: &str) -> RgbaImage {
     match name {
         "strip.png" => strip(),
         "ring.png" => ring(),

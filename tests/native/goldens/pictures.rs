@@ -1,0 +1,77 @@
+//! The warped pictures.
+//!
+//! After a change that is meant to change them: `RENEW_GOLDENS=1 cargo test -p c2warp-tests --test goldens` writes them anew;
+//! look at every one before it is committed.
+
+use std::{fs, path::PathBuf};
+
+use c2warp::{project::Shape, raster, solve};
+use c2warp_tests::Scene;
+use glam::DVec2;
+use image::RgbaImage;
+
+use crate::comparison::Comparison;
+
+/// The scenes that have a golden.
+const SCENES: [&str; 6] = ["gingerbread", "tower", "portrait", "moth", "road", "fold"];
+
+fn folder(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+/// The picture as `c2warp warp` writes it.
+fn warped(scene: &Scene) -> RgbaImage {
+    let picture = scene.solver_picture();
+    let solution = solve(&scene.project, &picture).expect("a scene that can be solved");
+    let pose = solution.poser().pose(&scene.project.handles).expect("as many handles as were solved");
+    let (mesh, posed) = (&solution.mesh, solution.posed_vertices(&pose));
+    let rgba = raster::warp(&picture, &mesh.vertices, &posed, &mesh.triangles, 1.0);
+    RgbaImage::from_raw(picture.width, picture.height, rgba).expect("as many bytes as pixels")
+}
+
+#[test]
+fn warped_scenes_look_as_they_did() {
+    let mut different = Vec::new();
+    for name in SCENES {
+        let actual = warped(&Scene::named(name));
+        let golden = folder("golden").join(name).with_extension("png");
+        if std::env::var_os("RENEW_GOLDENS").is_some() {
+            fs::create_dir_all(folder("golden")).expect("the folder can be made");
+            actual.save(&golden).expect("the golden can be written");
+            continue;
+        }
+        let expected = image::open(&golden).expect("the golden can be read").into_rgba8();
+        let comparison = Comparison::of(&expected, &actual);
+        if !comparison.is_close() {
+            let output = folder("output/golden");
+            fs::create_dir_all(&output).expect("the folder can be made");
+            actual.save(output.join(format!("{name}-actual.png"))).expect("the picture can be written");
+            comparison.picture.save(output.join(format!("{name}-difference.png"))).expect("the picture can be written");
+            let Comparison { share, largest, .. } = comparison;
+            different.push(format!("{name}: {:.2} % of the pixels differ, by up to {largest}", 100.0 * share));
+        }
+    }
+    assert!(
+        different.is_empty(),
+        "{}; tests/output/golden has the actual pictures and the differences from tests/golden",
+        different.join("; ")
+    );
+}
+
+#[test]
+fn half_a_pixel_at_one_handle_shows() {
+    for name in SCENES {
+        let mut scene = Scene::named(name);
+        let before = warped(&scene);
+        assert!(Comparison::of(&before, &warped(&scene)).is_close());
+        match &mut scene.project.handles[1].shape {
+            Shape::Point { posed, .. } => *posed += DVec2::new(0.5, 0.0),
+            Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => {
+                posed.iter_mut().for_each(|p| *p += DVec2::new(0.5, 0.0));
+            }
+        }
+        let comparison = Comparison::of(&before, &warped(&scene));
+        eprintln!("{name}: {:.2} % differ", 100.0 * comparison.share);
+        assert!(comparison.share > 0.01, "{name}: {}", comparison.share);
+    }
+}

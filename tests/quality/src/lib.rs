@@ -1,0 +1,17 @@
+//! How well pictures bend: standard poses, each by every mode of the solver and by two methods to compare with, measured on one
+//! mesh.
+//!
+//! The methods to compare with are here, in test code: as-rigid-as-possible over the whole mesh ([`dense`]), which takes the
+//! modes' place where time plays no part, and moving least squares ([`least_squares`]), which knows no domain.
+
+pub mod bars;
+pub mod dense;
+pub mod fine;
+pub mod least_squares;
+pub mod measure;
+pub mod methods;
+pub mod poses;
+pub mod sheet;
+pub mod subspace;
+pub mod tables;
+pub mod targets;

@@ -1,0 +1,123 @@
+//! The results as a person reads them: tables in Markdown, aligned.
+
+use std::fmt::Write;
+
+use crate::{
+    bars::{Bar, bars},
+    measure::MOST_ENERGY,
+    methods::{Compared, EDITOR, Method, Outcome},
+    poses::SAMPLES,
+};
+
+/// What stands where there is no figure.
+const NONE: &str = "–";
+
+/// Everything that was measured, and which bars it meets.
+#[must_use]
+pub fn tables(all: &[Compared], unsolved: &[(&'static str, String)]) -> String {
+    let mut text = format!("## Quality of a pose\n\n{}{}", outcomes(all), notes());
+    for compared in all {
+        for (method, reason) in &compared.refused {
+            writeln!(text, "{}: {} is left out: {reason}", compared.pose.name, method.name()).expect("memory");
+        }
+    }
+    for (pose, reason) in unsolved {
+        writeln!(text, "{pose} is left out: {reason}").expect("memory");
+    }
+    write!(text, "\n## Bars of {}\n\n{}", EDITOR.name(), bar_table(all)).expect("memory");
+    text
+}
+
+fn notes() -> String {
+    format!(
+        "
+All on one mesh of about {SAMPLES} samples, figures by triangle and weighted by area. E: symmetric Dirichlet energy
+|J|² + |J⁻¹|² − 4, {MOST_ENERGY} at most and for a triangle that is turned over. ARAP: mean of |J − R|², which dense minimises.
+Stretch: largest and least singular value of J, negative where turned over. Bending: Σ over inner edges of length ÷ distance
+between centroids · |J₁ − J₂|², without a unit. Off: farthest off a handle or a held outline. Moved: share of the area that
+went farther than half a pixel. Best of: motions that the sites of a rigid row would need for the least ARAP, found over the mesh;
+affine where they may stretch. Pose: motions of the sites; frame: posed handles to posed vertices, on one core. Dense: the lowest
+minimum found from the harmonic start and from every other row's result; its time is from the harmonic start until the energy falls
+by less than 1e-9 of itself in a turn, the factorisation left out, and in brackets until it is within 1 % of that. Its pins are
+single vertices: on a finer mesh they hold less, and its energy gathers around them.
+"
+    )
+}
+
+fn outcomes(all: &[Compared]) -> String {
+    let header = [
+        "pose", "method", "virtual", "E mean", "E 99 %", "ARAP", "stretch", "least", "folds", "bending", "off px",
+        "moved", "pose ms", "frame ms", "÷ dense",
+    ];
+    let row = |compared: &Compared, outcome: &Outcome| {
+        let d = &outcome.distortion;
+        let dense = compared.by(Method::Dense);
+        let of_dense = |ratio: &dyn Fn(&Outcome) -> f64| dense.map_or(NONE.into(), |dense| digits(ratio(dense)));
+        let near = outcome.turns.map_or(String::new(), |(_, near)| format!(" ({})", digits(near)));
+        vec![
+            compared.pose.name.to_owned(),
+            outcome.method.name(),
+            outcome.virtual_sites.map_or(NONE.into(), |count| count.to_string()),
+            digits(d.energy),
+            digits(d.energy_99),
+            digits(d.rigidity),
+            format!("{:.2}", d.most_stretch),
+            format!("{:.2}", d.least_stretch),
+            d.folds.to_string(),
+            digits(d.bending),
+            if outcome.off_handles < 1e-9 { "0".into() } else { format!("{:.0e}", outcome.off_handles) },
+            format!("{:.0} %", 100.0 * d.moved),
+            outcome.pose_ms.map_or(NONE.into(), digits),
+            digits(outcome.frame_ms) + &near,
+            of_dense(&|dense| d.energy / dense.distortion.energy),
+        ]
+    };
+    let rows = all.iter().flat_map(|compared| compared.outcomes.iter().map(move |outcome| row(compared, outcome)));
+    aligned(&header, rows, 2)
+}
+
+fn bar_table(all: &[Compared]) -> String {
+    let row = |bar: Bar| {
+        let limit = if bar.limit.is_finite() { format!("≤ {}", bar.limit) } else { NONE.into() };
+        vec![bar.pose.to_owned(), bar.what.to_owned(), limit, digits(bar.figure), bar.verdict().to_owned()]
+    };
+    aligned(&["pose", "", "bar", "", ""], all.iter().flat_map(bars).map(row), 2)
+}
+
+/// A figure to about three digits.
+fn digits(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        size if size < 1e-3 => format!("{value:.0e}"),
+        size if size < 0.995 => format!("{value:.3}"),
+        size if size < 9.95 => format!("{value:.2}"),
+        size if size < 99.5 => format!("{value:.1}"),
+        _ => format!("{value:.0}"),
+    }
+}
+
+/// A table whose first columns hold words.
+fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>, words: usize) -> String {
+    let lines: Vec<Vec<String>> =
+        std::iter::once(header.iter().map(|&cell| cell.to_owned()).collect()).chain(rows).collect();
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0).max(2);
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    let mut text = String::new();
+    for (at, line) in lines.iter().enumerate() {
+        let cell = |(column, cell): (usize, &String)| {
+            let width = widths[column];
+            if column < words { format!("{cell:width$}") } else { format!("{cell:>width$}") }
+        };
+        let cells: Vec<String> = line.iter().enumerate().map(cell).collect();
+        writeln!(text, "| {} |", cells.join(" | ")).expect("writing to memory does not fail");
+        if at == 0 {
+            let rule = |(column, &width): (usize, &usize)| match column < words {
+                true => "-".repeat(width),
+                false => "-".repeat(width - 1) + ":",
+            };
+            let rules: Vec<String> = widths.iter().enumerate().map(rule).collect();
+            writeln!(text, "| {} |", rules.join(" | ")).expect("writing to memory does not fail");
+        }
+    }
+    text
+}

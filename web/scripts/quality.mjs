@@ -1,0 +1,28 @@
+/**
+ * `npm run quality`: how well pictures bend, by every mode and by two methods to compare with, on standard poses. Prints tables
+ * and writes a sheet of pictures for each pose. The poses are those of the crate `c2warp-quality`; nothing here measures.
+ *
+ * `npm run quality -- NAME` does the poses whose name contains NAME. Fails where something does not build or run, never
+ * because of a figure.
+ */
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { prepare } from './prepare.mjs';
+import { main, ROOT, step } from './steps.mjs';
+
+const OUTPUT = 'tests/output/quality';
+const CRATE = ['--release', '--package', 'c2warp-quality'];
+
+await main(async () => {
+  const names = process.argv.slice(2);
+  await prepare();
+  if (names.length === 0) rmSync(join(ROOT, OUTPUT), { recursive: true, force: true });
+  await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build; the reason stands above.');
+  await step(
+    'Poses',
+    'cargo',
+    ['run', '--quiet', ...CRATE, '--', OUTPUT, ...names],
+    'The comparison failed; the reason stands above.',
+  );
+  console.log(`\nSheets for eyes are in ${OUTPUT}.`);
+});
