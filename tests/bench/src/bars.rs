@@ -6,7 +6,7 @@
 use crate::{
     cases::TABLE_2,
     results::{Figure, Results, Timings},
-    suite::{DENSE, SMALL},
+    suite::{DENSE, POSED, SMALL},
     tables::thousands,
 };
 
@@ -63,7 +63,7 @@ pub fn bars(results: &Results) -> Vec<Bar> {
     bars
 }
 
-fn rules() -> [Rule; 9] {
+fn rules() -> [Rule; 10] {
     let [_, middle, fine] = TABLE_2.map(|row| thousands(row.samples as usize));
     let small = thousands(SMALL as usize);
     let rule = |what: String, limit, unit, figure| Rule { what, limit, unit, figure };
@@ -83,12 +83,13 @@ fn rules() -> [Rule; 9] {
         rule(format!("solve of {small}, then weights of {fine} points"), 250.0, "ms", |t| {
             t.small.solve_ms + t.serving_ms
         }),
+        rule(format!("a rigid pose, {} virtual sites", POSED[2]), 1.0, "ms", |t| t.frames_ms[2]),
     ]
 }
 
 /// The case in which WebAssembly lags most, and how many times as long it takes.
 fn slowest(wasm: &Timings, native: &Timings) -> (&'static str, f64) {
-    let cases: [(_, Figure); 8] = [
+    let cases: [(_, Figure); 9] = [
         ("small", |t| t.small.solve_ms),
         ("coarse", |t| t.resolutions[0].solve_ms),
         ("middle", |t| t.resolutions[1].solve_ms),
@@ -97,6 +98,7 @@ fn slowest(wasm: &Timings, native: &Timings) -> (&'static str, f64) {
         ("one more handle", |t| t.insertion.whole_ms),
         ("a pass", |t| t.yardstick.pass_ms),
         ("evaluation", |t| t.evaluation.weights_ms),
+        ("a frame", |t| t.frames_ms[2]),
     ];
     let ratios = cases.map(|(case, time)| (case, time(wasm) / time(native)));
     ratios.into_iter().fold(("", 0.0), |worst, ratio| if ratio.1 > worst.1 { ratio } else { worst })

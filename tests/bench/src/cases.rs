@@ -250,6 +250,13 @@ pub fn one_more() -> Handle {
     handle(6, DVec2::new(615.0, 750.0))
 }
 
+/// Raises the figure's left hand.
+pub fn raised(handles: &mut [Handle]) {
+    if let Some(Shape::Point { posed, .. }) = handles.get_mut(1).map(|handle| &mut handle.shape) {
+        *posed = DVec2::new(230.0, 210.0);
+    }
+}
+
 /// Points spread evenly over a picture, by Roberts's R₂ sequence: multiples of the plastic number's powers.
 pub fn spread(size: DVec2) -> impl Iterator<Item = DVec2> {
     let at = |i: u32| DVec2::new(0.754_877_666_246_692_7, 0.569_840_290_998_053_2) * f64::from(i);

@@ -35,6 +35,8 @@ pub struct Timings {
     pub evaluation: Evaluation,
     /// Time to evaluate the weights of the figure with 10,000 samples at every vertex of the finest resolution.
     pub serving_ms: f64,
+    /// Time of a pose of the figure in the rigid mode, for each number of virtual sites.
+    pub frames_ms: [f64; 3],
 }
 
 /// A solve.

@@ -5,13 +5,14 @@ use std::hint::black_box;
 use c2warp::{
     Error, Picture, Solution, Solver, Stage,
     distance::{Navigation, Propagation},
-    project::{Project, Shape},
+    project::{PoseMode, Project, Rotation, Shape, Support},
     sample::Samples,
+    solve as solve_once,
 };
 use glam::DVec2;
 
 use crate::{
-    cases::{Scene, TABLE_1, TABLE_2, gingerbread, one_more, spread, table_1},
+    cases::{Scene, TABLE_1, TABLE_2, gingerbread, one_more, raised, spread, table_1},
     clock::Clock,
     measure::{Effort, median, median_ms, runs},
     results::{Evaluation, Solve, Timings, Yardstick},
@@ -21,6 +22,8 @@ use crate::{
 pub const SMALL: u32 = 10_000;
 /// Virtual sites of the dense case.
 pub const DENSE: u32 = 60;
+/// Virtual sites of the figure that is posed: what the editor asks for, and more.
+pub const POSED: [u32; 3] = [30, 120, 200];
 /// The least number of samples that a project may ask for.
 const LEAST_SAMPLES: u32 = 100;
 
@@ -80,8 +83,13 @@ impl Suite {
         let evaluation = self.evaluations(&dense_solution, &figure);
         tell("One more handle");
         let insertion = self.insertion(&figure, &middle)?;
+        tell("A frame in the rigid mode");
+        let mut frames_ms = [0.0; POSED.len()];
+        for (frame_ms, virtual_sites) in frames_ms.iter_mut().zip(POSED) {
+            *frame_ms = self.frame(&figure, &project(SMALL, virtual_sites))?;
+        }
         let resolutions = [coarse_solve, middle_solve, fine_solve];
-        Ok(Timings { scenes, resolutions, small, dense, insertion, yardstick, evaluation, serving_ms })
+        Ok(Timings { scenes, resolutions, small, dense, insertion, yardstick, evaluation, serving_ms, frames_ms })
     }
 
     fn count(&self, samples: u32) -> u32 {
@@ -108,6 +116,21 @@ impl Suite {
             self.stages(&mut solver, &more, &picture)
         })?;
         Ok(solve(&stages, solver.solution()))
+    }
+
+    /// The motions of all sites in the rigid mode, with every rotation left to the solver.
+    fn frame(&self, scene: &Scene, project: &Project) -> Result<f64, Error> {
+        let mut project = project.clone();
+        (project.pose.mode, project.weighting.support) = (PoseMode::Rigid, Support::Smooth);
+        raised(&mut project.handles);
+        for handle in &mut project.handles {
+            handle.rotation = Rotation::Auto;
+        }
+        let solution = solve_once(&project, &scene.picture()?)?;
+        solution.poser().pose(&project.handles, project.pose.blend)?;
+        Ok(median_ms(self.clock, self.effort, || {
+            let _ = black_box(solution.poser().pose(&project.handles, project.pose.blend));
+        }))
     }
 
     fn stages(&self, solver: &mut Solver, project: &Project, picture: &Picture) -> Result<Stages, Error> {
@@ -221,6 +244,7 @@ mod tests {
         assert!((60..66).contains(&timings.dense.virtual_sites), "{:?}", timings.dense);
         let Yardstick { pass_ms, graph_ms } = timings.yardstick;
         assert!(pass_ms > 0.0 && graph_ms > 0.0 && timings.serving_ms > 0.0);
+        assert!(timings.frames_ms.iter().all(|&ms| ms > 0.0), "{:?}", timings.frames_ms);
     }
 
     #[test]

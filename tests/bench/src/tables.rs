@@ -6,7 +6,7 @@ use crate::{
     bars::bars,
     cases::{TABLE_1, TABLE_2},
     results::{Figure, Results},
-    suite::{DENSE, SMALL},
+    suite::{DENSE, POSED, SMALL},
 };
 
 /// What stands where there is no figure.
@@ -101,7 +101,9 @@ fn table_2(results: &Results) -> String {
 fn parts(results: &Results) -> String {
     let [_, middle, fine] = TABLE_2.map(|row| thousands(row.samples as usize));
     let small = thousands(SMALL as usize);
-    let cases: [(String, Figure); 14] = [
+    let [few, more, most] = POSED;
+    let frame = |sites: u32| format!("a frame in the rigid mode, {sites} virtual sites");
+    let cases: [(String, Figure); 17] = [
         (format!("one pass at {middle}"), |t| t.yardstick.pass_ms),
         (format!("one graph Dijkstra at {middle}"), |t| t.yardstick.graph_ms),
         (format!("{small}: regions"), |t| t.small.regions_ms),
@@ -116,6 +118,9 @@ fn parts(results: &Results) -> String {
         ("a million points: weights and gradients".into(), |t| t.evaluation.influences_ms),
         ("a million points: weights".into(), |t| t.evaluation.weights_ms),
         (format!("weights of {fine} points from {small} samples"), |t| t.serving_ms),
+        (frame(few), |t| t.frames_ms[0]),
+        (frame(more), |t| t.frames_ms[1]),
+        (frame(most), |t| t.frames_ms[2]),
     ];
     let row = |(what, time): (String, Figure)| {
         let (native, wasm) = (time(&results.native), results.wasm.as_ref().map(time));
@@ -219,6 +224,7 @@ mod tests {
             yardstick: Yardstick { pass_ms: 7.5, graph_ms: 1.875 },
             evaluation: Evaluation { influences_ms: 300.0, weights_ms: 250.0 },
             serving_ms: 240.0,
+            frames_ms: [0.04, 0.25, 1.0],
         }
     }
 
@@ -243,6 +249,7 @@ mod tests {
             ("solve of 10,000  ", "≤ 10 ms", "10.00", "pass", "17.00"),
             ("solve of 619,649  ", "≤ 900 ms", "900", "pass", "900"),
             ("solve of 10,000, then", "≤ 250 ms", "250", "pass", "257"),
+            ("a rigid pose, 200 virtual sites", "≤ 1 ms", "1.00", "pass", "1.00"),
             ("WebAssembly ÷ native, at worst: small", "≤ 1.6 ×", "1.70", "short", "–"),
             ("memory a sample, 60 virtual sites (800 while solving)", "≤ 400 bytes", "401", "short", "–"),
         ] {

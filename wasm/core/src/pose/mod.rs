@@ -10,6 +10,7 @@ mod motion;
 mod poser;
 mod rigid;
 mod strain;
+mod tangent;
 
 pub use blend::{Mapped, Pose};
 pub use harmonic::HarmonicFields;

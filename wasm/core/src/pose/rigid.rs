@@ -7,14 +7,15 @@
 //!
 //! The rotations that fit given places best have a closed form, so the energy is one of the places alone; it is lowered by
 //! [`descent`](super::descent) on the factorised Laplacian. That begins at the harmonic pose, so a pose depends on nothing but
-//! the handles: not on the way they were dragged there. Cost: 200 sites take some twenty turns of 12 µs.
+//! the handles: not on the way they were dragged there. In the end virtual sites take the stretch of their surroundings, too: see
+//! [`tangent`](super::tangent). Cost: 200 sites take some twenty turns of 12 µs.
 
 use std::sync::OnceLock;
 
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Motion, descent::descend, laplacian::Laplacian};
+use super::{Motion, descent::descend, laplacian::Laplacian, tangent::Tangent};
 
 /// A turn that moves no site by more than this share of the scene's extent is the last: a ten-thousandth of a pixel.
 const SETTLED: f64 = 1e-7;
@@ -83,6 +84,15 @@ impl Rigid {
             if is_free[site] {
                 motion.angle = libm::atan2(bending.turns[site].y, bending.turns[site].x);
             }
+        }
+        let mut tangents = vec![Tangent::NONE; rest.len()];
+        for (i, j, weight) in self.links() {
+            for site in [i, j] {
+                tangents[site].add(weight, rest[j] - rest[i], bending.posed[j] - bending.posed[i]);
+            }
+        }
+        for &site in free {
+            tangents[site as usize].bend(&mut motions[site as usize]);
         }
     }
 }
