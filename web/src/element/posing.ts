@@ -3,8 +3,9 @@ import { blendOf } from '../document/bending';
 import { anchor, isAutomatic, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
+import { DrawingOrder } from '../geometry/drawing_order';
 import { type Located, locate } from '../geometry/locate';
-import { siteTurn } from '../geometry/skin';
+import { type Skin, siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
 import type { SiteGraph } from '../ui/overlays';
@@ -16,6 +17,7 @@ export class Posing {
   #motions: Float32Array | null = null;
   #posed: Float32Array | null = null;
   #turns: Turns | null = null;
+  #order: DrawingOrder | null = null;
 
   constructor(workbench: Workbench) {
     this.#workbench = workbench;
@@ -27,6 +29,7 @@ export class Posing {
     this.#motions = null;
     this.#posed = null;
     this.#turns = null;
+    this.#order = null;
   }
 
   /** Motions under the pose as it is now; null where there is no solution yet. */
@@ -52,7 +55,7 @@ export class Posing {
   place(at: Vec): Placement | null {
     const { picture, solving } = this.#workbench;
     if (!picture) return null;
-    if (solving.current) return locate(solving.current.data, this.#positions(), at);
+    if (solving.current) return locate(this.#drawn(solving.current.data), this.#positions(), at);
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
     return inside ? { rest: at, rotation: 0, scale: 1 } : null;
   }
@@ -90,6 +93,13 @@ export class Posing {
         return [handle.id, turn];
       }),
     );
+  }
+
+  /** The mesh with its triangles as they are drawn under the pose as it is now. */
+  #drawn(data: Skin): Skin {
+    const motions = this.motions();
+    this.#order ??= new DrawingOrder(data);
+    return motions ? { ...data, triangles: this.#order.triangles(motions) } : data;
   }
 
   #positions(): Float32Array {
