@@ -200,9 +200,9 @@ export const layout = css`
       padding-left: 4px;
       border-left: 1px solid var(--_line);
     }
-    .status .folded {
-      position: absolute;
-      left: 8px;
+    .status:has(.folded) {
+      justify-content: space-between;
+      gap: 0;
     }
     .status:has(.folded) .percent {
       display: none;
