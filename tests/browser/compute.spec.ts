@@ -42,7 +42,7 @@ test('solves in stages, to arrays that fit together', async ({ page }) => {
       vertices,
       rows: solution.offsets.length - 1,
       entries: [solution.sites.length, solution.weights.length, solution.offsets.at(-1)],
-      motions: motions.length / 8,
+      motions: motions.length / 12,
       sites: [solution.siteRest.length / 2, solution.siteHandle.length],
       furthestSum: Math.max(...rowSums.filter((sum) => sum > 0).map((sum) => Math.abs(sum - 1))),
       largestVertex: solution.triangles.reduce((most, v) => Math.max(most, v), 0),

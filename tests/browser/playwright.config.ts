@@ -13,6 +13,8 @@ export default defineConfig({
   fullyParallel: true,
   workers: 2,
   timeout: 60_000,
+  // On a machine that has more to do, a page that opens takes longer than the usual five seconds.
+  expect: { timeout: 20_000 },
   reporter: 'list',
   use: {
     baseURL: origin,
