@@ -2,6 +2,8 @@
 
 import { type Download, expect, type Locator, type Page } from '@playwright/test';
 import { decode } from 'fast-png';
+import type { Handle } from '../../web/src/document/project';
+import type { C2Warp } from '../../web/src/element';
 
 export interface Place {
   readonly x: number;
@@ -50,7 +52,7 @@ export class Editor {
     return this.page.getByRole('button', { name });
   }
 
-  field(name: 'x' | 'y' | 'rotation' | 'scale'): Locator {
+  field(name: 'x' | 'y' | 'rotation' | 'scale' | 'depth'): Locator {
     return this.page.getByRole('spinbutton', { name: `${name} (` });
   }
 
@@ -60,11 +62,57 @@ export class Editor {
     return { x: number('x'), y: number('y'), rotation: number('rotation') };
   }
 
+  /** A corner of a bar or polygon, counted from 1. */
+  corner(number: number, name: string): Locator {
+    return this.page.getByRole('button', { name: `Corner ${number} of ${name}, ` });
+  }
+
+  switch(name: string): Locator {
+    return this.page.getByRole('switch', { name });
+  }
+
   /** Where a handle is on the page, CSS pixels. */
-  async place(name: string): Promise<Place> {
-    const box = await this.handle(name).boundingBox();
-    if (!box) throw new Error(`${name} is not shown`);
+  place(name: string): Promise<Place> {
+    return this.middle(this.handle(name));
+  }
+
+  /** The middle of what is shown, CSS pixels of the page. */
+  async middle(shown: Locator): Promise<Place> {
+    const box = await shown.boundingBox();
+    if (!box) throw new Error(`${shown} is not shown`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** Where the picture's places are on the page, seen from a handle that rests at a known one. */
+  async fromImage(name: string, rest: readonly [number, number]): Promise<(x: number, y: number) => Place> {
+    const [at, scale] = [await this.place(name), await this.scale()];
+    return (x, y) => ({ x: at.x + (x - rest[0]) * scale, y: at.y + (y - rest[1]) * scale });
+  }
+
+  /** CSS pixels per image pixel, exactly: from two handles of the sample, which has nothing moved yet. */
+  async scale(): Promise<number> {
+    const [left, right] = [await this.place('left hand'), await this.place('right hand')];
+    return (right.x - left.x) / (900 - 124);
+  }
+
+  /** Where a point of the original goes. */
+  mapped(x: number, y: number): Promise<readonly [number, number] | null> {
+    return this.page
+      .locator('c2-warp')
+      .evaluate((element, point) => (element as C2Warp).mapPoint(point), [x, y] as const);
+  }
+
+  /** How far a point of the original is from a place of the bent picture, image pixels. */
+  async away(from: readonly [number, number], to: readonly [number, number]): Promise<number> {
+    const [x, y] = (await this.mapped(...from)) ?? [Number.POSITIVE_INFINITY, 0];
+    return Math.hypot(x - to[0], y - to[1]);
+  }
+
+  /** One handle of the project as the page has it. */
+  inProject(id: string): Promise<Handle | undefined> {
+    return this.page
+      .locator('c2-warp')
+      .evaluate((element, id) => (element as C2Warp).project.handles.find((handle) => handle.id === id), id);
   }
 
   /** CSS pixels per image pixel. */

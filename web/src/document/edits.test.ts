@@ -4,14 +4,17 @@ import { type Document, newProject, openDocument } from './document';
 import {
   addHandle,
   freeId,
+  holdBoundary,
   moveHandles,
+  putCorner,
+  raiseHandles,
   removeHandles,
   resetHandles,
   selectHandles,
   turnHandles,
 } from './edits';
-import { isAtRest, nameOf, rotationOf } from './handle';
-import type { PointHandle } from './project';
+import { depthOf, isAtRest, nameOf, rotationOf } from './handle';
+import type { BarHandle, PointHandle } from './project';
 import { followedHandles, solveKey } from './solved';
 
 const handle = (id: string, x = 0): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
@@ -46,6 +49,62 @@ describe('edits', () => {
     expect(freeId(two.project)).toBe('handle-3');
     expect(freeId(addHandle(empty, handle('handle-2')).project)).toBe('handle-3');
     expect(nameOf(handle('left-hand'))).toBe('left hand');
+  });
+});
+
+describe('bars and polygons', () => {
+  const bar: BarHandle = {
+    id: 'arm',
+    kind: 'bar',
+    rest: [
+      [0, 0],
+      [10, 0],
+    ],
+    posed: [
+      [0, 0],
+      [10, 0],
+    ],
+    rotation: 'auto',
+  };
+  const held = addHandle(empty, bar);
+  const arm = (document: Document) => document.project.handles[0] as BarHandle;
+
+  it('turn about their middle by any number of turns, and come back to rest', () => {
+    const turned = turnHandles(held, ['arm'], () => 450);
+    expect(arm(turned)).toMatchObject({ rotation: 450 });
+    expect(arm(turned).posed).toEqual([
+      [5, -5],
+      [5, 5],
+    ]);
+    expect(rotationOf(arm(turnHandles(turned, ['arm'], () => 460)))).toBeCloseTo(460, 0);
+    expect(arm(resetHandles(turned, ['arm']))).toEqual({ ...bar, scale: 1 });
+  });
+
+  it('are turned as their corners are, on from where they were', () => {
+    const half = putCorner(held, 'arm', 1, [-10, 0.01]);
+    expect(arm(half).rotation).toBe('auto');
+    const more = putCorner(half, 'arm', 1, [-10, -5], rotationOf(arm(half)));
+    expect(arm(more).rotation).toBeCloseTo(206.57, 1);
+    expect(bent(held.project, 'harmonic').handles[0]?.rotation).toBe('auto');
+  });
+
+  it('get names of their own', () => {
+    expect(freeId(held.project, 'polygon')).toBe('polygon-2');
+  });
+});
+
+describe('depth and boundary', () => {
+  it('are settings of a handle and of the project', () => {
+    const raised = raiseHandles(raiseHandles(two, ['b'], 9), ['b'], 4);
+    expect(raised.project.handles.map(depthOf)).toEqual([0, 10]);
+    expect(depthOf(raiseHandles(raised, ['b'], -40).project.handles[1] as PointHandle)).toBe(-10);
+    expect(holdBoundary(two, true).project.fix_boundary).toBe(true);
+  });
+
+  it('depth is of the pose, the boundary of the solution', () => {
+    const key = solveKey(two.project);
+    expect(solveKey(raiseHandles(two, ['b'], 1).project)).toBe(key);
+    expect(solveKey(holdBoundary(two, true).project)).not.toBe(key);
   });
 });
 

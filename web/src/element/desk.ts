@@ -197,6 +197,7 @@ export class Desk {
     // A line is drawn on the picture: what was selected lets go of the arrow keys.
     if (tool === 'bar' || tool === 'polygon') {
       editing.select([]);
+      this.#settings = false;
       const active = this.#host.root.activeElement;
       if (active?.closest('.handles')) this.#focus(undefined);
     }

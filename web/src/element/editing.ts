@@ -169,7 +169,7 @@ export class Editing {
     const { selection } = this.document;
     if (selection.length === 0) return;
     const label = `${by > 0 ? 'Bring forward' : 'Send back'} ${this.#selectionName()}`;
-    this.#step(label, raiseHandles(this.document, selection, by), `depth ${selection.join(' ')}`);
+    this.#step(label, raiseHandles(this.document, selection, by), `raise ${selection.join(' ')}`);
     this.#sayDepth();
   }
 

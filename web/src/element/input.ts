@@ -152,8 +152,11 @@ export class Input {
     const drawing = editing.machine.draft !== null;
     const held = drawing ? null : hit(this.scene, press.at, editing.machine.tool === 'select');
     this.#apply(editing.machine.up(press, this.scene));
-    if (held?.part === 'corner') this.#host.held(held.id, held.index);
-    else this.#host.held(held?.part === 'handle' ? held.id : editing.document.selection[0]);
+    const { selection } = editing.document;
+    // What a Shift-click has just let go of would be selected again by the focus.
+    const keeps = held !== null && held.part !== 'ring' && selection.includes(held.id);
+    if (keeps && held.part === 'corner') this.#host.held(held.id, held.index);
+    else this.#host.held(keeps ? held.id : selection[0]);
   }
 
   #apply(effects: Parameters<Editing['apply']>[0]): void {

@@ -39,7 +39,7 @@ export function hit(
       grips.band,
     ) ??
     nearest(
-      handles.map((handle) => line(handle, at)),
+      handles.map((handle) => line(handle, at, selected.includes(handle))),
       grips.line,
     ) ??
     nearest(bodies ? handles.map((handle) => body(handle, at)) : [], 0)
@@ -67,11 +67,14 @@ const ring = (handle: Handle, at: Vec, radius: number): Reach => ({
   away: Math.abs(distance(anchor(handle), at) - radius),
 });
 
-/** The line itself, or the mark at its middle, which may lie beside it. */
-const line = (handle: Handle, at: Vec): Reach => ({
+/** The line itself, or while it is selected the mark at its middle, which may lie beside it. */
+const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({
   hit: { part: 'handle', id: handle.id },
   away: isLine(handle)
-    ? Math.min(distanceToLine(handle.posed, handle.kind === 'polygon', at), distance(anchor(handle), at))
+    ? Math.min(
+        distanceToLine(handle.posed, handle.kind === 'polygon', at),
+        selected ? distance(anchor(handle), at) : Number.POSITIVE_INFINITY,
+      )
     : Number.POSITIVE_INFINITY,
 });
 

@@ -445,7 +445,10 @@ export const chromeStyle = css`
     .fields > .depth {
       order: 2;
     }
-    .pair {
+    .pair.turn {
+      gap: 4px;
+    }
+    .pair.depth {
       gap: 0;
     }
     .field .unit,

@@ -1,6 +1,7 @@
 /** A bar or polygon that is being drawn: its line as far as it goes, on to the pointer, and what can be done with it. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { toStage } from '../geometry/camera';
+import { distance } from '../geometry/vec';
 import { CORNERS_NEEDED, isDrawable } from '../tools/drafting';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
@@ -12,7 +13,10 @@ export function draftMarks({ draft, camera }: EditorModel): SVGTemplateResult | 
   const all = next ? [...set, next] : set;
   const [first] = set;
   const last = set.at(-1);
-  const closes = draft.kind === 'polygon' && isDrawable(draft);
+  const targets = isDrawable(draft) ? [...(draft.kind === 'polygon' ? [0] : []), set.length - 1] : [];
+  const at = draft.next && toStage(camera, draft.next);
+  const away = (k: number) => (at && set[k] ? distance(set[k], at) : Number.POSITIVE_INFINITY);
+  const hot = draft.finishing ? targets.reduce((best, k) => (away(k) < away(best) ? k : best), -1) : -1;
   return svg`<g class="draft">
     ${draft.kind === 'polygon' && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
@@ -27,8 +31,8 @@ export function draftMarks({ draft, camera }: EditorModel): SVGTemplateResult | 
         : nothing
     }
     ${set.map(([x, y], k) => {
-      const target = (closes && k === 0) || (isDrawable(draft) && k === set.length - 1);
-      return svg`<circle class="corner ${target ? 'target' : ''} ${draft.finishing && target ? 'hot' : ''}"
+      const target = targets.includes(k);
+      return svg`<circle class="corner ${target ? 'target' : ''} ${k === hot ? 'hot' : ''}"
         cx=${x} cy=${y} r=${target ? 6 : 4.5}/>`;
     })}
   </g>`;
@@ -52,6 +56,15 @@ export function draftBar(model: EditorModel, actions: EditorActions): TemplateRe
     <button type="button" class="button finish" part="button" data-tip="Finish" data-keys="↵"
       ?disabled=${!ready} @click=${() => actions.finish()}>${icon('done')}Finish</button>
   </div>`;
+}
+
+/** What the tool in hand is for, until something is drawn with it. */
+export function drawingHint(model: EditorModel): TemplateResult | typeof nothing {
+  const { tool, draft, document } = model;
+  const idle = draft === null && document.selection.length === 0 && !model.notice && !model.hint;
+  if (!idle || model.picture === null || (tool !== 'bar' && tool !== 'polygon')) return nothing;
+  const words = tool === 'bar' ? 'Drag a bar, or click its corners' : 'Click the corners';
+  return html`<p class="hint" part="hint">${words}</p>`;
 }
 
 const button = (name: 'undo' | 'close', label: string, keys: string, act: () => void): TemplateResult =>

@@ -7,7 +7,7 @@ export const layout = css`
     position: absolute;
     inset: 0;
     display: grid;
-    grid-template-rows: auto minmax(0, 1fr) auto;
+    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
   }
   .middle {
     position: relative;
@@ -135,6 +135,11 @@ export const layout = css`
     color: var(--_text);
   }
 
+  @container shell (width < 1100px) {
+    .status:has(.folded) .private {
+      display: none;
+    }
+  }
   @container shell (width < 900px) {
     .word,
     .private,
@@ -195,9 +200,9 @@ export const layout = css`
       padding-left: 4px;
       border-left: 1px solid var(--_line);
     }
-    .status .folded {
-      position: absolute;
-      left: 8px;
+    .status:has(.folded) {
+      justify-content: space-between;
+      gap: 0;
     }
     .status:has(.folded) .percent {
       display: none;

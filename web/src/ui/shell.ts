@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
-import { draftBar, draftMarks } from './drawing';
+import { draftBar, draftMarks, drawingHint } from './drawing';
 import { crosshair, handleButtons, handleMarks, selectionBox } from './handles';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Hint } from './model';
@@ -19,7 +19,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${stage(model, actions, canvas)} ${toolStrip(model, actions)} ${panel(model, actions)}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint ? hint(model.hint, model.camera) : nothing}
-      ${draftBar(model, actions)}
+      ${draftBar(model, actions)} ${drawingHint(model)}
       ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${statusLine(model, actions)}

@@ -1,0 +1,109 @@
+/** Where a pose folds the picture, the guard against that, and what lies over what. */
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+/** Pushes the right hand into the belly, as far as a share of the way. */
+async function push(editor: Editor, share: number): Promise<void> {
+  const [hand, head] = [await editor.place('right hand'), await editor.place('head')];
+  await editor.page.mouse.move(hand.x, hand.y);
+  await editor.page.mouse.down();
+  const goal = { x: head.x + (1 - share) * (hand.x - head.x), y: hand.y + share * 30 };
+  await editor.page.mouse.move(goal.x, goal.y, { steps: 8 });
+}
+
+test('folds are counted as a warning, and shown at a press', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warning = page.getByRole('button', { name: /triangles? folded/ });
+  await expect(warning).toBeHidden();
+  await push(editor, 1);
+  await page.mouse.up();
+  await expect(warning).toBeVisible();
+  await expect(page.locator('c2-warp path.folds')).toHaveCount(0);
+  await warning.click();
+  await expect(page.locator('c2-warp path.folds')).toHaveCount(2);
+  await editor.button('Overlays').click();
+  await expect(page.getByRole('checkbox', { name: 'Folds' })).toBeChecked();
+  await page.keyboard.press('Escape');
+  await editor.button('Undo: move right hand').click();
+  await expect(warning).toBeHidden();
+  await expect(page.locator('c2-warp path.folds')).toHaveCount(0);
+});
+
+test('the guard stops a drag at a fold, and lets it go where the pointer returns', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.switch('Stop at folds').click();
+  const rest = await editor.place('right hand');
+  await push(editor, 1);
+  const stopped = page.getByRole('button', { name: 'Stopped at a fold' });
+  await expect(stopped).toBeVisible();
+  const head = await editor.place('head');
+  const held = await editor.still(() => editor.place('right hand'));
+  expect(held.x).toBeGreaterThan(head.x + 20);
+  expect(held.x).toBeLessThan(rest.x - 10);
+  // The pointer comes back to a place without folds: the handle is under it again.
+  await page.mouse.move(rest.x - 8, rest.y + 2);
+  await expect.poll(async () => (await editor.place('right hand')).x).toBeCloseTo(rest.x - 8, 0);
+  await expect(stopped).toBeHidden();
+  await page.mouse.move(head.x, rest.y + 30, { steps: 4 });
+  await page.mouse.up();
+  await expect(page.getByRole('button', { name: /triangles? folded/ })).toBeHidden();
+  await expect(stopped).toBeHidden();
+  // One step for the whole drag.
+  await editor.button('Undo: move right hand').click();
+  await expect(editor.button('Undo')).toBeDisabled();
+  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+});
+
+test('the guard stops numbers and keys too, and is off at first', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await expect(editor.switch('Stop at folds')).not.toBeChecked();
+  await editor.switch('Stop at folds').click();
+  await editor.handle('right hand').click();
+  await editor.field('x').fill('512');
+  await editor.field('x').press('Enter');
+  await expect.poll(async () => (await editor.told('right hand')).x).toBeLessThan(890);
+  const { x } = await editor.still(() => editor.told('right hand'));
+  expect(x).toBeGreaterThan(530);
+  await editor.handle('right hand').focus();
+  for (let step = 0; step < 8; step++) await page.keyboard.press('Shift+ArrowLeft');
+  const nudged = await editor.still(() => editor.told('right hand'));
+  expect(nudged.x).toBeGreaterThan(x - 30);
+  await expect(page.getByText('Stopped: more would fold the picture')).toBeAttached();
+});
+
+test('depth is set by number, buttons and keys, each taken back by undo', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const depth = async () => (await editor.inProject('right-hand'))?.depth ?? 0;
+  await editor.handle('right hand').click();
+  await editor.button(/^Bring forward$/).click();
+  await expect.poll(depth).toBe(1);
+  await editor.handle('right hand').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press(']');
+  await page.keyboard.press('[');
+  await expect.poll(depth).toBe(2);
+  await expect(editor.field('depth')).toHaveValue('2');
+  await expect(page.getByText('right hand: depth 2')).toBeAttached();
+  await expect(editor.handle('right hand')).toHaveAttribute('aria-label', /depth 2/);
+  await editor.field('depth').fill('40');
+  await editor.field('depth').press('Enter');
+  await expect.poll(depth).toBe(10);
+  await expect(editor.button(/^Bring forward$/)).toBeDisabled();
+  await editor.button(/Undo: set depth/).click();
+  await expect.poll(depth).toBe(2);
+});
+
+// TODO: to be run once the solver takes a depth.
+test.fixme('a picture with depths is solved and drawn', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('right hand').click();
+  await editor.field('depth').fill('5');
+  await editor.field('depth').press('Enter');
+  const [head, hand] = [await editor.place('head'), await editor.place('right hand')];
+  await editor.dragHandle('right hand', { x: head.x - hand.x, y: head.y + 40 - hand.y });
+  await page.keyboard.press('p');
+  await page.mouse.click(head.x, head.y + 180);
+  await expect(editor.handle('handle 6')).toBeVisible();
+  await expect(editor.notice).toBeHidden();
+  expect((await editor.inProject('right-hand'))?.depth).toBe(5);
+});

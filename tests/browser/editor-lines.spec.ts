@@ -1,0 +1,261 @@
+/** Bars and polygons: drawn, bent, moved and turned; what the solver refuses of them. */
+import { apart, Editor, type Place } from './editor';
+import { expect, test } from './fixtures';
+
+/** The left leg of the sample, from below the foot's handle to the hip, image pixels. */
+const [ANKLE, HIP] = [
+  [330, 1040],
+  [430, 820],
+] as const;
+
+async function clicks(editor: Editor, places: readonly Place[]): Promise<void> {
+  for (const at of places) await editor.page.mouse.click(at.x, at.y);
+}
+
+/** Solved once the picture holds a handle's own corner. */
+const settles = (editor: Editor, rest: readonly [number, number], posed: readonly [number, number]) =>
+  expect.poll(() => editor.away(rest, posed)).toBeLessThan(1);
+
+/** A bar in the left leg, solved. */
+async function leg(editor: Editor): Promise<(x: number, y: number) => Place> {
+  const at = await editor.fromImage('head', [512, 260]);
+  await editor.page.keyboard.press('b');
+  await clicks(editor, [at(...ANKLE), at(...HIP)]);
+  await editor.page.keyboard.press('Enter');
+  await expect(editor.handle('bar 6')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.status).toContainText('virtual handle');
+  return at;
+}
+
+test('a bar is drawn by clicks, and bent by one end; undo takes each step back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('b');
+  const [first, second] = [at(...ANKLE), at(...HIP)];
+  await page.mouse.click(first.x, first.y);
+  await page.mouse.move(second.x, second.y);
+  // The line to the pointer, before the next corner is set.
+  await expect(page.locator('c2-warp .draft .next')).toBeAttached();
+  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
+  await page.mouse.dblclick(second.x, second.y);
+  await expect(page.getByRole('group', { name: 'Drawing' })).toBeHidden();
+  await expect(editor.handle('bar 6')).toBeFocused();
+  expect(await editor.inProject('bar-6')).toMatchObject({ kind: 'bar', rotation: 'auto', scale: 1 });
+
+  const goal = at(240, 980);
+  const before = await editor.look(goal);
+  const end = await editor.middle(editor.corner(1, 'bar 6'));
+  await editor.drag(end, { x: goal.x - end.x, y: goal.y - end.y });
+  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBeGreaterThan(10);
+  const bent = await editor.inProject('bar-6');
+  if (bent?.kind !== 'bar') throw new Error('a bar stays one');
+  expect(bent.posed[1]).toEqual(bent.rest[1]);
+  // The picture is where the corners are.
+  for (const k of [0, 1]) await settles(editor, bent.rest[k] ?? [0, 0], bent.posed[k] ?? [0, 0]);
+  await expect.poll(async () => apart(before, await editor.look(goal))).toBeGreaterThan(10);
+
+  await editor.button('Undo: move a corner of bar 6').click();
+  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBe(0);
+  await editor.button('Undo: add bar').click();
+  await expect(editor.handle('bar 6')).toBeHidden();
+  await expect(editor.button('Undo')).toBeDisabled();
+  await editor.button('Redo: add bar').click();
+  await expect(editor.handle('bar 6')).toBeVisible();
+});
+
+test('one press, drag and release draws a whole bar, with Shift at 45°', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await editor.button('Draw a bar').click();
+  await page.keyboard.down('Shift');
+  const [from, to] = [at(440, 700), at(570, 720)];
+  await editor.drag(from, { x: to.x - from.x, y: to.y - from.y });
+  await page.keyboard.up('Shift');
+  await expect(editor.handle('bar 6')).toBeVisible();
+  const bar = await editor.inProject('bar-6');
+  if (bar?.kind !== 'bar') throw new Error('a bar was drawn');
+  expect(bar.posed).toHaveLength(2);
+  expect(bar.posed[1]?.[1]).toBeCloseTo(bar.posed[0]?.[1] ?? 0, 1);
+});
+
+test('a polygon closes on its first corner, and carries the picture inside it along', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('g');
+  const belly = [at(440, 780), at(584, 780), at(560, 900), at(464, 900)];
+  await clicks(editor, belly);
+  const first = at(442, 782);
+  await page.mouse.move(first.x, first.y);
+  await expect(page.locator('c2-warp .draft .hot')).toBeAttached();
+  await page.mouse.click(first.x, first.y);
+  await expect(editor.handle('polygon 6')).toBeVisible();
+  await page.keyboard.press('v');
+  // By its body, away from corners, ring and middle.
+  const inside = at(480, 800);
+  await editor.drag(inside, { x: 30, y: 20 });
+  const [dx, dy] = [30, 20].map((by) => by / (at(1, 0).x - at(0, 0).x));
+  await expect.poll(async () => (await editor.told('polygon 6')).rotation).toBe(0);
+  await expect.poll(() => editor.away([512, 840], [512 + (dx ?? 0), 840 + (dy ?? 0)])).toBeLessThan(12);
+  await expect(editor.button('Undo: move polygon 6')).toBeEnabled();
+});
+
+test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing up', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  const corners = page.locator('c2-warp .draft .corner');
+  await page.keyboard.press('g');
+  await clicks(editor, [at(440, 780), at(584, 780), at(560, 900)]);
+  await expect(corners).toHaveCount(3);
+  await page.keyboard.press('Backspace');
+  await expect(corners).toHaveCount(2);
+  await page.keyboard.press('Control+z');
+  await expect(corners).toHaveCount(1);
+  await page.keyboard.press('Escape');
+  await expect(corners).toHaveCount(0);
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('by keys alone: a bar is drawn, one end moved, the whole turned and deleted', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('b');
+  await page.keyboard.press('Enter');
+  await expect(page.getByText(/bar, corner 1: x \d+, y \d+/)).toBeAttached();
+  for (let step = 0; step < 4; step++) await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Enter');
+  // Where no arrow has gone on, Enter finishes.
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('bar 6')).toBeFocused();
+  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBe(0);
+
+  await page.keyboard.press('Tab');
+  await expect(editor.corner(1, 'bar 6')).toBeFocused();
+  const before = await editor.told('bar 6');
+  for (let step = 0; step < 3; step++) await page.keyboard.press('Shift+ArrowRight');
+  await expect.poll(async () => (await editor.told('bar 6')).x).toBe(before.x + 15);
+  await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Shift+ArrowLeft');
+  await expect.poll(async () => (await editor.told('bar 6')).x).toBe(before.x + 5);
+  const turned = await editor.still(() => editor.told('bar 6'));
+  await page.keyboard.press('Shift+Period');
+  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBe(turned.rotation + 15);
+  await page.keyboard.press('Delete');
+  await expect(editor.handle('bar 6')).toBeHidden();
+});
+
+test('the panel moves, turns beyond half a turn, and resets a bar', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await leg(editor);
+  const rest = await editor.inProject('bar-6');
+  await editor.field('x').fill('360');
+  await editor.field('x').press('Enter');
+  await editor.field('rotation').fill('270');
+  await editor.field('rotation').press('Enter');
+  await expect.poll(() => editor.told('bar 6')).toMatchObject({ x: 360, rotation: 270 });
+  await expect(editor.button('Automatic turn')).toBeHidden();
+  await editor.button('Reset to rest').click();
+  await expect.poll(() => editor.inProject('bar-6')).toEqual(rest);
+});
+
+test('a box, Shift-click and arrows work on bars and points alike', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await leg(editor);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('v');
+  const [corner, opposite] = [at(250, 960), at(400, 1180)];
+  await editor.drag(corner, { x: opposite.x - corner.x, y: opposite.y - corner.y });
+  await expect(page.getByRole('heading', { name: '2 handles' })).toBeVisible();
+  const [bar, foot] = [await editor.told('bar 6'), await editor.told('left foot')];
+  await page.keyboard.press('ArrowUp');
+  await expect.poll(async () => (await editor.told('bar 6')).y).toBe(bar.y - 1);
+  await expect.poll(async () => (await editor.told('left foot')).y).toBe(foot.y - 1);
+  await page.keyboard.down('Shift');
+  const line = at(380, 930);
+  await page.mouse.click(line.x, line.y);
+  await page.keyboard.up('Shift');
+  await expect(page.getByRole('heading', { name: 'Left foot' })).toBeVisible();
+});
+
+test('a bar wholly beside the picture is refused, and the drawing is not lost', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('b');
+  await clicks(editor, [at(60, 900), at(160, 1000)]);
+  await page.keyboard.press('Enter');
+  await expect(editor.notice).toContainText('bar-6');
+  await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
+  // It goes on from there: one corner more, on the leg.
+  const leg = at(380, 950);
+  await page.mouse.click(leg.x, leg.y);
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('bar 6')).toBeVisible();
+  await expect(page.getByText('Only the part of bar 6 on the picture bends it')).toBeVisible();
+});
+
+test('the boundary is held at a switch, as one step', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const rim = [980, 516] as const;
+  await editor.switch('Hold the boundary').click();
+  await expect(editor.switch('Hold the boundary')).toBeChecked();
+  await expect(editor.button('Undo: hold the boundary')).toBeEnabled();
+  const held = () =>
+    page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
+  await expect.poll(async () => (await held()).fix_boundary).toBe(true);
+  await editor.dragHandle('right hand', { x: 0, y: -12 });
+  const told = await editor.still(() => editor.told('right hand'));
+  const lift = 516 - told.y;
+  expect(lift).toBeGreaterThan(10);
+  // The hand goes, its rim stays nearly where it is.
+  await expect.poll(() => editor.away([900, 516], [told.x, told.y])).toBeLessThan(1);
+  await expect.poll(() => editor.away(rim, rim)).toBeLessThan(lift / 2);
+
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await expect.poll(async () => (await held()).fix_boundary).toBe(false);
+  await editor.dragHandle('right hand', { x: 0, y: -12 });
+  await expect.poll(() => editor.away(rim, rim)).toBeGreaterThan(lift / 2);
+});
+
+test.describe('under fingers', () => {
+  test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
+
+  test('a bar is drawn by taps, finished by its button, and bent by its end', async ({ page }) => {
+    const editor = await Editor.open(page);
+    const at = await editor.fromImage('head', [512, 260]);
+    await editor.button('Draw a bar').tap();
+    for (const place of [at(...HIP), at(...ANKLE)]) await page.touchscreen.tap(place.x, place.y);
+    await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
+    await editor.button('Take back the last corner').tap();
+    await expect(page.locator('c2-warp .draft .corner')).toHaveCount(1);
+    const ankle = at(...ANKLE);
+    await page.touchscreen.tap(ankle.x, ankle.y);
+    await editor.button('Finish').tap();
+    await expect(editor.handle('bar 6')).toBeVisible();
+    const end = await editor.middle(editor.corner(1, 'bar 6'));
+    expect((await editor.corner(1, 'bar 6').boundingBox())?.width).toBeGreaterThanOrEqual(44);
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: Place[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', end);
+    await touch('touchMove', { x: end.x + 10, y: end.y - 10 });
+    await touch('touchMove', { x: end.x + 20, y: end.y - 16 });
+    await touch('touchEnd');
+    await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+  });
+
+  test('how the picture bends can be chosen while nothing is selected', async ({ page }) => {
+    const editor = await Editor.open(page);
+    await expect(editor.button(/^Smooth$/)).toBeHidden();
+    await editor.button('How the picture bends').tap();
+    await editor.button(/^Smooth$/).tap();
+    await expect(editor.button(/^Smooth$/)).toHaveAttribute('aria-pressed', 'true');
+    for (const control of await page.locator('c2-warp .panel').locator('button:visible, .switch').all()) {
+      expect((await control.boundingBox())?.height).toBeGreaterThanOrEqual(44);
+    }
+    await editor.button('How the picture bends').tap();
+    await expect(editor.button(/^Smooth$/)).toBeHidden();
+  });
+});
