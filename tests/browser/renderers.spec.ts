@@ -1,4 +1,5 @@
 /** One picture, two renderers: the WebGL canvas and the solver's own rasteriser draw the same. */
+import { decode } from 'fast-png';
 import type { Project } from '../../web/src/document/project';
 import { expect, test } from './fixtures';
 import { type Difference, difference } from './images';
@@ -64,9 +65,9 @@ test('the rigid blend, of turns that are far apart and a stretch', async ({ page
         image: { src: 'drawn.png', width: 256, height: 256 },
         pose: { blend: 'rigid', density: 12 },
         handles: [
-          { id: 'top', kind: 'point', rest: [40, 50], posed: [80, 90], rotation: 100 },
+          { id: 'top', kind: 'point', rest: [40, 50], posed: [60, 70], rotation: 60 },
           { id: 'middle', kind: 'point', rest: [150, 130], posed: [138, 136], rotation: -60 },
-          { id: 'foot', kind: 'point', rest: [50, 200], posed: [90, 180], rotation: 725, scale: 0.8 },
+          { id: 'foot', kind: 'point', rest: [50, 200], posed: [70, 185], rotation: 150, scale: 0.8 },
           { id: 'island', kind: 'point', rest: [208, 128], posed: [214, 150], rotation: 30 },
         ],
       },
@@ -76,3 +77,39 @@ test('the rigid blend, of turns that are far apart and a stretch', async ({ page
   });
   expectAgreement(await difference(webgl, cpu, info));
 });
+
+for (const [nearer, depths] of [
+  ['left', [0, 1, -1]],
+  ['right', [0, -1, 1]],
+  ['neither', [0, 0, 0]],
+] as const) {
+  test(`two legs that cross, ${nearer} in front`, async ({ page }, info) => {
+    const { webgl, cpu } = await page.evaluate(
+      async ([hip, left, right]) => {
+        const file = await harness.drawnLegs();
+        return harness.drawnTwice(
+          {
+            format: 'c2warp/1',
+            image: { src: 'legs.png', width: 256, height: 256 },
+            pose: { density: 20 },
+            weighting: { support: 'smooth' },
+            handles: [
+              { id: 'hip', kind: 'point', rest: [128, 50], posed: [128, 50], depth: hip },
+              { id: 'left', kind: 'point', rest: [75, 215], posed: [180, 205], rotation: -35, depth: left },
+              { id: 'right', kind: 'point', rest: [181, 215], posed: [76, 205], rotation: 35, depth: right },
+            ],
+          },
+          file,
+          1.5,
+        );
+      },
+      [...depths] as const,
+    );
+    expectAgreement(await difference(webgl, cpu, info));
+    // Red of the left leg, blue of the right one, where they cross.
+    const { data, width } = decode(Buffer.from(webgl, 'base64'));
+    const at = 4 * (Math.round(155 * 1.5) * width + Math.round(128 * 1.5));
+    const found = (data[at] ?? 0) > (data[at + 2] ?? 0) ? 'left' : 'right';
+    if (nearer !== 'neither') expect(found).toBe(nearer);
+  });
+}

@@ -3,10 +3,20 @@ import { Engine } from '../../../web/src/compute/engine';
 import { decodePicture } from '../../../web/src/io/decode';
 import { encodePng } from '../../../web/src/io/encode';
 import { Renderer } from '../../../web/src/render/renderer';
+import { drawnLegs } from './drawn_legs';
 import { drawnPicture } from './drawn_picture';
 import { drawnTwice, startedEngine } from './scenes';
 
-const parts = { Engine, Renderer, decodePicture, encodePng, drawnPicture, drawnTwice, startedEngine };
+const parts = {
+  Engine,
+  Renderer,
+  decodePicture,
+  encodePng,
+  drawnLegs,
+  drawnPicture,
+  drawnTwice,
+  startedEngine,
+};
 
 declare global {
   /** Defined once the harness page has loaded. */

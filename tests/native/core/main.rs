@@ -4,6 +4,7 @@ mod alpha;
 mod bars;
 mod blend;
 mod cloud;
+mod depth;
 mod geodesic;
 mod given;
 mod noise;

@@ -123,9 +123,8 @@ impl Session {
         let solution = self.solver.solution();
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         let posed = solution.posed_vertices(&pose);
-        let mesh = &solution.mesh;
         let picture = Picture::new(width, height, &self.rgba)?;
-        Ok(raster::warp(&picture, &mesh.vertices, &posed, &mesh.triangles, scale))
+        Ok(raster::warp(&picture, &solution.mesh.vertices, &posed, &solution.drawn_triangles(&pose), scale))
     }
 }
 

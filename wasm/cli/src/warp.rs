@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         &picture,
         &solution.mesh.vertices,
         &solution.posed_vertices(&pose),
-        &solution.mesh.triangles,
+        &solution.drawn_triangles(&pose),
         arguments.scale,
     );
     output.finish(|writer| {

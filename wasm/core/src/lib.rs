@@ -41,6 +41,7 @@ mod bone;
 pub mod cloud;
 pub mod distance;
 pub mod domain;
+mod drawing_order;
 mod error;
 mod given_mesh;
 mod locate;

@@ -8,7 +8,7 @@ use crate::{
     weight::SparseWeights,
 };
 
-/// Triangles to draw, later ones over earlier ones.
+/// Triangles to draw, later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RenderMesh {
     /// Rest places: the samples, then the rim's.

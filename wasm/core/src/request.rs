@@ -49,7 +49,6 @@ pub(crate) struct Rest<P = Place> {
 
 impl Request {
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
-        check_supported(project)?;
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
             return Err(Error::TooManyHandles { count: project.handles.len(), id: handle.id.clone() });
         }
@@ -164,13 +163,6 @@ pub(crate) fn check_size(project: &Project, picture: &Picture) -> Result<(), Err
         width: picture.width,
         height: picture.height,
     })
-}
-
-fn check_supported(project: &Project) -> Result<(), Error> {
-    if let Some(at) = project.handles.iter().position(|handle| handle.depth != 0.0) {
-        return Err(unsupported(format!("handles[{at}].depth"), "a depth"));
-    }
-    Ok(())
 }
 
 fn unsupported(path: String, feature: &str) -> Error {

@@ -1,12 +1,13 @@
 //! A solved project: the mesh, its weights, and the weight functions themselves.
 
-use std::sync::Arc;
+use std::{borrow::Cow, sync::Arc};
 
 use glam::DVec2;
 
 use crate::{
     distance::Propagation,
     domain::{Domain, Ring},
+    drawing_order::drawn_triangles,
     error::Error,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     render_mesh::RenderMesh,
@@ -95,6 +96,13 @@ impl Solution {
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
         let vertices = self.mesh.vertices.iter().enumerate();
         vertices.map(|(v, &p)| pose.blended(p, self.weights.row(v))).collect()
+    }
+
+    /// The mesh's triangles in the order in which a pose has them drawn, later ones over earlier ones: by the depths of the handles.
+    #[must_use]
+    pub fn drawn_triangles(&self, pose: &Pose) -> Cow<'_, [[u32; 3]]> {
+        let depths: Vec<f64> = pose.motions().iter().map(|motion| motion.depth).collect();
+        drawn_triangles(&self.mesh, &self.weights, &depths)
     }
 
     /// Intrinsic distances from one point of the domain to others; `None` where no path leads.

@@ -2,7 +2,7 @@
 export interface SolutionData {
   /** Vertices × 2: rest places, image pixels; first the samples, then what surrounds the rim. */
   readonly positions: Float32Array<ArrayBuffer>;
-  /** Triangles × 3: vertices, in the order in which they are drawn. */
+  /** Triangles × 3: vertices, in the order in which they are drawn as long as no handle has a depth. */
   readonly triangles: Uint32Array<ArrayBuffer>;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array<ArrayBuffer>;

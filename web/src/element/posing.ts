@@ -3,9 +3,10 @@ import { blendOf } from '../document/bending';
 import { anchor, isAutomatic, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
+import { DrawingOrder } from '../geometry/drawing_order';
 import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
 import { type Located, locate, locateNear } from '../geometry/locate';
-import { siteTurn } from '../geometry/skin';
+import { type Skin, siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
 import type { FoldedMesh, SiteGraph } from '../ui/overlays';
@@ -19,6 +20,7 @@ export class Posing {
   #turns: Turns | null = null;
   #folds: number | null = null;
   #folding: FoldingMesh | null = null;
+  #order: DrawingOrder | null = null;
 
   constructor(workbench: Workbench) {
     this.#workbench = workbench;
@@ -32,6 +34,7 @@ export class Posing {
     this.#turns = null;
     this.#folds = null;
     this.#folding = null;
+    this.#order = null;
   }
 
   /** Motions under the pose as it is now; null where there is no solution yet. */
@@ -58,7 +61,7 @@ export class Posing {
   place(at: Vec): Placement | null {
     const { picture, solving } = this.#workbench;
     if (!picture) return null;
-    if (solving.current) return locate(solving.current.data, this.#positions(), at);
+    if (solving.current) return locate(this.#drawn(solving.current.data), this.#positions(), at);
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
     return inside ? { rest: at, rotation: 0, scale: 1 } : null;
   }
@@ -66,7 +69,7 @@ export class Posing {
   /** The same, and beside the picture as if it went on there. */
   placeNear(at: Vec): Placement {
     const { current } = this.#workbench.solving;
-    const near = current && locateNear(current.data, this.#positions(), at);
+    const near = current && locateNear(this.#drawn(current.data), this.#positions(), at);
     return near ?? { rest: at, rotation: 0, scale: 1 };
   }
 
@@ -145,6 +148,13 @@ export class Posing {
     const data = this.#workbench.solving.current?.data;
     this.#folding ??= data ? foldingMesh(data, data.report.samples) : new Uint32Array();
     return this.#folding;
+  }
+
+  /** The mesh with its triangles as they are drawn under the pose as it is now. */
+  #drawn(data: Skin): Skin {
+    const motions = this.motions();
+    this.#order ??= new DrawingOrder(data);
+    return motions ? { ...data, triangles: this.#order.triangles(motions) } : data;
   }
 
   #positions(): Float32Array {

@@ -15,7 +15,7 @@ export interface Located {
   readonly scale: number;
 }
 
-/** The point of the rest picture that `posed` places at `at`, or null where there is no picture. */
+/** The point of the rest picture, its triangles in drawing order, that `posed` places at `at`, or null where there is no picture. */
 export function locate(skin: Skin, posed: Float32Array, at: Vec): Located | null {
   const { triangles, positions } = skin;
   for (let index = triangles.length - 3; index >= 0; index -= 3) {

@@ -5,7 +5,7 @@ import type { Vec } from './vec';
 export interface Skin {
   /** Vertices × 2, rest positions in image pixels. */
   readonly positions: Float32Array;
-  /** Triangles × 3, drawn in order: the later covers the earlier. */
+  /** Triangles × 3, drawn in order: the later covers the earlier, where all sites are equally deep. */
   readonly triangles: Uint32Array;
   /** Vertices + 1: rows of `sites` and `weights`. An empty row stays at rest. */
   readonly offsets: Uint32Array;

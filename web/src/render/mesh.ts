@@ -2,7 +2,7 @@
 export interface WarpMesh {
   /** Vertices × 2: where each vertex rests, image pixels. */
   readonly positions: Float32Array;
-  /** Triangles × 3: vertices; drawn in this order, later over earlier. */
+  /** Triangles × 3: vertices; drawn in this order, later over earlier, as long as all sites are equally deep. */
   readonly triangles: Uint32Array;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array;

@@ -1,0 +1,79 @@
+//! What lies over what where a picture covers itself.
+
+use c2warp::{
+    Picture, Solution,
+    pose::Pose,
+    project::{Handle, Project, Support},
+    raster,
+};
+use glam::DVec2;
+
+use crate::scenes::{SIZE, handle, project, solved};
+
+const RED: [u8; 4] = [220, 30, 30, 255];
+const BLUE: [u8; 4] = [30, 30, 220, 255];
+
+/// A hip with two legs, whose feet change places.
+fn crossing(depths: [f64; 3]) -> Project {
+    let ring = [(60, 40), (340, 40), (340, 360), (230, 360), (230, 140), (170, 140), (170, 360), (60, 360)];
+    let ring = ring.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec();
+    let moves = [((200.0, 70.0), (200.0, 70.0)), ((115.0, 340.0), (285.0, 330.0)), ((285.0, 340.0), (115.0, 330.0))];
+    let moves = moves.map(|(rest, posed)| (DVec2::from(rest), DVec2::from(posed)));
+    let mut project = project(&[ring], &moves.map(|(rest, _)| rest), Support::Smooth);
+    project.pose.density = 20;
+    let posed = |(id, (rest, posed)): (usize, (DVec2, DVec2))| {
+        let degrees = [0.0, -35.0, 35.0][id];
+        Handle { depth: depths[id], ..handle(id, rest, posed, degrees) }
+    };
+    project.handles = moves.into_iter().enumerate().map(posed).collect();
+    project
+}
+
+fn posed(project: &Project) -> (Solution, Pose) {
+    let solution = solved(project).expect("a valid scene");
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+    (solution, pose)
+}
+
+/// The warped picture of a figure that is red on the left and blue on the right.
+fn drawn(project: &Project) -> Vec<u8> {
+    let (solution, pose) = posed(project);
+    let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at % SIZE < SIZE / 2 { RED } else { BLUE }).collect();
+    let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
+    let triangles = solution.drawn_triangles(&pose);
+    raster::warp(&picture, &solution.mesh.vertices, &solution.posed_vertices(&pose), &triangles, 1.0)
+}
+
+/// How many pixels around the place where the legs cross are red, and how many blue.
+fn at_the_crossing(project: &Project) -> [usize; 2] {
+    let rgba = drawn(project);
+    let around = (240..260).flat_map(|y| (190..210).map(move |x| ((y * SIZE + x) * 4) as usize));
+    let pixels: Vec<&[u8]> = around.map(|at| &rgba[at..at + 4]).collect();
+    [RED, BLUE].map(|colour| pixels.iter().filter(|pixel| **pixel == colour).count())
+}
+
+#[test]
+fn the_nearer_leg_covers_the_other_whole() {
+    for depth in [1.0, 1e-3, 1e6] {
+        assert_eq!(at_the_crossing(&crossing([0.0, depth, -depth])), [400, 0]);
+        assert_eq!(at_the_crossing(&crossing([0.0, -depth, depth])), [0, 400]);
+    }
+}
+
+#[test]
+fn one_depth_for_all_is_none() {
+    let flat = drawn(&crossing([0.0; 3]));
+    assert!(drawn(&crossing([7.3; 3])) == flat && drawn(&crossing([-1e9; 3])) == flat);
+    let (solution, pose) = posed(&crossing([7.3; 3]));
+    assert_eq!(solution.drawn_triangles(&pose), solution.mesh.triangles);
+}
+
+#[test]
+fn a_depth_orders_the_same_triangles() {
+    let (solution, pose) = posed(&crossing([0.0, 1.0, 2.0]));
+    let (mut drawn, mut all) = (solution.drawn_triangles(&pose).into_owned(), solution.mesh.triangles.clone());
+    assert!(drawn != all);
+    drawn.sort_unstable();
+    all.sort_unstable();
+    assert!(drawn == all);
+}
