@@ -69,7 +69,7 @@ export class Posing {
   /** The same, and beside the picture as if it went on there. */
   placeNear(at: Vec): Placement {
     const { current } = this.#workbench.solving;
-    const near = current && locateNear(current.data, this.#positions(), at);
+    const near = current && locateNear(this.#drawn(current.data), this.#positions(), at);
     return near ?? { rest: at, rotation: 0, scale: 1 };
   }
 
