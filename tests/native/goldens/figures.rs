@@ -11,7 +11,10 @@ use glam::DVec2;
 
 fn posed(scene: &Scene) -> (Solution, Pose) {
     let solution = solve(&scene.project, &scene.solver_picture()).expect("a scene that can be solved");
-    let pose = solution.poser().pose(&scene.project.handles).expect("as many handles as were solved");
+    let pose = solution
+        .poser()
+        .pose(&scene.project.handles, scene.project.pose.blend)
+        .expect("as many handles as were solved");
     (solution, pose)
 }
 

@@ -23,7 +23,10 @@ fn folder(name: &str) -> PathBuf {
 fn warped(scene: &Scene) -> RgbaImage {
     let picture = scene.solver_picture();
     let solution = solve(&scene.project, &picture).expect("a scene that can be solved");
-    let pose = solution.poser().pose(&scene.project.handles).expect("as many handles as were solved");
+    let pose = solution
+        .poser()
+        .pose(&scene.project.handles, scene.project.pose.blend)
+        .expect("as many handles as were solved");
     let (mesh, posed) = (&solution.mesh, solution.posed_vertices(&pose));
     let rgba = raster::warp(&picture, &mesh.vertices, &posed, &mesh.triangles, 1.0);
     RgbaImage::from_raw(picture.width, picture.height, rgba).expect("as many bytes as pixels")

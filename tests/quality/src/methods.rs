@@ -161,7 +161,7 @@ impl Compared {
     ) -> Result<Outcome, Error> {
         let project = self.asking(mode, support, blend, density);
         let solution = solve(&project, &self.pose.solver_picture())?;
-        let pose = solution.poser().pose(&project.handles)?;
+        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         // The same samples whatever the mode, but for those that a solve adds.
         let same = solution.mesh.vertices.get(..self.fine.vertices.len()) == Some(&self.fine.vertices[..]);
         let map = |p: DVec2| solution.map(&pose, p).map_or(p, |mapped| mapped.posed);
@@ -170,9 +170,9 @@ impl Compared {
             false => self.fine.vertices.iter().map(|&p| map(p)).collect(),
         };
         let site = |(at, site): (usize, &c2warp::site::Site)| (site.rest, pose.moved(at, site.rest));
-        let pose_ms = median_ms(9, || solution.poser().pose(&project.handles));
+        let pose_ms = median_ms(9, || solution.poser().pose(&project.handles, project.pose.blend));
         let frame_ms = median_ms(9, || {
-            let pose = solution.poser().pose(&project.handles);
+            let pose = solution.poser().pose(&project.handles, project.pose.blend);
             pose.map(|pose| solution.posed_vertices(&pose))
         });
         Ok(Outcome {
@@ -199,7 +199,7 @@ impl Compared {
     fn by_sites(&self, method: Method, density: u32, affine: bool) -> Result<Outcome, Error> {
         let project = self.asking(PoseMode::Rigid, Support::Smooth, Blend::Linear, density);
         let solution = solve(&project, &self.pose.solver_picture())?;
-        let pose = solution.poser().pose(&project.handles)?;
+        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         let dense = Dense::new(&self.fine, &vec![Some(DVec2::ZERO); self.fine.vertices.len()]);
         let start = Instant::now();
         let posed = best(&dense, &self.fine, &solution, &pose, &project, affine);
