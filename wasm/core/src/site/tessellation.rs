@@ -10,7 +10,10 @@
 use glam::DVec2;
 
 use super::{MAX_SITES, Origin, regions::Regions};
-use crate::{distance::Place, domain::Ring, error::Error};
+use crate::{
+    distance::{Navigation, Place},
+    error::Error,
+};
 
 /// Greatest gap over the reach of the sites at its ends.
 const GAP: f64 = 0.5;
@@ -92,76 +95,77 @@ impl Chain {
     }
 }
 
-impl Regions<'_> {
-    /// Gives the bones, and the outline where it is held, their first sites: where, what for, and of which chain.
-    pub(super) fn chains(&self, rings: &[Ring]) -> Vec<Chain> {
-        let bones = self.obstacles.skeleton.bones.iter().enumerate();
-        let bones = bones.map(|(at, bone)| {
-            let origin = Origin::Bone { handle: bone.handle, bone: at as u32 };
-            Chain::new(origin, bone.rest.to_vec(), false)
-        });
-        let rings = rings.iter().map(|ring| Chain::new(Origin::Boundary, ring.clone(), true));
-        bones.chain(rings).collect()
-    }
+/// A site to be inserted.
+struct NewSite {
+    rest: DVec2,
+    place: Place,
+    origin: Origin,
+    /// The chain that it is of, and the length of the chain before it.
+    on_chain: Option<(usize, f64)>,
+}
 
-    /// Inserts the real sites: point handles, and the first of all chains, from top to bottom.
+impl NewSite {
+    fn of_chain(navigation: &Navigation, (at, chain): (usize, &Chain), length: f64) -> Self {
+        let rest = chain.at(length);
+        let place = navigation.place(rest).expect("lines lie in the domain");
+        Self { rest, place, origin: chain.origin, on_chain: Some((at, length)) }
+    }
+}
+
+impl Regions<'_> {
+    /// Inserts the real sites: point handles (where, and index), and the first ones of bones and of a held outline, from top to
+    /// bottom.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
     pub(crate) fn insert_real_sites(&mut self, points: &[(DVec2, Place, u32)]) -> Result<(), Error> {
-        let mut chains = self.chains(self.obstacles.held);
-        let of_points = points.iter().map(|&(rest, place, handle)| (rest, place, Origin::Point { handle }, None));
-        let mut sites: Vec<(DVec2, Place, Origin, Option<(usize, f64)>)> = of_points.collect();
-        for (at, chain) in chains.iter().enumerate() {
-            for length in chain.start() {
-                let rest = chain.at(length);
-                let place = self.navigation.place(rest).expect("lines lie in the domain");
-                sites.push((rest, place, chain.origin, Some((at, length))));
-            }
-        }
-        self.insert_from_top(sites, &mut chains)?;
-        self.chains = chains;
-        self.tessellate().map(|_| ())
+        let navigation = self.navigation;
+        let bones = self.obstacles.skeleton.bones.iter().enumerate().map(|(at, bone)| {
+            let origin = Origin::Bone { handle: bone.handle, bone: at as u32 };
+            Chain::new(origin, bone.rest.to_vec(), false)
+        });
+        let outline = self.obstacles.held.iter().map(|ring| Chain::new(Origin::Boundary, ring.clone(), true));
+        self.chains = bones.chain(outline).collect();
+        let of_points = points.iter().map(|&(rest, place, handle)| {
+            let origin = Origin::Point { handle };
+            NewSite { rest, place, origin, on_chain: None }
+        });
+        let of_chains = self.chains.iter().enumerate().flat_map(|chain| {
+            let lengths = chain.1.start().into_iter();
+            lengths.map(move |length| NewSite::of_chain(navigation, chain, length))
+        });
+        let sites = of_points.chain(of_chains).collect();
+        self.insert_from_top(sites)?;
+        self.tessellate()
     }
 
-    /// Closes gaps between the sites of chains. Tells whether there were any.
+    /// Closes the gaps between the sites of chains.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
-    pub(super) fn tessellate(&mut self) -> Result<bool, Error> {
-        let mut chains = std::mem::take(&mut self.chains);
-        let mut closed = false;
+    pub(super) fn tessellate(&mut self) -> Result<(), Error> {
+        let navigation = self.navigation;
         loop {
-            let mut wanted = Vec::new();
-            for (at, chain) in chains.iter().enumerate() {
-                for length in chain.wanted(|site| self.sites[site].reach_limit()) {
-                    let rest = chain.at(length);
-                    let place = self.navigation.place(rest).expect("lines lie in the domain");
-                    wanted.push((rest, place, chain.origin, Some((at, length))));
-                }
+            let of_chains = self.chains.iter().enumerate().flat_map(|chain| {
+                let lengths = chain.1.wanted(|site| self.sites[site].reach_limit()).into_iter();
+                lengths.map(move |length| NewSite::of_chain(navigation, chain, length))
+            });
+            let sites: Vec<NewSite> = of_chains.collect();
+            if sites.is_empty() {
+                return Ok(());
             }
-            if wanted.is_empty() {
-                break;
-            }
-            closed = true;
-            self.insert_from_top(wanted, &mut chains)?;
+            self.insert_from_top(sites)?;
         }
-        self.chains = chains;
-        Ok(closed)
     }
 
-    fn insert_from_top(
-        &mut self,
-        mut sites: Vec<(DVec2, Place, Origin, Option<(usize, f64)>)>,
-        chains: &mut [Chain],
-    ) -> Result<(), Error> {
-        sites.sort_by(|(a, ..), (b, ..)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
-        for (rest, place, origin, chain) in sites {
+    fn insert_from_top(&mut self, mut sites: Vec<NewSite>) -> Result<(), Error> {
+        sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
+        for NewSite { rest, place, origin, on_chain } in sites {
             if self.sites.len() >= MAX_SITES {
                 return Err(Error::TooManySites);
             }
-            if let Some((chain, length)) = chain {
-                let sites = &mut chains[chain].sites;
+            if let Some((chain, length)) = on_chain {
+                let sites = &mut self.chains[chain].sites;
                 let at = sites.partition_point(|&(known, _)| known < length);
                 sites.insert(at, (length, self.sites.len()));
             }
