@@ -93,8 +93,7 @@ test('depth is set by number, buttons and keys, each taken back by undo', async 
   await expect.poll(depth).toBe(2);
 });
 
-// TODO: to be run once the solver takes a depth.
-test.fixme('a picture with depths is solved and drawn', async ({ page }) => {
+test('a picture with depths is solved and drawn', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('right hand').click();
   await editor.field('depth').fill('5');
