@@ -17,7 +17,12 @@ await main(async () => {
   const names = process.argv.slice(2);
   await prepare();
   if (names.length === 0) rmSync(join(ROOT, OUTPUT), { recursive: true, force: true });
-  await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build; the reason stands above.');
+  await step(
+    'Build',
+    'cargo',
+    ['build', ...CRATE],
+    'The comparison does not build; the reason stands above.',
+  );
   await step(
     'Poses',
     'cargo',

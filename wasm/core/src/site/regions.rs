@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::{Origin, Site, cells::Cells, tessellation::Chain};
 use crate::{
     bone::{Skeleton, Track},
-    distance::{Navigation, Place, Propagation},
+    distance::{DistanceField, Navigation, Place, Propagation},
     domain::{Ring, edges},
     sample::Samples,
     segment::segment_distance,
@@ -91,7 +91,7 @@ impl<'a> Regions<'a> {
         let looks_out = origin.is_real() || !self.obstacles.tracks.is_empty();
         let factor = if looks_out { LOOK_OUT } else { 1.0 };
         let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.samples.longest_edge));
-        let field = self.propagation.field(self.navigation, place, rest, bound);
+        let field = self.field(rest, place, bound);
         let body = self.body(origin);
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
         for at in 0..self.sites.len() {
@@ -154,6 +154,11 @@ impl<'a> Regions<'a> {
             }
         }
         self.far.push(Far::Within(f64::INFINITY));
+    }
+
+    /// Distances from a point, up to a bound.
+    pub(super) fn field(&mut self, from: DVec2, place: Place, bound: f64) -> DistanceField {
+        self.propagation.field(self.navigation, place, from, bound)
     }
 
     /// The body that a site is part of.

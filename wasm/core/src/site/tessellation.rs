@@ -5,20 +5,33 @@
 //! reach of the sites at its ends, a site enters in its middle. Supports then overlap by so much that a bar weighs the same
 //! all along, within a few per cent. It goes on while Algorithm 1 inserts sites around.
 //!
+//! A virtual site must keep clear of the whole of a bone, not of its sites alone. One that would be much nearer to the bone than
+//! to any site is not inserted: the bone gets a site there instead, as in Ruppert's Delaunay refinement (1995) a segment is
+//! split that a new vertex encroaches on. Without this, ever smaller sites would crowd before the gaps.
+//!
 //! Sites of a bone stand clear of its ends by half a gap, and so the same distance apart across a joint.
 
 use glam::DVec2;
 
-use super::{MAX_SITES, Origin, regions::Regions};
+use super::{
+    MAX_SITES, Origin,
+    regions::{FarPoint, Regions},
+};
 use crate::{
     distance::{Navigation, Place},
     error::Error,
+    segment::nearest_on_segment,
 };
 
 /// Greatest gap over the reach of the sites at its ends.
 const GAP: f64 = 0.5;
 /// Corners of a held outline that turn by more than this (cosine) get a site each: 20°.
 const TURN: f64 = 0.94;
+
+/// A virtual site is at least this share as far from a bone or held outline as from the nearest site.
+const CLEAR: f64 = 0.9;
+/// A site on a bone this share of the distance away from where one is wanted is good enough.
+const THERE: f64 = 0.05;
 
 /// A line with sites on it.
 pub(super) struct Chain {
@@ -64,6 +77,21 @@ impl Chain {
         };
         let sharp: Vec<f64> = (0..n).filter(|&i| turns(i)).map(|i| self.lengths[i]).collect();
         if sharp.is_empty() { self.lengths[..n].to_vec() } else { sharp }
+    }
+
+    /// The place of the line that is nearest to a point: its straight distance, and the length of the line before it.
+    fn nearest(&self, p: DVec2) -> (f64, f64) {
+        let n = self.corners.len();
+        let edges = (0..self.lengths.len() - 1).map(|edge| {
+            let (a, b) = (self.corners[edge], self.corners[(edge + 1) % n]);
+            let foot = nearest_on_segment(p, a, b);
+            (foot.distance(p), self.lengths[edge] + foot.distance(a))
+        });
+        edges.fold((f64::INFINITY, 0.0), |best, at| if at.0 < best.0 { at } else { best })
+    }
+
+    fn has_site_near(&self, length: f64, within: f64) -> bool {
+        self.sites.iter().any(|&(known, _)| (known - length).abs() < within)
     }
 
     /// Where gaps are too large for the reach of the sites at their ends.
@@ -156,6 +184,46 @@ impl Regions<'_> {
             }
             self.insert_from_top(sites)?;
         }
+    }
+
+    /// Inserts virtual sites at points, or, where one would be too near to a bone or held outline, a site of that. Tells how many
+    /// are virtual.
+    ///
+    /// # Errors
+    /// [`Error::TooManySites`].
+    pub(super) fn insert_virtual(&mut self, points: &[FarPoint]) -> Result<usize, Error> {
+        let (mut sites, mut count) = (Vec::new(), 0);
+        for point in points {
+            if let Some((chain, length)) = self.encroached_on(point) {
+                let site = NewSite::of_chain(self.navigation, (chain, &self.chains[chain]), length);
+                sites.push(site);
+            } else {
+                count += 1;
+                sites.push(NewSite { rest: point.at, place: point.place, origin: Origin::Virtual, on_chain: None });
+            }
+        }
+        self.insert_from_top(sites)?;
+        Ok(count)
+    }
+
+    /// The chain that a virtual site would be too near to, and the length of it before the nearest place.
+    fn encroached_on(&mut self, point: &FarPoint) -> Option<(usize, f64)> {
+        let clear = CLEAR * point.distance;
+        let is_near = |(at, chain): (usize, &Chain)| {
+            let (distance, length) = chain.nearest(point.at);
+            let near = distance < clear && !chain.has_site_near(length, THERE * point.distance);
+            near.then_some((at, length))
+        };
+        let near: Vec<(usize, f64)> = self.chains.iter().enumerate().filter_map(is_near).collect();
+        if near.is_empty() {
+            return None;
+        }
+        let field = self.field(point.at, point.place, clear);
+        near.into_iter().find(|&(at, _)| match self.chains[at].origin {
+            Origin::Bone { bone, .. } => self.obstacles.tracks[bone as usize].distance(&field) < clear,
+            // Nothing is between a point and the nearest of the outline.
+            _ => true,
+        })
     }
 
     fn insert_from_top(&mut self, mut sites: Vec<NewSite>) -> Result<(), Error> {

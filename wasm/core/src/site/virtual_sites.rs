@@ -11,10 +11,7 @@
 //! from a real site; so sites cannot crowd without end. Between two handles 10 px and 0.01 px apart on a picture of 1,000 px
 //! the number of virtual sites grows from some 90 to some 300.
 
-use super::{
-    MAX_SITES, Origin,
-    regions::{FarPoint, Regions},
-};
+use super::regions::{FarPoint, Regions};
 use crate::error::Error;
 
 /// Scores and radii this near to one another, relatively, are tied: far above rounding, far below what anyone places.
@@ -51,13 +48,7 @@ pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Res
         } else {
             return Ok(scores);
         };
-        for point in points {
-            if regions.sites.len() >= MAX_SITES {
-                return Err(Error::TooManySites);
-            }
-            regions.insert(point.at, point.place, Origin::Virtual);
-            inserted += 1;
-        }
+        inserted += regions.insert_virtual(&points)?;
     }
 }
 
