@@ -100,9 +100,9 @@ fn all_kinds() -> Vec<Handle> {
 fn what_rests_on_a_bar_or_polygon_lands_on_it() {
     for support in [Support::Paper, Support::Smooth] {
         for mode in [PoseMode::Harmonic, PoseMode::Rigid] {
-            for density in [0, 60] {
+            for (density, blend) in [(0, Blend::Linear), (60, Blend::Linear), (60, Blend::Rigid)] {
                 let mut project = square(support, all_kinds());
-                (project.pose.mode, project.pose.density) = (mode, density);
+                (project.pose.mode, project.pose.density, project.pose.blend) = (mode, density, blend);
                 let (solution, pose) = posed(&project);
                 check_lines(&project, &solution, &pose);
             }

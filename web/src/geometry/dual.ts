@@ -17,8 +17,7 @@ export function rigidlyBlended(skin: Skin, motions: Float32Array, vertex: number
   const py = skin.positions[2 * vertex + 1] ?? 0;
   const end = skin.offsets[vertex + 1] ?? 0;
   // The sums of the blend, all relative to p.
-  let [posedX, posedY, stretchedX, stretchedY, turnX, turnY] = [0, 0, 0, 0, 0, 0];
-  let [halfX, halfY, movedX, movedY] = [0, 0, 0, 0];
+  let [posedX, posedY, halfX, halfY, movedX, movedY] = [0, 0, 0, 0, 0, 0];
   for (let entry = skin.offsets[vertex] ?? 0; entry < end; entry++) {
     const weight = skin.weights[entry] ?? 0;
     const at = MOTION_STRIDE * (skin.sites[entry] ?? 0);
@@ -26,31 +25,22 @@ export function rigidlyBlended(skin: Skin, motions: Float32Array, vertex: number
     const armY = py - (motions[at + 5] ?? 0);
     const hx = motions[at + 10] ?? 1;
     const hy = motions[at + 11] ?? 0;
-    const tx = hx * hx - hy * hy;
-    const ty = 2 * hx * hy;
-    const linearX = (motions[at] ?? 1) * armX + (motions[at + 2] ?? 0) * armY;
-    const linearY = (motions[at + 1] ?? 0) * armX + (motions[at + 3] ?? 1) * armY;
-    const goneX = (motions[at + 6] ?? 0) - px + tx * armX - ty * armY;
-    const goneY = (motions[at + 7] ?? 0) - py + tx * armY + ty * armX;
+    const goneX = (motions[at + 6] ?? 0) - px + (motions[at] ?? 1) * armX + (motions[at + 2] ?? 0) * armY;
+    const goneY = (motions[at + 7] ?? 0) - py + (motions[at + 1] ?? 0) * armX + (motions[at + 3] ?? 1) * armY;
     posedX += weight * goneX;
     posedY += weight * goneY;
-    stretchedX += weight * (tx * linearX + ty * linearY - armX);
-    stretchedY += weight * (tx * linearY - ty * linearX - armY);
-    turnX += weight * tx;
-    turnY += weight * ty;
     halfX += weight * hx;
     halfY += weight * hy;
     movedX += weight * (hx * goneX + hy * goneY);
     movedY += weight * (hx * goneY - hy * goneX);
   }
-  const x = posedX + turnX * stretchedX - turnY * stretchedY;
-  const y = posedY + turnX * stretchedY + turnY * stretchedX;
-  const apartX = movedX + halfX * (stretchedX - x) - halfY * (stretchedY + y);
-  const apartY = movedY + halfX * (stretchedY - y) + halfY * (stretchedX + x);
+  // How far the rigid blend is from the linear one, times P̄.
+  const apartX = movedX - halfX * posedX - halfY * posedY;
+  const apartY = movedY - halfX * posedY + halfY * posedX;
   const u = (halfX * halfX + halfY * halfY) / RIGID;
   const reciprocal = (u >= 1 ? 1 / u : 3 - 3 * u + u * u) / RIGID;
   return [
-    px + x + reciprocal * (apartX * halfX - apartY * halfY),
-    py + y + reciprocal * (apartX * halfY + apartY * halfX),
+    px + posedX + reciprocal * (apartX * halfX - apartY * halfY),
+    py + posedY + reciprocal * (apartX * halfY + apartY * halfX),
   ];
 }

@@ -54,29 +54,22 @@ const float RIGID = 0.25;
 
 vec2 rigidly_blended(vec2 p) {
   vec2 posed = vec2(0.0);
-  vec2 stretched = vec2(0.0);
-  vec2 turn = vec2(0.0);
   vec2 half_turn = vec2(0.0);
   vec2 moved = vec2(0.0);
   for (int entry = int(a_row.x); entry < int(a_row.x + a_row.y); entry++) {
     vec2 site_weight = record(u_weights, entry).xy;
     int site = int(site_weight.x);
     vec4 places = record(u_motions, 3 * site + 1);
-    vec2 arm = p - places.xy;
     vec2 own_half = record(u_motions, 3 * site + 2).zw;
-    vec2 own_turn = product(own_half, own_half);
-    vec2 own_posed = places.zw - p + product(own_turn, arm);
+    vec2 own_posed = places.zw - p + mat2(record(u_motions, 3 * site)) * (p - places.xy);
     posed += site_weight.y * own_posed;
-    stretched += site_weight.y * (product(conjugate(own_turn), mat2(record(u_motions, 3 * site)) * arm) - arm);
-    turn += site_weight.y * own_turn;
     half_turn += site_weight.y * own_half;
     moved += site_weight.y * product(conjugate(own_half), own_posed);
   }
-  vec2 linear = posed + product(turn, stretched);
-  vec2 apart = moved + product(half_turn, stretched) - product(conjugate(half_turn), linear);
+  vec2 apart = moved - product(conjugate(half_turn), posed);
   float u = dot(half_turn, half_turn) / RIGID;
   float reciprocal = (u >= 1.0 ? 1.0 / u : 3.0 - 3.0 * u + u * u) / RIGID;
-  return p + linear + product(apart, half_turn * reciprocal);
+  return p + posed + product(apart, half_turn * reciprocal);
 }
 
 vec2 blended(vec2 p) {

@@ -8,11 +8,11 @@
 //! y = Σ w_i p̄_i y_i / Σ w_i p̄_i
 //! ```
 //!
-//! a mean with complex weights, and so it does not matter where the origin is. Stretches come first, blended linearly:
-//! x = Σ w_i (rest_i + exp(strain_i)(p − rest_i)).
+//! a mean with complex weights, and so it does not matter where the origin is. Stretches are in the y_i alone: at each point a
+//! motion counts as the turn by θ_i that takes the point to y_i.
 //!
 //! Guaranteed: motions that are all the same give that motion, a site with all the weight its own; what all motions take to
-//! one place goes there. Where the angles that meet at a point lie within 240° of one another, x goes by a rigid motion, about the
+//! one place goes there. Where nothing is stretched and the angles that meet at a point lie within 240° of one another, it goes by a rigid motion, about the
 //! pivot that two motions share if there are two. The result depends smoothly (C²) on places, weights and angles, through any
 //! number of turns.
 //!
@@ -30,44 +30,33 @@ use super::Motion;
 /// |P|² from which the blend is rigid: cos² of 60°, the least for angles within 240°.
 const RIGID: f64 = 0.25;
 
-/// A rigid motion with a stretch before it. Complex numbers are vectors, [`DVec2::rotate`] is their product.
+/// A motion with its half turn. Complex numbers are vectors, [`DVec2::rotate`] is their product.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Dual {
     rest: DVec2,
     posed: DVec2,
-    stretch: DMat2,
+    linear: DMat2,
     /// p = exp(iθ/2).
     half: DVec2,
 }
 
 impl Dual {
     pub(super) fn new(rest: DVec2, motion: &Motion) -> Self {
-        Self { rest, posed: rest + motion.translation, stretch: motion.strain.stretch(), half: half_turn(motion.angle) }
+        Self { rest, posed: rest + motion.translation, linear: motion.linear(), half: half_turn(motion.angle) }
     }
 
     /// What the site adds to the sums at a point, for a weight of 1.
     pub(super) fn term(&self, p: DVec2) -> Sums {
-        let (arm, turn) = (p - self.rest, self.half.rotate(self.half));
-        let posed = self.posed + turn.rotate(arm);
-        Sums {
-            posed,
-            stretched: self.stretch * arm - arm,
-            turn,
-            half: self.half,
-            moved: conjugate(self.half).rotate(posed - p),
-        }
+        let posed = self.posed + self.linear * (p - self.rest);
+        Sums { posed, half: self.half, moved: conjugate(self.half).rotate(posed - p) }
     }
 }
 
 /// Weighted sums over the sites that move a point p; all but `posed` are relative to p.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sums {
-    /// Σ w y_i, where y_i is where a site takes p unstretched.
+    /// Σ w y_i: the linear blend.
     posed: DVec2,
-    /// x − p = Σ w (exp(strain_i) − 1)(p − rest_i).
-    stretched: DVec2,
-    /// Σ w exp(iθ).
-    turn: DVec2,
     /// P = Σ w exp(iθ/2).
     half: DVec2,
     /// Σ w p̄_i (y_i − p).
@@ -82,22 +71,19 @@ impl Sums {
 
     /// Where p goes, and the derivatives of that by whatever the sums' `changes` are derivatives by.
     fn place_along<const N: usize>(&self, p: DVec2, changes: &[Self; N]) -> (DVec2, [DVec2; N]) {
-        let Self { posed, stretched, turn, half, moved } = *self;
-        // The linear blend of x, and how far the rigid one is from it, times P̄.
-        let linear = posed + turn.rotate(stretched);
-        let apart = moved + half.rotate(stretched) - conjugate(half).rotate(linear - p);
-        let back = half * reciprocal(half.length_squared());
+        let Self { posed, half, moved } = *self;
+        // How far the rigid blend is from the linear one, times P̄.
+        let apart = moved - conjugate(half).rotate(posed - p);
+        let square = half.length_squared();
+        let back = half * reciprocal(square);
         let along = |change: &Self| {
-            let d_linear = change.posed + change.turn.rotate(stretched) + turn.rotate(change.stretched);
-            let d_apart = change.moved + change.half.rotate(stretched) + half.rotate(change.stretched)
-                - conjugate(change.half).rotate(linear - p)
-                - conjugate(half).rotate(d_linear);
-            let square = half.length_squared();
+            let d_apart =
+                change.moved - conjugate(change.half).rotate(posed - p) - conjugate(half).rotate(change.posed);
             let d_back =
                 change.half * reciprocal(square) + half * (reciprocal_slope(square) * 2.0 * half.dot(change.half));
-            d_linear + d_apart.rotate(back) + apart.rotate(d_back)
+            change.posed + d_apart.rotate(back) + apart.rotate(d_back)
         };
-        (linear + apart.rotate(back), changes.each_ref().map(along))
+        (posed + apart.rotate(back), changes.each_ref().map(along))
     }
 }
 
@@ -111,8 +97,10 @@ pub(super) fn mapped<'a>(p: DVec2, sites: impl Iterator<Item = (&'a Dual, f64, D
         let relative = Sums { posed: term.posed - p, ..term };
         for (change, (axis, slope)) in changes.iter_mut().zip([(DVec2::X, gradient.x), (DVec2::Y, gradient.y)]) {
             *change = *change + slope * relative;
-            // As the point moves on from p, it is x that moves: all else is told of p.
-            change.stretched += weight * (dual.stretch * axis);
+            // As the point moves on from p, what is relative to p stays so.
+            let moved = dual.linear * axis;
+            change.posed += weight * moved;
+            change.moved += weight * conjugate(dual.half).rotate(moved);
         }
     }
     let (place, [x, y]) = sums.place_along(p, &changes);
@@ -145,13 +133,7 @@ impl Add for Sums {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            posed: self.posed + other.posed,
-            stretched: self.stretched + other.stretched,
-            turn: self.turn + other.turn,
-            half: self.half + other.half,
-            moved: self.moved + other.moved,
-        }
+        Self { posed: self.posed + other.posed, half: self.half + other.half, moved: self.moved + other.moved }
     }
 }
 
@@ -159,13 +141,7 @@ impl Mul<Sums> for f64 {
     type Output = Sums;
 
     fn mul(self, sums: Sums) -> Sums {
-        Sums {
-            posed: self * sums.posed,
-            stretched: self * sums.stretched,
-            turn: self * sums.turn,
-            half: self * sums.half,
-            moved: self * sums.moved,
-        }
+        Sums { posed: self * sums.posed, half: self * sums.half, moved: self * sums.moved }
     }
 }
 

@@ -11,6 +11,7 @@ mod poser;
 mod rigid;
 mod strain;
 mod tangent;
+mod unwrap;
 
 pub use blend::{Mapped, Pose};
 pub use harmonic::HarmonicFields;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{HarmonicFields, Motion, Pose, rigid::Rigid};
+use super::{HarmonicFields, Motion, Pose, rigid::Rigid, unwrap::unwrap_angles};
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
@@ -89,6 +89,7 @@ impl Poser {
             };
             let is_free: Vec<bool> = self.origin.iter().map(is_free).collect();
             rigid.settle(&self.rest, &mut motions, &is_free);
+            unwrap_angles(&mut motions, &is_free, rigid.links());
         }
         Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
     }

@@ -50,7 +50,8 @@ impl Rigid {
         self.is_real.len() == sites && self.links.iter().all(known)
     }
 
-    fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+    /// The links, with their weights.
+    pub(super) fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
