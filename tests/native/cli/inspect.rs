@@ -43,6 +43,9 @@ fn counts_handles_islands_and_holes() {
     let ring = report("ring");
     assert_eq!((count(&ring, "islands"), count(&ring, "holes"), count(&ring, "point_handles")), (1, 1, 3));
     assert_eq!((count(&ring, "real_sites"), count(&ring, "bar_handles")), (3, 0));
+    let portrait = report("portrait");
+    assert_eq!((count(&portrait, "bar_handles"), count(&portrait, "polygon_handles")), (6, 1));
+    assert_eq!((count(&portrait, "point_handles"), &portrait["outside"]), (0, &Value::Array(Vec::new())));
     let islands = report("islands");
     assert_eq!((count(&islands, "islands"), count(&islands, "holes"), count(&islands, "point_handles")), (2, 0, 1));
     assert_eq!(count(&report("untouched"), "real_sites"), 0);

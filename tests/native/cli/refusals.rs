@@ -147,6 +147,30 @@ fn projects_that_are_not_to_the_letter() {
 }
 
 #[test]
+fn bars_and_polygons_that_are_none() {
+    let line = |kind: &str, rest: serde_json::Value| json!({ "id": "tail", "kind": kind, "rest": rest });
+    for (handle, held, reason) in [
+        (
+            line("bar", json!([[20, 20], [20, 20]])),
+            false,
+            "handle “tail” has no length between its corners 0 and the next",
+        ),
+        (line("bar", json!([[20, 20]])), false, "handles[3].rest: expected at least 2 points, found 1"),
+        (line("polygon", json!([[20, 20], [30, 20]])), false, "handles[3].rest: expected at least 3 points, found 2"),
+        (line("bar", json!([[40, 24], [60, 24]])), false, "handles “middle” and “tail” are"),
+        (line("bar", json!([[-30, -20], [-10, -20]])), false, "handle “tail” at (-30, -20) lies outside the domain"),
+        (line("bar", json!([[20, 0.5], [40, 0.5]])), true, "handle “tail” stands on the boundary, which is held"),
+        (line("bar", json!([[20, 30], [40, 30], [25, 30]])), false, "“tail” run along each other"),
+    ] {
+        let place = Workplace::with("strip").changed(|project| {
+            project["handles"].as_array_mut().unwrap().push(handle);
+            project["fix_boundary"] = json!(held);
+        });
+        says(&refused(&place), &["scene.c2warp.json: ", reason]);
+    }
+}
+
+#[test]
 fn scales_that_make_no_picture() {
     let place = Workplace::with("strip");
     for scale in ["0", "-1", "NaN", "inf", "1e-9", "1000", "1e300"] {

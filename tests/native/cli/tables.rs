@@ -115,6 +115,39 @@ fn the_map_takes_a_handle_where_it_was_taken() {
 }
 
 #[test]
+fn what_rests_on_a_bar_or_polygon_lands_on_it() {
+    let place = Workplace::with("portrait");
+    let along = |[a, b]: [[f64; 2]; 2], share: f64| <[f64; 2]>::from(DVec2::from(a).lerp(b.into(), share));
+    // Pieces of the mouth, the left eye and the shoulders, at rest and posed.
+    let pieces = [
+        ([[80.0, 165.0], [100.0, 167.0]], [[77.0, 160.0], [100.0, 168.0]]),
+        ([[94.0, 110.0], [94.0, 126.0]], [[92.0, 108.0], [92.0, 124.0]]),
+        ([[30.0, 236.0], [170.0, 236.0]], [[30.0, 236.0], [170.0, 236.0]]),
+    ];
+    let shares = [0.0, 0.013, 0.5, 0.777, 1.0];
+    let at: Vec<_> = pieces.iter().flat_map(|&(rest, _)| shares.map(|share| along(rest, share))).collect();
+    let expected = pieces.iter().flat_map(|&(_, posed)| shares.map(|share| along(posed, share)));
+    let (_, cells) = table(&place, "map", &at);
+    for (row, expected) in rows::<5>(&cells).iter().zip(expected) {
+        assert!(DVec2::new(row[2], row[3]).distance(expected.into()) < 1e-6, "{row:?}, not {expected:?}");
+    }
+    let (_, cells) = table(&place, "weights", &at);
+    let handle = |point: usize| ["mouth", "left-eye", "shoulders"][point / shares.len()];
+    assert!(cells.iter().all(|row| &row[2] == "real" && row[3] == *handle(row[0].parse().unwrap())));
+}
+
+#[test]
+fn a_held_boundary_has_weight_and_no_handle() {
+    let place = Workplace::with("tower");
+    let (_, cells) = table(&place, "weights", &[[0.0, 50.0]]);
+    assert!(!cells.is_empty() && cells.iter().all(|row| (&row[2], &row[3]) == ("real", "")));
+    let (_, cells) = table(&place, "map", &[[0.0, 50.0], [31.7, 0.0]]);
+    for [x, y, posed_x, posed_y, _] in rows(&cells) {
+        assert!((posed_x - x).hypot(posed_y - y) < 1e-9);
+    }
+}
+
+#[test]
 fn the_map_is_empty_outside_and_still_on_an_island_without_handles() {
     let place = Workplace::with("islands");
     let (_, cells) = table(&place, "map", &[[60.0, 32.0], [88.0, 32.0], [30.0, 40.0]]);
