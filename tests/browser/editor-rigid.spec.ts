@@ -85,3 +85,16 @@ test('another way to bend is one click and one undo step', async ({ page }) => {
   await expect(solved).not.toHaveText(before ?? '');
   await expect.poll(() => settings()).toEqual(['rigid', 60, 'smooth']);
 });
+
+test('turns are kept rigid at a switch, as one step that solves nothing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const project = () =>
+    page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
+  await editor.switch('Keep turns rigid').click();
+  await expect(editor.switch('Keep turns rigid')).toBeChecked();
+  await expect.poll(async () => (await project()).pose?.blend).toBe('rigid');
+  await editor.dragHandle('right hand', { x: -10, y: -80 });
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await expect.poll(async () => (await project()).pose?.blend).not.toBe('rigid');
+});

@@ -20,6 +20,11 @@ export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'har
 
 export const blendOf = (project: Project): Blend => project.pose?.blend ?? 'linear';
 
+export const blended = (project: Project, blend: Blend): Project => ({
+  ...project,
+  pose: { ...project.pose, blend },
+});
+
 /** The rotation of a point that nobody has turned. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 

@@ -250,6 +250,7 @@ export class Desk {
     automatic: (on) => this.workbench.editing.automatic(on),
     bend: (mode) => this.workbench.editing.bend(mode),
     detail: (detail) => this.workbench.editing.detail(detail),
+    blend: (blend) => this.workbench.editing.blend(blend),
     holdBoundary: (held) => this.workbench.editing.holdBoundary(held),
     guard: (on) => {
       this.guarding.on = on;

@@ -3,7 +3,7 @@
  *
  * Knows no DOM. After each change the host hears what kind it was, and what to say aloud.
  */
-import { bent, type Detail, detailed, modeOf } from '../document/bending';
+import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
 import { type Document, handleById, selectedHandles } from '../document/document';
 import {
   changeHandles,
@@ -34,6 +34,7 @@ import {
 import { History, type HistoryRecord } from '../document/history';
 import type { Handle, PoseMode, Project } from '../document/project';
 import { solveKey } from '../document/solved';
+import type { Blend } from '../geometry/blend';
 import { add, type Vec } from '../geometry/vec';
 import { ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
@@ -171,6 +172,11 @@ export class Editing {
     const label = `${by > 0 ? 'Bring forward' : 'Send back'} ${this.#selectionName()}`;
     this.#step(label, raiseHandles(this.document, selection, by), `raise ${selection.join(' ')}`);
     this.#sayDepth();
+  }
+
+  blend(blend: Blend): void {
+    const project = blended(this.document.project, blend);
+    this.step(blend === 'rigid' ? 'Keep turns rigid' : 'Blend turns linearly', { ...this.document, project });
   }
 
   holdBoundary(held: boolean): void {

@@ -1,7 +1,7 @@
 /** How the picture bends: a choice of two, in words, how finely, and two switches. Shown while nothing is selected. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
+import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import type { PoseMode } from '../document/project';
 import type { EditorActions, EditorModel } from './model';
 
@@ -38,6 +38,7 @@ export function bending(model: EditorModel, actions: EditorActions): TemplateRes
           </div>`
         : nothing
     }
+    ${toggle('Keep turns rigid', 'What lies between two turns does not shrink.', blendOf(project) === 'rigid', model, (on) => actions.blend(on ? 'rigid' : 'linear'))}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => actions.holdBoundary(on))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => actions.guard(on))}
   </section>`;

@@ -3,6 +3,7 @@ import type { Detail } from '../document/bending';
 import type { Document } from '../document/document';
 import type { Turns } from '../document/handle';
 import type { PoseMode } from '../document/project';
+import type { Blend } from '../geometry/blend';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
@@ -92,6 +93,8 @@ export interface EditorActions {
   bend(mode: PoseMode): void;
   detail(detail: Detail): void;
   holdBoundary(held: boolean): void;
+  /** How motions blend. */
+  blend(blend: Blend): void;
   /** Drags stop where they would fold the picture. */
   guard(on: boolean): void;
   /** What is being drawn is done; its last corner is taken back. */
