@@ -54,7 +54,7 @@ fn seen(piece: &Piece, p: DVec2) -> impl Iterator<Item = (DVec2, DVec2, f64)> {
     // The foot of the perpendicular on the bar's line, and how far it is: s = foot + far · tan θ, ds / d² = dθ / far.
     let (foot, far) = ((p - a).dot(along), (p - a).perp_dot(along).abs().max(ON));
     let (from, to) = ((-foot / far).atan(), ((a.distance(b) - foot) / far).atan());
-    let steps = ((to - from) / (TAU / 2.0) * STEPS).ceil().max(4.0);
+    let steps = ((to - from) / (TAU / 2.0) * STEPS).ceil().max(12.0);
     let step = (to - from) / steps;
     let length = a.distance(b);
     let piece = *piece;
