@@ -15,8 +15,6 @@ export default defineConfig({
   // Graphics run on the processor, which a machine may have little of: what is waited for may come late, never wrongly.
   timeout: 120_000,
   expect: { timeout: 20_000 },
-  // A second try for a hiccup of the browser; a test that needs it is named as flaky in the end.
-  retries: 1,
   reporter: 'list',
   use: {
     baseURL: origin,

@@ -26,13 +26,12 @@ export function vitestCounts(json) {
 }
 
 /**
- * @param {string} json Report of Playwright's JSON reporter. A test that passed at its second try counts as passed, and is
- * listed as flaky by the runner.
+ * @param {string} json Report of Playwright's JSON reporter. A flaky test counts as failed.
  * @returns {Counts}
  */
 export function playwrightCounts(json) {
   const { expected, unexpected, flaky, skipped } = JSON.parse(json).stats;
-  return { passed: expected + flaky, failed: unexpected, skipped };
+  return { passed: expected, failed: unexpected + flaky, skipped };
 }
 
 /**

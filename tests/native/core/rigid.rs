@@ -60,7 +60,7 @@ fn a_strip_bends_by_three_pins_with_a_fraction_of_the_harmonic_modes_distortion(
         distortion(&solution, &pose)
     });
     eprintln!("symmetric Dirichlet energy, median and 90 %: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
-    assert!(rigid[0] < 0.1 && rigid[1] < 0.6, "{rigid:?}");
+    assert!(rigid[0] < 0.08 && rigid[1] < 0.5, "{rigid:?}");
     assert!(rigid[0] < harmonic[0] / 4.0 && rigid[1] < harmonic[1] / 4.0, "{rigid:?} and {harmonic:?}");
 }
 
