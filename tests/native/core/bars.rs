@@ -11,7 +11,7 @@ use c2warp::{
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::scenes::{handle, project, scenes, solved, spread};
+use crate::scenes::{cases, handle, project, scenes, solved, spread};
 
 /// What is owed on a bar, in pixels.
 const ON_BAR: f64 = 1e-6;
@@ -369,12 +369,7 @@ fn mixed_scenes() -> impl Strategy<Value = Project> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 48,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(cases(48))]
 
     /// Random lines cross, leave the domain, run through holes and pass points and one another closely.
     #[test]

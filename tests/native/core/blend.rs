@@ -4,15 +4,10 @@ use c2warp::project::Blend;
 use glam::{DMat2, DVec2};
 use proptest::prelude::*;
 
-use crate::scenes::{handle, project, scenes, solved, spread};
+use crate::scenes::{cases, handle, project, scenes, solved, spread};
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 32,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(cases(32))]
 
     #[test]
     fn handles_go_where_they_are_taken((rings, places, support) in scenes(), degrees in -2000.0..2000.0_f64) {

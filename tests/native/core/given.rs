@@ -5,7 +5,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use crate::bars::bar;
-use crate::scenes::{handle, project, scenes, solved, spread};
+use crate::scenes::{cases, handle, project, scenes, solved, spread};
 
 /// What the order of triangles and corners may change: rounding in the places of virtual sites.
 const ROUNDING: f64 = 1e-7;
@@ -39,12 +39,7 @@ fn refusal(vertices: &[(f64, f64)], triangles: &[[u32; 3]]) -> Error {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 48,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(cases(48))]
 
     #[test]
     fn the_solvers_own_mesh_is_solved_as_by_the_solver((rings, places, support) in scenes()) {

@@ -4,20 +4,10 @@ use c2warp::{Solution, project::Support};
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::scenes::{handle, project, scenes, solved, spread};
+use crate::scenes::{cases, handle, project, scenes, solved, spread};
 
 /// Sums of a dozen weights, each rounded to 1e-16.
 const UNITY: f64 = 1e-12;
-
-fn config() -> ProptestConfig {
-    // The seed is fixed, so that a run says the same everywhere.
-    ProptestConfig {
-        cases: 64,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
 
 fn check_weights(weights: &[(usize, f64)], p: DVec2) -> Result<(), TestCaseError> {
     prop_assert!(weights.iter().all(|&(_, weight)| weight >= 0.0), "a negative weight at {p}");
@@ -32,7 +22,7 @@ fn is_reached(solution: &Solution, sample: usize) -> bool {
 }
 
 proptest! {
-    #![proptest_config(config())]
+    #![proptest_config(cases(64))]
 
     #[test]
     fn weights_sum_to_one_and_none_is_negative((rings, places, support) in scenes()) {

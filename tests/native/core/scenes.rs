@@ -8,6 +8,16 @@ use c2warp::{
 use glam::DVec2;
 use proptest::prelude::*;
 
+/// So many cases of a property. The seed is fixed, so that a run says the same everywhere.
+pub(crate) fn cases(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2016),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
 /// Pictures are this many pixels wide and high.
 pub(crate) const SIZE: u32 = 400;
 

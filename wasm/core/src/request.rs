@@ -5,12 +5,10 @@ use glam::DVec2;
 use crate::{
     bone::{HELD_CLEARANCE, Line, Skeleton},
     distance::{Navigation, Place},
-    domain::edges,
     error::Error,
     picture::Picture,
     project::{PoseMode, Project, Shape, Weighting},
     report::Outside,
-    segment::segment_distance,
     site::{MAX_HANDLES, MIN_SEPARATION},
     solver::Outline,
 };
@@ -84,11 +82,8 @@ impl Request {
         let navigation: &Navigation = &outline.navigation;
         let mut rest = self.points_at(|p| navigation.place(p))?;
         if self.fix_boundary {
-            let on_boundary = |p: DVec2| {
-                let mut walls = outline.domain.rings().iter().flat_map(|ring| edges(ring));
-                walls.any(|(a, b)| segment_distance(p, a, b) < HELD_CLEARANCE)
-            };
-            if let Some(point) = self.points.iter().find(|point| on_boundary(point.rest)) {
+            let on_boundary = |point: &&PointHandle| outline.domain.distance_to_outline(point.rest) < HELD_CLEARANCE;
+            if let Some(point) = self.points.iter().find(on_boundary) {
                 return Err(Error::OnHeldBoundary { id: point.id.clone() });
             }
         }

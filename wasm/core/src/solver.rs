@@ -150,7 +150,7 @@ impl Solver {
     ) -> Result<Divided, Error> {
         let (navigation, skeleton) = (&outline.navigation, &rest.skeleton);
         let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
-        let held = if request.fix_boundary { outline.domain.rings() } else { &[] };
+        let held = request.fix_boundary.then_some(&outline.domain);
         let obstacles = Obstacles { skeleton, tracks, held };
         let mut regions = Regions::new(navigation, samples, &obstacles, &mut self.propagation);
         regions.insert_real_sites(&rest.points)?;

@@ -1,22 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { newProject } from './document';
 import { between } from './easing';
+import { straightBar } from './fixtures';
 import { anchor, rotationOf, turnedTo } from './handle';
-import type { BarHandle, Project } from './project';
+import type { Project } from './project';
 
-const bar: BarHandle = {
-  id: 'arm',
-  kind: 'bar',
-  rest: [
-    [0, 0],
-    [10, 0],
-  ],
-  posed: [
-    [0, 0],
-    [10, 0],
-  ],
-  rotation: 'auto',
-};
+const bar = straightBar(10);
 const holding = (...handles: Project['handles']): Project => ({
   ...newProject({ src: '', width: 8, height: 8 }, false),
   handles,

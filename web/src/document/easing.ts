@@ -1,6 +1,6 @@
 /** Between two poses of the same handles: what a guard tries when the farther one goes too far. */
 import { centre } from '../geometry/polyline';
-import { add, scaled, subtract, type Vec } from '../geometry/vec';
+import { add, rotated, scaled, subtract, type Vec } from '../geometry/vec';
 import { corners, isLine, rotationOf, rounded, roundedVec, scaleOf, type Turns } from './handle';
 import type { Handle, Project } from './project';
 
@@ -23,15 +23,13 @@ export function between(from: Project, to: Project, share: number, turns: Turns)
 
 function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
   const [start, end] = [rotationOf(from, turns), rotationOf(to, turns)];
-  const rotation =
-    typeof to.rotation === 'number' ? { rotation: rounded(start + share * (end - start)) } : {};
+  const turn = start + share * (end - start);
+  const rotation = typeof to.rotation === 'number' ? { rotation: rounded(turn) } : {};
   const scale = scaleOf(from) + share * (scaleOf(to) - scaleOf(from));
   const common = { ...rotation, ...(to.scale === undefined ? {} : { scale }) };
-  const turn = start + share * (end - start);
-  const places = isLine(to) ? turnedBetween(from, to, share, [start, turn, end]) : [mixed(from, to, share)];
   return isLine(to)
-    ? { ...to, ...common, posed: places }
-    : { ...to, ...common, posed: places[0] ?? to.posed };
+    ? { ...to, ...common, posed: turnedBetween(from, to, share, [start, turn, end]) }
+    : { ...to, ...common, posed: mixed(from, to, share) };
 }
 
 const mixed = (from: Handle, to: Handle, share: number): Vec =>
@@ -56,8 +54,3 @@ function turnedBetween(
 }
 
 const mix = (a: Vec, b: Vec, share: number): Vec => add(scaled(a, 1 - share), scaled(b, share));
-
-function rotated([x, y]: Vec, degrees: number): Vec {
-  const [cos, sin] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-  return [cos * x - sin * y, sin * x + cos * y];
-}

@@ -13,6 +13,7 @@ import {
   selectHandles,
   turnHandles,
 } from './edits';
+import { straightBar } from './fixtures';
 import { depthOf, isAtRest, nameOf, rotationOf } from './handle';
 import type { BarHandle, PointHandle } from './project';
 import { followedHandles, solveKey } from './solved';
@@ -53,19 +54,7 @@ describe('edits', () => {
 });
 
 describe('bars and polygons', () => {
-  const bar: BarHandle = {
-    id: 'arm',
-    kind: 'bar',
-    rest: [
-      [0, 0],
-      [10, 0],
-    ],
-    posed: [
-      [0, 0],
-      [10, 0],
-    ],
-    rotation: 'auto',
-  };
+  const bar = straightBar(10);
   const held = addHandle(empty, bar);
   const arm = (document: Document) => document.project.handles[0] as BarHandle;
 

@@ -1,6 +1,6 @@
 /** One handle: reading it, and the pure changes that a person makes to it. */
 import { bestTurn, centre, nearestTurn } from '../geometry/polyline';
-import { add, type Vec, wrapDegrees } from '../geometry/vec';
+import { add, rotated, subtract, type Vec, wrapDegrees } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** How far each automatic handle is turned now, degrees by id. */
@@ -53,12 +53,8 @@ export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) =
 export function turnedTo(handle: Handle, degrees: number): Handle {
   if (!isLine(handle)) return { ...handle, rotation: rounded(wrapDegrees(degrees)) };
   const pivot = anchor(handle);
-  const turn = ((degrees - rotationOf(handle)) * Math.PI) / 180;
-  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
-  const about = ([x, y]: Vec): Vec => {
-    const [dx, dy] = [x - pivot[0], y - pivot[1]];
-    return roundedVec([pivot[0] + cos * dx - sin * dy, pivot[1] + sin * dx + cos * dy]);
-  };
+  const turn = degrees - rotationOf(handle);
+  const about = (corner: Vec) => roundedVec(add(pivot, rotated(subtract(corner, pivot), turn)));
   return { ...replaced(handle, about), rotation: rounded(degrees) };
 }
 

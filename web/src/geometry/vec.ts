@@ -7,6 +7,13 @@ export const scaled = (a: Vec, factor: number): Vec => [a[0] * factor, a[1] * fa
 export const midpoint = (a: Vec, b: Vec): Vec => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 export const distance = (a: Vec, b: Vec): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
+/** Turned about the origin, in degrees, clockwise on the screen. */
+export function rotated([x, y]: Vec, degrees: number): Vec {
+  const turn = (degrees * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
+  return [cos * x - sin * y, sin * x + cos * y];
+}
+
 /** Direction of `to` seen from `from`, in degrees, clockwise on the screen since y points down. */
 export const bearing = (from: Vec, to: Vec): number =>
   (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;

@@ -1,25 +1,13 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type Document, handleById, newProject, openDocument } from '../document/document';
 import { addHandle, selectHandles } from '../document/edits';
+import { straightBar } from '../document/fixtures';
 import { anchor, corners, rotationOf } from '../document/handle';
-import type { BarHandle } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import { ToolMachine, type ToolName } from './machine';
 import type { Draft, Effect, Press, Scene } from './state';
 
-const arm: BarHandle = {
-  id: 'arm',
-  kind: 'bar',
-  rest: [
-    [0, 0],
-    [100, 0],
-  ],
-  posed: [
-    [0, 0],
-    [100, 0],
-  ],
-  rotation: 'auto',
-};
+const arm = straightBar(100);
 const image = { src: 'a.png', width: 400, height: 400 };
 
 /** The picture is shown 1000 px to the right of where it rests, everywhere. */

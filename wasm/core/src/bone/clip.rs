@@ -2,22 +2,32 @@
 
 use glam::DVec2;
 
-use crate::{
-    distance::Navigation,
-    domain::{Domain, edges},
-    segment::segment_distance,
-};
+use super::HELD_CLEARANCE;
+use crate::{distance::Navigation, domain::Domain};
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
 const SHORTEST: f64 = 1e-6;
 /// Halvings until the way to the outline is known to the last digits.
 const HALVINGS: usize = 60;
 
-/// The parts of the segment from `a` to `b` inside the domain, as shares of it, ascending.
-pub(super) fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[f64; 2]> {
+/// The parts of a segment in the domain, and clear of its outline where that is `held`, as shares of it, ascending.
+pub(super) fn kept(domain: &Domain, navigation: &Navigation, [a, b]: [DVec2; 2], held: bool) -> Vec<[f64; 2]> {
+    let parts = inside(domain, navigation, a, b);
+    if !held {
+        return parts;
+    }
+    let clear = |[enter, leave]: [f64; 2]| {
+        let clear = clear_of_outline(domain, a.lerp(b, enter), a.lerp(b, leave), HELD_CLEARANCE)?;
+        Some(clear.map(|share| enter + share * (leave - enter)))
+    };
+    parts.into_iter().filter_map(clear).collect()
+}
+
+/// The parts of the segment from `a` to `b` inside the domain.
+fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[f64; 2]> {
     let along = b - a;
     let mut stops = vec![0.0, 1.0];
-    for (c, d) in domain.rings().iter().flat_map(|ring| edges(ring)) {
+    for (c, d) in domain.edges() {
         let wall = d - c;
         let area = along.perp_dot(wall);
         let (share, on_wall) = ((c - a).perp_dot(wall) / area, (c - a).perp_dot(along) / area);
@@ -53,12 +63,8 @@ pub(super) fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec
 }
 
 /// The part of a segment in the domain from the first place to the last that is no nearer to the outline than `clearance`.
-pub(super) fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Option<[f64; 2]> {
-    let is_clear = |share: f64| {
-        let p = a.lerp(b, share);
-        let walls = || domain.rings().iter().flat_map(|ring| edges(ring));
-        walls().all(|(c, d)| segment_distance(p, c, d) >= clearance)
-    };
+fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Option<[f64; 2]> {
+    let is_clear = |share: f64| domain.distance_to_outline(a.lerp(b, share)) >= clearance;
     // Steps no longer than the clearance, so that no clear part between is missed for long.
     let steps = (a.distance(b) / clearance).ceil().clamp(2.0, 4096.0) as u32;
     let at = |step: u32| f64::from(step) / f64::from(steps);

@@ -21,6 +21,14 @@ pub(super) struct Piece {
     pub(super) joints: [u32; 2],
 }
 
+impl Piece {
+    /// Where a piece of `line` begins and ends.
+    pub(super) fn ends(&self, line: &Line) -> [DVec2; 2] {
+        let (a, b) = line.segment(self.segment as usize);
+        self.shares.map(|share| a.lerp(b, share))
+    }
+}
+
 pub(super) struct Cuts {
     pub(super) pieces: Vec<Piece>,
     pub(super) joints: Vec<Vec<Anchor>>,

@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{distance::Navigation, domain::Domain, error::Error, report::Outside, segment::segment_distance};
 
+use cut::Piece;
 pub(crate) use lines::Line;
 pub(crate) use motion::BoneMotion;
 pub(crate) use track::Track;
@@ -77,46 +78,17 @@ impl Skeleton {
         let mut skeleton = Self { bones: Vec::new(), joints: cuts.joints };
         let mut outside = Vec::new();
         for line in lines {
-            let (before, mut off_boundary) = (skeleton.bones.len(), false);
-            for piece in cuts.pieces.iter().filter(|piece| piece.handle == line.handle) {
-                let (a, b) = line.segment(piece.segment as usize);
-                let at = |share: f64| a.lerp(b, share);
-                let [from, to] = piece.shares;
-                let (mut stop, mut joint) = (from, Some(piece.joints[0]));
-                for [mut enter, mut leave] in clip::inside(domain, navigation, at(from), at(to)) {
-                    (enter, leave) = (from + enter * (to - from), from + leave * (to - from));
-                    if held {
-                        let Some(clear) = clip::clear_of_outline(domain, at(enter), at(leave), HELD_CLEARANCE) else {
-                            off_boundary = true;
-                            continue;
-                        };
-                        (enter, leave) = (enter + clear[0] * (leave - enter), enter + clear[1] * (leave - enter));
-                    }
-                    if enter > stop {
-                        outside.push(Outside { handle: line.id.clone(), from: at(stop).into(), to: at(enter).into() });
-                        joint = None;
-                    }
-                    let mut joint_at = |share: f64| {
-                        skeleton.joints.push(vec![Anchor { handle: piece.handle, segment: piece.segment, share }]);
-                        skeleton.joints.len() as u32 - 1
-                    };
-                    let first = joint.take().unwrap_or_else(|| joint_at(enter));
-                    let last = if leave >= to { piece.joints[1] } else { joint_at(leave) };
-                    stop = leave;
-                    let rest = [at(enter), at(leave)];
-                    skeleton.bones.push(Bone { handle: piece.handle, rest, joints: [first, last], body: 0 });
-                }
-                if stop < to {
-                    outside.push(Outside { handle: line.id.clone(), from: at(stop).into(), to: at(to).into() });
-                }
+            let bones = skeleton.bones.len();
+            let pieces = || cuts.pieces.iter().filter(|piece| piece.handle == line.handle);
+            for piece in pieces() {
+                let parts = clip::kept(domain, navigation, piece.ends(line), held);
+                skeleton.lay(line, piece, &parts, &mut outside);
             }
-            if skeleton.bones.len() == before {
+            if skeleton.bones.len() == bones {
                 let (id, DVec2 { x, y }) = (line.id.clone(), line.corners[0]);
-                return Err(if off_boundary {
-                    Error::OnHeldBoundary { id }
-                } else {
-                    Error::HandleOutside { id, x, y }
-                });
+                let is_inside = |piece: &Piece| !clip::kept(domain, navigation, piece.ends(line), false).is_empty();
+                let on_boundary = pieces().any(is_inside);
+                return Err(if on_boundary { Error::OnHeldBoundary { id } } else { Error::HandleOutside { id, x, y } });
             }
         }
         let key = |bone: &Bone| {
@@ -128,6 +100,37 @@ impl Skeleton {
         skeleton.bones.sort_by(|a, b| lexical(key(a).into_iter(), key(b).into_iter()));
         skeleton.number_bodies();
         Ok((skeleton, outside))
+    }
+
+    /// Adds the bones of a piece, of which `parts` are kept.
+    fn lay(&mut self, line: &Line, piece: &Piece, parts: &[[f64; 2]], outside: &mut Vec<Outside>) {
+        let [a, b] = piece.ends(line);
+        let mut leave_out = |from: f64, to: f64| {
+            if from < to {
+                let [from, to] = [from, to].map(|share| a.lerp(b, share).into());
+                outside.push(Outside { handle: line.id.clone(), from, to });
+            }
+        };
+        let mut end = 0.0;
+        for &part in parts {
+            leave_out(end, part[0]);
+            let rest = part.map(|share| a.lerp(b, share));
+            let joints = part.map(|share| self.joint(piece, share));
+            self.bones.push(Bone { handle: piece.handle, rest, joints, body: 0 });
+            end = part[1];
+        }
+        leave_out(end, 1.0);
+    }
+
+    /// The joint at a place of a piece: that of its end, or a new one.
+    fn joint(&mut self, piece: &Piece, share: f64) -> u32 {
+        if share == 0.0 || share == 1.0 {
+            return piece.joints[usize::from(share == 1.0)];
+        }
+        let [from, to] = piece.shares;
+        let share = from + share * (to - from);
+        self.joints.push(vec![Anchor { handle: piece.handle, segment: piece.segment, share }]);
+        self.joints.len() as u32 - 1
     }
 
     fn number_bodies(&mut self) {

@@ -10,7 +10,7 @@ mod simplify;
 
 use glam::DVec2;
 
-use crate::{error::Error, picture::Picture, project::DomainSpec};
+use crate::{error::Error, picture::Picture, project::DomainSpec, segment::segment_distance};
 
 /// Most corners an outline may have. Each corner can bend shortest paths, so this bounds the cost of a distance field.
 pub const MAX_CORNERS: usize = 20_000;
@@ -161,6 +161,18 @@ pub fn signed_area(ring: &[DVec2]) -> f64 {
 /// The edges of a ring, the closing one last.
 pub(crate) fn edges(ring: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
     ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| (a, b))
+}
+
+impl Domain {
+    /// The pieces of the outline between its corners.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
+        self.rings.iter().flat_map(|ring| edges(ring))
+    }
+
+    /// Straight distance of a point to the outline. For a point of the domain also the intrinsic one: nothing is between.
+    pub(crate) fn distance_to_outline(&self, p: DVec2) -> f64 {
+        self.edges().map(|(a, b)| segment_distance(p, a, b)).fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// Whether a point lies inside a ring, by the even-odd rule.

@@ -25,7 +25,7 @@ use std::ops::{Add, Mul};
 
 use glam::{DMat2, DVec2};
 
-use super::Motion;
+use super::{Motion, motion::turn};
 
 /// |P|² from which the blend is rigid: cos² of 60°, the least for angles within 240°.
 const RIGID: f64 = 0.25;
@@ -121,8 +121,7 @@ fn reciprocal_slope(s: f64) -> f64 {
 
 /// exp(iθ/2), with its sign: angles are known beyond a turn.
 pub(super) fn half_turn(angle: f64) -> DVec2 {
-    let (sin, cos) = libm::sincos(angle / 2.0);
-    DVec2::new(cos, sin)
+    turn(angle / 2.0)
 }
 
 fn conjugate(z: DVec2) -> DVec2 {

@@ -56,8 +56,8 @@ impl Motion {
 
     /// The linear part, R(angle) exp(strain).
     pub(crate) fn linear(&self) -> DMat2 {
-        let (sin, cos) = libm::sincos(self.angle);
-        DMat2::from_cols(DVec2::new(cos, sin), DVec2::new(-sin, cos)) * self.strain.stretch()
+        let turn = turn(self.angle);
+        DMat2::from_cols(turn, turn.perp()) * self.strain.stretch()
     }
 
     /// Whether everything computed from the motion stays far from overflow. NaN is not in bounds.
@@ -66,4 +66,10 @@ impl Motion {
         let stretch = linear.x_axis.length() + linear.y_axis.length();
         stretch <= BOUND && self.translation.length() <= BOUND && self.depth.abs() <= BOUND
     }
+}
+
+/// Cosine and sine of an angle: the turn by it, as a complex number.
+pub(super) fn turn(angle: f64) -> DVec2 {
+    let (sin, cos) = libm::sincos(angle);
+    DVec2::new(cos, sin)
 }

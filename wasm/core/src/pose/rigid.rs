@@ -15,7 +15,7 @@ use std::sync::OnceLock;
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Motion, descent::descend, laplacian::Laplacian, tangent::Tangent};
+use super::{Motion, descent::descend, laplacian::Laplacian, motion::turn, tangent::Tangent};
 
 /// A turn that moves no site by more than this share of the scene's extent is the last: a ten-thousandth of a pixel.
 const SETTLED: f64 = 1e-7;
@@ -96,11 +96,6 @@ impl Rigid {
             tangents[site as usize].bend(&mut motions[site as usize]);
         }
     }
-}
-
-fn turn(angle: f64) -> DVec2 {
-    let (sin, cos) = libm::sincos(angle);
-    DVec2::new(cos, sin)
 }
 
 /// A pose on the way to its least energy.

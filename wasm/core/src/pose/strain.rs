@@ -79,18 +79,14 @@ impl Mul<Strain> for f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn direction(angle: f64) -> DVec2 {
-        let (sin, cos) = libm::sincos(angle);
-        DVec2::new(cos, sin)
-    }
+    use crate::pose::motion::turn;
 
     #[test]
     fn a_uniform_strain_is_a_multiple_of_the_identity_to_the_last_bit() {
         for scale in [1e-6, 0.3, 1.0, 1.7, 1e9] {
             let scaled = libm::exp(libm::log(scale));
             assert_eq!(Strain::uniform(scale).stretch(), DMat2::from_diagonal(DVec2::splat(scaled)));
-            let bone = Strain::of_bone(direction(0.7), scale, scale);
+            let bone = Strain::of_bone(turn(0.7), scale, scale);
             assert_eq!(bone.stretch(), DMat2::from_diagonal(DVec2::splat(scaled)));
         }
     }
@@ -98,7 +94,7 @@ mod tests {
     #[test]
     fn a_bone_is_stretched_along_itself_and_across() {
         for (angle, along, across) in [(0.0, 2.0, 1.0), (0.4, 3.0, 0.5), (2.0, 1e-3, 1.0), (-1.2, 1.0, 1.0 + 1e-9)] {
-            let u = direction(angle);
+            let u = turn(angle);
             let stretch = Strain::of_bone(u, along, across).stretch();
             assert!((stretch * u).distance(along * u) < 1e-12, "{stretch}");
             assert!((stretch * u.perp()).distance(across * u.perp()) < 1e-12, "{stretch}");
@@ -114,7 +110,7 @@ mod tests {
 
     #[test]
     fn strains_along_one_bone_multiply() {
-        let u = direction(0.9);
+        let u = turn(0.9);
         let [twice, thrice] = [2.0, 3.0].map(|along| Strain::of_bone(u, along, 1.0));
         let six = Strain::of_bone(u, 6.0, 1.0).stretch();
         assert!((twice + thrice).stretch().abs_diff_eq(six, 1e-12));

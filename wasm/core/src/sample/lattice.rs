@@ -2,10 +2,7 @@
 
 use glam::DVec2;
 
-use crate::{
-    domain::{Domain, edges},
-    segment::segment_distance,
-};
+use crate::{domain::Domain, segment::segment_distance};
 
 /// Lattice points keep this share of the spacing away from the outline, and from sites: nearer ones make slivers.
 /// Not one half, so that outlines parallel to the lattice do not leave the choice to rounding.
@@ -16,7 +13,7 @@ pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
 /// The spacing at which lattice and outline together have about `count` points.
 pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     let area = domain.area();
-    let lengths = domain.rings().iter().flat_map(|ring| edges(ring)).map(|(a, b)| a.distance(b));
+    let lengths = domain.edges().map(|(a, b)| a.distance(b));
     let perimeter: f64 = lengths.sum();
     let corners: usize = domain.rings().iter().map(Vec::len).sum();
     let wanted = (count as f64 - corners as f64).max(count as f64 / 4.0);
@@ -85,7 +82,7 @@ impl Lattice {
     /// Whether each node lies inside the domain, row by row, by the even-odd rule.
     fn inside(&self, domain: &Domain) -> Vec<bool> {
         let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); self.rows];
-        for (a, b) in domain.rings().iter().flat_map(|ring| edges(ring)) {
+        for (a, b) in domain.edges() {
             let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
             for row in self.rows_within(low.y, high.y) {
                 let y = self.node(row, 0).y;

@@ -5,11 +5,7 @@
 
 use glam::DVec2;
 
-use crate::{
-    distance::Navigation,
-    domain::{Domain, edges},
-    segment::segment_distance,
-};
+use crate::{distance::Navigation, domain::Domain, segment::segment_distance};
 
 use super::lattice::{CLEARANCE, ROW};
 
@@ -53,7 +49,7 @@ pub(super) fn add_patches(vertices: &mut Vec<DVec2>, patches: &[Patch], navigati
     for patch in patches {
         let close = |p: DVec2| p.distance(patch.centre) < patch.radius + patch.spacing;
         let mut near: Vec<DVec2> = vertices.iter().copied().filter(|&p| close(p)).collect();
-        let outline = domain.rings().iter().flat_map(|ring| edges(ring));
+        let outline = domain.edges();
         let walls: Vec<(DVec2, DVec2)> =
             outline.filter(|&(a, b)| segment_distance(patch.centre, a, b) < patch.radius + patch.spacing).collect();
         let clearance = CLEARANCE * patch.spacing;

@@ -6,9 +6,8 @@ use super::{Origin, Site, cells::Cells, tessellation::Chain};
 use crate::{
     bone::{Skeleton, Track},
     distance::{DistanceField, Navigation, Place, Propagation},
-    domain::{Ring, edges},
+    domain::Domain,
     sample::Samples,
-    segment::segment_distance,
     triangulation::NONE,
 };
 
@@ -28,8 +27,8 @@ pub(crate) struct Obstacles<'a> {
     pub(crate) skeleton: &'a Skeleton,
     /// The bones on the navigation mesh.
     pub(crate) tracks: Vec<Track>,
-    /// The outline where it is held, or nothing.
-    pub(crate) held: &'a [Ring],
+    /// The domain, where its outline is held.
+    pub(crate) held: Option<&'a Domain>,
 }
 
 /// A point of the domain, where it lies and how far the nearest site is.
@@ -119,9 +118,8 @@ impl<'a> Regions<'a> {
                 clearance = clearance.min(track.distance(&field));
             }
         }
-        if body != Some(BOUNDARY) {
-            let walls = self.obstacles.held.iter().flat_map(|ring| edges(ring));
-            clearance = walls.map(|(a, b)| segment_distance(rest, a, b)).fold(clearance, f64::min);
+        if let Some(held) = self.obstacles.held.filter(|_| body != Some(BOUNDARY)) {
+            clearance = clearance.min(held.distance_to_outline(rest));
         }
         separation = separation.min(clearance);
         let start = self.samples.around(rest).expect("sites lie in the domain");

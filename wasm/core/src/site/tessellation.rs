@@ -19,6 +19,7 @@ use super::{
 };
 use crate::{
     distance::{Navigation, Place},
+    domain::Domain,
     error::Error,
     segment::nearest_on_segment,
 };
@@ -152,7 +153,8 @@ impl Regions<'_> {
             let origin = Origin::Bone { handle: bone.handle, bone: at as u32 };
             Chain::new(origin, bone.rest.to_vec(), false)
         });
-        let outline = self.obstacles.held.iter().map(|ring| Chain::new(Origin::Boundary, ring.clone(), true));
+        let rings = self.obstacles.held.map_or(&[][..], Domain::rings);
+        let outline = rings.iter().map(|ring| Chain::new(Origin::Boundary, ring.clone(), true));
         self.chains = bones.chain(outline).collect();
         let of_points = points.iter().map(|&(rest, place, handle)| {
             let origin = Origin::Point { handle };
