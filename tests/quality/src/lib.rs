@@ -12,6 +12,5 @@ pub mod measure;
 pub mod methods;
 pub mod poses;
 pub mod sheet;
-pub mod subspace;
 pub mod tables;
 pub mod targets;

@@ -15,7 +15,6 @@ use crate::{
     least_squares,
     measure::{Distortion, jacobians},
     poses::StandardPose,
-    subspace::best,
     targets::Targets,
 };
 
@@ -32,13 +31,6 @@ pub enum Method {
         /// How motions are blended.
         blend: Blend,
     },
-    /// The best that sites of the rigid mode could do: the reference's energy over their motions.
-    Sites {
-        /// Virtual sites at least.
-        density: u32,
-        /// Whether motions may stretch and shear.
-        affine: bool,
-    },
     /// As rigid as possible over the whole mesh.
     Dense,
     /// Moving least squares.
@@ -46,20 +38,17 @@ pub enum Method {
 }
 
 /// What the editor asks for.
-pub const EDITOR: Method = Method::Rigid { density: 30, blend: Blend::Linear };
+pub const EDITOR: Method = Method::Rigid { density: 100, blend: Blend::Linear };
 
 /// In the order of tables and sheets.
-pub const METHODS: [Method; 12] = [
+pub const METHODS: [Method; 9] = [
     Method::Paper,
-    EDITOR,
+    Method::Rigid { density: 0, blend: Blend::Linear },
+    Method::Rigid { density: 30, blend: Blend::Linear },
     Method::Rigid { density: 60, blend: Blend::Linear },
-    Method::Rigid { density: 120, blend: Blend::Linear },
+    EDITOR,
     Method::Rigid { density: 200, blend: Blend::Linear },
-    Method::Rigid { density: 30, blend: Blend::Rigid },
-    Method::Rigid { density: 120, blend: Blend::Rigid },
-    Method::Sites { density: 30, affine: false },
-    Method::Sites { density: 30, affine: true },
-    Method::Sites { density: 120, affine: false },
+    Method::Rigid { density: 100, blend: Blend::Rigid },
     Method::Dense,
     Method::LeastSquares,
 ];
@@ -72,7 +61,6 @@ impl Method {
             Self::Paper => "paper".into(),
             Self::Rigid { density, blend: Blend::Linear } => format!("rigid {density}"),
             Self::Rigid { density, blend: Blend::Rigid } => format!("rigid {density}, rigid blend"),
-            Self::Sites { density, affine } => format!("best of {density}{}", if affine { ", affine" } else { "" }),
             Self::Dense => "dense".into(),
             Self::LeastSquares => "least squares".into(),
         }
@@ -133,7 +121,6 @@ impl Compared {
                 Method::Rigid { density, blend } => {
                     compared.by_solver(method, PoseMode::Rigid, Support::Smooth, blend, density)
                 }
-                Method::Sites { density, affine } => compared.by_sites(method, density, affine),
                 Method::Dense => Ok(compared.by_dense()),
                 Method::LeastSquares => Ok(compared.by_least_squares()),
             };
@@ -194,28 +181,6 @@ impl Compared {
         project.weighting.support = support;
         (project.pose.mode, project.pose.blend, project.pose.density) = (mode, blend, density);
         project
-    }
-
-    fn by_sites(&self, method: Method, density: u32, affine: bool) -> Result<Outcome, Error> {
-        let project = self.asking(PoseMode::Rigid, Support::Smooth, Blend::Linear, density);
-        let solution = solve(&project, &self.pose.solver_picture())?;
-        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        let dense = Dense::new(&self.fine, &vec![Some(DVec2::ZERO); self.fine.vertices.len()]);
-        let start = Instant::now();
-        let posed = best(&dense, &self.fine, &solution, &pose, &project, affine);
-        let posed = posed.unwrap_or_else(|| self.fine.vertices.clone());
-        let map = |p| self.fine.interpolated(&posed, p).unwrap_or(p);
-        Ok(Outcome {
-            method,
-            distortion: Distortion::of(&self.fine, &posed),
-            off_handles: self.off_handles(&posed, map),
-            virtual_sites: Some(solution.sites.iter().filter(|site| !site.origin.is_real()).count()),
-            sites: Vec::new(),
-            pose_ms: None,
-            frame_ms: ms_since(start),
-            turns: None,
-            posed,
-        })
     }
 
     fn by_dense(&self) -> Outcome {

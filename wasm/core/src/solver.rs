@@ -12,8 +12,8 @@ use crate::{
     error::Error,
     given_mesh::GivenMesh,
     picture::Picture,
-    pose::{HarmonicFields, Poser},
-    project::{DomainSpec, Project},
+    pose::{HarmonicFields, Poser, Quadrature},
+    project::{DomainSpec, PoseMode, Project},
     render_mesh::RenderMesh,
     request::{Request, Rest, check_size},
     sample::{Rim, Samples},
@@ -179,7 +179,9 @@ impl Solver {
         let (mut weights, phi_sums) = functions.of_samples(&sites, &samples);
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode);
+        let quadrature = (request.mode == PoseMode::Rigid)
+            .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
+        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode, quadrature);
         let rim = if outline.soft { Rim::new(&samples.mesh, &samples.outline, outline.size) } else { Rim::default() };
         let mesh = RenderMesh::new(&samples, &rim, &weights, &harmonic);
         weights.extend_as(&rim.owners);

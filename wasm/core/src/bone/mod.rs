@@ -46,6 +46,8 @@ pub(crate) struct Anchor {
 pub(crate) struct Bone {
     pub(crate) handle: u32,
     pub(crate) rest: [DVec2; 2],
+    /// Whether it is a side of a polygon.
+    pub(crate) of_loop: bool,
     joints: [u32; 2],
     /// Number of the connected bones that it is one of.
     pub(crate) body: u32,
@@ -116,7 +118,7 @@ impl Skeleton {
             leave_out(end, part[0]);
             let rest = part.map(|share| a.lerp(b, share));
             let joints = part.map(|share| self.joint(piece, share));
-            self.bones.push(Bone { handle: piece.handle, rest, joints, body: 0 });
+            self.bones.push(Bone { handle: piece.handle, rest, of_loop: line.closed, joints, body: 0 });
             end = part[1];
         }
         leave_out(end, 1.0);

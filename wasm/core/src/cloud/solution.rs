@@ -64,7 +64,7 @@ impl CloudSolution {
         }
         let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), handles.len(), mode);
+        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), handles.len(), mode, None);
         Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, cloud, poser })
     }
 

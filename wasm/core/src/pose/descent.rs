@@ -9,12 +9,8 @@ use std::collections::VecDeque;
 
 use glam::DVec2;
 
-use super::elimination::Elimination;
-
 /// Steps that are remembered. With 5 a spiral takes a quarter more turns, with 20 no fewer, but longer ones.
 const MEMORY: usize = 8;
-/// Turns at most: twice as many as 200 sites of an unrolled spiral take.
-const TURNS: usize = 120;
 /// Share of the decrease foreseen by the slope that a step must bring.
 const DECREASE: f64 = 1e-4;
 /// Relative rounding of an energy: where it drowns the decrease, the slopes decide (Hager and Zhang 2005).
@@ -30,21 +26,22 @@ struct Step {
     curvature: f64,
 }
 
-/// Lowers an energy until a step moves no place by more than `settled`. Returns the number of turns.
+/// Lowers an energy until a step moves no place by more than `settled`, or for so many turns.
 ///
-/// `energy` tells the energy at given places and writes its gradient.
+/// `solve` takes a gradient to about the step that brings it to 0. `energy` tells the energy at given places and writes its gradient.
 pub(super) fn descend(
     places: &mut Vec<DVec2>,
-    inverse: &Elimination,
+    solve: impl Fn(&mut [DVec2]),
     settled: f64,
+    turns: usize,
     mut energy: impl FnMut(&[DVec2], &mut [DVec2]) -> f64,
-) -> usize {
+) {
     let blank = vec![DVec2::ZERO; places.len()];
     let (mut gradient, mut next, mut next_gradient, mut by) = (blank.clone(), blank.clone(), blank.clone(), blank);
     let mut steps = VecDeque::with_capacity(MEMORY);
     let mut height = energy(places, &mut gradient);
-    for turn in 1..=TURNS {
-        direction(&steps, inverse, &gradient, &mut by);
+    for _ in 0..turns {
+        direction(&steps, &solve, &gradient, &mut by);
         let slope = dot(&by, &gradient);
         let farthest = by.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
         let mut length = 1.0;
@@ -60,7 +57,7 @@ pub(super) fn descend(
                 break next_height;
             }
             if shortenings == SHORTENINGS {
-                return turn;
+                return;
             }
             shortenings += 1;
             // To the lowest point of the parabola through both heights with this slope.
@@ -76,10 +73,9 @@ pub(super) fn descend(
         std::mem::swap(&mut gradient, &mut next_gradient);
         height = next_height;
         if farthest <= settled {
-            return turn;
+            return;
         }
     }
-    TURNS
 }
 
 impl Step {
@@ -99,7 +95,7 @@ impl Step {
 }
 
 /// The step that the gradient and the steps before suggest: the two loops of L-BFGS.
-fn direction(steps: &VecDeque<Step>, inverse: &Elimination, gradient: &[DVec2], by: &mut [DVec2]) {
+fn direction(steps: &VecDeque<Step>, solve: impl Fn(&mut [DVec2]), gradient: &[DVec2], by: &mut [DVec2]) {
     for (by, &gradient) in by.iter_mut().zip(gradient) {
         *by = -gradient;
     }
@@ -108,7 +104,7 @@ fn direction(steps: &VecDeque<Step>, inverse: &Elimination, gradient: &[DVec2], 
         *share = step.curvature * dot(&step.by, by);
         add(by, -*share, &step.change);
     }
-    inverse.solve(by);
+    solve(by);
     for (step, share) in steps.iter().zip(&shares) {
         add(by, share - step.curvature * dot(&step.change, by), &step.by);
     }

@@ -24,6 +24,8 @@ pub struct Motion {
 
 /// Greatest stretch, translation in pixels, and depth.
 const BOUND: f64 = 1e12;
+/// Least stretch, as a share of the greatest: a site may flatten what is around it, but not turn it over.
+const LEAST: f64 = 0.1;
 
 impl Motion {
     /// A turn and a scale above 0, the motion of a point.
@@ -72,4 +74,25 @@ impl Motion {
 pub(super) fn turn(angle: f64) -> DVec2 {
     let (sin, cos) = libm::sincos(angle);
     DVec2::new(cos, sin)
+}
+
+/// The rotation nearest to a map, and the logarithm of the stretch that is left, at least [`LEAST`] of its greatest.
+pub(super) fn polar(map: DMat2) -> (f64, Strain) {
+    let [a, b, c, d] = map.to_cols_array();
+    let (cos, sin) = (a + d, b - c);
+    // The stretch is mean · I + D, with D symmetric and of trace 0: both mean and |D| are invariant under rotation.
+    let mean = libm::hypot(cos, sin) / 2.0;
+    if mean <= f64::MIN_POSITIVE {
+        return (0.0, Strain::default());
+    }
+    let back = DVec2::new(cos, -sin) / (2.0 * mean);
+    let [x, y] = [map.x_axis, map.y_axis].map(|axis| back.rotate(axis));
+    let (half, across) = ((x.x - y.y) / 2.0, f64::midpoint(x.y, y.x));
+    let radius = libm::hypot(half, across);
+    let most = mean + radius;
+    let (long, short) = (libm::log(most), libm::log((mean - radius).max(LEAST * most)));
+    let middle = f64::midpoint(long, short);
+    let excess = if radius > 0.0 { (long - short) / (2.0 * radius) } else { 0.0 };
+    let strain = Strain { xx: middle + excess * half, xy: excess * across, yy: middle - excess * half };
+    (libm::atan2(sin, cos), strain)
 }

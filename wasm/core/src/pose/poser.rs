@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{HarmonicFields, Motion, Pose, rigid::Rigid, unwrap::unwrap_angles};
+use super::{HarmonicFields, Motion, Pose, Quadrature, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles};
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
@@ -39,12 +39,22 @@ impl Poser {
         skeleton: Skeleton,
         handles: usize,
         mode: PoseMode,
+        quadrature: Option<Quadrature>,
     ) -> Self {
         let edges = effective_links(sites, graph, harmonic);
-        let is_real = sites.iter().map(|site| site.origin.is_real()).collect();
+        let freedom = |site: &Site| match site.origin {
+            Origin::Virtual => Freedom::Whole,
+            Origin::Point { .. } => Freedom::Linear,
+            Origin::Bone { bone, .. } if !skeleton.bones[bone as usize].of_loop => {
+                let [a, b] = skeleton.bones[bone as usize].rest;
+                Freedom::Across((b - a).normalize())
+            }
+            Origin::Bone { .. } | Origin::Boundary => Freedom::None,
+        };
+        let freedom = sites.iter().map(freedom).collect();
         let rigid = match mode {
             PoseMode::Harmonic => None,
-            PoseMode::Rigid => Some(Rigid::new(is_real, graph.iter())),
+            PoseMode::Rigid => Some(Rigid::new(freedom, graph.iter(), quadrature)),
         };
         Self {
             rest: sites.iter().map(|site| site.rest).collect(),

@@ -1,33 +1,51 @@
-//! The rigid pose mode: virtual sites move so that the cell graph bends as rigidly as it can.
+//! The rigid pose mode: virtual sites move so that the picture distorts as little as it can.
 //!
-//! As-rigid-as-possible (Sorkine and Alexa 2007) on the sites alone: the motions minimise
+//! First the cell graph bends: as-rigid-as-possible (Sorkine and Alexa 2007) on the sites alone. The motions minimise
 //! Σ w_ij |(p_i − p_j) − R_i S_i (h_i − h_j)|² over the links, each from both its ends. The stretches S_i are those of the
-//! harmonic pose. Real sites stay where the handles are, with their rotation where the person set one. It needs no rotations
-//! from the person, and bends a limb as a limb bends.
+//! harmonic pose. Real sites stay where the handles are, with their rotation where the person set one. The
+//! rotations that fit given places best have a closed form, so the energy is one of the places alone; it is lowered by
+//! [`descent`](super::descent) on the factorised Laplacian.
 //!
-//! The rotations that fit given places best have a closed form, so the energy is one of the places alone; it is lowered by
-//! [`descent`](super::descent) on the factorised Laplacian. That begins at the harmonic pose, so a pose depends on nothing but
-//! the handles: not on the way they were dragged there. In the end virtual sites take the stretch of their surroundings, too: see
-//! [`tangent`](super::tangent). Cost: 200 sites take some twenty turns of 12 µs.
+//! From there the picture itself is [relaxed](super::relaxation): it needs no rotations from the person, bends as a limb bends, and
+//! folds only where it must. Points of a cloud are all there is between its sites, so a cloud keeps what its graph says.
+//!
+//! All begins at the harmonic pose, so a pose depends on nothing but the handles: not on the way they were dragged there.
 
 use std::sync::OnceLock;
 
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Motion, descent::descend, laplacian::Laplacian, motion::turn, tangent::Tangent};
+use super::{
+    Motion, Quadrature,
+    descent::descend,
+    laplacian::Laplacian,
+    motion::turn,
+    relaxation::{Freedom, Relaxation},
+};
 
-/// A turn that moves no site by more than this share of the scene's extent is the last: a ten-thousandth of a pixel.
+/// A turn that moves no site by more than this share of the scene's extent is the last of the graph's: a pixel of a large picture.
+/// What is relaxed from there is hardly worse than from a ten-thousandth of it.
+const BENT: f64 = 1e-3;
+/// The same where nothing is relaxed: a ten-thousandth of a pixel.
 const SETTLED: f64 = 1e-7;
+/// The same of relaxing: a hundredth of a pixel.
+const RELAXED: f64 = 1e-5;
+/// Turns of the graph at most: twice as many as 200 sites of an unrolled spiral take.
+const TURNS: usize = 120;
 
-/// The links between sites.
+/// How sites hang together, and the picture between them.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rigid {
     links: Vec<(u32, u32, f64)>,
-    is_real: Vec<bool>,
+    freedom: Vec<Freedom>,
+    quadrature: Option<Quadrature>,
     /// Made when the first pose asks for it: it is several times the size of the links, and as quickly made as read.
     #[serde(skip)]
     laplacian: OnceLock<Laplacian>,
+    /// Likewise.
+    #[serde(skip)]
+    relaxation: OnceLock<Relaxation>,
 }
 
 /// A link of one pose.
@@ -39,15 +57,21 @@ struct Edge {
 }
 
 impl Rigid {
-    pub(super) fn new(is_real: Vec<bool>, links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
+    pub(super) fn new(
+        freedom: Vec<Freedom>,
+        links: impl Iterator<Item = (usize, usize, f64)>,
+        quadrature: Option<Quadrature>,
+    ) -> Self {
         let links = links.map(|(i, j, weight)| (i as u32, j as u32, weight)).collect();
-        Self { links, is_real, laplacian: OnceLock::new() }
+        Self { links, freedom, quadrature, laplacian: OnceLock::new(), relaxation: OnceLock::new() }
     }
 
     /// Whether it is made for so many sites: to be asked of what came from elsewhere.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
         let known = |&(i, j, weight): &(u32, u32, f64)| i < j && (j as usize) < sites && (0.0..=1.0).contains(&weight);
-        self.is_real.len() == sites && self.links.iter().all(known)
+        self.freedom.len() == sites
+            && self.links.iter().all(known)
+            && self.quadrature.as_ref().is_none_or(|quadrature| quadrature.is_whole(sites))
     }
 
     /// The links, with their weights.
@@ -57,12 +81,31 @@ impl Rigid {
 
     /// Takes the harmonic motions to rigid ones. `is_free` tells of each site whether its rotation is to be found.
     pub(super) fn settle(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool]) {
-        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&self.is_real, self.links()));
+        if rest.is_empty() {
+            return;
+        }
+        let stretch: Vec<DMat2> = motions.iter().map(|motion| motion.strain.stretch()).collect();
+        let (low, high) = rest.iter().fold((rest[0], rest[0]), |(low, high), &h| (low.min(h), high.max(h)));
+        let extent = (high - low).length();
+        let relaxation = self
+            .quadrature
+            .as_ref()
+            .map(|quadrature| self.relaxation.get_or_init(|| Relaxation::new(quadrature, rest, &self.freedom)));
+        let bent = if relaxation.is_some() { BENT } else { SETTLED };
+        self.bend(rest, motions, is_free, &stretch, bent * extent);
+        if let Some(relaxation) = relaxation {
+            relaxation.settle(rest, motions, is_free, &stretch, RELAXED * extent);
+        }
+    }
+
+    /// Lets the graph bend until no site moves by more than `settled`.
+    fn bend(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], stretch: &[DMat2], settled: f64) {
+        let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
+        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
         let free = &laplacian.free;
         if free.is_empty() {
             return;
         }
-        let stretch: Vec<DMat2> = motions.iter().map(|motion| motion.strain.stretch()).collect();
         let edge = |(i, j, weight): (usize, usize, f64)| {
             let at_rest = rest[j] - rest[i];
             Edge { sites: [i, j], weight, rest: [stretch[i] * at_rest, stretch[j] * at_rest] }
@@ -75,25 +118,15 @@ impl Rigid {
             forces: vec![DVec2::ZERO; rest.len()],
             is_free,
         };
-        let (low, high) = rest.iter().fold((rest[0], rest[0]), |(low, high), &h| (low.min(h), high.max(h)));
-        let settled = SETTLED * (high - low).length();
         let mut places: Vec<DVec2> = free.iter().map(|&site| bending.posed[site as usize]).collect();
-        descend(&mut places, &laplacian.inverse, settled, |places, gradient| bending.energy(free, places, gradient));
+        let solve = |values: &mut [DVec2]| laplacian.inverse.solve(values);
+        descend(&mut places, solve, settled, TURNS, |places, gradient| bending.energy(free, places, gradient));
         bending.energy(free, &places, &mut vec![DVec2::ZERO; places.len()]);
         for (site, motion) in motions.iter_mut().enumerate() {
             motion.translation = bending.posed[site] - rest[site];
             if is_free[site] {
                 motion.angle = libm::atan2(bending.turns[site].y, bending.turns[site].x);
             }
-        }
-        let mut tangents = vec![Tangent::NONE; rest.len()];
-        for (i, j, weight) in self.links() {
-            for site in [i, j] {
-                tangents[site].add(weight, rest[j] - rest[i], bending.posed[j] - bending.posed[i]);
-            }
-        }
-        for &site in free {
-            tangents[site as usize].bend(&mut motions[site as usize]);
         }
     }
 }

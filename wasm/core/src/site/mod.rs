@@ -1,6 +1,7 @@
 //! Sites: the origins h_i of real handles, and the virtual ones that Algorithm 1 adds (paper, sections III-B and IV-A).
 
 mod cells;
+mod contacts;
 mod farthest;
 mod graph;
 mod regions;

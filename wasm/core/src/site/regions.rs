@@ -160,7 +160,7 @@ impl<'a> Regions<'a> {
     }
 
     /// The body that a site is part of.
-    fn body(&self, origin: Origin) -> Option<u32> {
+    pub(super) fn body(&self, origin: Origin) -> Option<u32> {
         match origin {
             Origin::Bone { bone, .. } => Some(self.obstacles.skeleton.bones[bone as usize].body),
             Origin::Boundary => Some(BOUNDARY),

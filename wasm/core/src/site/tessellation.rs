@@ -9,13 +9,15 @@
 //! to any site is not inserted: the bone gets a site there instead, as in Ruppert's Delaunay refinement (1995) a segment is
 //! split that a new vertex encroaches on. Without this, ever smaller sites would crowd before the gaps.
 //!
-//! Sites of a bone stand clear of its ends by half a gap, and so the same distance apart across a joint.
+//! Sites of a bone stand clear of its ends by half a gap, and so the same distance apart across a joint. At the joint itself one
+//! would be of one bone, and the other would get none.
 
 use glam::DVec2;
 
 use super::{
     MAX_SITES, Origin,
     regions::{FarPoint, Regions},
+    virtual_sites::TIE,
 };
 use crate::{
     distance::{Navigation, Place},
@@ -78,6 +80,12 @@ impl Chain {
         };
         let sharp: Vec<f64> = (0..n).filter(|&i| turns(i)).map(|i| self.lengths[i]).collect();
         if sharp.is_empty() { self.lengths[..n].to_vec() } else { sharp }
+    }
+
+    /// The place nearest to one `length` along the line that is clear of both ends, as a third of what is free there is.
+    fn clear_of_ends(&self, length: f64) -> f64 {
+        let (first, last) = (self.sites[0].0, self.sites[self.sites.len() - 1].0);
+        if self.closed { length } else { length.clamp(first / 3.0, self.length() - (self.length() - last) / 3.0) }
     }
 
     /// The place of the line that is nearest to a point: its straight distance, and the length of the line before it.
@@ -196,36 +204,43 @@ impl Regions<'_> {
     pub(super) fn insert_virtual(&mut self, points: &[FarPoint]) -> Result<usize, Error> {
         let (mut sites, mut count) = (Vec::new(), 0);
         for point in points {
-            if let Some((chain, length)) = self.encroached_on(point) {
-                let site = NewSite::of_chain(self.navigation, (chain, &self.chains[chain]), length);
-                sites.push(site);
-            } else {
+            let encroached = self.encroached_on(point);
+            if encroached.is_empty() {
                 count += 1;
                 sites.push(NewSite { rest: point.at, place: point.place, origin: Origin::Virtual, on_chain: None });
+            }
+            for (chain, length) in encroached {
+                sites.push(NewSite::of_chain(self.navigation, (chain, &self.chains[chain]), length));
             }
         }
         self.insert_from_top(sites)?;
         Ok(count)
     }
 
-    /// The chain that a virtual site would be too near to, and the length of it before the nearest place.
-    fn encroached_on(&mut self, point: &FarPoint) -> Option<(usize, f64)> {
+    /// The chain that a virtual site would be too near to, and the length of it before the nearest place that may have a site. Several
+    /// where they are as near.
+    fn encroached_on(&mut self, point: &FarPoint) -> Vec<(usize, f64)> {
         let clear = CLEAR * point.distance;
         let is_near = |(at, chain): (usize, &Chain)| {
             let (distance, length) = chain.nearest(point.at);
+            let length = chain.clear_of_ends(length);
             let near = distance < clear && !chain.has_site_near(length, THERE * point.distance);
-            near.then_some((at, length))
+            near.then_some((at, length, distance))
         };
-        let near: Vec<(usize, f64)> = self.chains.iter().enumerate().filter_map(is_near).collect();
+        let mut near: Vec<(usize, f64, f64)> = self.chains.iter().enumerate().filter_map(is_near).collect();
         if near.is_empty() {
-            return None;
+            return Vec::new();
         }
         let field = self.field(point.at, point.place, clear);
-        near.into_iter().find(|&(at, _)| match self.chains[at].origin {
-            Origin::Bone { bone, .. } => self.obstacles.tracks[bone as usize].distance(&field) < clear,
+        for (at, _, distance) in &mut near {
             // Nothing is between a point and the nearest of the outline.
-            _ => true,
-        })
+            if let Origin::Bone { bone, .. } = self.chains[*at].origin {
+                *distance = self.obstacles.tracks[bone as usize].distance(&field);
+            }
+        }
+        let least = near.iter().fold(clear, |least, &(.., distance)| least.min(distance));
+        near.retain(|&(.., distance)| distance < clear && distance <= least * (1.0 + TIE));
+        near.into_iter().map(|(at, length, _)| (at, length)).collect()
     }
 
     fn insert_from_top(&mut self, mut sites: Vec<NewSite>) -> Result<(), Error> {

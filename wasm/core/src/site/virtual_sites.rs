@@ -11,7 +11,11 @@
 //! from a real site; so sites cannot crowd without end. Between two handles 10 px and 0.01 px apart on a picture of 1,000 px
 //! the number of virtual sites grows from some 90 to some 300.
 
-use super::regions::{FarPoint, Regions};
+use super::{
+    Site,
+    contacts::Contacts,
+    regions::{FarPoint, Regions},
+};
 use crate::error::Error;
 
 /// Scores and radii this near to one another, relatively, are tied: far above rounding, far below what anyone places.
@@ -22,12 +26,17 @@ const MARGIN: f64 = 0.05;
 /// Tied points closer than this share of their distance to all sites would crowd each other.
 const CROWDED: f64 = 0.5;
 
+/// How much a contact of half a width counts for beside a cell of that radius around a handle. With 1.5 in place of 2 handles
+/// that are near one another need half as many sites again to be bent as rigidly; with 3, sites are missing elsewhere.
+const CONTACT: f64 = 1.5;
+
 /// The score δ(h_i) / r_d(h_i) of the worst cell in each round (the paper's figure 3, right).
 pub(crate) type Scores = Vec<f64>;
 
 /// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
 ///
-/// Further sites enter at the farthest points of the largest cells until there are `density` virtual ones.
+/// Further sites enter where they bend the picture most, until there are `density` virtual ones: between handles, where the gap is
+/// [widest](Contacts), and at the farthest points of cells that are [large](grown) for how far handles are.
 ///
 /// # Errors
 /// [`Error::TooManySites`].
@@ -35,16 +44,18 @@ pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Res
     let mut scores = Scores::new();
     let limit = allowed_score();
     let mut inserted = 0;
+    let mut contacts = Contacts::default();
     loop {
         // Bones first: on them nothing virtual may stand.
         regions.tessellate()?;
-        let worst = greatest(regions, score);
+        let worst = greatest(regions, score_of);
         scores.push(worst);
         let points = if worst > limit {
-            tied_farthest(regions, score, worst)
+            tied_farthest(regions, score_of, worst)
         } else if inserted < density && !regions.sites.is_empty() {
-            let radius = greatest(regions, size);
-            tied_farthest(regions, size, radius)
+            let (largest, widest) = (greatest(regions, grown), contacts.widest(regions));
+            let is_wider = widest.first().is_some_and(|point| CONTACT * point.distance.sqrt() > largest);
+            if is_wider { spread_out(regions, widest) } else { tied_farthest(regions, grown, largest) }
         } else {
             return Ok(scores);
         };
@@ -58,17 +69,23 @@ pub(crate) fn allowed_score() -> f64 {
     1.0 - 1.0 / (1.0 - MARGIN)
 }
 
-/// By what cells compete to be divided, from their radius and their site's limit.
-type Rank = fn(f64, f64) -> f64;
+/// By what cells compete to be divided, from their radius and their site.
+type Rank = fn(f64, &Site) -> f64;
 
 /// Algorithm 1's score, δ / r_d.
 pub(crate) fn score(radius: f64, limit: f64) -> f64 {
     if radius > 0.0 { 1.0 - limit / radius } else { f64::NEG_INFINITY }
 }
 
-/// The cell's radius: for sites beyond those that Algorithm 1 needs.
-fn size(radius: f64, _limit: f64) -> f64 {
-    radius
+fn score_of(radius: f64, site: &Site) -> f64 {
+    score(radius, site.reach_limit())
+}
+
+/// For sites beyond those that Algorithm 1 needs: cells grow with the root of the distance to the next handle. What is pulled
+/// out of place is bent in inverse proportion to that distance, about; cells that grow with the distance itself would crowd around handles.
+fn grown(radius: f64, site: &Site) -> f64 {
+    let from_handle = if site.origin.is_real() { radius } else { site.clearance };
+    if from_handle > 0.0 && from_handle.is_finite() { radius / from_handle.sqrt() } else { radius }
 }
 
 /// The greatest rank of all cells. Farthest points are sought only in cells that may have it.
@@ -78,7 +95,7 @@ fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
         for site in 0..regions.sites.len() {
             let known = regions.known_farthest(site).map(|points| points[0].distance);
             let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
-            let rank = rank(radius, regions.sites[site].reach_limit());
+            let rank = rank(radius, &regions.sites[site]);
             if rank > worst.0 {
                 worst = (rank, known.is_none().then_some(site));
             }
@@ -93,7 +110,7 @@ fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
 /// The farthest points of all cells whose rank is tied with the greatest, in an order that does not depend on the sites'.
 fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoint> {
     let tied = |regions: &Regions, site: usize, radius: f64| {
-        rank(radius, regions.sites[site].reach_limit()) >= greatest - TIE * greatest.abs()
+        rank(radius, &regions.sites[site]) >= greatest - TIE * greatest.abs()
     };
     let mut points: Vec<FarPoint> = Vec::new();
     for site in 0..regions.sites.len() {
@@ -108,14 +125,14 @@ fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoi
             }
         }
     }
-    points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
-    spread_out(regions, &points)
+    spread_out(regions, points)
 }
 
 /// Replaces tied points that crowd each other by the one in their middle, or, where that is no good, by some of them.
-fn spread_out(regions: &Regions, points: &[FarPoint]) -> Vec<FarPoint> {
+fn spread_out(regions: &Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
+    points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
     let mut groups: Vec<Vec<FarPoint>> = Vec::new();
-    for &point in points {
+    for point in points {
         let crowds = |group: &Vec<FarPoint>| {
             group.iter().any(|other| other.at.distance(point.at) < CROWDED * point.distance.min(other.distance))
         };
