@@ -1,5 +1,7 @@
 //! The distance from one source to any point, in closed form.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::Place;
@@ -91,8 +93,17 @@ impl DistanceField {
     /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
     #[must_use]
     pub fn distance(&self, place: Place, p: DVec2) -> f64 {
+        self.distance_by(self.windows_in(place), p)
+    }
+
+    /// The same for a point in a place whose windows, those of [`windows_within`](Self::windows_within), are at hand.
+    pub(crate) fn distance_in(&self, windows: Range<u32>, p: DVec2) -> f64 {
+        self.distance_by(&self.windows[windows.start as usize..windows.end as usize], p)
+    }
+
+    fn distance_by(&self, windows: &[Window], p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
-        for window in self.windows_in(place) {
+        for window in windows {
             if window.nearest >= best {
                 break;
             }
@@ -107,8 +118,17 @@ impl DistanceField {
     /// The last piece of the shortest path to a point, if the distance is within the bound.
     #[must_use]
     pub fn foot(&self, place: Place, p: DVec2) -> Option<Foot> {
+        self.foot_by(self.windows_in(place), p)
+    }
+
+    /// The same for a point in a place whose windows are at hand.
+    pub(crate) fn foot_in(&self, windows: Range<u32>, p: DVec2) -> Option<Foot> {
+        self.foot_by(&self.windows[windows.start as usize..windows.end as usize], p)
+    }
+
+    fn foot_by(&self, windows: &[Window], p: DVec2) -> Option<Foot> {
         let mut best: Option<Foot> = None;
-        for window in self.windows_in(place) {
+        for window in windows {
             let least = best.map_or(f64::INFINITY, |foot| foot.distance);
             if window.nearest >= least {
                 break;
@@ -136,21 +156,26 @@ impl DistanceField {
         if best <= self.bound { best } else { f64::INFINITY }
     }
 
-    /// Triangles that hold a point nearer than `radius`, ascending; perhaps some more.
-    pub(crate) fn triangles_within(&self, radius: f64) -> impl Iterator<Item = u32> + '_ {
-        let nearest = move |&&(_, start): &&(u32, u32)| self.windows[start as usize].nearest < radius;
-        self.triangles.iter().filter(nearest).map(|&(triangle, _)| triangle)
+    /// Triangles that hold a point nearer than `radius`, ascending, and the windows of each; perhaps some more.
+    pub(crate) fn windows_within(&self, radius: f64) -> impl Iterator<Item = (u32, Range<u32>)> + '_ {
+        let nearest = move |(_, windows): &(u32, Range<u32>)| self.windows[windows.start as usize].nearest < radius;
+        (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.windows_of(at))).filter(nearest)
     }
 
     fn windows_in(&self, place: Place) -> &[Window] {
         match self.triangles.binary_search_by_key(&place.0, |&(triangle, _)| triangle) {
             Ok(at) => {
-                let start = self.triangles[at].1 as usize;
-                let end = self.triangles.get(at + 1).map_or(self.windows.len(), |&(_, start)| start as usize);
-                &self.windows[start..end]
+                let range = self.windows_of(at);
+                &self.windows[range.start as usize..range.end as usize]
             }
             Err(_) => &[],
         }
+    }
+
+    /// The windows of a triangle of the list.
+    fn windows_of(&self, at: usize) -> Range<u32> {
+        let end = self.triangles.get(at + 1).map_or(self.windows.len() as u32, |&(_, start)| start);
+        self.triangles[at].1..end
     }
 
     /// Bytes held on the heap.

@@ -1,5 +1,8 @@
 //! The weights of many points, as compressed sparse rows.
 
+/// Supports over a point on average that there is room for at once: as many as the paper's rule makes; the smooth one, more.
+const COVER: usize = 3;
+
 /// Weights of points: row `p` holds the sites that move point `p` and their weights, ascending by site.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SparseWeights {
@@ -12,6 +15,28 @@ pub struct SparseWeights {
 }
 
 impl SparseWeights {
+    /// No points yet, with room for the rows of some.
+    pub(crate) fn with_capacity(points: usize) -> Self {
+        let mut offsets = Vec::with_capacity(points + 1);
+        offsets.push(0);
+        Self { offsets, sites: Vec::with_capacity(COVER * points), weights: Vec::with_capacity(COVER * points) }
+    }
+
+    /// Adds a point: the sites that reach it, ascending, with their φ. Tells Σφ.
+    pub(crate) fn push_normalised(&mut self, row: impl Iterator<Item = (u32, f64)>) -> f64 {
+        let (start, mut sum) = (self.sites.len(), 0.0);
+        for (site, phi) in row {
+            self.sites.push(site);
+            self.weights.push(phi);
+            sum += phi;
+        }
+        for weight in &mut self.weights[start..] {
+            *weight /= sum;
+        }
+        self.offsets.push(self.sites.len() as u32);
+        sum
+    }
+
     /// Normalises `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points.
     pub(crate) fn normalised(points: usize, by_site: &[Vec<(u32, f64)>]) -> (Self, Vec<f64>) {
         let mut offsets = vec![0_u32; points + 1];
