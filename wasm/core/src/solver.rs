@@ -19,7 +19,7 @@ use crate::{
     sample::{Rim, Samples},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
-    weight::{Basis, Weights, field_bound, support_radii},
+    weight::{Basis, Swept, Weights, field_bound, support_radii},
 };
 
 /// A part of the solve. Between two of them a caller may look for newer requests.
@@ -176,7 +176,7 @@ impl Solver {
         }
         let basis = Basis::new(weighting.degree, weighting.filling);
         let functions = Weights::new(navigation, &sites, &skeleton, basis);
-        let (mut weights, phi_sums) = functions.of_samples(&sites, &samples);
+        let Swept { mut weights, sums: phi_sums, .. } = functions.of_samples(&sites, &samples);
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode);

@@ -9,7 +9,7 @@ use crate::segment::segment_distance;
 
 /// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray
 /// must fall into one of them whatever the rounding. A path that cuts a corner by this much is shorter by at most as much.
-const WINDOW_SLACK: f64 = 1e-9;
+pub(crate) const WINDOW_SLACK: f64 = 1e-9;
 
 /// What a pseudo-source sees of one triangle: a cone of directions (Mitchell et al.'s interval of optimality).
 #[derive(Debug, Clone, Copy)]
@@ -93,17 +93,8 @@ impl DistanceField {
     /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
     #[must_use]
     pub fn distance(&self, place: Place, p: DVec2) -> f64 {
-        self.distance_by(self.windows_in(place), p)
-    }
-
-    /// The same for a point in a place whose windows, those of [`windows_within`](Self::windows_within), are at hand.
-    pub(crate) fn distance_in(&self, windows: Range<u32>, p: DVec2) -> f64 {
-        self.distance_by(&self.windows[windows.start as usize..windows.end as usize], p)
-    }
-
-    fn distance_by(&self, windows: &[Window], p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
-        for window in windows {
+        for window in self.windows_in(place) {
             if window.nearest >= best {
                 break;
             }
@@ -118,15 +109,11 @@ impl DistanceField {
     /// The last piece of the shortest path to a point, if the distance is within the bound.
     #[must_use]
     pub fn foot(&self, place: Place, p: DVec2) -> Option<Foot> {
-        self.foot_by(self.windows_in(place), p)
+        self.foot_in(self.windows_in(place), p)
     }
 
     /// The same for a point in a place whose windows are at hand.
-    pub(crate) fn foot_in(&self, windows: Range<u32>, p: DVec2) -> Option<Foot> {
-        self.foot_by(&self.windows[windows.start as usize..windows.end as usize], p)
-    }
-
-    fn foot_by(&self, windows: &[Window], p: DVec2) -> Option<Foot> {
+    pub(crate) fn foot_in(&self, windows: &[Window], p: DVec2) -> Option<Foot> {
         let mut best: Option<Foot> = None;
         for window in windows {
             let least = best.map_or(f64::INFINITY, |foot| foot.distance);
@@ -164,12 +151,14 @@ impl DistanceField {
 
     fn windows_in(&self, place: Place) -> &[Window] {
         match self.triangles.binary_search_by_key(&place.0, |&(triangle, _)| triangle) {
-            Ok(at) => {
-                let range = self.windows_of(at);
-                &self.windows[range.start as usize..range.end as usize]
-            }
+            Ok(at) => self.windows(self.windows_of(at)),
             Err(_) => &[],
         }
+    }
+
+    /// Windows of a triangle, as told by [`windows_within`](Self::windows_within).
+    pub(crate) fn windows(&self, range: Range<u32>) -> &[Window] {
+        &self.windows[range.start as usize..range.end as usize]
     }
 
     /// The windows of a triangle of the list.

@@ -64,6 +64,8 @@ impl Samples {
         let taken = vertices.len();
         vertices.extend(lattice::inner_points(domain, sites, bones, spacing, &vertices[..taken], &points.segments));
         refine::add_patches(&mut vertices, &patches, navigation, domain);
+        // What asks about samples in turn then asks for the same place again and again.
+        vertices[taken..].sort_by_cached_key(|&p| navigation.place(p).map(|place| place.0));
         let mesh = Triangulation::constrained_delaunay(vertices, points.segments);
         Self::from_mesh(mesh, navigation, points.rings, at_sites, spacing)
     }

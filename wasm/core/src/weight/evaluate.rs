@@ -4,7 +4,11 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::{Basis, SparseWeights, sharing::Sharing};
+use super::{
+    Basis,
+    sharing::Sharing,
+    sweep::{Swept, sweep},
+};
 use crate::{
     bone::Skeleton,
     distance::{Navigation, Place},
@@ -76,7 +80,7 @@ impl Weights {
             if rest.distance_squared(p) >= radius * radius {
                 continue;
             }
-            let Some(foot) = field.foot_in(windows.clone(), p).filter(|foot| foot.distance < radius) else { continue };
+            let Some(foot) = field.foot_in(field.windows(windows.clone()), p).filter(|foot| foot.distance < radius) else { continue };
             let t = foot.distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
             let gradient = slope * (p - foot.pseudo_source).normalize_or_zero();
@@ -92,28 +96,14 @@ impl Weights {
         influences
     }
 
-    /// The weights of all samples, and Σφ at each.
-    ///
-    /// One sweep in the samples' own order, in which those of a triangle mostly follow one another. Cost: one evaluation for
-    /// each sample and support that covers it, or is cut off from it by the outline alone.
-    pub(crate) fn of_samples(&self, sites: &[Site], samples: &Samples) -> (SparseWeights, Vec<f64>) {
-        let mut weights = SparseWeights::with_capacity(samples.len());
-        let mut sums = Vec::with_capacity(samples.len());
-        for (&place, &p) in samples.places.iter().zip(&samples.mesh.vertices) {
+    /// The weights of all samples.
+    pub(crate) fn of_samples(&self, sites: &[Site], samples: &Samples) -> Swept {
+        let mut swept = sweep(sites, samples, &self.basis, |place| {
             let reaching = self.reaching_in(place).iter();
-            let row = reaching.filter_map(|Reaching { site, windows }| {
-                let Site { rest, support_radius: radius, field, .. } = &sites[*site as usize];
-                // No path is shorter than the straight line.
-                if rest.distance_squared(p) >= radius * radius {
-                    return None;
-                }
-                let d = field.distance_in(windows.clone(), p);
-                (d < *radius).then(|| (*site, self.basis.value(d / radius)))
-            });
-            sums.push(weights.push_normalised(row));
-        }
-        self.sharing.share_out_rows(&samples.mesh.vertices, &mut weights);
-        (weights, sums)
+            reaching.map(|Reaching { site, windows }| (*site, sites[*site as usize].field.windows(windows.clone())))
+        });
+        self.sharing.share_out_rows(&samples.mesh.vertices, &mut swept.weights);
+        swept
     }
 
     fn reaching_in(&self, place: Place) -> &[Reaching] {
