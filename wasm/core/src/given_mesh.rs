@@ -108,11 +108,8 @@ impl GivenMesh {
 
     /// The samples that the vertices are.
     pub(crate) fn samples(&self) -> Samples {
-        let mut samples =
-            Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), Vec::new(), 0.0);
-        // Nothing is known of the distance between vertices but its limit.
-        samples.spacing = samples.longest_edge;
-        samples
+        // Nothing is known of the distance between vertices.
+        Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), f64::NAN)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::{
     project::{DomainSpec, Project},
     render_mesh::RenderMesh,
     request::{Request, Rest, check_size},
-    sample::{Rim, Samples},
+    sample::{Ground, Rim, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
     weight::{Basis, Swept, Weights, field_bound, support_radii},
@@ -48,10 +48,13 @@ impl Stage {
     }
 }
 
-/// Solves projects of one picture, stage by stage, and keeps the picture's outline for the next solve.
+/// Solves projects of one picture, stage by stage, and keeps for the next solve what does not depend on point handles: the
+/// picture's outline, and the ground of samples and scouts.
 #[derive(Debug, Default)]
 pub struct Solver {
     outline: Option<(DomainKey, Arc<Outline>)>,
+    ground: Option<Ground>,
+    scouts_ground: Option<Ground>,
     propagation: Propagation,
     work: Option<Work>,
     solution: Option<(DomainKey, Request, Solution)>,
@@ -75,12 +78,12 @@ type DomainKey = Option<DomainSpec>;
 struct Work {
     request: Request,
     rest: Option<Rest>,
-    samples: Option<Samples>,
+    samples: Option<(Samples, Scouts)>,
     regions: Option<Divided>,
 }
 
-/// Sites, the nearest one of each sample, and the scores of Algorithm 1.
-type Divided = (Vec<Site>, Vec<u32>, Vec<f64>);
+/// Sites, and the scores of Algorithm 1.
+type Divided = (Vec<Site>, Vec<f64>);
 
 impl Solver {
     /// A solver that has solved nothing yet.
@@ -102,6 +105,7 @@ impl Solver {
         if self.outline.as_ref().is_none_or(|(key, _)| *key != project.domain) {
             let outline = Outline::new(project.domain.as_ref(), picture)?;
             self.outline = Some((project.domain.clone(), Arc::new(outline)));
+            (self.ground, self.scouts_ground) = (None, None);
         }
         self.work = Some(Work { request, rest: None, samples: None, regions: None });
         Ok(())
@@ -121,14 +125,13 @@ impl Solver {
                 Stage::Domain
             }
             (Some(rest), None, _) => {
-                let points: Vec<DVec2> = rest.points.iter().map(|&(rest, ..)| rest).collect();
-                let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
-                let count = work.request.samples;
-                work.samples = Some(Samples::new(&outline.domain, &outline.navigation, &points, &bones, count));
+                let ground = ground(&mut self.ground, &outline, rest, work.request.samples);
+                let samples = ground.with_sites(&outline.domain, &outline.navigation, &rest.sites());
+                work.samples = Some((samples, self.scouts(&outline, rest, &work.request)));
                 Stage::Sampling
             }
-            (Some(rest), Some(samples), None) => {
-                work.regions = Some(self.divide(&outline, samples, rest, &work.request)?);
+            (Some(rest), Some((_, scouts)), None) => {
+                work.regions = Some(self.divide(&outline, scouts, rest, &work.request)?);
                 Stage::Regions
             }
             _ => {
@@ -141,10 +144,16 @@ impl Solver {
         Ok(Some(stage))
     }
 
+    fn scouts(&mut self, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
+        let sites = rest.sites();
+        let ground = ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.density));
+        Scouts::new(ground, &outline.domain, &outline.navigation, &sites)
+    }
+
     fn divide(
         &mut self,
         outline: &Outline,
-        samples: &Samples,
+        scouts: &Scouts,
         rest: &Rest,
         request: &Request,
     ) -> Result<Divided, Error> {
@@ -152,18 +161,17 @@ impl Solver {
         let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
         let held = request.fix_boundary.then_some(&outline.domain);
         let obstacles = Obstacles { skeleton, tracks, held };
-        let mut regions = Regions::new(navigation, samples, &obstacles, &mut self.propagation);
+        let mut regions = Regions::new(navigation, scouts, &obstacles, &mut self.propagation);
         regions.insert_real_sites(&rest.points)?;
         let scores = insert_virtual_sites(&mut regions, request.density)?;
-        let (sites, nearest) = regions.finished();
-        Ok((sites, nearest, scores))
+        Ok((regions.finished(), scores))
     }
 
     fn finish(&mut self, work: Work, outline: Arc<Outline>) -> Solution {
         let Work { request, rest, samples, regions } = work;
         let Rest { skeleton, outside, .. } = rest.expect("checked in an earlier stage");
-        let samples = samples.expect("sampled in an earlier stage");
-        let (mut sites, nearest, scores) = regions.expect("divided in an earlier stage");
+        let (samples, _) = samples.expect("sampled in an earlier stage");
+        let (mut sites, scores) = regions.expect("divided in an earlier stage");
         let (navigation, weighting) = (&outline.navigation, &request.weighting);
         for site in &mut sites {
             let bound = field_bound(weighting, site).max(SiteGraph::field_bound(site.cell_radius));
@@ -176,7 +184,7 @@ impl Solver {
         }
         let basis = Basis::new(weighting.degree, weighting.filling);
         let functions = Weights::new(navigation, &sites, &skeleton, basis);
-        let Swept { mut weights, sums: phi_sums, .. } = functions.of_samples(&sites, &samples);
+        let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(&sites, &samples);
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode);
@@ -225,6 +233,15 @@ impl Solver {
     }
 }
 
+/// The ground of samples that is known, or another where it is not the one that is wanted.
+fn ground<'a>(known: &'a mut Option<Ground>, outline: &Outline, rest: &Rest, count: usize) -> &'a Ground {
+    let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
+    if known.as_ref().is_some_and(|ground| !ground.is_for(&bones, count)) {
+        *known = None;
+    }
+    known.get_or_insert_with(|| Ground::new(&outline.domain, &outline.navigation, &bones, count))
+}
+
 /// Solves a project at once.
 ///
 /// # Errors
@@ -245,15 +262,11 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error> {
     let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
-    let samples = mesh.samples();
     let rest = request.rest(&outline)?;
-    // Outline and mesh agree within rounding only, beside which a handle may stand.
-    if let Some(&(p, _, handle)) = rest.points.iter().find(|(p, ..)| samples.around(*p).is_none()) {
-        return Err(Error::HandleOutside { id: project.handles[handle as usize].id.clone(), x: p.x, y: p.y });
-    }
     let mut solver = Solver::new();
-    let regions = solver.divide(&outline, &samples, &rest, &request)?;
-    let work = Work { request, rest: Some(rest), samples: Some(samples), regions: Some(regions) };
+    let scouts = solver.scouts(&outline, &rest, &request);
+    let regions = solver.divide(&outline, &scouts, &rest, &request)?;
+    let work = Work { request, rest: Some(rest), samples: Some((mesh.samples(), scouts)), regions: Some(regions) };
     Ok(solver.finish(work, outline))
 }
 

@@ -3,9 +3,9 @@
 //! Cells are kept while sites are added: a new site takes over the samples around it that it is nearer to, and nothing
 //! else is looked at. Cost of an insertion: its cell, a margin of one sample around it, and the cells it takes from.
 
-use crate::{sample::Samples, triangulation::NONE};
+use crate::{sample::Scouts, triangulation::NONE};
 
-/// The cells of all sites, over the samples.
+/// The cells of all sites, over the scouts.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cells {
     /// The nearest site of each sample; [`NONE`] on an island without sites.
@@ -24,19 +24,19 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    pub(crate) fn new(samples: usize) -> Self {
+    pub(crate) fn new(scouts: usize) -> Self {
         Self {
-            nearest: vec![NONE; samples],
-            distance: vec![f64::INFINITY; samples],
-            next: vec![NONE; samples],
-            seen: vec![0; samples],
+            nearest: vec![NONE; scouts],
+            distance: vec![f64::INFINITY; scouts],
+            next: vec![NONE; scouts],
+            seen: vec![0; scouts],
             ..Self::default()
         }
     }
 
     /// Gives a new site its cell: the samples nearer to it than to all before. `start` are samples around the site and
     /// `distance` tells how far a sample is from it.
-    pub(crate) fn insert(&mut self, samples: &Samples, start: [u32; 3], distance: impl Fn(usize) -> f64) {
+    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], distance: impl Fn(usize) -> f64) {
         let site = self.first.len() as u32;
         self.first.push(NONE);
         self.farthest.push(NONE);
@@ -52,8 +52,8 @@ impl Cells {
             self.seen[at] = self.insertions;
             let (d, known) = (distance(at), self.distance[at]);
             // The path to a sample of the cell crosses triangles, none of whose corners is farther from it than an edge.
-            if d < known + 2.0 * samples.reach[at] {
-                self.stack.extend(samples.graph.of(at));
+            if d < known + 2.0 * scouts.reach[at] {
+                self.stack.extend(scouts.graph.of(at));
             }
             if d < known {
                 let loser = self.nearest[at];

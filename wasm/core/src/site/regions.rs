@@ -7,7 +7,7 @@ use crate::{
     bone::{Skeleton, Track},
     distance::{DistanceField, Navigation, Place, Propagation},
     domain::Domain,
-    sample::Samples,
+    sample::Scouts,
     triangulation::NONE,
 };
 
@@ -50,7 +50,7 @@ pub(super) enum Far {
 /// All sites with their distance fields and cells.
 pub(crate) struct Regions<'a> {
     pub(crate) navigation: &'a Navigation,
-    pub(crate) samples: &'a Samples,
+    pub(crate) scouts: &'a Scouts,
     pub(super) obstacles: &'a Obstacles<'a>,
     pub(crate) sites: Vec<Site>,
     pub(super) chains: Vec<Chain>,
@@ -65,20 +65,20 @@ pub(crate) struct Regions<'a> {
 impl<'a> Regions<'a> {
     pub(crate) fn new(
         navigation: &'a Navigation,
-        samples: &'a Samples,
+        scouts: &'a Scouts,
         obstacles: &'a Obstacles<'a>,
         propagation: &'a mut Propagation,
     ) -> Self {
-        let mut along = vec![[NONE; 2]; samples.len()];
-        for ring in &samples.outline {
+        let mut along = vec![[NONE; 2]; scouts.len()];
+        for ring in &scouts.outline {
             let n = ring.len();
             for i in 0..n {
                 along[ring[i] as usize] = [ring[(i + n - 1) % n], ring[(i + 1) % n]];
             }
         }
-        let cells = Cells::new(samples.len());
+        let cells = Cells::new(scouts.len());
         let (sites, chains, far) = (Vec::new(), Vec::new(), Vec::new());
-        Self { navigation, samples, obstacles, sites, chains, cells, far, along, propagation }
+        Self { navigation, scouts, obstacles, sites, chains, cells, far, along, propagation }
     }
 
     /// Adds a site at a point of the domain.
@@ -89,7 +89,7 @@ impl<'a> Regions<'a> {
         let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
         let looks_out = origin.is_real() || !self.obstacles.tracks.is_empty();
         let factor = if looks_out { LOOK_OUT } else { 1.0 };
-        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.samples.longest_edge));
+        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.scouts.longest_edge));
         let field = self.field(rest, place, bound);
         let body = self.body(origin);
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
@@ -122,10 +122,10 @@ impl<'a> Regions<'a> {
             clearance = clearance.min(held.distance_to_outline(rest));
         }
         separation = separation.min(clearance);
-        let start = self.samples.around(rest).expect("sites lie in the domain");
-        let samples = self.samples;
-        let distance = |at: usize| field.distance(samples.places[at], samples.mesh.vertices[at]);
-        self.cells.insert(samples, start, distance);
+        let start = self.scouts.around(rest);
+        let scouts = self.scouts;
+        let distance = |at: usize| field.distance(scouts.places[at], scouts.mesh.vertices[at]);
+        self.cells.insert(scouts, start, distance);
         self.sites.push(Site {
             rest,
             origin,
@@ -168,15 +168,15 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// The sites with their cell radii, and the nearest site of each sample.
-    pub(crate) fn finished(mut self) -> (Vec<Site>, Vec<u32>) {
+    /// The sites with their cell radii.
+    pub(crate) fn finished(mut self) -> Vec<Site> {
         for site in 0..self.sites.len() {
             if self.known_farthest(site).is_none() {
                 self.find_farthest(site);
             }
             self.sites[site].cell_radius = self.known_farthest(site).map_or(0.0, |points| points[0].distance);
         }
-        (self.sites, self.cells.nearest)
+        self.sites
     }
 
     /// The cell radius as the samples tell it; never more than the true one.
@@ -187,7 +187,7 @@ impl<'a> Regions<'a> {
     /// More than the true cell radius can be: every point of a cell has a sample within an edge's length.
     pub(crate) fn greatest_radius(&self, site: usize) -> f64 {
         let sample = self.cells.farthest_sample(site);
-        let reach = sample.map_or(self.samples.spacing, |sample| self.samples.reach[sample]);
+        let reach = sample.map_or(self.scouts.spacing, |sample| self.scouts.reach[sample]);
         let by_samples = self.sampled_radius(site) + NEAR_TOP * reach;
         match self.far[site] {
             Far::Within(radius) => radius.min(by_samples),

@@ -29,20 +29,20 @@ impl Regions<'_> {
         let radius = self.sampled_radius(site);
         let mut tops: Vec<usize> = self.cells.of(site).filter(|&at| self.is_top(site, at, radius)).collect();
         if tops.is_empty() {
-            // A cell between the samples.
-            let around = self.samples.around(self.sites[site].rest).expect("sites lie in the domain");
+            // A cell between the scouts.
+            let around = self.scouts.around(self.sites[site].rest);
             tops.extend(around.map(|at| at as usize));
         }
         tops.sort_by(|&a, &b| self.cells.distance[b].total_cmp(&self.cells.distance[a]).then(a.cmp(&b)));
         for at in tops {
             let under = |(known, cells): (&FarPoint, &Vec<u32>)| {
-                known.at.distance(self.samples.mesh.vertices[at]) < SAME_SUMMIT * self.samples.reach[at]
-                    && self.samples.graph.of(at).iter().all(|&n| cells.contains(&self.cells.nearest[n as usize]))
+                known.at.distance(self.scouts.mesh.vertices[at]) < SAME_SUMMIT * self.scouts.reach[at]
+                    && self.scouts.graph.of(at).iter().all(|&n| cells.contains(&self.cells.nearest[n as usize]))
             };
             if points.iter().zip(&meeting).any(under) {
                 continue;
             }
-            let same = SAME_POINT * self.samples.reach[at];
+            let same = SAME_POINT * self.scouts.reach[at];
             for point in self.summits(site, at) {
                 if points.iter().all(|known| known.at.distance(point.at) > same) {
                     meeting.push(self.meeting_at(&point));
@@ -72,9 +72,9 @@ impl Regions<'_> {
     /// Whether a sample may be next to a farthest point: it is nearly as far as any of the cell, and either no neighbour in the
     /// cell is farther, or cells meet there, or a cell meets the outline.
     fn is_top(&self, site: usize, at: usize, radius: f64) -> bool {
-        let (cells, around) = (&self.cells, self.samples.graph.of(at));
+        let (cells, around) = (&self.cells, self.scouts.graph.of(at));
         let d = cells.distance[at];
-        if d + NEAR_TOP * self.samples.reach[at] < radius {
+        if d + NEAR_TOP * self.scouts.reach[at] < radius {
             return false;
         }
         let higher = |&n: &u32| cells.nearest[n as usize] == site as u32 && cells.distance[n as usize] > d;
@@ -85,21 +85,21 @@ impl Regions<'_> {
         is_corner || !around.iter().any(higher)
     }
 
-    /// The farthest point of a site's cell near one of its samples, and others as far.
+    /// The farthest point of a site's cell near one of its scouts, and others as far.
     fn summits(&self, site: usize, at: usize) -> Vec<FarPoint> {
-        let samples = self.samples;
+        let scouts = self.scouts;
         let sample =
-            FarPoint { at: samples.mesh.vertices[at], place: samples.places[at], distance: self.cells.distance[at] };
+            FarPoint { at: scouts.mesh.vertices[at], place: scouts.places[at], distance: self.cells.distance[at] };
         let sample = (self.cells.nearest[at] == site as u32).then_some(sample);
-        let mut summits = self.higher(site, at, samples.mesh.vertices[at], sample);
+        let mut summits = self.higher(site, at, scouts.mesh.vertices[at], sample);
         // In the tip of a narrow cell the way may lead out of what was known around its beginning.
         for _ in 0..RESTARTS {
             let Some(&summit) = summits.first() else { break };
-            if summit.at.distance(sample.map_or(DVec2::NAN, |sample| sample.at)) < samples.reach[at] {
+            if summit.at.distance(sample.map_or(DVec2::NAN, |sample| sample.at)) < scouts.reach[at] {
                 break;
             }
-            let near = samples.around(summit.at).expect("a point of the domain");
-            let distance = |v: &u32| samples.mesh.vertices[*v as usize].distance_squared(summit.at);
+            let near = scouts.around(summit.at);
+            let distance = |v: &u32| scouts.mesh.vertices[*v as usize].distance_squared(summit.at);
             let near = near.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let near = near.expect("a triangle has corners") as usize;
             let next = self.higher(site, near, summit.at, Some(summit));
@@ -113,14 +113,14 @@ impl Regions<'_> {
 
     /// The farthest points of a site's cell that are found from a place near sample `at`, all as far, and no nearer than `known`.
     fn higher(&self, site: usize, at: usize, from: DVec2, known: Option<FarPoint>) -> Vec<FarPoint> {
-        let samples = self.samples;
+        let scouts = self.scouts;
         let Surroundings { own, others, walls } = self.surroundings(site, at);
         let all: Vec<Cone> = own.iter().chain(&others).copied().collect();
         // A corner that paths bend at has no tangent to climb by: then from beside it.
-        let around = samples.graph.of(at);
-        let beside = around.iter().map(|&n| samples.mesh.vertices[n as usize]).sum::<DVec2>() / around.len() as f64;
+        let around = scouts.graph.of(at);
+        let beside = around.iter().map(|&n| scouts.mesh.vertices[n as usize]).sum::<DVec2>() / around.len() as f64;
         let from = if all.iter().any(|cone| cone.apex == from) { from.midpoint(beside) } else { from };
-        let reach = 2.0 * samples.reach[at];
+        let reach = 2.0 * scouts.reach[at];
         // A cone of the site itself ends another where paths on both sides of a hole are as long, but not where it is merely
         // out of sight: so once with the others of the site, and once without.
         let limits: &[&[Cone]] = if own.len() > 1 { &[&others, &all] } else { &[&others] };
@@ -147,11 +147,11 @@ impl Regions<'_> {
 
     /// The cones that are least at the samples around one, and the pieces of the outline there.
     fn surroundings(&self, site: usize, at: usize) -> Surroundings {
-        let samples = self.samples;
+        let scouts = self.scouts;
         let mut ring = vec![at as u32];
         for _ in 0..2 {
             for i in 0..ring.len() {
-                for n in samples.graph.of(ring[i] as usize) {
+                for n in scouts.graph.of(ring[i] as usize) {
                     if !ring.contains(n) {
                         ring.push(*n);
                     }
@@ -160,13 +160,13 @@ impl Regions<'_> {
         }
         let mut found = Surroundings { own: Vec::new(), others: Vec::new(), walls: Vec::new() };
         for &v in &ring {
-            let (v, p) = (v as usize, samples.mesh.vertices[v as usize]);
+            let (v, p) = (v as usize, scouts.mesh.vertices[v as usize]);
             let nearest = self.cells.nearest[v];
-            let foot = self.sites[nearest as usize].field.foot(samples.places[v], p);
+            let foot = self.sites[nearest as usize].field.foot(scouts.places[v], p);
             let [prev, next] = self.along[v];
             let mut cones = [foot.map(|foot| Cone { apex: foot.pseudo_source, offset: foot.offset }), None];
             if next != NONE {
-                let [prev, next] = [prev, next].map(|n| samples.mesh.vertices[n as usize]);
+                let [prev, next] = [prev, next].map(|n| scouts.mesh.vertices[n as usize]);
                 found.walls.push((p, next));
                 // Beyond a reflex corner paths bend at it, though no sample may lie where they do.
                 if (p - prev).perp_dot(next - p) < 0.0 {

@@ -1,7 +1,11 @@
 //! A triangle mesh as flat arrays, and the constrained Delaunay triangulation that makes one. Alone in using spade.
 
+mod insertion;
+
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitigate_underflow};
+
+pub(crate) use insertion::Inserted;
 
 /// Marks "no triangle" in [`Triangulation::neighbours`].
 pub const NONE: u32 = u32::MAX;
