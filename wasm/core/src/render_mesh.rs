@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::{
     pose::HarmonicFields,
-    sample::{Rim, Samples},
+    sample::Samples,
     weight::SparseWeights,
 };
 
@@ -18,17 +18,12 @@ pub struct RenderMesh {
 }
 
 impl RenderMesh {
-    /// Orders triangles by the real site that moves them most, those of sites further down over others, and each site's rim
-    /// first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the handles.
-    pub(crate) fn new(samples: &Samples, rim: &Rim, weights: &SparseWeights, harmonic: &HarmonicFields) -> Self {
-        let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
-        let strongest = |v: usize| {
-            let best =
-                weights.row(v).fold((usize::MAX, 0.0), |best, (site, w)| if w > best.1 { (site, w) } else { best });
-            leader.get(best.0).copied().unwrap_or(0)
-        };
-        let leading: Vec<u32> = (0..samples.len()).map(strongest).collect();
-        let layers = [&rim.triangles, &samples.mesh.triangles];
+    /// Orders triangles by the real site that leads their first corner, those of sites further down over others, and each site's
+    /// rim first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the
+    /// handles.
+    pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
+        let Samples { mesh, rim, .. } = samples;
+        let layers = [&rim.triangles, &mesh.triangles];
         // The first corner of every triangle is a sample. A counting sort, by site and then by layer.
         let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
         let keys = layers.len() * (leading.iter().max().map_or(0, |&last| last as usize) + 1);
@@ -47,8 +42,21 @@ impl RenderMesh {
                 *at += 1;
             }
         }
-        Self { vertices: samples.mesh.vertices.iter().chain(&rim.vertices).copied().collect(), triangles: ordered }
+        let mut vertices = mesh.vertices;
+        vertices.reserve_exact(rim.vertices.len());
+        vertices.extend_from_slice(&rim.vertices);
+        Self { vertices, triangles: ordered }
     }
+}
+
+/// The real site that moves each sample most, by way of the site that has the largest weight.
+pub(crate) fn leading_sites(weights: &SparseWeights, harmonic: &HarmonicFields) -> Vec<u32> {
+    let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
+    let strongest = |point: usize| {
+        let row = weights.row(point);
+        row.fold((usize::MAX, 0.0), |best, (site, weight)| if weight > best.1 { (site, weight) } else { best }).0
+    };
+    (0..weights.len()).map(|point| leader.get(strongest(point)).copied().unwrap_or(0)).collect()
 }
 
 /// The real site that has the largest share of a site. Real sites come first, from top to bottom.

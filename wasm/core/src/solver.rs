@@ -14,9 +14,9 @@ use crate::{
     picture::Picture,
     pose::{HarmonicFields, Poser},
     project::{DomainSpec, Project},
-    render_mesh::RenderMesh,
+    render_mesh::{RenderMesh, leading_sites},
     request::{Request, Rest, check_size},
-    sample::{Ground, Rim, Samples, Scouts, scouts_wanted},
+    sample::{Ground, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
     weight::{Basis, Swept, Weights, field_bound, support_radii},
@@ -65,9 +65,8 @@ pub struct Solver {
 pub(crate) struct Outline {
     pub(crate) domain: Domain,
     pub(crate) navigation: Navigation,
-    /// Whether the picture fades out beyond the outline.
-    soft: bool,
-    size: DVec2,
+    /// The picture's size, where it fades out beyond the outline.
+    fading: Option<DVec2>,
 }
 
 /// What a domain depends on, apart from the picture.
@@ -125,7 +124,7 @@ impl Solver {
                 Stage::Domain
             }
             (Some(rest), None, _) => {
-                let ground = ground(&mut self.ground, &outline, rest, work.request.samples);
+                let ground = ground(&mut self.ground, &outline, rest, work.request.samples, outline.fading);
                 let samples = ground.with_sites(&outline.domain, &outline.navigation, &rest.sites());
                 work.samples = Some((samples, self.scouts(&outline, rest, &work.request)));
                 Stage::Sampling
@@ -146,7 +145,7 @@ impl Solver {
 
     fn scouts(&mut self, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
         let sites = rest.sites();
-        let ground = ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.density));
+        let ground = ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.density), None);
         Scouts::new(ground, &outline.domain, &outline.navigation, &sites)
     }
 
@@ -188,9 +187,10 @@ impl Solver {
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode);
-        let rim = if outline.soft { Rim::new(&samples.mesh, &samples.outline, outline.size) } else { Rim::default() };
-        let mesh = RenderMesh::new(&samples, &rim, &weights, &harmonic);
-        weights.extend_as(&rim.owners);
+        let count = samples.len();
+        let leading = leading_sites(&weights, &harmonic);
+        weights.extend_as(&samples.rim.owners);
+        let mesh = RenderMesh::new(samples, &leading);
         Solution {
             mesh,
             weights,
@@ -198,7 +198,7 @@ impl Solver {
             graph,
             harmonic,
             poser,
-            samples: samples.len(),
+            samples: count,
             nearest,
             phi_sums,
             scores,
@@ -234,12 +234,18 @@ impl Solver {
 }
 
 /// The ground of samples that is known, or another where it is not the one that is wanted.
-fn ground<'a>(known: &'a mut Option<Ground>, outline: &Outline, rest: &Rest, count: usize) -> &'a Ground {
+fn ground<'a>(
+    known: &'a mut Option<Ground>,
+    outline: &Outline,
+    rest: &Rest,
+    count: usize,
+    fading: Option<DVec2>,
+) -> &'a Ground {
     let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
     if known.as_ref().is_some_and(|ground| !ground.is_for(&bones, count)) {
         *known = None;
     }
-    known.get_or_insert_with(|| Ground::new(&outline.domain, &outline.navigation, &bones, count))
+    known.get_or_insert_with(|| Ground::new(&outline.domain, &outline.navigation, &bones, count, fading))
 }
 
 /// Solves a project at once.
@@ -289,7 +295,7 @@ impl Outline {
     /// The outline of a domain beyond which there is nothing to draw.
     pub(crate) fn hard(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, soft: false, size: DVec2::ZERO }
+        Self { domain, navigation, fading: None }
     }
 
     fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
@@ -301,6 +307,6 @@ impl Outline {
             None => picture.has_transparency(),
         };
         let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
-        Ok(Self { domain, navigation, soft, size })
+        Ok(Self { domain, navigation, fading: soft.then_some(size) })
     }
 }

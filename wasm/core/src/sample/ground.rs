@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{Samples, bones, lattice, outline::Outline, refine};
+use super::{Rim, Samples, bones, lattice, outline::Outline, refine};
 use crate::{
     distance::Navigation,
     domain::Domain,
@@ -23,11 +23,20 @@ pub(crate) struct Ground {
     pub(super) locator: Arc<Locator>,
     count: usize,
     bones: Vec<[DVec2; 2]>,
+    fading: Option<DVec2>,
 }
 
 impl Ground {
-    /// About `count` samples: see [`Samples::new`]. Cost: O(n log n); nearly all of it is the triangulation.
-    pub(crate) fn new(domain: &Domain, navigation: &Navigation, bones: &[[DVec2; 2]], count: usize) -> Self {
+    /// About `count` samples: see [`Samples::new`]. With a rim where the picture, of size `fading`, fades out beyond the outline.
+    ///
+    /// Cost: O(n log n); nearly all of it is the triangulation.
+    pub(crate) fn new(
+        domain: &Domain,
+        navigation: &Navigation,
+        bones: &[[DVec2; 2]],
+        count: usize,
+        fading: Option<DVec2>,
+    ) -> Self {
         let spacing = lattice::spacing(domain, count);
         let Outline { mut vertices, segments, rings } = Outline::new(domain, spacing);
         bones::add_bones(&mut vertices, bones, spacing);
@@ -37,8 +46,9 @@ impl Ground {
         vertices.extend(inner);
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
         let locator = Arc::new(Locator::new(&mesh));
-        let samples = Samples::from_mesh(mesh, navigation, rings, spacing);
-        Self { samples, locator, count, bones: bones.to_vec() }
+        let mut samples = Samples::from_mesh(mesh, navigation, rings, spacing);
+        samples.rim = fading.map_or_else(Rim::default, |size| Rim::new(&samples.mesh, &samples.outline, size));
+        Self { samples, locator, count, bones: bones.to_vec(), fading }
     }
 
     /// Whether it is what [`new`](Self::new) would make, in the same domain.
@@ -58,6 +68,11 @@ impl Ground {
                 self.insert(&mut samples, navigation, node);
             }
         }
+        samples.rim = match self.fading {
+            // The outline has more samples than it had.
+            Some(size) if samples.outline != self.samples.outline => Rim::new(&samples.mesh, &samples.outline, size),
+            _ => samples.rim.renumbered(self.samples.len(), samples.len()),
+        };
         samples
     }
 

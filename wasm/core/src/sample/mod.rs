@@ -34,6 +34,8 @@ pub struct Samples {
     pub outline: Vec<Vec<u32>>,
     /// The sample at each real site; empty where the samples were there before the sites.
     pub at_sites: Vec<u32>,
+    /// The skirt around the mesh.
+    pub rim: Rim,
     /// Distance between samples away from the outline and from close sites, in pixels.
     pub spacing: f64,
 }
@@ -49,7 +51,7 @@ impl Samples {
     /// Cost: O(n log n); nearly all of it is the triangulation.
     #[must_use]
     pub fn new(domain: &Domain, navigation: &Navigation, sites: &[DVec2], bones: &[[DVec2; 2]], count: usize) -> Self {
-        Ground::new(domain, navigation, bones, count).with_sites(domain, navigation, sites)
+        Ground::new(domain, navigation, bones, count, None).with_sites(domain, navigation, sites)
     }
 
     /// The samples that the vertices of a mesh are. Its `outline` is given as rings of vertices.
@@ -61,7 +63,7 @@ impl Samples {
     ) -> Self {
         let place = |&p: &DVec2| navigation.place(p).expect("samples lie in the domain");
         let places = mesh.vertices.iter().map(place).collect();
-        Self { mesh, places, outline, at_sites: Vec::new(), spacing }
+        Self { mesh, places, outline, at_sites: Vec::new(), rim: Rim::default(), spacing }
     }
 
     /// Number of samples.

@@ -55,8 +55,15 @@ fn climb_one(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f
     for _ in 0..STEPS {
         let (value, gradient) = (cone.value(p), cone.gradient(p));
         let others = cones.iter().filter(|other| *other != cone);
+        // How far a step within the square goes in a direction, at most.
+        let (low, high) = (start - p - reach, start - p + reach);
+        let room = |normal: DVec2| (normal * low).max(normal * high).element_sum();
+        let side = |other: &Cone| {
+            let side = Side { normal: gradient - other.gradient(p), limit: other.value(p) - value };
+            (side.limit < room(side.normal)).then_some(side)
+        };
         sides.clear();
-        sides.extend(others.map(|other| Side { normal: gradient - other.gradient(p), limit: other.value(p) - value }));
+        sides.extend(others.filter_map(side));
         let square = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
         sides.extend(square.map(|normal| Side { normal, limit: reach - normal.dot(p - start) }));
         sides.extend(walls.iter().map(|&(a, b)| {

@@ -195,10 +195,10 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// Distance of a point to its nearest site.
-    pub(crate) fn nearest_distance(&self, place: Place, p: DVec2) -> f64 {
-        self.sites.iter().fold(f64::INFINITY, |least, site| {
-            if site.rest.distance(p) < least { least.min(site.field.distance(place, p)) } else { least }
+    /// Distance of a point to its nearest site, or `known` where none is nearer than that.
+    pub(crate) fn nearest_distance(&self, place: Place, p: DVec2, known: f64) -> f64 {
+        self.sites.iter().fold(known, |least, site| {
+            if site.rest.distance_squared(p) < least * least { least.min(site.field.distance(place, p)) } else { least }
         })
     }
 

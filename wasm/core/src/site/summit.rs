@@ -35,6 +35,11 @@ impl Regions<'_> {
         }
         tops.sort_by(|&a, &b| self.cells.distance[b].total_cmp(&self.cells.distance[a]).then(a.cmp(&b)));
         for at in tops {
+            // Found so far.
+            let radius = points.iter().map(|point| point.distance).fold(radius, f64::max);
+            if self.cells.distance[at] + NEAR_TOP * self.scouts.reach[at] < radius {
+                continue;
+            }
             let under = |(known, cells): (&FarPoint, &Vec<u32>)| {
                 known.at.distance(self.scouts.mesh.vertices[at]) < SAME_SUMMIT * self.scouts.reach[at]
                     && self.scouts.graph.of(at).iter().all(|&n| cells.contains(&self.cells.nearest[n as usize]))
@@ -115,6 +120,10 @@ impl Regions<'_> {
     fn higher(&self, site: usize, at: usize, from: DVec2, known: Option<FarPoint>) -> Vec<FarPoint> {
         let scouts = self.scouts;
         let Surroundings { own, others, walls } = self.surroundings(site, at);
+        // Under a single cone, which is convex, nothing is farther than the corners of triangles: the top is the sample itself.
+        if let (1, true, Some(known)) = (own.len(), others.is_empty(), known) {
+            return vec![known];
+        }
         let all: Vec<Cone> = own.iter().chain(&others).copied().collect();
         // A corner that paths bend at has no tangent to climb by: then from beside it.
         let around = scouts.graph.of(at);
@@ -135,8 +144,9 @@ impl Regions<'_> {
         });
         let in_cell = |p: DVec2| {
             let place = self.navigation.place(p)?;
-            let distance = self.nearest_distance(place, p);
-            let of_site = self.sites[site].field.distance(place, p) <= distance * (1.0 + TIE);
+            let own = self.sites[site].field.distance(place, p);
+            let distance = self.nearest_distance(place, p, own);
+            let of_site = own <= distance * (1.0 + TIE);
             (of_site && distance.is_finite()).then_some(FarPoint { at: p, place, distance })
         };
         let mut found: Vec<FarPoint> = known.into_iter().chain(tops.filter_map(in_cell)).collect();

@@ -133,7 +133,7 @@ fn representatives(regions: &Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     let middle = group.iter().map(|point| point.at).sum::<glam::DVec2>() / group.len() as f64;
     let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
     if let Some(place) = regions.navigation.place(middle) {
-        let distance = regions.nearest_distance(place, middle);
+        let distance = regions.nearest_distance(place, middle, f64::INFINITY);
         if distance > (1.0 - CROWDED / 2.0) * least && distance.is_finite() {
             return vec![FarPoint { at: middle, place, distance }];
         }

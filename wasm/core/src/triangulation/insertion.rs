@@ -68,17 +68,23 @@ impl Triangulation {
 
     /// The triangle that holds a point, or, for one outside the region, that it is nearest to. `near` is one not far from it.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
+        let depth = |t: usize| depth_in(self.corners(t), p);
         let mut t = near;
         // In a Delaunay triangulation such a walk meets no triangle twice; but the region need not be convex.
         for _ in 0..self.triangles.len() {
-            let corners = self.triangles[t];
-            let Some(k) = (0..3).find(|&k| self.side(corners[k], corners[(k + 1) % 3], p) < 0.0) else { return t };
-            match self.neighbours[t][k] {
-                NONE => break,
-                next => t = next as usize,
+            let ([a, b, c], neighbours) = (self.triangles[t], self.neighbours[t]);
+            let beyond = [(a, b), (b, c), (c, a)].map(|(from, to)| self.side(from, to, p) < 0.0);
+            if !beyond.contains(&true) {
+                return t;
             }
+            let Some(k) = (0..3).find(|&k| beyond[k] && neighbours[k] != NONE) else {
+                if depth(t) >= -ON_OUTLINE {
+                    return t;
+                }
+                break;
+            };
+            t = neighbours[k] as usize;
         }
-        let depth = |t: usize| depth_in(self.corners(t), p);
         let deepest = (0..self.triangles.len()).map(|t| (depth(t), t)).reduce(|best, at| if at.0 > best.0 { at } else { best });
         deepest.map_or(near, |(_, t)| t)
     }
