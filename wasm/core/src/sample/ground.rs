@@ -61,7 +61,15 @@ impl Ground {
     ///
     /// Cost: a copy, and a microsecond a vertex.
     pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
-        let mut samples = self.samples.clone();
+        let Samples { mesh, places, outline, rim, spacing, .. } = &self.samples;
+        let mut samples = Samples {
+            mesh: mesh.with_room(sites.len() + rim.vertices.len()),
+            places: places.clone(),
+            outline: outline.clone(),
+            rim: Rim::default(),
+            at_sites: Vec::new(),
+            spacing: *spacing,
+        };
         samples.at_sites = sites.iter().map(|&site| self.insert(&mut samples, navigation, site)).collect();
         for patch in refine::patches(sites, samples.spacing) {
             for node in patch.clear_nodes(&samples.mesh.vertices, navigation, domain) {
@@ -71,7 +79,7 @@ impl Ground {
         samples.rim = match self.fading {
             // The outline has more samples than it had.
             Some(size) if samples.outline != self.samples.outline => Rim::new(&samples.mesh, &samples.outline, size),
-            _ => samples.rim.renumbered(self.samples.len(), samples.len()),
+            _ => rim.renumbered(self.samples.len(), samples.len()),
         };
         samples
     }

@@ -96,7 +96,13 @@ impl Regions<'_> {
         let sample =
             FarPoint { at: scouts.mesh.vertices[at], place: scouts.places[at], distance: self.cells.distance[at] };
         let sample = (self.cells.nearest[at] == site as u32).then_some(sample);
-        let mut summits = self.higher(site, at, scouts.mesh.vertices[at], sample);
+        let around = self.surroundings(site, at);
+        if let Some(sample) = sample
+            && around.has_no_summit()
+        {
+            return vec![sample];
+        }
+        let mut summits = self.higher(site, at, scouts.mesh.vertices[at], sample, &around);
         // In the tip of a narrow cell the way may lead out of what was known around its beginning.
         for _ in 0..RESTARTS {
             let Some(&summit) = summits.first() else { break };
@@ -107,7 +113,8 @@ impl Regions<'_> {
             let distance = |v: &u32| scouts.mesh.vertices[*v as usize].distance_squared(summit.at);
             let near = near.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let near = near.expect("a triangle has corners") as usize;
-            let next = self.higher(site, near, summit.at, Some(summit));
+            let around = self.surroundings(site, near);
+            let next = self.higher(site, near, summit.at, Some(summit), &around);
             if next.first().is_none_or(|next| next.distance <= summit.distance * (1.0 + TIE)) {
                 break;
             }
@@ -116,15 +123,19 @@ impl Regions<'_> {
         summits
     }
 
-    /// The farthest points of a site's cell that are found from a place near sample `at`, all as far, and no nearer than `known`.
-    fn higher(&self, site: usize, at: usize, from: DVec2, known: Option<FarPoint>) -> Vec<FarPoint> {
+    /// The farthest points of a site's cell that are found from a place near sample `at`, in its surroundings: all as far, and
+    /// no nearer than `known`.
+    fn higher(
+        &self,
+        site: usize,
+        at: usize,
+        from: DVec2,
+        known: Option<FarPoint>,
+        surroundings: &Surroundings,
+    ) -> Vec<FarPoint> {
         let scouts = self.scouts;
-        let Surroundings { own, others, walls } = self.surroundings(site, at);
-        // Under a single cone, which is convex, nothing is farther than the corners of triangles: the top is the sample itself.
-        if let (1, true, Some(known)) = (own.len(), others.is_empty(), known) {
-            return vec![known];
-        }
-        let all: Vec<Cone> = own.iter().chain(&others).copied().collect();
+        let Surroundings { own, others, walls } = surroundings;
+        let all: Vec<Cone> = own.iter().chain(others).copied().collect();
         // A corner that paths bend at has no tangent to climb by: then from beside it.
         let around = scouts.graph.of(at);
         let beside = around.iter().map(|&n| scouts.mesh.vertices[n as usize]).sum::<DVec2>() / around.len() as f64;
@@ -132,13 +143,13 @@ impl Regions<'_> {
         let reach = 2.0 * scouts.reach[at];
         // A cone of the site itself ends another where paths on both sides of a hole are as long, but not where it is merely
         // out of sight: so once with the others of the site, and once without.
-        let limits: &[&[Cone]] = if own.len() > 1 { &[&others, &all] } else { &[&others] };
+        let limits: &[&[Cone]] = if own.len() > 1 { &[others, &all] } else { &[others] };
         let tops = limits.iter().flat_map(|&limits| {
             own.iter().flat_map(|cone| {
                 let along = walls.iter().map(|&(a, b)| climb_along(cone, limits, a, b));
                 let free = climb(cone, limits, &[], from, reach);
                 let inside = self.navigation.place(free.0).is_some();
-                let (top, other) = if inside { free } else { climb(cone, limits, &walls, from, reach) };
+                let (top, other) = if inside { free } else { climb(cone, limits, walls, from, reach) };
                 along.chain([top]).chain(other)
             })
         });
@@ -201,4 +212,15 @@ struct Surroundings {
     /// Cones of its neighbours.
     others: Vec<Cone>,
     walls: Vec<Wall>,
+}
+
+impl Surroundings {
+    /// Whether what a sample of the cell shows is no farthest point, though it may be farther than its neighbours.
+    ///
+    /// A cone is convex: alone, it is farthest at a corner of a triangle, which is a sample. Two cones, away from the outline, rise
+    /// along the line on which they meet to one side of the sample or the other.
+    fn has_no_summit(&self) -> bool {
+        let cones = self.own.len() + self.others.len();
+        cones == 1 || (cones == 2 && self.walls.is_empty())
+    }
 }

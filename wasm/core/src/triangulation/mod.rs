@@ -31,9 +31,7 @@ impl Triangulation {
         let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, segments)
             .expect("vertices of a checked domain are finite and far from the limits of f64");
         let inside = is_inside(&cdt);
-        let mut kept: Vec<_> = cdt.inner_faces().filter(|face| inside[face.fix().index()]).collect();
-        // Vertices that are near in memory then make triangles that are, too.
-        kept.sort_by_cached_key(|face| face.vertices().map(|vertex| vertex.fix().index()).into_iter().min());
+        let kept: Vec<_> = cdt.inner_faces().filter(|face| inside[face.fix().index()]).collect();
         let mut number = vec![NONE; cdt.num_all_faces()];
         for (face, at) in kept.iter().zip(0..) {
             number[face.fix().index()] = at;
@@ -42,6 +40,20 @@ impl Triangulation {
         let triangles = edges.clone().map(|edges| edges.map(|edge| edge.from().fix().index() as u32)).collect();
         let neighbours = edges.map(|edges| edges.map(|edge| number[edge.rev().face().fix().index()])).collect();
         Self { vertices, triangles, neighbours }
+    }
+
+    /// A copy with room for more vertices and as many triangles as they make.
+    pub(crate) fn with_room(&self, vertices: usize) -> Self {
+        fn roomy<T: Copy>(list: &[T], more: usize) -> Vec<T> {
+            let mut copy = Vec::with_capacity(list.len() + more);
+            copy.extend_from_slice(list);
+            copy
+        }
+        Self {
+            vertices: roomy(&self.vertices, vertices),
+            triangles: roomy(&self.triangles, 2 * vertices),
+            neighbours: roomy(&self.neighbours, 2 * vertices),
+        }
     }
 
     /// The corners of a triangle.

@@ -22,19 +22,13 @@ impl SparseWeights {
         Self { offsets, sites: Vec::with_capacity(COVER * points), weights: Vec::with_capacity(COVER * points) }
     }
 
-    /// Adds a point: the sites that reach it, ascending, with their φ. Tells Σφ.
-    pub(crate) fn push_normalised(&mut self, row: impl Iterator<Item = (u32, f64)>) -> f64 {
-        let (start, mut sum) = (self.sites.len(), 0.0);
-        for (site, phi) in row {
+    /// Adds a point: the sites that move it, ascending, and their weights.
+    pub(crate) fn push_row(&mut self, row: impl Iterator<Item = (u32, f64)>) {
+        for (site, weight) in row {
             self.sites.push(site);
-            self.weights.push(phi);
-            sum += phi;
-        }
-        for weight in &mut self.weights[start..] {
-            *weight /= sum;
+            self.weights.push(weight);
         }
         self.offsets.push(self.sites.len() as u32);
-        sum
     }
 
     /// Normalises `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points.

@@ -33,7 +33,7 @@ struct Batch {
     count: usize,
 }
 
-/// A site, and its distance and φ at each sample of a batch.
+/// A site, and its distance and φ, then weight, at each sample of a batch.
 struct Column {
     site: u32,
     distance: [f64; BATCH],
@@ -74,7 +74,7 @@ pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
                 }
                 used += usize::from(columns[used].fill(site, &sites[site as usize], windows, &batch, basis));
             }
-            swept.push_rows(&columns[..used], batch.count);
+            swept.push_rows(&mut columns[..used], batch.count);
         }
     }
     swept
@@ -116,17 +116,25 @@ impl Column {
 }
 
 impl Swept {
-    fn push_rows(&mut self, columns: &[Column], count: usize) {
-        for k in 0..count {
-            let mut nearest = (f64::INFINITY, NONE);
-            let reached = columns.iter().filter(|column| column.phi[k] > 0.0).map(|column| {
-                if column.distance[k] < nearest.0 {
-                    nearest = (column.distance[k], column.site);
-                }
-                (column.site, column.phi[k])
-            });
-            self.sums.push(self.weights.push_normalised(reached));
-            self.nearest.push(nearest.1);
+    /// Adds the rows of a batch, normalised.
+    fn push_rows(&mut self, columns: &mut [Column], count: usize) {
+        let (mut sums, mut nearest) = ([0.0; BATCH], [(f64::INFINITY, NONE); BATCH]);
+        let (sums, nearest) = (&mut sums[..count], &mut nearest[..count]);
+        for column in &*columns {
+            for k in 0..count {
+                sums[k] += column.phi[k];
+                nearest[k] = if column.distance[k] < nearest[k].0 { (column.distance[k], column.site) } else { nearest[k] };
+            }
         }
+        for column in &mut *columns {
+            // Where nothing reaches, what is not a number takes the place of zero.
+            column.phi[..count].iter_mut().zip(&*sums).for_each(|(phi, sum)| *phi /= sum);
+        }
+        for k in 0..count {
+            let reached = columns.iter().filter(|column| column.phi[k] > 0.0);
+            self.weights.push_row(reached.map(|column| (column.site, column.phi[k])));
+        }
+        self.sums.extend_from_slice(sums);
+        self.nearest.extend(nearest.iter().map(|&(_, site)| site));
     }
 }
