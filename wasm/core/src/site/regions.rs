@@ -39,6 +39,13 @@ pub(crate) struct FarPoint {
     pub(crate) distance: f64,
 }
 
+/// A point of a cell that is farther than all around it.
+pub(super) struct Summit {
+    pub(super) point: FarPoint,
+    /// The sites whose cells meet there.
+    pub(super) meeting: Vec<u32>,
+}
+
 /// What is known of a cell's farthest points.
 pub(super) enum Far {
     /// These, all as far from the site: at least one.
@@ -57,6 +64,8 @@ pub(crate) struct Regions<'a> {
     pub(crate) cells: Cells,
     /// Farthest points of each cell.
     pub(super) far: Vec<Far>,
+    /// Summits of each cell that were found once, and are in it still.
+    pub(super) summits: Vec<Vec<Summit>>,
     /// The samples before and after each sample of the outline.
     pub(super) along: Vec<[u32; 2]>,
     propagation: &'a mut Propagation,
@@ -77,8 +86,8 @@ impl<'a> Regions<'a> {
             }
         }
         let cells = Cells::new(scouts.len());
-        let (sites, chains, far) = (Vec::new(), Vec::new(), Vec::new());
-        Self { navigation, scouts, obstacles, sites, chains, cells, far, along, propagation }
+        let (sites, chains, far, summits) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { navigation, scouts, obstacles, sites, chains, cells, far, summits, along, propagation }
     }
 
     /// Adds a site at a point of the domain.
@@ -151,7 +160,11 @@ impl<'a> Regions<'a> {
                 }
             }
         }
+        for summits in &mut self.summits {
+            summits.retain(|summit| kept(&summit.point));
+        }
         self.far.push(Far::Within(f64::INFINITY));
+        self.summits.push(Vec::new());
     }
 
     /// Distances from a point, up to a bound.

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::{
     Site,
     farthest::{Cone, Wall, climb, climb_along},
-    regions::{Far, FarPoint, NEAR_TOP, Regions},
+    regions::{Far, FarPoint, NEAR_TOP, Regions, Summit},
     virtual_sites::TIE,
 };
 use crate::triangulation::NONE;
@@ -23,9 +23,7 @@ const RESTARTS: usize = 8;
 impl Regions<'_> {
     /// Finds the farthest points of a site's cell. There is at least one.
     pub(crate) fn find_farthest(&mut self, site: usize) {
-        let mut points: Vec<FarPoint> = Vec::new();
-        // The sites whose cells meet at each.
-        let mut meeting: Vec<Vec<u32>> = Vec::new();
+        let mut summits = std::mem::take(&mut self.summits[site]);
         let radius = self.sampled_radius(site);
         let mut tops: Vec<usize> = self.cells.of(site).filter(|&at| self.is_top(site, at, radius)).collect();
         if tops.is_empty() {
@@ -35,33 +33,45 @@ impl Regions<'_> {
         }
         tops.sort_by(|&a, &b| self.cells.distance[b].total_cmp(&self.cells.distance[a]).then(a.cmp(&b)));
         for at in tops {
-            // Found so far.
-            let radius = points.iter().map(|point| point.distance).fold(radius, f64::max);
+            let radius = summits.iter().map(|summit| summit.point.distance).fold(radius, f64::max);
             if self.cells.distance[at] + NEAR_TOP * self.scouts.reach[at] < radius {
                 continue;
             }
-            let under = |(known, cells): (&FarPoint, &Vec<u32>)| {
-                known.at.distance(self.scouts.mesh.vertices[at]) < SAME_SUMMIT * self.scouts.reach[at]
-                    && self.scouts.graph.of(at).iter().all(|&n| cells.contains(&self.cells.nearest[n as usize]))
+            let under = |summit: &Summit| {
+                summit.point.at.distance(self.scouts.mesh.vertices[at]) < SAME_SUMMIT * self.scouts.reach[at]
+                    && self.scouts.graph.of(at).iter().all(|&n| summit.meeting.contains(&self.cells.nearest[n as usize]))
             };
-            if points.iter().zip(&meeting).any(under) {
+            if summits.iter().any(under) {
                 continue;
             }
             let same = SAME_POINT * self.scouts.reach[at];
-            for point in self.summits(site, at) {
-                if points.iter().all(|known| known.at.distance(point.at) > same) {
-                    meeting.push(self.meeting_at(&point));
-                    points.push(point);
+            for point in self.summits_near(site, at) {
+                if summits.iter().all(|known| known.point.at.distance(point.at) > same) {
+                    summits.push(Summit { point, meeting: self.meeting_at(&point) });
                 }
             }
         }
+        let greatest = summits.iter().map(|summit| summit.point.distance).fold(0.0, f64::max);
+        let points = summits.iter().map(|summit| summit.point);
+        let mut points: Vec<FarPoint> = points.filter(|point| point.distance >= greatest * (1.0 - TIE)).collect();
         if points.is_empty() {
-            let Site { rest, place, .. } = self.sites[site];
-            points.push(FarPoint { at: rest, place, distance: 0.0 });
+            points.push(self.farthest_sample(site));
         }
-        let greatest = points.iter().map(|point| point.distance).fold(0.0, f64::max);
-        points.retain(|point| point.distance >= greatest * (1.0 - TIE));
         self.far[site] = Far::Known(points);
+        self.summits[site] = summits;
+    }
+
+    /// The farthest sample of a cell, or where there is none, the site itself.
+    fn farthest_sample(&self, site: usize) -> FarPoint {
+        let Site { rest, place, .. } = self.sites[site];
+        let sample = self.cells.farthest_sample(site);
+        sample.map_or(FarPoint { at: rest, place, distance: 0.0 }, |at| self.far_point(at))
+    }
+
+    /// A scout and its distance to the nearest site.
+    fn far_point(&self, scout: usize) -> FarPoint {
+        let (at, place) = (self.scouts.mesh.vertices[scout], self.scouts.places[scout]);
+        FarPoint { at, place, distance: self.cells.distance[scout] }
     }
 
     /// The sites whose cells meet at a point.
@@ -91,16 +101,18 @@ impl Regions<'_> {
     }
 
     /// The farthest point of a site's cell near one of its scouts, and others as far.
-    fn summits(&self, site: usize, at: usize) -> Vec<FarPoint> {
+    fn summits_near(&self, site: usize, at: usize) -> Vec<FarPoint> {
         let scouts = self.scouts;
-        let sample =
-            FarPoint { at: scouts.mesh.vertices[at], place: scouts.places[at], distance: self.cells.distance[at] };
-        let sample = (self.cells.nearest[at] == site as u32).then_some(sample);
+        let sample = (self.cells.nearest[at] == site as u32).then(|| self.far_point(at));
         let around = self.surroundings(site, at);
-        if let Some(sample) = sample
-            && around.has_no_summit()
-        {
-            return vec![sample];
+        if let Some(sample) = sample {
+            match (around.own.len() + around.others.len(), around.walls.is_empty()) {
+                // A cone is convex: alone, it is farthest at a corner of a triangle, which is a sample.
+                (1, _) => return vec![sample],
+                // Along the line on which two cones meet both rise to one side or the other, up to a third or the outline.
+                (2, true) => return Vec::new(),
+                _ => {}
+            }
         }
         let mut summits = self.higher(site, at, scouts.mesh.vertices[at], sample, &around);
         // In the tip of a narrow cell the way may lead out of what was known around its beginning.
@@ -212,15 +224,4 @@ struct Surroundings {
     /// Cones of its neighbours.
     others: Vec<Cone>,
     walls: Vec<Wall>,
-}
-
-impl Surroundings {
-    /// Whether what a sample of the cell shows is no farthest point, though it may be farther than its neighbours.
-    ///
-    /// A cone is convex: alone, it is farthest at a corner of a triangle, which is a sample. Two cones, away from the outline, rise
-    /// along the line on which they meet to one side of the sample or the other.
-    fn has_no_summit(&self) -> bool {
-        let cones = self.own.len() + self.others.len();
-        cones == 1 || (cones == 2 && self.walls.is_empty())
-    }
 }
