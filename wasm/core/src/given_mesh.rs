@@ -1,8 +1,7 @@
 //! A triangle mesh that the caller brings in place of a picture's outline and samples (paper, section V-B).
 //!
-//! Its boundary is the outline of the domain, so distances and weights are as exact as on a mesh of the solver's own: they
-//! are evaluated, not carried along edges. The vertices are the samples, no more and no fewer. They find the cells and the
-//! farthest points, so where handles are closer to one another than vertices are, a cell may be taken for smaller than it is.
+//! Its boundary is the outline of the domain, so distances, cells and weights are as exact as on a mesh of the solver's own: they
+//! do not depend on the vertices inside. The vertices are the samples, no more and no fewer.
 //!
 //! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
 

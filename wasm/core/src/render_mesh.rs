@@ -2,11 +2,7 @@
 
 use glam::DVec2;
 
-use crate::{
-    pose::HarmonicFields,
-    sample::Samples,
-    weight::SparseWeights,
-};
+use crate::{pose::HarmonicFields, sample::Samples, weight::SparseWeights};
 
 /// Triangles to draw, later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]

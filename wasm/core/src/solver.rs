@@ -149,13 +149,7 @@ impl Solver {
         Scouts::new(ground, &outline.domain, &outline.navigation, &sites)
     }
 
-    fn divide(
-        &mut self,
-        outline: &Outline,
-        scouts: &Scouts,
-        rest: &Rest,
-        request: &Request,
-    ) -> Result<Divided, Error> {
+    fn divide(&mut self, outline: &Outline, scouts: &Scouts, rest: &Rest, request: &Request) -> Result<Divided, Error> {
         let (navigation, skeleton) = (&outline.navigation, &rest.skeleton);
         let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
         let held = request.fix_boundary.then_some(&outline.domain);

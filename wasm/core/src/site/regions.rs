@@ -11,7 +11,7 @@ use crate::{
     triangulation::NONE,
 };
 
-/// The farthest point of a cell is no farther than its farthest sample by more than this many edges, also in a narrow tip.
+/// The farthest point of a cell is no farther than its farthest scout by more than this many edges, also in a narrow tip.
 pub(super) const NEAR_TOP: f64 = 2.0;
 
 /// Fields of real sites, and all fields where there are bones, reach this much farther than the largest cell: as far as
@@ -39,7 +39,7 @@ pub(crate) struct FarPoint {
     pub(crate) distance: f64,
 }
 
-/// A point of a cell that is farther than all around it.
+/// A point of a cell that is farther than all around it, or that is where the cell meets others.
 pub(super) struct Summit {
     pub(super) point: FarPoint,
     /// The sites whose cells meet there.
@@ -66,7 +66,7 @@ pub(crate) struct Regions<'a> {
     pub(super) far: Vec<Far>,
     /// Summits of each cell that were found once, and are in it still.
     pub(super) summits: Vec<Vec<Summit>>,
-    /// The samples before and after each sample of the outline.
+    /// The scouts before and after each scout of the outline.
     pub(super) along: Vec<[u32; 2]>,
     propagation: &'a mut Propagation,
 }
@@ -93,7 +93,7 @@ impl<'a> Regions<'a> {
     /// Adds a site at a point of the domain.
     pub(crate) fn insert(&mut self, rest: DVec2, place: Place, origin: Origin) {
         let island = self.navigation.island_of(place);
-        // No sample of the island is farther from its nearest site, so the new cell reaches no farther either.
+        // No scout of the island is farther from its nearest site, so the new cell reaches no farther either.
         let island_sites = (0..self.sites.len()).filter(|&i| self.sites[i].island == island);
         let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
         let looks_out = origin.is_real() || !self.obstacles.tracks.is_empty();
@@ -192,12 +192,12 @@ impl<'a> Regions<'a> {
         self.sites
     }
 
-    /// The cell radius as the samples tell it; never more than the true one.
+    /// The cell radius as the scouts tell it; never more than the true one.
     pub(crate) fn sampled_radius(&self, site: usize) -> f64 {
         self.cells.farthest_sample(site).map_or(0.0, |sample| self.cells.distance[sample])
     }
 
-    /// More than the true cell radius can be: every point of a cell has a sample within an edge's length.
+    /// More than the true cell radius can be: every point of a cell has a scout within an edge's length.
     pub(crate) fn greatest_radius(&self, site: usize) -> f64 {
         let sample = self.cells.farthest_sample(site);
         let reach = sample.map_or(self.scouts.spacing, |sample| self.scouts.reach[sample]);

@@ -1,4 +1,4 @@
-//! Where the farthest points of a cell are: from the samples that may be next to one to the point itself.
+//! Where the farthest points of a cell are: from the scouts that may be next to one to the point itself.
 
 use glam::DVec2;
 
@@ -10,10 +10,10 @@ use super::{
 };
 use crate::triangulation::NONE;
 
-/// Two farthest points nearer than this share of the sample spacing are one.
+/// Two farthest points nearer than this share of the spacing of scouts are one.
 const SAME_POINT: f64 = 1e-3;
 
-/// A sample this many edges from a farthest point leads to the same, if no other cells meet around it.
+/// A scout this many edges from a farthest point leads to the same, if no other cells meet around it.
 const SAME_SUMMIT: f64 = 1.5;
 /// Cells meet where their sites are equally far within this share: wider than what a climb leaves.
 const MEETING: f64 = 1e-6;
@@ -39,15 +39,28 @@ impl Regions<'_> {
             }
             let under = |summit: &Summit| {
                 summit.point.at.distance(self.scouts.mesh.vertices[at]) < SAME_SUMMIT * self.scouts.reach[at]
-                    && self.scouts.graph.of(at).iter().all(|&n| summit.meeting.contains(&self.cells.nearest[n as usize]))
+                    && self
+                        .scouts
+                        .graph
+                        .of(at)
+                        .iter()
+                        .all(|&n| summit.meeting.contains(&self.cells.nearest[n as usize]))
             };
             if summits.iter().any(under) {
                 continue;
             }
             let same = SAME_POINT * self.scouts.reach[at];
             for point in self.summits_near(site, at) {
-                if summits.iter().all(|known| known.point.at.distance(point.at) > same) {
-                    summits.push(Summit { point, meeting: self.meeting_at(&point) });
+                let is_new = |known: &[Summit]| known.iter().all(|known| known.point.at.distance(point.at) > same);
+                if is_new(&summits) {
+                    let meeting = self.meeting_at(&point);
+                    // The others of the cells that meet there need not seek it.
+                    for &other in meeting.iter().filter(|&&other| other as usize != site) {
+                        if is_new(&self.summits[other as usize]) {
+                            self.summits[other as usize].push(Summit { point, meeting: meeting.clone() });
+                        }
+                    }
+                    summits.push(Summit { point, meeting });
                 }
             }
         }
@@ -61,7 +74,7 @@ impl Regions<'_> {
         self.summits[site] = summits;
     }
 
-    /// The farthest sample of a cell, or where there is none, the site itself.
+    /// The farthest scout of a cell, or where there is none, the site itself.
     fn farthest_sample(&self, site: usize) -> FarPoint {
         let Site { rest, place, .. } = self.sites[site];
         let sample = self.cells.farthest_sample(site);
@@ -84,7 +97,7 @@ impl Regions<'_> {
         meeting.map(|(site, _)| site as u32).collect()
     }
 
-    /// Whether a sample may be next to a farthest point: it is nearly as far as any of the cell, and either no neighbour in the
+    /// Whether a scout may be next to a farthest point: it is nearly as far as any of the cell, and either no neighbour in the
     /// cell is farther, or cells meet there, or a cell meets the outline.
     fn is_top(&self, site: usize, at: usize, radius: f64) -> bool {
         let (cells, around) = (&self.cells, self.scouts.graph.of(at));
@@ -107,7 +120,7 @@ impl Regions<'_> {
         let around = self.surroundings(site, at);
         if let Some(sample) = sample {
             match (around.own.len() + around.others.len(), around.walls.is_empty()) {
-                // A cone is convex: alone, it is farthest at a corner of a triangle, which is a sample.
+                // A cone is convex: alone, it is farthest at a corner of a triangle, which is a scout.
                 (1, _) => return vec![sample],
                 // Along the line on which two cones meet both rise to one side or the other, up to a third or the outline.
                 (2, true) => return Vec::new(),
@@ -135,7 +148,7 @@ impl Regions<'_> {
         summits
     }
 
-    /// The farthest points of a site's cell that are found from a place near sample `at`, in its surroundings: all as far, and
+    /// The farthest points of a site's cell that are found from a place near scout `at`, in its surroundings: all as far, and
     /// no nearer than `known`.
     fn higher(
         &self,
@@ -178,7 +191,7 @@ impl Regions<'_> {
         found
     }
 
-    /// The cones that are least at the samples around one, and the pieces of the outline there.
+    /// The cones that are least at the scouts around one, and the pieces of the outline there.
     fn surroundings(&self, site: usize, at: usize) -> Surroundings {
         let scouts = self.scouts;
         let mut ring = vec![at as u32];
@@ -201,7 +214,7 @@ impl Regions<'_> {
             if next != NONE {
                 let [prev, next] = [prev, next].map(|n| scouts.mesh.vertices[n as usize]);
                 found.walls.push((p, next));
-                // Beyond a reflex corner paths bend at it, though no sample may lie where they do.
+                // Beyond a reflex corner paths bend at it, though no scout may lie where they do.
                 if (p - prev).perp_dot(next - p) < 0.0 {
                     cones[1] = Some(Cone { apex: p, offset: self.cells.distance[v] });
                 }
@@ -217,7 +230,7 @@ impl Regions<'_> {
     }
 }
 
-/// What is known around a sample of a cell.
+/// What is known around a scout of a cell.
 struct Surroundings {
     /// Cones of the cell's site.
     own: Vec<Cone>,

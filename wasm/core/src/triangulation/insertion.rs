@@ -85,7 +85,8 @@ impl Triangulation {
             };
             t = neighbours[k] as usize;
         }
-        let deepest = (0..self.triangles.len()).map(|t| (depth(t), t)).reduce(|best, at| if at.0 > best.0 { at } else { best });
+        let deepest =
+            (0..self.triangles.len()).map(|t| (depth(t), t)).reduce(|best, at| if at.0 > best.0 { at } else { best });
         deepest.map_or(near, |(_, t)| t)
     }
 

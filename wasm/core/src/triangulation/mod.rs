@@ -36,10 +36,9 @@ impl Triangulation {
         for (face, at) in kept.iter().zip(0..) {
             number[face.fix().index()] = at;
         }
-        let edges = kept.iter().map(|face| face.adjacent_edges());
-        let triangles = edges.clone().map(|edges| edges.map(|edge| edge.from().fix().index() as u32)).collect();
-        let neighbours = edges.map(|edges| edges.map(|edge| number[edge.rev().face().fix().index()])).collect();
-        Self { vertices, triangles, neighbours }
+        let corners = kept.iter().map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect();
+        let across = kept.iter().map(|face| face.adjacent_edges().map(|edge| number[edge.rev().face().fix().index()]));
+        Self { vertices, triangles: corners, neighbours: across.collect() }
     }
 
     /// A copy with room for more vertices and as many triangles as they make.

@@ -80,7 +80,10 @@ impl Weights {
             if rest.distance_squared(p) >= radius * radius {
                 continue;
             }
-            let Some(foot) = field.foot_in(field.windows(windows.clone()), p).filter(|foot| foot.distance < radius) else { continue };
+            let Some(foot) = field.foot_in(field.windows(windows.clone()), p).filter(|foot| foot.distance < radius)
+            else {
+                continue;
+            };
             let t = foot.distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
             let gradient = slope * (p - foot.pseudo_source).normalize_or_zero();

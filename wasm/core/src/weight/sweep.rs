@@ -123,7 +123,8 @@ impl Swept {
         for column in &*columns {
             for k in 0..count {
                 sums[k] += column.phi[k];
-                nearest[k] = if column.distance[k] < nearest[k].0 { (column.distance[k], column.site) } else { nearest[k] };
+                nearest[k] =
+                    if column.distance[k] < nearest[k].0 { (column.distance[k], column.site) } else { nearest[k] };
             }
         }
         for column in &mut *columns {
