@@ -49,11 +49,8 @@ impl RenderMesh {
 /// The real site that moves each sample most, by way of the site that has the largest weight.
 pub(crate) fn leading_sites(weights: &SparseWeights, harmonic: &HarmonicFields) -> Vec<u32> {
     let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
-    let strongest = |point: usize| {
-        let row = weights.row(point);
-        row.fold((usize::MAX, 0.0), |best, (site, weight)| if weight > best.1 { (site, weight) } else { best }).0
-    };
-    (0..weights.len()).map(|point| leader.get(strongest(point)).copied().unwrap_or(0)).collect()
+    let lead = |point: usize| weights.strongest(point).map_or(0, |site| leader[site]);
+    (0..weights.len()).map(lead).collect()
 }
 
 /// The real site that has the largest share of a site. Real sites come first, from top to bottom.

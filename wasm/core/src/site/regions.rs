@@ -39,7 +39,7 @@ pub(crate) struct FarPoint {
     pub(crate) distance: f64,
 }
 
-/// A point of a cell that is farther than all around it, or that is where the cell meets others.
+/// A point of a cell that is farther than all around it.
 pub(super) struct Summit {
     pub(super) point: FarPoint,
     /// The sites whose cells meet there.

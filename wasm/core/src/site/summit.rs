@@ -37,30 +37,18 @@ impl Regions<'_> {
             if self.cells.distance[at] + NEAR_TOP * self.scouts.reach[at] < radius {
                 continue;
             }
+            let around = self.scouts.graph.of(at);
             let under = |summit: &Summit| {
                 summit.point.at.distance(self.scouts.mesh.vertices[at]) < SAME_SUMMIT * self.scouts.reach[at]
-                    && self
-                        .scouts
-                        .graph
-                        .of(at)
-                        .iter()
-                        .all(|&n| summit.meeting.contains(&self.cells.nearest[n as usize]))
+                    && around.iter().all(|&n| summit.meeting.contains(&self.cells.nearest[n as usize]))
             };
             if summits.iter().any(under) {
                 continue;
             }
             let same = SAME_POINT * self.scouts.reach[at];
             for point in self.summits_near(site, at) {
-                let is_new = |known: &[Summit]| known.iter().all(|known| known.point.at.distance(point.at) > same);
-                if is_new(&summits) {
-                    let meeting = self.meeting_at(&point);
-                    // The others of the cells that meet there need not seek it.
-                    for &other in meeting.iter().filter(|&&other| other as usize != site) {
-                        if is_new(&self.summits[other as usize]) {
-                            self.summits[other as usize].push(Summit { point, meeting: meeting.clone() });
-                        }
-                    }
-                    summits.push(Summit { point, meeting });
+                if summits.iter().all(|known| known.point.at.distance(point.at) > same) {
+                    summits.push(Summit { point, meeting: self.meeting_at(&point) });
                 }
             }
         }

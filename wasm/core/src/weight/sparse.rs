@@ -74,6 +74,13 @@ impl SparseWeights {
         self.sites[range.clone()].iter().zip(&self.weights[range]).map(|(&site, &weight)| (site as usize, weight))
     }
 
+    /// The site that moves a point most, the first of several, if any moves it.
+    pub(crate) fn strongest(&self, point: usize) -> Option<usize> {
+        let (start, end) = (self.offsets[point] as usize, self.offsets[point + 1] as usize);
+        let stronger = |best: usize, at: usize| if self.weights[at] > self.weights[best] { at } else { best };
+        (start < end).then(|| self.sites[(start..end).fold(start, stronger)] as usize)
+    }
+
     /// The weights of a point, in the order of [`row`](Self::row).
     pub(super) fn row_mut(&mut self, point: usize) -> &mut [f64] {
         &mut self.weights[self.offsets[point] as usize..self.offsets[point + 1] as usize]
