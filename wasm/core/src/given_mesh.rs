@@ -1,7 +1,8 @@
 //! A triangle mesh that the caller brings in place of a picture's outline and samples (paper, section V-B).
 //!
-//! Its boundary is the outline of the domain, so distances, cells and weights are as exact as on a mesh of the solver's own: they
-//! do not depend on the vertices inside. The vertices are the samples, no more and no fewer.
+//! Its boundary is the outline of the domain, so distances and weights are as exact as on a mesh of the solver's own: they are
+//! evaluated, not carried along edges. Cells are found on samples of the solver's own, as many as the project asks for, and do not
+//! depend on the vertices inside. The vertices are the samples, no more and no fewer.
 //!
 //! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
 

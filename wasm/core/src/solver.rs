@@ -145,7 +145,8 @@ impl Solver {
 
     fn scouts(&mut self, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
         let sites = rest.sites();
-        let ground = ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.density), None);
+        let ground =
+            ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.samples, request.density), None);
         Scouts::new(ground, &outline.domain, &outline.navigation, &sites)
     }
 
@@ -256,7 +257,8 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
 /// Solves a project at once on a mesh that the caller brings: its vertices are the samples, and the first and only
 /// vertices of the solution's mesh, in the caller's order. Handles need not stand on vertices.
 ///
-/// What the project says of picture, domain and number of samples plays no part.
+/// What the project says of picture and domain plays no part, and its number of samples is that of the scouts: of the points, at
+/// most, on which cells are found.
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.

@@ -1,8 +1,8 @@
 //! Scouts: a few samples of their own on which cells and their farthest points are found (paper, section IV-A).
 //!
 //! Where sites go must not depend on how finely the picture is drawn, and need not: a farthest point is found exactly from any
-//! sample near enough. So scouts are as many as that takes, whatever the number of samples asked for, and the time that
-//! Algorithm 1 takes does not depend on it either: mostly it goes into the climbs to farthest points.
+//! sample near enough. So scouts are as many as that takes, however many more samples are asked for, and the time that
+//! Algorithm 1 takes does not grow with them either: mostly it goes into the climbs to farthest points.
 //!
 //! Limits: a cell that is much smaller than the distance between scouts may be taken for smaller than it is. Around close point
 //! handles scouts are closer, too.
@@ -19,15 +19,15 @@ use crate::{
     triangulation::Triangulation,
 };
 
-/// Scouts of a domain, where sites are not closer than they resolve. On the sample picture the farthest point of one cell is missed
+/// Scouts of a domain at most, where sites are not closer than they resolve. On the sample picture the farthest point of one cell is missed
 /// from 2,500 or 4,000 of them, which makes its support a tenth too small; from 7,000 on none is.
-const LEAST: usize = 10_000;
+const MOST: usize = 10_000;
 /// Scouts for each virtual site that is asked for: some across each cell.
 const PER_SITE: usize = 16;
 
-/// How many scouts a scene needs that asks for so many virtual sites.
-pub(crate) fn scouts_wanted(density: usize) -> usize {
-    LEAST.max(PER_SITE * density)
+/// How many scouts a scene has that asks for so many samples and virtual sites: no more than samples.
+pub(crate) fn scouts_wanted(samples: usize, density: usize) -> usize {
+    samples.min(MOST.max(PER_SITE * density))
 }
 
 /// Samples, and what lies around each.
