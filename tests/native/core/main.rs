@@ -1,5 +1,6 @@
 //! What the core promises, on domains that are hard for it.
 
+mod again;
 mod alpha;
 mod bars;
 mod blend;

@@ -3,7 +3,7 @@
 use c2warp::{
     Solution,
     pose::Pose,
-    project::{PoseMode, Project, Rotation, Support},
+    project::{PoseMode, Project, Rotation, Shape, Support},
 };
 use glam::{DMat2, DVec2};
 
@@ -34,9 +34,11 @@ fn bent_strip(mode: PoseMode) -> Project {
     posed(&[ring], &moves.map(|(rest, to)| (rest.into(), to.into())), mode)
 }
 
-/// Median and 90 % of |J|² + |J⁻¹|² − 4 over the domain: the symmetric Dirichlet energy, 0 for a rigid motion. The mean says
-/// nothing here: at the crease of a strip bent by a right angle the energy has no bound.
-fn distortion(solution: &Solution, pose: &Pose) -> [f64; 2] {
+/// What the energy of a point counts for at most, as where a point is squeezed to a tenth, and that of one that is turned over.
+const MOST_ENERGY: f64 = 100.0;
+
+/// |J|² + |J⁻¹|² − 4 all over the domain, ascending: the symmetric Dirichlet energy, 0 for a rigid motion.
+fn distortion(solution: &Solution, pose: &Pose) -> Vec<f64> {
     let step = 1e-3;
     let at = |p: DVec2| solution.map(pose, p).map(|mapped| mapped.posed);
     let mut energies: Vec<f64> = spread(4000)
@@ -45,23 +47,81 @@ fn distortion(solution: &Solution, pose: &Pose) -> [f64; 2] {
                 [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].map(|axis| at(p + step * axis));
             let jacobian = DMat2::from_cols((right? - left?) / (2.0 * step), (down? - up?) / (2.0 * step));
             let square = |m: DMat2| m.x_axis.length_squared() + m.y_axis.length_squared();
-            Some(square(jacobian) + square(jacobian.inverse()) - 4.0)
+            let energy = square(jacobian) + square(jacobian.inverse()) - 4.0;
+            Some(if jacobian.determinant() > 0.0 { energy.min(MOST_ENERGY) } else { MOST_ENERGY })
         })
         .collect();
     assert!(energies.len() > 300);
     energies.sort_by(f64::total_cmp);
-    [energies[energies.len() / 2], energies[energies.len() * 9 / 10]]
+    energies
+}
+
+fn mean(energies: &[f64]) -> f64 {
+    energies.iter().sum::<f64>() / energies.len() as f64
 }
 
 #[test]
 fn a_strip_bends_by_three_pins_with_a_fraction_of_the_harmonic_modes_distortion() {
     let [harmonic, rigid] = [PoseMode::Harmonic, PoseMode::Rigid].map(|mode| {
         let (solution, pose) = pose_of(&bent_strip(mode));
+        let energies = distortion(&solution, &pose);
+        [mean(&energies), energies[energies.len() / 2], energies[energies.len() * 9 / 10], energies[energies.len() - 1]]
+    });
+    eprintln!("symmetric Dirichlet energy, mean, median, 90 % and most: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
+    assert!(rigid[0] < 0.2 && rigid[1] < 0.1 && rigid[2] < 0.45, "{rigid:?}");
+    assert!(rigid[0] < harmonic[0] / 8.0 && rigid[2] < harmonic[2] / 5.0, "{rigid:?} and {harmonic:?}");
+    assert!(rigid[3] < MOST_ENERGY, "folds, or nearly: {rigid:?}");
+}
+
+/// A cross of 320 px with its ends held and its middle, four handles, turned by 90°.
+fn twisted_cross(mode: PoseMode) -> Project {
+    let middle = DVec2::splat(200.0);
+    let quarter = |k: usize| DVec2::from_angle(std::f64::consts::FRAC_PI_2 * k as f64);
+    let arm = [(-40.0, -40.0), (-40.0, -160.0), (40.0, -160.0)].map(DVec2::from);
+    let ring = (0..4).flat_map(|k| arm.map(|p| (middle + quarter(k).rotate(p)).round())).collect();
+    let place = |k: usize, far: f64| (middle + quarter(k).rotate(DVec2::new(0.0, -far))).round();
+    let ends = (0..4).map(|k| (place(k, 145.0), place(k, 145.0)));
+    let turned = (0..4).map(|k| (place(k, 30.0), place(k + 1, 30.0)));
+    posed(&[ring], &ends.chain(turned).collect::<Vec<_>>(), mode)
+}
+
+#[test]
+fn a_cross_is_twisted_by_90_degrees_without_folds() {
+    let [harmonic, rigid] = [PoseMode::Harmonic, PoseMode::Rigid].map(|mode| {
+        let mut project = twisted_cross(mode);
+        project.pose.density = 100;
+        let (solution, pose) = pose_of(&project);
         distortion(&solution, &pose)
     });
-    eprintln!("symmetric Dirichlet energy, median and 90 %: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
-    assert!(rigid[0] < 0.08 && rigid[1] < 0.5, "{rigid:?}");
-    assert!(rigid[0] < harmonic[0] / 4.0 && rigid[1] < harmonic[1] / 4.0, "{rigid:?} and {harmonic:?}");
+    eprintln!("mean symmetric Dirichlet energy: harmonic {:.3}, rigid {:.3}", mean(&harmonic), mean(&rigid));
+    assert!(rigid[rigid.len() - 1] < MOST_ENERGY, "{}", rigid[rigid.len() - 1]);
+    assert!(mean(&rigid) < 1.5 && mean(&harmonic) > 5.0, "{} and {}", mean(&rigid), mean(&harmonic));
+}
+
+#[test]
+fn a_drag_is_followed_without_jumps() {
+    const STEP: f64 = 0.05;
+    for density in [0, 100] {
+        let mut project = bent_strip(PoseMode::Rigid);
+        project.pose.density = density;
+        let solution = solved(&project).expect("a valid scene");
+        let places = |project: &Project| -> Vec<DVec2> {
+            let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+            solution.sites.iter().enumerate().map(|(at, site)| pose.moved(at, site.rest)).collect()
+        };
+        let mut before = places(&project);
+        let mut worst = 0.0_f64;
+        for _ in 0..100 {
+            let Shape::Point { posed, .. } = &mut project.handles[1].shape else { unreachable!("all are points") };
+            *posed += STEP * DVec2::new(0.6, -0.8);
+            let after = places(&project);
+            worst = after.iter().zip(&before).map(|(after, before)| after.distance(*before)).fold(worst, f64::max);
+            before = after;
+        }
+        eprintln!("what moves most moves {:.1} times as far as the handle", worst / STEP);
+        // A part that is bent by a lever moves farther than the handle; a jump would be of pixels, not of hundredths.
+        assert!(worst < 0.5, "{worst} px");
+    }
 }
 
 #[test]

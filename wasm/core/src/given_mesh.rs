@@ -1,8 +1,8 @@
 //! A triangle mesh that the caller brings in place of a picture's outline and samples (paper, section V-B).
 //!
-//! Its boundary is the outline of the domain, so distances and weights are as exact as on a mesh of the solver's own: they
-//! are evaluated, not carried along edges. The vertices are the samples, no more and no fewer. They find the cells and the
-//! farthest points, so where handles are closer to one another than vertices are, a cell may be taken for smaller than it is.
+//! Its boundary is the outline of the domain, so distances and weights are as exact as on a mesh of the solver's own: they are
+//! evaluated, not carried along edges. Cells are found on samples of the solver's own, as many as the project asks for, and do not
+//! depend on the vertices inside. The vertices are the samples, no more and no fewer.
 //!
 //! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
 
@@ -108,11 +108,8 @@ impl GivenMesh {
 
     /// The samples that the vertices are.
     pub(crate) fn samples(&self) -> Samples {
-        let mut samples =
-            Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), Vec::new(), 0.0);
-        // Nothing is known of the distance between vertices but its limit.
-        samples.spacing = samples.longest_edge;
-        samples
+        // Nothing is known of the distance between vertices.
+        Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), f64::NAN)
     }
 }
 

@@ -67,6 +67,15 @@ impl Locator {
         best.1
     }
 
+    /// A triangle not far from a point, of a mesh with any triangles.
+    pub(crate) fn near(&self, p: DVec2) -> usize {
+        let cell = ((p - self.low) / self.cell).max(DVec2::ZERO);
+        let (x, y) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
+        // A cell outside the mesh has none of its own: then that of a later cell.
+        let at = (self.start[y * self.columns + x] as usize).min(self.triangles.len() - 1);
+        self.triangles[at] as usize
+    }
+
     fn cell_of(&self, p: DVec2) -> Option<(usize, usize)> {
         let cell = (p - self.low) / self.cell;
         let slack = ON_OUTLINE / self.cell;

@@ -2,11 +2,7 @@
 
 use glam::DVec2;
 
-use crate::{
-    pose::HarmonicFields,
-    sample::{Rim, Samples},
-    weight::SparseWeights,
-};
+use crate::{pose::HarmonicFields, sample::Samples, weight::SparseWeights};
 
 /// Triangles to draw, later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,37 +14,43 @@ pub struct RenderMesh {
 }
 
 impl RenderMesh {
-    /// Orders triangles by the real site that moves them most, those of sites further down over others, and each site's rim
-    /// first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the handles.
-    pub(crate) fn new(samples: &Samples, rim: &Rim, weights: &SparseWeights, harmonic: &HarmonicFields) -> Self {
-        let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
-        let strongest = |v: usize| {
-            let best =
-                weights.row(v).fold((usize::MAX, 0.0), |best, (site, w)| if w > best.1 { (site, w) } else { best });
-            leader.get(best.0).copied().unwrap_or(0)
-        };
-        let leading: Vec<u32> = (0..samples.len()).map(strongest).collect();
-        let layers = [&rim.triangles, &samples.mesh.triangles];
+    /// Orders triangles by the real site that leads their first corner, those of sites further down over others, and each site's
+    /// rim first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the
+    /// handles.
+    pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
+        let Samples { mesh, rim, .. } = samples;
+        let layers = [&rim.triangles, &mesh.triangles];
         // The first corner of every triangle is a sample. A counting sort, by site and then by layer.
-        let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
-        let keys = layers.len() * (leading.iter().max().map_or(0, |&last| last as usize) + 1);
-        let mut start = vec![0_usize; keys + 1];
+        let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] * layers.len() as u32 + layer as u32;
+        let mut keys: Vec<u32> = Vec::with_capacity(rim.triangles.len() + mesh.triangles.len());
         for (layer, triangles) in layers.iter().enumerate() {
-            triangles.iter().for_each(|t| start[key(layer, t) + 1] += 1);
+            keys.extend(triangles.iter().map(|t| key(layer, t)));
+        }
+        let mut start = vec![0_usize; keys.iter().max().map_or(0, |&last| last as usize + 1) + 1];
+        for &key in &keys {
+            start[key as usize + 1] += 1;
         }
         for i in 1..start.len() {
             start[i] += start[i - 1];
         }
-        let mut ordered = vec![[0; 3]; start[keys]];
-        for (layer, triangles) in layers.iter().enumerate() {
-            for t in *triangles {
-                let at = &mut start[key(layer, t)];
-                ordered[*at] = *t;
-                *at += 1;
-            }
+        let mut triangles = vec![[0; 3]; keys.len()];
+        for (&key, t) in keys.iter().zip(layers.into_iter().flatten()) {
+            let at = &mut start[key as usize];
+            triangles[*at] = *t;
+            *at += 1;
         }
-        Self { vertices: samples.mesh.vertices.iter().chain(&rim.vertices).copied().collect(), triangles: ordered }
+        let mut vertices = mesh.vertices;
+        vertices.reserve_exact(rim.vertices.len());
+        vertices.extend_from_slice(&rim.vertices);
+        Self { vertices, triangles }
     }
+}
+
+/// The real site that moves each sample most, by way of the site that has the largest weight.
+pub(crate) fn leading_sites(weights: &SparseWeights, harmonic: &HarmonicFields) -> Vec<u32> {
+    let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
+    let lead = |point: usize| weights.strongest(point).map_or(0, |site| leader[site]);
+    (0..weights.len()).map(lead).collect()
 }
 
 /// The real site that has the largest share of a site. Real sites come first, from top to bottom.

@@ -45,6 +45,13 @@ pub(crate) struct Rest<P = Place> {
     pub(crate) outside: Vec<Outside>,
 }
 
+impl Rest {
+    /// Where the point handles rest.
+    pub(crate) fn sites(&self) -> Vec<DVec2> {
+        self.points.iter().map(|&(rest, ..)| rest).collect()
+    }
+}
+
 impl Request {
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         if let Some(handle) = project.handles.get(MAX_HANDLES) {

@@ -14,12 +14,12 @@ use crate::{
     picture::Picture,
     pose::{HarmonicFields, Poser, Quadrature},
     project::{DomainSpec, PoseMode, Project},
-    render_mesh::RenderMesh,
+    render_mesh::{RenderMesh, leading_sites},
     request::{Request, Rest, check_size},
-    sample::{Rim, Samples},
+    sample::{Ground, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
-    weight::{Basis, Weights, field_bound, support_radii},
+    weight::{Basis, Swept, Weights, field_bound, support_radii},
 };
 
 /// A part of the solve. Between two of them a caller may look for newer requests.
@@ -48,10 +48,13 @@ impl Stage {
     }
 }
 
-/// Solves projects of one picture, stage by stage, and keeps the picture's outline for the next solve.
+/// Solves projects of one picture, stage by stage, and keeps for the next solve what does not depend on point handles: the
+/// picture's outline, and the ground of samples and scouts.
 #[derive(Debug, Default)]
 pub struct Solver {
     outline: Option<(DomainKey, Arc<Outline>)>,
+    ground: Option<Ground>,
+    scouts_ground: Option<Ground>,
     propagation: Propagation,
     work: Option<Work>,
     solution: Option<(DomainKey, Request, Solution)>,
@@ -62,9 +65,8 @@ pub struct Solver {
 pub(crate) struct Outline {
     pub(crate) domain: Domain,
     pub(crate) navigation: Navigation,
-    /// Whether the picture fades out beyond the outline.
-    soft: bool,
-    size: DVec2,
+    /// The picture's size, where it fades out beyond the outline.
+    fading: Option<DVec2>,
 }
 
 /// What a domain depends on, apart from the picture.
@@ -75,12 +77,12 @@ type DomainKey = Option<DomainSpec>;
 struct Work {
     request: Request,
     rest: Option<Rest>,
-    samples: Option<Samples>,
+    samples: Option<(Samples, Scouts)>,
     regions: Option<Divided>,
 }
 
-/// Sites, the nearest one of each sample, and the scores of Algorithm 1.
-type Divided = (Vec<Site>, Vec<u32>, Vec<f64>);
+/// Sites, and the scores of Algorithm 1.
+type Divided = (Vec<Site>, Vec<f64>);
 
 impl Solver {
     /// A solver that has solved nothing yet.
@@ -102,6 +104,7 @@ impl Solver {
         if self.outline.as_ref().is_none_or(|(key, _)| *key != project.domain) {
             let outline = Outline::new(project.domain.as_ref(), picture)?;
             self.outline = Some((project.domain.clone(), Arc::new(outline)));
+            (self.ground, self.scouts_ground) = (None, None);
         }
         self.work = Some(Work { request, rest: None, samples: None, regions: None });
         Ok(())
@@ -121,14 +124,13 @@ impl Solver {
                 Stage::Domain
             }
             (Some(rest), None, _) => {
-                let points: Vec<DVec2> = rest.points.iter().map(|&(rest, ..)| rest).collect();
-                let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
-                let count = work.request.samples;
-                work.samples = Some(Samples::new(&outline.domain, &outline.navigation, &points, &bones, count));
+                let ground = ground(&mut self.ground, &outline, rest, work.request.samples, outline.fading);
+                let samples = ground.with_sites(&outline.domain, &outline.navigation, &rest.sites());
+                work.samples = Some((samples, self.scouts(&outline, rest, &work.request)));
                 Stage::Sampling
             }
-            (Some(rest), Some(samples), None) => {
-                work.regions = Some(self.divide(&outline, samples, rest, &work.request)?);
+            (Some(rest), Some((_, scouts)), None) => {
+                work.regions = Some(self.divide(&outline, scouts, rest, &work.request)?);
                 Stage::Regions
             }
             _ => {
@@ -141,29 +143,29 @@ impl Solver {
         Ok(Some(stage))
     }
 
-    fn divide(
-        &mut self,
-        outline: &Outline,
-        samples: &Samples,
-        rest: &Rest,
-        request: &Request,
-    ) -> Result<Divided, Error> {
+    fn scouts(&mut self, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
+        let sites = rest.sites();
+        let ground =
+            ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.samples, request.density), None);
+        Scouts::new(ground, &outline.domain, &outline.navigation, &sites)
+    }
+
+    fn divide(&mut self, outline: &Outline, scouts: &Scouts, rest: &Rest, request: &Request) -> Result<Divided, Error> {
         let (navigation, skeleton) = (&outline.navigation, &rest.skeleton);
         let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
         let held = request.fix_boundary.then_some(&outline.domain);
         let obstacles = Obstacles { skeleton, tracks, held };
-        let mut regions = Regions::new(navigation, samples, &obstacles, &mut self.propagation);
+        let mut regions = Regions::new(navigation, scouts, &obstacles, &mut self.propagation);
         regions.insert_real_sites(&rest.points)?;
         let scores = insert_virtual_sites(&mut regions, request.density)?;
-        let (sites, nearest) = regions.finished();
-        Ok((sites, nearest, scores))
+        Ok((regions.finished(), scores))
     }
 
     fn finish(&mut self, work: Work, outline: Arc<Outline>) -> Solution {
         let Work { request, rest, samples, regions } = work;
         let Rest { skeleton, outside, .. } = rest.expect("checked in an earlier stage");
-        let samples = samples.expect("sampled in an earlier stage");
-        let (mut sites, nearest, scores) = regions.expect("divided in an earlier stage");
+        let (samples, _) = samples.expect("sampled in an earlier stage");
+        let (mut sites, scores) = regions.expect("divided in an earlier stage");
         let (navigation, weighting) = (&outline.navigation, &request.weighting);
         for site in &mut sites {
             let bound = field_bound(weighting, site).max(SiteGraph::field_bound(site.cell_radius));
@@ -176,15 +178,16 @@ impl Solver {
         }
         let basis = Basis::new(weighting.degree, weighting.filling);
         let functions = Weights::new(navigation, &sites, &skeleton, basis);
-        let (mut weights, phi_sums) = functions.of_samples(&sites, &samples);
+        let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(&sites, &samples);
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let quadrature = (request.mode == PoseMode::Rigid)
             .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
         let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode, quadrature);
-        let rim = if outline.soft { Rim::new(&samples.mesh, &samples.outline, outline.size) } else { Rim::default() };
-        let mesh = RenderMesh::new(&samples, &rim, &weights, &harmonic);
-        weights.extend_as(&rim.owners);
+        let count = samples.len();
+        let leading = leading_sites(&weights, &harmonic);
+        weights.extend_as(&samples.rim.owners);
+        let mesh = RenderMesh::new(samples, &leading);
         Solution {
             mesh,
             weights,
@@ -192,7 +195,7 @@ impl Solver {
             graph,
             harmonic,
             poser,
-            samples: samples.len(),
+            samples: count,
             nearest,
             phi_sums,
             scores,
@@ -227,6 +230,21 @@ impl Solver {
     }
 }
 
+/// The ground of samples that is known, or another where it is not the one that is wanted.
+fn ground<'a>(
+    known: &'a mut Option<Ground>,
+    outline: &Outline,
+    rest: &Rest,
+    count: usize,
+    fading: Option<DVec2>,
+) -> &'a Ground {
+    let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
+    if known.as_ref().is_some_and(|ground| !ground.is_for(&bones, count)) {
+        *known = None;
+    }
+    known.get_or_insert_with(|| Ground::new(&outline.domain, &outline.navigation, &bones, count, fading))
+}
+
 /// Solves a project at once.
 ///
 /// # Errors
@@ -241,21 +259,18 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
 /// Solves a project at once on a mesh that the caller brings: its vertices are the samples, and the first and only
 /// vertices of the solution's mesh, in the caller's order. Handles need not stand on vertices.
 ///
-/// What the project says of picture, domain and number of samples plays no part.
+/// What the project says of picture and domain plays no part, and its number of samples is that of the scouts: of the points, at
+/// most, on which cells are found.
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error> {
     let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
-    let samples = mesh.samples();
     let rest = request.rest(&outline)?;
-    // Outline and mesh agree within rounding only, beside which a handle may stand.
-    if let Some(&(p, _, handle)) = rest.points.iter().find(|(p, ..)| samples.around(*p).is_none()) {
-        return Err(Error::HandleOutside { id: project.handles[handle as usize].id.clone(), x: p.x, y: p.y });
-    }
     let mut solver = Solver::new();
-    let regions = solver.divide(&outline, &samples, &rest, &request)?;
-    let work = Work { request, rest: Some(rest), samples: Some(samples), regions: Some(regions) };
+    let scouts = solver.scouts(&outline, &rest, &request);
+    let regions = solver.divide(&outline, &scouts, &rest, &request)?;
+    let work = Work { request, rest: Some(rest), samples: Some((mesh.samples(), scouts)), regions: Some(regions) };
     Ok(solver.finish(work, outline))
 }
 
@@ -278,7 +293,7 @@ impl Outline {
     /// The outline of a domain beyond which there is nothing to draw.
     pub(crate) fn hard(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, soft: false, size: DVec2::ZERO }
+        Self { domain, navigation, fading: None }
     }
 
     fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
@@ -290,6 +305,6 @@ impl Outline {
             None => picture.has_transparency(),
         };
         let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
-        Ok(Self { domain, navigation, soft, size })
+        Ok(Self { domain, navigation, fading: soft.then_some(size) })
     }
 }

@@ -15,7 +15,7 @@ const fresh = newProject({ src: 'a.png', width: 8, height: 8 }, false);
 
 describe('how a picture bends', () => {
   it('is rigid in a new project, with smooth supports and 30 virtual sites', () => {
-    expect(fresh.pose).toEqual({ mode: 'rigid', blend: 'linear', density: 30 });
+    expect(fresh.pose).toEqual({ mode: 'rigid', blend: 'linear', density: 100 });
     expect(fresh.weighting?.support).toBe('smooth');
     expect(bent(bent(fresh, 'harmonic'), 'rigid')).toEqual(fresh);
   });
@@ -45,7 +45,7 @@ describe('how a picture bends', () => {
 
   it('has a detail in words', () => {
     expect(detailOf(fresh)).toBe('medium');
-    expect(detailed(fresh, 'fine').pose).toEqual({ ...fresh.pose, density: 60 });
+    expect(detailed(fresh, 'fine').pose).toEqual({ ...fresh.pose, density: 200 });
     expect(detailOf(detailed(fresh, 'coarse'))).toBe('coarse');
   });
 });

@@ -7,7 +7,7 @@ import type { Blend } from '../geometry/blend';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
 /** Virtual sites to ask for: how finely a rigid picture can bend. */
-export const DETAILS = { coarse: 12, medium: 30, fine: 60 } as const;
+export const DETAILS = { coarse: 30, medium: 100, fine: 200 } as const;
 
 export type Detail = keyof typeof DETAILS;
 

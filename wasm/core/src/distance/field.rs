@@ -1,5 +1,7 @@
 //! The distance from one source to any point, in closed form.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::Place;
@@ -7,7 +9,7 @@ use crate::segment::segment_distance;
 
 /// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray
 /// must fall into one of them whatever the rounding. A path that cuts a corner by this much is shorter by at most as much.
-const WINDOW_SLACK: f64 = 1e-9;
+pub(crate) const WINDOW_SLACK: f64 = 1e-9;
 
 /// What a pseudo-source sees of one triangle: a cone of directions (Mitchell et al.'s interval of optimality).
 #[derive(Debug, Clone, Copy)]
@@ -107,8 +109,13 @@ impl DistanceField {
     /// The last piece of the shortest path to a point, if the distance is within the bound.
     #[must_use]
     pub fn foot(&self, place: Place, p: DVec2) -> Option<Foot> {
+        self.foot_in(self.windows_in(place), p)
+    }
+
+    /// The same for a point in a place whose windows are at hand.
+    pub(crate) fn foot_in(&self, windows: &[Window], p: DVec2) -> Option<Foot> {
         let mut best: Option<Foot> = None;
-        for window in self.windows_in(place) {
+        for window in windows {
             let least = best.map_or(f64::INFINITY, |foot| foot.distance);
             if window.nearest >= least {
                 break;
@@ -136,21 +143,28 @@ impl DistanceField {
         if best <= self.bound { best } else { f64::INFINITY }
     }
 
-    /// Triangles that hold a point nearer than `radius`, ascending; perhaps some more.
-    pub(crate) fn triangles_within(&self, radius: f64) -> impl Iterator<Item = u32> + '_ {
-        let nearest = move |&&(_, start): &&(u32, u32)| self.windows[start as usize].nearest < radius;
-        self.triangles.iter().filter(nearest).map(|&(triangle, _)| triangle)
+    /// Triangles that hold a point nearer than `radius`, ascending, and the windows of each; perhaps some more.
+    pub(crate) fn windows_within(&self, radius: f64) -> impl Iterator<Item = (u32, Range<u32>)> + '_ {
+        let nearest = move |(_, windows): &(u32, Range<u32>)| self.windows[windows.start as usize].nearest < radius;
+        (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.windows_of(at))).filter(nearest)
     }
 
     fn windows_in(&self, place: Place) -> &[Window] {
         match self.triangles.binary_search_by_key(&place.0, |&(triangle, _)| triangle) {
-            Ok(at) => {
-                let start = self.triangles[at].1 as usize;
-                let end = self.triangles.get(at + 1).map_or(self.windows.len(), |&(_, start)| start as usize);
-                &self.windows[start..end]
-            }
+            Ok(at) => self.windows(self.windows_of(at)),
             Err(_) => &[],
         }
+    }
+
+    /// Windows of a triangle, as told by [`windows_within`](Self::windows_within).
+    pub(crate) fn windows(&self, range: Range<u32>) -> &[Window] {
+        &self.windows[range.start as usize..range.end as usize]
+    }
+
+    /// The windows of a triangle of the list.
+    fn windows_of(&self, at: usize) -> Range<u32> {
+        let end = self.triangles.get(at + 1).map_or(self.windows.len() as u32, |&(_, start)| start);
+        self.triangles[at].1..end
     }
 
     /// Bytes held on the heap.

@@ -7,6 +7,8 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 
 use glam::DVec2;
 
+use crate::triangulation::{NONE, Triangulation};
+
 /// An undirected graph over points, as compressed rows of neighbours.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
@@ -37,6 +39,17 @@ impl Graph {
             }
         }
         Self { start, neighbours }
+    }
+
+    /// The edges of a mesh.
+    #[must_use]
+    pub fn of_mesh(mesh: &Triangulation) -> Self {
+        let edges = mesh.triangles.iter().zip(&mesh.neighbours).enumerate().flat_map(|(t, (corners, neighbours))| {
+            // Each inner edge once: from the triangle of lower number.
+            let once = move |&k: &usize| neighbours[k] == NONE || t < neighbours[k] as usize;
+            (0..3).filter(once).map(move |k| (corners[k], corners[(k + 1) % 3]))
+        });
+        Self::from_edges(mesh.vertices.len(), edges)
     }
 
     /// Neighbours of a node.

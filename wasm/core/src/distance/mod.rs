@@ -18,5 +18,6 @@ mod navigation;
 mod propagate;
 
 pub use field::{DistanceField, Foot};
+pub(crate) use field::{WINDOW_SLACK, Window};
 pub use navigation::{Navigation, Place};
 pub use propagate::Propagation;

@@ -2,7 +2,8 @@
 //!
 //! A cell is divided by which two other sites weigh most, and every part has a place at its centroid: three in what would be a
 //! triangle of neighbouring sites, each nearer to another of its corners, like Gauss's of degree 2. Where many sites meet in a
-//! narrow space, places are dense. A symmetric scene has symmetric places.
+//! narrow space, places are dense. Each site is a place, too: a narrow cell may have no other. A symmetric scene has symmetric
+//! places.
 //!
 //! Numbers are kept as f32, some 70 kB for 200 sites; what rounding takes from sums that must be 1 and 0 is given back.
 
@@ -10,7 +11,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    distance::Navigation,
+    distance::{Navigation, Place},
     sample::Samples,
     site::Site,
     weight::{Influence, SparseWeights, Weights},
@@ -21,6 +22,12 @@ const TIE: f64 = 1e-9;
 /// The site that weighs most and how many others tell a part of the picture from the rest. With one other, folds between the places go
 /// unseen; with three, or two in the order of their weights, poses are hardly better.
 const TOLD_BY: usize = 3;
+
+/// Weights that change by more than this within the width of a part say nothing of it: its place is next to a joint of bones, where
+/// gradients have no bound.
+const STEEP: f64 = 10.0;
+/// The part of what a site weighs that it stands for itself.
+const OWN: f64 = 0.1;
 
 /// The site that weighs most, and the next two in the order of their numbers; [`NO_SITE`] where fewer reach.
 type Part = [u32; TOLD_BY];
@@ -52,7 +59,9 @@ impl Quadrature {
         let vertices = &samples.mesh.vertices;
         // Area, and area times place, of each part; samples that follow one another are often of the same.
         let mut sums: Vec<(Part, f64, DVec2)> = Vec::new();
+        let mut around = vec![0.0; sites.len()];
         for (sample, &area) in areas(samples).iter().enumerate() {
+            weights.row(sample).for_each(|(site, weight)| around[site] += weight * area);
             divide(&|| weights.row(sample), [NO_SITE; TOLD_BY], 0, area, &mut |part, area| {
                 let moment = area * vertices[sample];
                 match sums.last_mut().filter(|last| last.0 == part) {
@@ -70,14 +79,19 @@ impl Quadrature {
             same
         });
         // A centroid may lie in a gap of the domain: then the parts around it tell what there is to tell.
-        let node = |(_, area, moment): (Part, f64, DVec2)| {
+        let of_parts = sums.into_iter().filter_map(|(_, area, moment)| {
             let at = moment / area;
-            let place = navigation.place(at).filter(|_| area > 0.0)?;
+            Some((at, navigation.place(at)?, area))
+        });
+        let of_sites = sites.iter().zip(around).map(|(site, around)| (site.rest, site.place, OWN * around));
+        let node = |(at, place, area): (DVec2, Place, f64)| {
             let influences = functions.at(sites, place, at);
             let term = |one: &Influence| (one.site as u32, one.weight as f32, one.gradient.as_vec2().to_array());
-            (!influences.is_empty()).then(|| Node { at, area, terms: influences.iter().map(term).collect() })
+            let steepest = influences.iter().map(|one| one.gradient.length()).fold(0.0, f64::max);
+            let is_seen = area > 0.0 && !influences.is_empty() && steepest * area.sqrt() < STEEP;
+            is_seen.then(|| Node { at, area, terms: influences.iter().map(term).collect() })
         };
-        Self { nodes: sums.into_iter().filter_map(node).collect() }
+        Self { nodes: of_parts.chain(of_sites).filter_map(node).collect() }
     }
 
     /// Whether it is made for so many sites: to be asked of what came from elsewhere.

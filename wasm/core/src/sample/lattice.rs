@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::{domain::Domain, segment::segment_distance};
 
-/// Lattice points keep this share of the spacing away from the outline, and from sites: nearer ones make slivers.
+/// Lattice points keep this share of the spacing away from the outline, and from bones: nearer ones make slivers.
 /// Not one half, so that outlines parallel to the lattice do not leave the choice to rounding.
 pub(super) const CLEARANCE: f64 = 0.47;
 /// Height of a lattice row over the spacing: √3 / 2.
@@ -22,10 +22,9 @@ pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     2.0 * quadratic / ((linear * linear + 4.0 * quadratic * wanted).sqrt() - linear)
 }
 
-/// Lattice points inside the domain and clear of the outline's `segments`, of the sites and of the bones.
+/// Lattice points inside the domain and clear of the outline's `segments` and of the bones.
 pub(super) fn inner_points(
     domain: &Domain,
-    sites: &[DVec2],
     bones: &[[DVec2; 2]],
     spacing: f64,
     vertices: &[DVec2],
@@ -36,9 +35,6 @@ pub(super) fn inner_points(
     let clearance = CLEARANCE * spacing;
     for &[a, b] in segments {
         lattice.clear_around(&mut inside, vertices[a], vertices[b], clearance);
-    }
-    for &site in sites {
-        lattice.clear_around(&mut inside, site, site, clearance);
     }
     for &[a, b] in bones {
         lattice.clear_around(&mut inside, a, b, clearance);

@@ -44,30 +44,25 @@ pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
     patches
 }
 
-/// Adds the nodes of the patches that lie inside the domain and clear of what is there.
-pub(super) fn add_patches(vertices: &mut Vec<DVec2>, patches: &[Patch], navigation: &Navigation, domain: &Domain) {
-    for patch in patches {
-        let close = |p: DVec2| p.distance(patch.centre) < patch.radius + patch.spacing;
-        let mut near: Vec<DVec2> = vertices.iter().copied().filter(|&p| close(p)).collect();
+impl Patch {
+    /// The nodes that lie inside the domain and clear of the `vertices` that are there.
+    pub(super) fn clear_nodes(&self, vertices: &[DVec2], navigation: &Navigation, domain: &Domain) -> Vec<DVec2> {
+        let close = |p: DVec2| p.distance(self.centre) < self.radius + self.spacing;
+        let near: Vec<DVec2> = vertices.iter().copied().filter(|&p| close(p)).collect();
         let outline = domain.edges();
         let walls: Vec<(DVec2, DVec2)> =
-            outline.filter(|&(a, b)| segment_distance(patch.centre, a, b) < patch.radius + patch.spacing).collect();
-        let clearance = CLEARANCE * patch.spacing;
-        for p in patch.nodes() {
-            let own = patch.rivals.iter().all(|rival| p.distance(*rival) >= p.distance(patch.centre));
-            if own
+            outline.filter(|&(a, b)| segment_distance(self.centre, a, b) < self.radius + self.spacing).collect();
+        let clearance = CLEARANCE * self.spacing;
+        // Nodes are farther from one another than that.
+        let is_clear = |&p: &DVec2| {
+            self.rivals.iter().all(|rival| p.distance(*rival) >= p.distance(self.centre))
                 && near.iter().all(|q| p.distance(*q) >= clearance)
                 && walls.iter().all(|&(a, b)| segment_distance(p, a, b) >= clearance)
                 && navigation.place(p).is_some()
-            {
-                vertices.push(p);
-                near.push(p);
-            }
-        }
+        };
+        self.nodes().filter(is_clear).collect()
     }
-}
 
-impl Patch {
     fn nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
         let steps = (self.radius / (self.spacing * ROW)) as i32;
         (-steps..=steps).flat_map(move |j| (-steps - 1..=steps + 1).map(move |i| (i, j))).filter_map(move |(i, j)| {

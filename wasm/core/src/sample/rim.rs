@@ -4,8 +4,6 @@
 //! outline sample gets a twin outside that moves with the sample's weights. Twins stay clear of the middle of a gap, so
 //! that no part draws the fringe of another.
 
-use std::collections::HashMap;
-
 use glam::DVec2;
 
 use crate::{segment::segment_distance, triangulation::Triangulation};
@@ -50,6 +48,12 @@ impl Rim {
         }
         rim
     }
+
+    /// The same rim of a mesh that has more vertices by now, none of them on the outline.
+    pub(crate) fn renumbered(&self, before: usize, now: usize) -> Self {
+        let number = |v: u32| if (v as usize) < before { v } else { v + (now - before) as u32 };
+        Self { triangles: self.triangles.iter().map(|t| t.map(number)).collect(), ..self.clone() }
+    }
 }
 
 /// Outward from a corner of the outline, as long as makes both neighbouring edges move out by one.
@@ -64,25 +68,27 @@ fn mitre(prev: DVec2, at: DVec2, next: DVec2) -> DVec2 {
 /// Pieces of the outline in square cells as wide as twins may look for a gap.
 struct Pieces<'a> {
     mesh: &'a Triangulation,
-    cells: HashMap<(i32, i32), Vec<(u32, u32)>>,
+    /// Row and column of each cell that a piece touches, ascending, with the piece.
+    cells: Vec<([i32; 2], [u32; 2])>,
 }
 
 const CELL: f64 = 2.0 * MITRE * WIDTH;
 
 impl<'a> Pieces<'a> {
     fn new(mesh: &'a Triangulation, outline: &[Vec<u32>]) -> Self {
-        let mut cells: HashMap<(i32, i32), Vec<(u32, u32)>> = HashMap::new();
+        let mut cells = Vec::new();
         for ring in outline {
             for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
                 let (p, q) = (mesh.vertices[a as usize], mesh.vertices[b as usize]);
                 let (low, high) = (p.min(q) / CELL, p.max(q) / CELL);
                 for y in low.y.floor() as i32..=high.y.floor() as i32 {
                     for x in low.x.floor() as i32..=high.x.floor() as i32 {
-                        cells.entry((x, y)).or_default().push((a, b));
+                        cells.push(([y, x], [a, b]));
                     }
                 }
             }
         }
+        cells.sort_unstable();
         Self { mesh, cells }
     }
 
@@ -90,9 +96,9 @@ impl<'a> Pieces<'a> {
     fn gap(&self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
         let cell = (at / CELL).floor();
         let (x, y) = (cell.x as i32, cell.y as i32);
-        let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j)));
-        let pieces = around.filter_map(|cell| self.cells.get(&cell)).flatten();
-        let gaps = pieces.filter_map(|&(a, b)| {
+        let before = |cell: [i32; 2]| self.cells.partition_point(|&(known, _)| known < cell);
+        let rows = (y - 1..=y + 1).map(|y| &self.cells[before([y, x - 1])..before([y, x + 2])]);
+        let gaps = rows.flatten().filter_map(|&(_, [a, b])| {
             let beside = [a, b].iter().any(|v| [prev, own, next].contains(v));
             let [p, q] = [a, b].map(|v| self.mesh.vertices[v as usize]);
             let outward = (p - at).dot(out) > 0.0 || (q - at).dot(out) > 0.0;

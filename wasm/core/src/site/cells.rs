@@ -1,42 +1,42 @@
-//! 𝒱(h_i): which samples are nearer to a site than to any other (paper, section III-B).
+//! 𝒱(h_i): which scouts are nearer to a site than to any other (paper, section III-B).
 //!
-//! Cells are kept while sites are added: a new site takes over the samples around it that it is nearer to, and nothing
-//! else is looked at. Cost of an insertion: its cell, a margin of one sample around it, and the cells it takes from.
+//! Cells are kept while sites are added: a new site takes over the scouts around it that it is nearer to, and nothing
+//! else is looked at. Cost of an insertion: its cell, a margin of one scout around it, and the cells it takes from.
 
-use crate::{sample::Samples, triangulation::NONE};
+use crate::{sample::Scouts, triangulation::NONE};
 
-/// The cells of all sites, over the samples.
+/// The cells of all sites, over the scouts.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cells {
-    /// The nearest site of each sample; [`NONE`] on an island without sites.
+    /// The nearest site of each scout; [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
     /// Its distance.
     pub(crate) distance: Vec<f64>,
-    /// The samples of each cell as linked lists: first sample of each site, next sample of each sample.
+    /// The scouts of each cell as linked lists: first scout of each site, next scout of each scout.
     first: Vec<u32>,
     next: Vec<u32>,
-    /// The farthest sample of each cell, or [`NONE`].
+    /// The farthest scout of each cell, or [`NONE`].
     farthest: Vec<u32>,
-    /// Marks the samples seen by the running insertion.
+    /// Marks the scouts seen by the running insertion.
     seen: Vec<u32>,
     insertions: u32,
     stack: Vec<u32>,
 }
 
 impl Cells {
-    pub(crate) fn new(samples: usize) -> Self {
+    pub(crate) fn new(scouts: usize) -> Self {
         Self {
-            nearest: vec![NONE; samples],
-            distance: vec![f64::INFINITY; samples],
-            next: vec![NONE; samples],
-            seen: vec![0; samples],
+            nearest: vec![NONE; scouts],
+            distance: vec![f64::INFINITY; scouts],
+            next: vec![NONE; scouts],
+            seen: vec![0; scouts],
             ..Self::default()
         }
     }
 
-    /// Gives a new site its cell: the samples nearer to it than to all before. `start` are samples around the site and
-    /// `distance` tells how far a sample is from it.
-    pub(crate) fn insert(&mut self, samples: &Samples, start: [u32; 3], distance: impl Fn(usize) -> f64) {
+    /// Gives a new site its cell: the scouts nearer to it than to all before. `start` are scouts around the site and
+    /// `distance` tells how far a scout is from it.
+    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], distance: impl Fn(usize) -> f64) {
         let site = self.first.len() as u32;
         self.first.push(NONE);
         self.farthest.push(NONE);
@@ -51,9 +51,9 @@ impl Cells {
             }
             self.seen[at] = self.insertions;
             let (d, known) = (distance(at), self.distance[at]);
-            // The path to a sample of the cell crosses triangles, none of whose corners is farther from it than an edge.
-            if d < known + 2.0 * samples.reach[at] {
-                self.stack.extend(samples.graph.of(at));
+            // The path to a scout of the cell crosses triangles, none of whose corners is farther from it than an edge.
+            if d < known + 2.0 * scouts.reach[at] {
+                self.stack.extend(scouts.graph.of(at));
             }
             if d < known {
                 let loser = self.nearest[at];
@@ -70,13 +70,13 @@ impl Cells {
             first = self.release(loser, site, first);
         }
         if losers.is_empty() {
-            // The first site of an island: no list to take samples from.
+            // The first site of an island: no list to take scouts from.
             first = self.collect(site);
         }
         (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
     }
 
-    /// Moves the samples that `site` took from `loser` to the list that begins with `first`.
+    /// Moves the scouts that `site` took from `loser` to the list that begins with `first`.
     fn release(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
         let (mut kept, mut farthest, mut radius) = (NONE, NONE, -1.0);
         let mut sample = self.first[loser as usize];
@@ -104,13 +104,13 @@ impl Cells {
         first
     }
 
-    /// The samples of a site's cell.
+    /// The scouts of a site's cell.
     pub(crate) fn of(&self, site: usize) -> impl Iterator<Item = usize> + '_ {
         let some = |sample: u32| (sample != NONE).then_some(sample as usize);
         std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
     }
 
-    /// The farthest sample of a cell. A cell between the samples has none.
+    /// The farthest scout of a cell. A cell between the scouts has none.
     pub(crate) fn farthest_sample(&self, site: usize) -> Option<usize> {
         (self.farthest[site] != NONE).then_some(self.farthest[site] as usize)
     }

@@ -4,7 +4,7 @@
 //! halfway shares the way out, and its motion is free. Algorithm 1 looks at the farthest point of a cell, which is on its open side: a
 //! narrow gap between two bars would be the last to be divided.
 //!
-//! Cost: a look at every sample's neighbours where real sites are new, afterwards at the contacts that are left.
+//! Cost: a look at every scout's neighbours where real sites are new, afterwards at the contacts that are left.
 
 use super::{
     Origin,
@@ -15,7 +15,7 @@ use super::{
 /// A place on the border of the cells of two real sites, which are not of one body.
 #[derive(Debug, Clone, Copy)]
 struct Contact {
-    /// Two samples that are neighbours, and the sites they are nearest to.
+    /// Two scouts that are neighbours, and the sites they are nearest to.
     edge: [u32; 2],
     sites: [u32; 2],
     /// Where the border crosses the edge.
@@ -37,7 +37,7 @@ impl Contacts {
         if self.real_sites != real_sites {
             *self = Self { list: regions.contacts().collect(), real_sites };
         }
-        self.list.retain(|contact| contact.edge.map(|sample| regions.cells.nearest[sample as usize]) == contact.sites);
+        self.list.retain(|contact| contact.edge.map(|scout| regions.cells.nearest[scout as usize]) == contact.sites);
         let widest = self.list.iter().map(|contact| contact.point.distance).fold(0.0, f64::max);
         let tied = self.list.iter().filter(|contact| contact.point.distance >= (1.0 - TIE) * widest);
         tied.map(|contact| contact.point).collect()
@@ -46,14 +46,14 @@ impl Contacts {
 
 impl Regions<'_> {
     fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
-        (0..self.samples.len() as u32).flat_map(move |a| {
-            let forward = self.samples.graph.of(a as usize).iter().filter(move |&&b| a < b);
+        (0..self.scouts.len() as u32).flat_map(move |a| {
+            let forward = self.scouts.graph.of(a as usize).iter().filter(move |&&b| a < b);
             forward.filter_map(move |&b| self.contact([a, b]))
         })
     }
 
     fn contact(&self, edge: [u32; 2]) -> Option<Contact> {
-        let sites = edge.map(|sample| self.cells.nearest[sample as usize]);
+        let sites = edge.map(|scout| self.cells.nearest[scout as usize]);
         let of_edge = sites.map(|site| self.sites.get(site as usize));
         let [Some(s), Some(t)] = of_edge else { return None };
         let are_apart =
@@ -61,15 +61,19 @@ impl Regions<'_> {
         if !are_apart {
             return None;
         }
-        let [a, b] = edge.map(|sample| self.samples.mesh.vertices[sample as usize]);
-        let [place_a, place_b] = edge.map(|sample| self.samples.places[sample as usize]);
+        let [a, b] = edge.map(|scout| self.scouts.mesh.vertices[scout as usize]);
+        let [place_a, place_b] = edge.map(|scout| self.scouts.places[scout as usize]);
         // By how much the other site is farther: both nearly linear along the edge.
         let off_a = t.field.distance(place_a, a) - self.cells.distance[edge[0] as usize];
         let off_b = s.field.distance(place_b, b) - self.cells.distance[edge[1] as usize];
         let share = off_a / (off_a + off_b);
         let at = a.lerp(b, if share.is_finite() { share } else { 0.5 });
         let place = self.navigation.place(at)?;
-        Some(Contact { edge, sites, point: FarPoint { at, place, distance: self.nearest_distance(place, at) } })
+        Some(Contact {
+            edge,
+            sites,
+            point: FarPoint { at, place, distance: self.nearest_distance(place, at, f64::INFINITY) },
+        })
     }
 
     fn are_one_body(&self, a: Origin, b: Origin) -> bool {

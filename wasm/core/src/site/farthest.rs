@@ -55,13 +55,20 @@ fn climb_one(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f
     for _ in 0..STEPS {
         let (value, gradient) = (cone.value(p), cone.gradient(p));
         let others = cones.iter().filter(|other| *other != cone);
+        // How far a step within the square goes in a direction, at most.
+        let (low, high) = (start - p - reach, start - p + reach);
+        let room = |normal: DVec2| (normal * low).max(normal * high).element_sum();
+        let side = |other: &Cone| {
+            let side = Side::new(gradient, gradient - other.gradient(p), other.value(p) - value);
+            (side.limit < room(side.normal)).then_some(side)
+        };
         sides.clear();
-        sides.extend(others.map(|other| Side { normal: gradient - other.gradient(p), limit: other.value(p) - value }));
+        sides.extend(others.filter_map(side));
         let square = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
-        sides.extend(square.map(|normal| Side { normal, limit: reach - normal.dot(p - start) }));
+        sides.extend(square.map(|normal| Side::new(gradient, normal, reach - normal.dot(p - start))));
         sides.extend(walls.iter().map(|&(a, b)| {
             let normal = -(b - a).normalize().perp();
-            Side { normal, limit: normal.dot(a - p) }
+            Side::new(gradient, normal, normal.dot(a - p))
         }));
         let Some((step, other)) = farthest_step(gradient, &sides, reach, fork) else { break };
         forked |= other;
@@ -108,8 +115,18 @@ pub(super) fn climb_along(cone: &Cone, cones: &[Cone], a: DVec2, b: DVec2) -> DV
 struct Side {
     normal: DVec2,
     limit: f64,
+    /// On which side of the direction of the climb the normal stands: positive to the left.
+    turn: f64,
 }
 
+impl Side {
+    fn new(direction: DVec2, normal: DVec2, limit: f64) -> Self {
+        Self { normal, limit, turn: direction.perp_dot(normal) }
+    }
+}
+
+/// Sides whose normals stand to the left and to the right of a direction; along it within this sine, both.
+const ALONG: f64 = 1e-5;
 /// Steps differ, and gains do not, by this share of the reach.
 const SAME_STEP: f64 = 1e-6;
 const SAME_GAIN: f64 = 1e-12;
@@ -122,7 +139,9 @@ fn farthest_step(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Op
     for (i, a) in sides.iter().enumerate() {
         for b in &sides[i + 1..] {
             let area = a.normal.perp_dot(b.normal);
-            if area.abs() < 1e-9 {
+            // A corner is the best where the direction lies between the normals of its sides.
+            let (right, left) = if area > 0.0 { (a, b) } else { (b, a) };
+            if area.abs() < 1e-9 || right.turn > ALONG || left.turn < -ALONG {
                 continue;
             }
             let step = (a.limit * -b.normal.perp() + b.limit * a.normal.perp()) / area;

@@ -7,11 +7,11 @@ use crate::{
     bone::{Skeleton, Track},
     distance::{DistanceField, Navigation, Place, Propagation},
     domain::Domain,
-    sample::Samples,
+    sample::Scouts,
     triangulation::NONE,
 };
 
-/// The farthest point of a cell is no farther than its farthest sample by more than this many edges, also in a narrow tip.
+/// The farthest point of a cell is no farther than its farthest scout by more than this many edges, also in a narrow tip.
 pub(super) const NEAR_TOP: f64 = 2.0;
 
 /// Fields of real sites, and all fields where there are bones, reach this much farther than the largest cell: as far as
@@ -39,6 +39,13 @@ pub(crate) struct FarPoint {
     pub(crate) distance: f64,
 }
 
+/// A point of a cell that is farther than all around it.
+pub(super) struct Summit {
+    pub(super) point: FarPoint,
+    /// The sites whose cells meet there.
+    pub(super) meeting: Vec<u32>,
+}
+
 /// What is known of a cell's farthest points.
 pub(super) enum Far {
     /// These, all as far from the site: at least one.
@@ -50,14 +57,16 @@ pub(super) enum Far {
 /// All sites with their distance fields and cells.
 pub(crate) struct Regions<'a> {
     pub(crate) navigation: &'a Navigation,
-    pub(crate) samples: &'a Samples,
+    pub(crate) scouts: &'a Scouts,
     pub(super) obstacles: &'a Obstacles<'a>,
     pub(crate) sites: Vec<Site>,
     pub(super) chains: Vec<Chain>,
     pub(crate) cells: Cells,
     /// Farthest points of each cell.
     pub(super) far: Vec<Far>,
-    /// The samples before and after each sample of the outline.
+    /// Summits of each cell that were found once, and are in it still.
+    pub(super) summits: Vec<Vec<Summit>>,
+    /// The scouts before and after each scout of the outline.
     pub(super) along: Vec<[u32; 2]>,
     propagation: &'a mut Propagation,
 }
@@ -65,31 +74,31 @@ pub(crate) struct Regions<'a> {
 impl<'a> Regions<'a> {
     pub(crate) fn new(
         navigation: &'a Navigation,
-        samples: &'a Samples,
+        scouts: &'a Scouts,
         obstacles: &'a Obstacles<'a>,
         propagation: &'a mut Propagation,
     ) -> Self {
-        let mut along = vec![[NONE; 2]; samples.len()];
-        for ring in &samples.outline {
+        let mut along = vec![[NONE; 2]; scouts.len()];
+        for ring in &scouts.outline {
             let n = ring.len();
             for i in 0..n {
                 along[ring[i] as usize] = [ring[(i + n - 1) % n], ring[(i + 1) % n]];
             }
         }
-        let cells = Cells::new(samples.len());
-        let (sites, chains, far) = (Vec::new(), Vec::new(), Vec::new());
-        Self { navigation, samples, obstacles, sites, chains, cells, far, along, propagation }
+        let cells = Cells::new(scouts.len());
+        let (sites, chains, far, summits) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { navigation, scouts, obstacles, sites, chains, cells, far, summits, along, propagation }
     }
 
     /// Adds a site at a point of the domain.
     pub(crate) fn insert(&mut self, rest: DVec2, place: Place, origin: Origin) {
         let island = self.navigation.island_of(place);
-        // No sample of the island is farther from its nearest site, so the new cell reaches no farther either.
+        // No scout of the island is farther from its nearest site, so the new cell reaches no farther either.
         let island_sites = (0..self.sites.len()).filter(|&i| self.sites[i].island == island);
         let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
         let looks_out = origin.is_real() || !self.obstacles.tracks.is_empty();
         let factor = if looks_out { LOOK_OUT } else { 1.0 };
-        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.samples.longest_edge));
+        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.scouts.longest_edge));
         let field = self.field(rest, place, bound);
         let body = self.body(origin);
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
@@ -122,10 +131,10 @@ impl<'a> Regions<'a> {
             clearance = clearance.min(held.distance_to_outline(rest));
         }
         separation = separation.min(clearance);
-        let start = self.samples.around(rest).expect("sites lie in the domain");
-        let samples = self.samples;
-        let distance = |at: usize| field.distance(samples.places[at], samples.mesh.vertices[at]);
-        self.cells.insert(samples, start, distance);
+        let start = self.scouts.around(rest);
+        let scouts = self.scouts;
+        let distance = |at: usize| field.distance(scouts.places[at], scouts.mesh.vertices[at]);
+        self.cells.insert(scouts, start, distance);
         self.sites.push(Site {
             rest,
             origin,
@@ -151,7 +160,11 @@ impl<'a> Regions<'a> {
                 }
             }
         }
+        for summits in &mut self.summits {
+            summits.retain(|summit| kept(&summit.point));
+        }
         self.far.push(Far::Within(f64::INFINITY));
+        self.summits.push(Vec::new());
     }
 
     /// Distances from a point, up to a bound.
@@ -168,26 +181,26 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// The sites with their cell radii, and the nearest site of each sample.
-    pub(crate) fn finished(mut self) -> (Vec<Site>, Vec<u32>) {
+    /// The sites with their cell radii.
+    pub(crate) fn finished(mut self) -> Vec<Site> {
         for site in 0..self.sites.len() {
             if self.known_farthest(site).is_none() {
                 self.find_farthest(site);
             }
             self.sites[site].cell_radius = self.known_farthest(site).map_or(0.0, |points| points[0].distance);
         }
-        (self.sites, self.cells.nearest)
+        self.sites
     }
 
-    /// The cell radius as the samples tell it; never more than the true one.
+    /// The cell radius as the scouts tell it; never more than the true one.
     pub(crate) fn sampled_radius(&self, site: usize) -> f64 {
         self.cells.farthest_sample(site).map_or(0.0, |sample| self.cells.distance[sample])
     }
 
-    /// More than the true cell radius can be: every point of a cell has a sample within an edge's length.
+    /// More than the true cell radius can be: every point of a cell has a scout within an edge's length.
     pub(crate) fn greatest_radius(&self, site: usize) -> f64 {
         let sample = self.cells.farthest_sample(site);
-        let reach = sample.map_or(self.samples.spacing, |sample| self.samples.reach[sample]);
+        let reach = sample.map_or(self.scouts.spacing, |sample| self.scouts.reach[sample]);
         let by_samples = self.sampled_radius(site) + NEAR_TOP * reach;
         match self.far[site] {
             Far::Within(radius) => radius.min(by_samples),
@@ -195,10 +208,10 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// Distance of a point to its nearest site.
-    pub(crate) fn nearest_distance(&self, place: Place, p: DVec2) -> f64 {
-        self.sites.iter().fold(f64::INFINITY, |least, site| {
-            if site.rest.distance(p) < least { least.min(site.field.distance(place, p)) } else { least }
+    /// Distance of a point to its nearest site, or `known` where none is nearer than that.
+    pub(crate) fn nearest_distance(&self, place: Place, p: DVec2, known: f64) -> f64 {
+        self.sites.iter().fold(known, |least, site| {
+            if site.rest.distance_squared(p) < least * least { least.min(site.field.distance(place, p)) } else { least }
         })
     }
 

@@ -82,10 +82,13 @@ impl Chain {
         if sharp.is_empty() { self.lengths[..n].to_vec() } else { sharp }
     }
 
-    /// The place nearest to one `length` along the line that is clear of both ends, as a third of what is free there is.
+    /// The place nearest to one `length` along the line that is clear of both ends, by a third of what is free there.
     fn clear_of_ends(&self, length: f64) -> f64 {
-        let (first, last) = (self.sites[0].0, self.sites[self.sites.len() - 1].0);
-        if self.closed { length } else { length.clamp(first / 3.0, self.length() - (self.length() - last) / 3.0) }
+        if self.closed {
+            return length;
+        }
+        let free = [self.sites[0].0, self.length() - self.sites[self.sites.len() - 1].0];
+        length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
     }
 
     /// The place of the line that is nearest to a point: its straight distance, and the length of the line before it.

@@ -26,9 +26,9 @@ const MARGIN: f64 = 0.05;
 /// Tied points closer than this share of their distance to all sites would crowd each other.
 const CROWDED: f64 = 0.5;
 
-/// How much a contact of half a width counts for beside a cell of that radius around a handle. With 1.5 in place of 2 handles
-/// that are near one another need half as many sites again to be bent as rigidly; with 3, sites are missing elsewhere.
-const CONTACT: f64 = 1.5;
+/// How much a contact as wide counts for beside a cell of that radius around a handle. With 1.5 in place of 2, narrow gaps between bars
+/// stay without sites; with 3, sites are missing elsewhere.
+const CONTACT: f64 = 2.0;
 
 /// The score δ(h_i) / r_d(h_i) of the worst cell in each round (the paper's figure 3, right).
 pub(crate) type Scores = Vec<f64>;
@@ -150,7 +150,7 @@ fn representatives(regions: &Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     let middle = group.iter().map(|point| point.at).sum::<glam::DVec2>() / group.len() as f64;
     let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
     if let Some(place) = regions.navigation.place(middle) {
-        let distance = regions.nearest_distance(place, middle);
+        let distance = regions.nearest_distance(place, middle, f64::INFINITY);
         if distance > (1.0 - CROWDED / 2.0) * least && distance.is_finite() {
             return vec![FarPoint { at: middle, place, distance }];
         }

@@ -1,8 +1,14 @@
 //! Weights at any point: eq. 2 itself, no interpolation.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
-use super::{Basis, SparseWeights, sharing::Sharing};
+use super::{
+    Basis,
+    sharing::Sharing,
+    sweep::{Swept, sweep},
+};
 use crate::{
     bone::Skeleton,
     distance::{Navigation, Place},
@@ -26,27 +32,40 @@ pub struct Influence {
 pub struct Weights {
     basis: Basis,
     sharing: Sharing,
-    /// Sites whose support reaches into each triangle of the navigation mesh, as compressed rows.
+    /// The supports that reach into each triangle of the navigation mesh, ascending by site, as compressed rows.
     reaching_start: Vec<u32>,
-    reaching: Vec<u32>,
+    reaching: Vec<Reaching>,
+}
+
+/// A support that reaches into a triangle.
+#[derive(Debug, Clone, Default)]
+struct Reaching {
+    site: u32,
+    /// What the site's field has for the triangle.
+    windows: Range<u32>,
 }
 
 impl Weights {
     /// Prepares the weights of sites whose support radii are set and whose fields reach as far.
     pub(crate) fn new(navigation: &Navigation, sites: &[Site], skeleton: &Skeleton, basis: Basis) -> Self {
-        let mut lists: Vec<Vec<u32>> = vec![Vec::new(); navigation.mesh.triangles.len()];
-        for (i, site) in sites.iter().enumerate() {
-            for triangle in site.field.triangles_within(site.support_radius) {
-                lists[triangle as usize].push(i as u32);
+        let mut reaching_start = vec![0_u32; navigation.mesh.triangles.len() + 1];
+        for (triangle, _) in sites.iter().flat_map(|site| site.field.windows_within(site.support_radius)) {
+            reaching_start[triangle as usize + 1] += 1;
+        }
+        for i in 1..reaching_start.len() {
+            reaching_start[i] += reaching_start[i - 1];
+        }
+        let mut fill = reaching_start.clone();
+        let mut reaching = vec![Reaching::default(); reaching_start[reaching_start.len() - 1] as usize];
+        for (site, at) in sites.iter().zip(0..) {
+            for (triangle, windows) in site.field.windows_within(site.support_radius) {
+                let next = &mut fill[triangle as usize];
+                reaching[*next as usize] = Reaching { site: at, windows };
+                *next += 1;
             }
         }
-        let mut reaching_start = vec![0];
-        reaching_start.extend(lists.iter().scan(0, |sum, list| {
-            *sum += list.len() as u32;
-            Some(*sum)
-        }));
         let sharing = Sharing::new(sites, skeleton);
-        Self { basis, sharing, reaching_start, reaching: lists.concat() }
+        Self { basis, sharing, reaching_start, reaching }
     }
 
     /// The weights at a point and their gradients, ascending by site. Empty where no site reaches.
@@ -54,22 +73,23 @@ impl Weights {
     /// They sum to 1 within rounding, and none is negative.
     #[must_use]
     pub fn at(&self, sites: &[Site], place: Place, p: DVec2) -> Vec<Influence> {
-        let triangle = place.0 as usize;
-        let range = self.reaching_start[triangle] as usize..self.reaching_start[triangle + 1] as usize;
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
-        for &site in &self.reaching[range] {
-            let Site { rest, support_radius: radius, ref field, .. } = sites[site as usize];
+        for Reaching { site, windows } in self.reaching_in(place) {
+            let &Site { rest, support_radius: radius, ref field, .. } = &sites[*site as usize];
             if rest.distance_squared(p) >= radius * radius {
                 continue;
             }
-            let Some(foot) = field.foot(place, p).filter(|foot| foot.distance < radius) else { continue };
+            let Some(foot) = field.foot_in(field.windows(windows.clone()), p).filter(|foot| foot.distance < radius)
+            else {
+                continue;
+            };
             let t = foot.distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
             let gradient = slope * (p - foot.pseudo_source).normalize_or_zero();
             sum += phi;
             sum_gradient += gradient;
-            influences.push(Influence { site: site as usize, weight: phi, gradient });
+            influences.push(Influence { site: *site as usize, weight: phi, gradient });
         }
         self.sharing.share_out(p, &mut influences);
         for influence in &mut influences {
@@ -79,35 +99,18 @@ impl Weights {
         influences
     }
 
-    /// The weights of all samples, and Σφ at each.
-    ///
-    /// Cost: the samples within each support, and a margin of one around it.
-    pub(crate) fn of_samples(&self, sites: &[Site], samples: &Samples) -> (SparseWeights, Vec<f64>) {
-        let mut seen = vec![u32::MAX; samples.len()];
-        let mut stack: Vec<u32> = Vec::new();
-        let mut by_site = Vec::with_capacity(sites.len());
-        for (i, site) in sites.iter().enumerate() {
-            let mut covered: Vec<(u32, f64)> = Vec::new();
-            stack.extend(samples.around(site.rest).expect("sites lie in the domain"));
-            while let Some(sample) = stack.pop() {
-                let at = sample as usize;
-                if seen[at] == i as u32 {
-                    continue;
-                }
-                seen[at] = i as u32;
-                let d = site.field.distance(samples.places[at], samples.mesh.vertices[at]);
-                // The path to a covered sample crosses triangles whose corners are at most an edge farther than it.
-                if d < site.support_radius + samples.reach[at] {
-                    stack.extend(samples.graph.of(at));
-                }
-                if d < site.support_radius {
-                    covered.push((sample, self.basis.value(d / site.support_radius)));
-                }
-            }
-            by_site.push(covered);
-        }
-        let (mut weights, sums) = SparseWeights::normalised(samples.len(), &by_site);
-        self.sharing.share_out_rows(&samples.mesh.vertices, &mut weights);
-        (weights, sums)
+    /// The weights of all samples.
+    pub(crate) fn of_samples(&self, sites: &[Site], samples: &Samples) -> Swept {
+        let mut swept = sweep(sites, samples, &self.basis, |place| {
+            let reaching = self.reaching_in(place).iter();
+            reaching.map(|Reaching { site, windows }| (*site, sites[*site as usize].field.windows(windows.clone())))
+        });
+        self.sharing.share_out_rows(&samples.mesh.vertices, &mut swept.weights);
+        swept
+    }
+
+    fn reaching_in(&self, place: Place) -> &[Reaching] {
+        let triangle = place.0 as usize;
+        &self.reaching[self.reaching_start[triangle] as usize..self.reaching_start[triangle + 1] as usize]
     }
 }

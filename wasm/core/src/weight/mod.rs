@@ -5,8 +5,10 @@ mod evaluate;
 mod sharing;
 mod sparse;
 mod support;
+mod sweep;
 
 pub use basis::Basis;
 pub use evaluate::{Influence, Weights};
 pub use sparse::SparseWeights;
 pub(crate) use support::{field_bound, support_radii};
+pub(crate) use sweep::Swept;

@@ -1,5 +1,8 @@
 //! The weights of many points, as compressed sparse rows.
 
+/// Supports over a point on average that there is room for at once: as many as the paper's rule makes; the smooth one, more.
+const COVER: usize = 3;
+
 /// Weights of points: row `p` holds the sites that move point `p` and their weights, ascending by site.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SparseWeights {
@@ -12,6 +15,22 @@ pub struct SparseWeights {
 }
 
 impl SparseWeights {
+    /// No points yet, with room for the rows of some.
+    pub(crate) fn with_capacity(points: usize) -> Self {
+        let mut offsets = Vec::with_capacity(points + 1);
+        offsets.push(0);
+        Self { offsets, sites: Vec::with_capacity(COVER * points), weights: Vec::with_capacity(COVER * points) }
+    }
+
+    /// Adds a point: the sites that move it, ascending, and their weights.
+    pub(crate) fn push_row(&mut self, row: impl Iterator<Item = (u32, f64)>) {
+        for (site, weight) in row {
+            self.sites.push(site);
+            self.weights.push(weight);
+        }
+        self.offsets.push(self.sites.len() as u32);
+    }
+
     /// Normalises `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points.
     pub(crate) fn normalised(points: usize, by_site: &[Vec<(u32, f64)>]) -> (Self, Vec<f64>) {
         let mut offsets = vec![0_u32; points + 1];
@@ -53,6 +72,13 @@ impl SparseWeights {
     pub fn row(&self, point: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let range = self.offsets[point] as usize..self.offsets[point + 1] as usize;
         self.sites[range.clone()].iter().zip(&self.weights[range]).map(|(&site, &weight)| (site as usize, weight))
+    }
+
+    /// The site that moves a point most, the first of several, if any moves it.
+    pub(crate) fn strongest(&self, point: usize) -> Option<usize> {
+        let (start, end) = (self.offsets[point] as usize, self.offsets[point + 1] as usize);
+        let stronger = |best: usize, at: usize| if self.weights[at] > self.weights[best] { at } else { best };
+        (start < end).then(|| self.sites[(start..end).fold(start, stronger)] as usize)
     }
 
     /// The weights of a point, in the order of [`row`](Self::row).

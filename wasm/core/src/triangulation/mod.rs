@@ -1,7 +1,11 @@
 //! A triangle mesh as flat arrays, and the constrained Delaunay triangulation that makes one. Alone in using spade.
 
+mod insertion;
+
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitigate_underflow};
+
+pub(crate) use insertion::Inserted;
 
 /// Marks "no triangle" in [`Triangulation::neighbours`].
 pub const NONE: u32 = u32::MAX;
@@ -26,16 +30,29 @@ impl Triangulation {
         let points = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
         let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, segments)
             .expect("vertices of a checked domain are finite and far from the limits of f64");
-        let inside = inner_faces(&cdt);
-        let kept = |face: usize| inside.get(face).copied().unwrap_or(NONE);
-        let mut triangles = Vec::with_capacity(cdt.num_inner_faces());
-        let mut neighbours = Vec::with_capacity(cdt.num_inner_faces());
-        for face in cdt.inner_faces().filter(|face| kept(face.fix().index()) != NONE) {
-            let edges = face.adjacent_edges();
-            triangles.push(edges.map(|edge| edge.from().fix().index() as u32));
-            neighbours.push(edges.map(|edge| kept(edge.rev().face().fix().index())));
+        let inside = is_inside(&cdt);
+        let kept: Vec<_> = cdt.inner_faces().filter(|face| inside[face.fix().index()]).collect();
+        let mut number = vec![NONE; cdt.num_all_faces()];
+        for (face, at) in kept.iter().zip(0..) {
+            number[face.fix().index()] = at;
         }
-        Self { vertices, triangles, neighbours }
+        let corners = kept.iter().map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect();
+        let across = kept.iter().map(|face| face.adjacent_edges().map(|edge| number[edge.rev().face().fix().index()]));
+        Self { vertices, triangles: corners, neighbours: across.collect() }
+    }
+
+    /// A copy with room for more vertices and as many triangles as they make.
+    pub(crate) fn with_room(&self, vertices: usize) -> Self {
+        fn roomy<T: Copy>(list: &[T], more: usize) -> Vec<T> {
+            let mut copy = Vec::with_capacity(list.len() + more);
+            copy.extend_from_slice(list);
+            copy
+        }
+        Self {
+            vertices: roomy(&self.vertices, vertices),
+            triangles: roomy(&self.triangles, 2 * vertices),
+            neighbours: roomy(&self.neighbours, 2 * vertices),
+        }
     }
 
     /// The corners of a triangle.
@@ -45,8 +62,8 @@ impl Triangulation {
     }
 }
 
-/// For each face (0 being the outer one) its number among the faces inside the constraints, or [`NONE`].
-fn inner_faces(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<u32> {
+/// For each face (0 being the outer one) whether it lies inside the constraints.
+fn is_inside(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<bool> {
     let mut parity: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
     let outer = cdt.outer_face();
     parity[outer.fix().index()] = Some(false);
@@ -63,12 +80,7 @@ fn inner_faces(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<u32> 
             stack.extend([first.next().fix(), first.prev().fix()]);
         }
     }
-    let mut count = 0;
-    let mut number = |inside: bool| {
-        count += u32::from(inside);
-        if inside { count - 1 } else { NONE }
-    };
-    parity.into_iter().map(|parity| number(parity == Some(true))).collect()
+    parity.into_iter().map(|parity| parity == Some(true)).collect()
 }
 
 #[cfg(test)]

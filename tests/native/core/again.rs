@@ -1,0 +1,60 @@
+//! A solver that has solved before, and one that has not.
+
+use c2warp::{Error, Picture, Solution, Solver, project::Project, solve};
+use glam::DVec2;
+use proptest::prelude::*;
+
+use crate::scenes::{cases, handle, scenes};
+
+/// Everything of a solution that is drawn.
+fn drawn(solution: &Solution) -> impl PartialEq + use<'_> {
+    (&solution.mesh, &solution.weights, &solution.nearest, &solution.phi_sums, solution.samples)
+}
+
+fn advance(solver: &mut Solver, project: &Project, picture: &Picture) -> Result<(), Error> {
+    solver.begin(project, picture)?;
+    while solver.advance()?.is_some() {}
+    Ok(())
+}
+
+/// Solves projects one after the other, and each from nothing: the same bits, or the same refusal.
+fn check(projects: &[Project], picture: &Picture) -> Result<(), TestCaseError> {
+    let mut solver = Solver::new();
+    for project in projects {
+        match (advance(&mut solver, project, picture), solve(project, picture)) {
+            (Ok(()), Ok(fresh)) => prop_assert!(drawn(solver.solution()) == drawn(&fresh), "{:?}", project.handles),
+            (Err(known), Err(fresh)) => prop_assert_eq!(known, fresh),
+            (known, fresh) => prop_assert!(false, "{known:?}, but {:?}", fresh.map(|_| ())),
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(12))]
+
+    #[test]
+    fn what_was_solved_before_changes_no_bit((rings, places, support) in scenes(), more in (10.0..390.0_f64, 10.0..390.0_f64)) {
+        let mut project = crate::scenes::project(&rings, &places, support);
+        let size = project.image.width;
+        let rgba = vec![255; size as usize * size as usize * 4];
+        let picture = Picture::new(size, size, &rgba).expect("a picture of fair size");
+        let mut projects = vec![project.clone()];
+        // A corner of the outline, the middle of an edge, close to a handle, anywhere.
+        let edge = rings[0][0].midpoint(rings[0][1]);
+        for p in [rings[0][2], edge, places[0] + DVec2::new(0.3, 0.1), more.into()] {
+            project.handles.push(handle(project.handles.len(), p, p, 0.0));
+            projects.push(project.clone());
+            if solve(&project, &picture).is_err() {
+                project.handles.pop();
+            }
+        }
+        project.samples *= 2;
+        project.handles.remove(0);
+        projects.push(project.clone());
+        project.pose.density = 60;
+        projects.push(project);
+        projects.push(projects[0].clone());
+        check(&projects, &picture)?;
+    }
+}

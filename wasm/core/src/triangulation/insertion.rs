@@ -1,0 +1,264 @@
+//! One vertex more in a constrained Delaunay triangulation: its triangle is split, and edges are flipped until each triangle's
+//! circle is empty again (Lawson 1977).
+//!
+//! The predicates are exact (Shewchuk 1997), so that the flips come to an end. Edges without a triangle beyond are never flipped:
+//! they bound the region.
+//!
+//! Cost: the walk from the triangle that is known to be near, and some six flips.
+
+use glam::DVec2;
+use robust::{Coord, incircle, orient2d};
+
+use super::{NONE, Triangulation};
+use crate::locate::{ON_OUTLINE, depth_in};
+
+/// Where a new vertex went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Inserted {
+    /// It is the vertex that was there already.
+    Known(u32),
+    /// Inside the region.
+    Within(u32),
+    /// On the edge between two vertices that bounds the region, which it divides.
+    OnBoundary {
+        /// The new vertex.
+        vertex: u32,
+        /// The ends of the edge.
+        between: [u32; 2],
+    },
+}
+
+impl Inserted {
+    pub(crate) fn vertex(self) -> u32 {
+        match self {
+            Self::Known(vertex) | Self::Within(vertex) | Self::OnBoundary { vertex, .. } => vertex,
+        }
+    }
+}
+
+impl Triangulation {
+    /// Inserts a vertex into the region, within [`ON_OUTLINE`]; one that is as near to an edge that bounds it goes onto that.
+    /// `near` is a triangle not far from it.
+    pub(crate) fn insert(&mut self, near: usize, p: DVec2) -> Inserted {
+        let t = self.triangle_at(near, p);
+        let corners = self.triangles[t];
+        let distance = |v: &u32| self.vertices[*v as usize].distance(p);
+        let nearest = corners.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let nearest = nearest.expect("a triangle has corners");
+        if distance(&nearest) <= ON_OUTLINE {
+            return Inserted::Known(nearest);
+        }
+        for k in 0..3 {
+            let [a, b] = [corners[k], corners[(k + 1) % 3]].map(|v| self.vertices[v as usize]);
+            let along = b - a;
+            if self.neighbours[t][k] == NONE && along.perp_dot(p - a) <= ON_OUTLINE * along.length() {
+                let at = a + along * ((p - a).dot(along) / along.length_squared());
+                let between = [corners[k], corners[(k + 1) % 3]];
+                return Inserted::OnBoundary { vertex: self.split_edge(t, k, at), between };
+            }
+        }
+        let sides = [0, 1, 2].map(|k| self.side(corners[k], corners[(k + 1) % 3], p));
+        match (sides.iter().position(|&side| side == 0.0), sides.iter().any(|&side| side < 0.0)) {
+            // Beside the region by rounding, where two of its edges meet.
+            (_, true) => Inserted::Known(nearest),
+            (Some(k), _) => Inserted::Within(self.split_edge(t, k, p)),
+            (None, _) => Inserted::Within(self.split(t, p)),
+        }
+    }
+
+    /// The triangle that holds a point, or, for one outside the region, that it is nearest to. `near` is one not far from it.
+    pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
+        let depth = |t: usize| depth_in(self.corners(t), p);
+        let mut t = near;
+        // In a Delaunay triangulation such a walk meets no triangle twice; but the region need not be convex.
+        for _ in 0..self.triangles.len() {
+            let ([a, b, c], neighbours) = (self.triangles[t], self.neighbours[t]);
+            let beyond = [(a, b), (b, c), (c, a)].map(|(from, to)| self.side(from, to, p) < 0.0);
+            if !beyond.contains(&true) {
+                return t;
+            }
+            let Some(k) = (0..3).find(|&k| beyond[k] && neighbours[k] != NONE) else {
+                if depth(t) >= -ON_OUTLINE {
+                    return t;
+                }
+                break;
+            };
+            t = neighbours[k] as usize;
+        }
+        let deepest =
+            (0..self.triangles.len()).map(|t| (depth(t), t)).reduce(|best, at| if at.0 > best.0 { at } else { best });
+        deepest.map_or(near, |(_, t)| t)
+    }
+
+    /// Positive where a point lies on the inner side of the edge between two vertices.
+    fn side(&self, a: u32, b: u32, p: DVec2) -> f64 {
+        orient2d(self.coordinates(a), self.coordinates(b), Coord { x: p.x, y: p.y })
+    }
+
+    fn coordinates(&self, v: u32) -> Coord<f64> {
+        let DVec2 { x, y } = self.vertices[v as usize];
+        Coord { x, y }
+    }
+
+    fn split(&mut self, t: usize, p: DVec2) -> u32 {
+        let [[a, b, c], [ab, bc, ca]] = [self.triangles[t], self.neighbours[t]];
+        let v = self.push_vertex(p);
+        let (t, t1, t2) = (t as u32, self.triangles.len() as u32, self.triangles.len() as u32 + 1);
+        self.set(t, [a, b, v], [ab, t1, t2]);
+        self.set(t1, [b, c, v], [bc, t2, t]);
+        self.set(t2, [c, a, v], [ca, t, t1]);
+        self.redirect(bc, t, t1);
+        self.redirect(ca, t, t2);
+        self.legalise(vec![t, t1, t2]);
+        v
+    }
+
+    /// Splits the triangles on both sides of edge `k` of a triangle, or the one that there is.
+    fn split_edge(&mut self, t: usize, k: usize, p: DVec2) -> u32 {
+        let [a, b, c] = [k, k + 1, k + 2].map(|k| self.triangles[t][k % 3]);
+        let [u, bc, ca] = [k, k + 1, k + 2].map(|k| self.neighbours[t][k % 3]);
+        let v = self.push_vertex(p);
+        let (t, t1, u1) = (t as u32, self.triangles.len() as u32, self.triangles.len() as u32 + 1);
+        self.redirect(ca, t, t1);
+        if u == NONE {
+            self.set(t, [b, c, v], [bc, t1, NONE]);
+            self.set(t1, [c, a, v], [ca, NONE, t]);
+            self.legalise(vec![t, t1]);
+            return v;
+        }
+        let l = self.edge_towards(u, t);
+        let d = self.triangles[u as usize][(l + 2) % 3];
+        let [ad, db] = [l + 1, l + 2].map(|l| self.neighbours[u as usize][l % 3]);
+        self.set(t, [b, c, v], [bc, t1, u1]);
+        self.set(t1, [c, a, v], [ca, u, t]);
+        self.set(u, [a, d, v], [ad, u1, t1]);
+        self.set(u1, [d, b, v], [db, t, u]);
+        self.redirect(db, u, u1);
+        self.legalise(vec![t, t1, u, u1]);
+        v
+    }
+
+    /// Flips edges until no circle around triangles has a vertex in it. On the stack are triangles whose last corner is the new
+    /// vertex, and whose first edge may have to go.
+    fn legalise(&mut self, mut stack: Vec<u32>) {
+        while let Some(t) = stack.pop() {
+            let ([a, b, v], [u, bv, va]) = (self.triangles[t as usize], self.neighbours[t as usize]);
+            if u == NONE {
+                continue;
+            }
+            let l = self.edge_towards(u, t);
+            let d = self.triangles[u as usize][(l + 2) % 3];
+            let [pa, pb, pv, pd] = [a, b, v, d].map(|v| self.coordinates(v));
+            // A vertex moved onto the outline may stand outside by rounding: no triangle may turn over.
+            let convex = orient2d(pa, pd, pv) > 0.0 && orient2d(pd, pb, pv) > 0.0;
+            if incircle(pa, pb, pv, pd) <= 0.0 || !convex {
+                continue;
+            }
+            let [ad, db] = [l + 1, l + 2].map(|l| self.neighbours[u as usize][l % 3]);
+            self.set(t, [a, d, v], [ad, u, va]);
+            self.set(u, [d, b, v], [db, bv, t]);
+            self.redirect(ad, u, t);
+            self.redirect(bv, t, u);
+            stack.extend([t, u]);
+        }
+    }
+
+    fn push_vertex(&mut self, p: DVec2) -> u32 {
+        self.vertices.push(p);
+        self.vertices.len() as u32 - 1
+    }
+
+    /// Sets a triangle; a new one must be the next.
+    fn set(&mut self, t: u32, corners: [u32; 3], neighbours: [u32; 3]) {
+        if t as usize == self.triangles.len() {
+            self.triangles.push(corners);
+            self.neighbours.push(neighbours);
+        } else {
+            (self.triangles[t as usize], self.neighbours[t as usize]) = (corners, neighbours);
+        }
+    }
+
+    /// Tells a triangle, if there is one, that another took the place of its neighbour.
+    fn redirect(&mut self, t: u32, from: u32, to: u32) {
+        if t != NONE {
+            let k = self.edge_towards(t, from);
+            self.neighbours[t as usize][k] = to;
+        }
+    }
+
+    fn edge_towards(&self, t: u32, neighbour: u32) -> usize {
+        let known = self.neighbours[t as usize].iter().position(|&n| n == neighbour);
+        known.expect("neighbours know each other")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square of 10 px with a square hole of 2 px in its middle.
+    fn ring() -> Triangulation {
+        let ring = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from);
+        let vertices: Vec<DVec2> = ring(0.0, 10.0).into_iter().chain(ring(4.0, 6.0)).collect();
+        let segments = (0..8).map(|i| [i, i / 4 * 4 + (i + 1) % 4]).collect();
+        Triangulation::constrained_delaunay(vertices, segments)
+    }
+
+    fn check(mesh: &Triangulation, area: f64) {
+        let mut sum = 0.0;
+        for t in 0..mesh.triangles.len() {
+            let [a, b, c] = mesh.corners(t);
+            assert!((b - a).perp_dot(c - a) > 0.0);
+            sum += (b - a).perp_dot(c - a) / 2.0;
+            for k in 0..3 {
+                let n = mesh.neighbours[t][k];
+                if n == NONE {
+                    continue;
+                }
+                let l = mesh.edge_towards(n, t as u32);
+                let other = mesh.triangles[n as usize];
+                assert_eq!([other[(l + 1) % 3], other[l]], [mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]]);
+                let [a, b, c] = mesh.triangles[t].map(|v| mesh.coordinates(v));
+                assert!(incircle(a, b, c, mesh.coordinates(other[(l + 2) % 3])) <= 0.0, "triangles {t} and {n}");
+            }
+        }
+        assert!((sum - area).abs() < 1e-9, "{sum}");
+    }
+
+    #[test]
+    fn stays_delaunay_wherever_vertices_go() {
+        let mut mesh = ring();
+        // A lattice has circles through four vertices, and vertices on edges.
+        for i in 0..121 {
+            let p = DVec2::new(f64::from(i % 11), f64::from(i / 11));
+            if p.distance(DVec2::splat(5.0)) < 0.5 {
+                continue;
+            }
+            mesh.insert(0, p);
+            check(&mesh, 96.0);
+        }
+        assert_eq!(mesh.vertices.len(), 120);
+    }
+
+    #[test]
+    fn a_vertex_on_the_boundary_divides_its_edge() {
+        let mut mesh = ring();
+        let inserted = mesh.insert(3, DVec2::new(3.0, -5e-7));
+        let Inserted::OnBoundary { vertex, mut between } = inserted else { panic!("{inserted:?}") };
+        between.sort_unstable();
+        assert_eq!((vertex, between), (8, [0, 1]));
+        check(&mesh, 96.0);
+        assert_eq!(mesh.insert(0, DVec2::new(3.0, 5e-7)), Inserted::Known(8));
+    }
+
+    #[test]
+    fn close_vertices_keep_apart() {
+        let mut mesh = ring();
+        for i in 0..40 {
+            let turn = f64::from(i);
+            mesh.insert(1, DVec2::new(2.0 + 1e-5 * turn, 2.0 + 1e-7 * turn * turn));
+        }
+        assert_eq!(mesh.vertices.len(), 48);
+        check(&mesh, 96.0);
+    }
+}
