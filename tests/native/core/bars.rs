@@ -3,11 +3,13 @@
 use std::collections::BTreeSet;
 
 use c2warp::{
-    Error, Solution,
+    Error, Picture, Solution,
     pose::Pose,
     project::{Blend, Handle, PoseMode, Project, Rotation, Shape, Support},
     site::Origin,
+    solve,
 };
+use c2warp_tests::Scene;
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -148,6 +150,30 @@ fn a_loop_keeps_its_inside() {
             }
         }
         assert!(inside > 300);
+    }
+}
+
+#[test]
+fn what_nobody_moves_stays_in_the_rigid_mode_around_joints_too() {
+    for name in ["portrait", "tower"] {
+        let Scene { mut project, picture } = Scene::enlarged(name, 2);
+        project.weighting.support = Support::Smooth;
+        (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
+        for handle in &mut project.handles {
+            match &mut handle.shape {
+                Shape::Point { rest, posed } => *posed = *rest,
+                Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => posed.clone_from(rest),
+            }
+        }
+        let (width, height) = picture.dimensions();
+        let picture = Picture::new(width, height, picture.as_raw()).expect("a picture of fair size");
+        let solution = solve(&project, &picture).expect("a valid scene");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+        let posed = solution.posed_vertices(&pose);
+        let moved = posed.iter().zip(&solution.mesh.vertices).map(|(p, q)| p.distance(*q));
+        // Weights of the quadrature are kept as f32, but what they sum to is exact.
+        let farthest = moved.fold(0.0, f64::max);
+        assert!(farthest < 1e-8, "{name}: {farthest} px");
     }
 }
 
