@@ -24,9 +24,9 @@ use super::{
     relaxation::{Freedom, Relaxation},
 };
 
-/// A turn that moves no site by more than this share of the scene's extent is the last of the graph's: a pixel of a large picture.
-/// What is relaxed from there is hardly worse than from a ten-thousandth of it.
-const BENT: f64 = 1e-3;
+/// A turn that moves no site by more than this share of the scene's extent is the last of the graph's: a hundredth of a pixel. What
+/// is relaxed from a pixel away is hardly worse, but jumps when a drag makes the graph take one turn more or less.
+const BENT: f64 = 1e-5;
 /// The same where nothing is relaxed: a ten-thousandth of a pixel.
 const SETTLED: f64 = 1e-7;
 /// The same of relaxing: a hundredth of a pixel.
