@@ -77,13 +77,13 @@ test('another way to bend is one click and one undo step', async ({ page }) => {
   await page.keyboard.press('Control+z');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.button('Undo')).toBeDisabled();
-  await expect.poll(() => settings()).toEqual(['rigid', 30, 'smooth']);
+  await expect.poll(() => settings()).toEqual(['rigid', 100, 'smooth']);
 
   const solved = page.locator('c2-warp .solved');
   const before = await solved.textContent();
   await page.getByRole('button', { name: 'Fine', exact: true }).click();
   await expect(solved).not.toHaveText(before ?? '');
-  await expect.poll(() => settings()).toEqual(['rigid', 60, 'smooth']);
+  await expect.poll(() => settings()).toEqual(['rigid', 200, 'smooth']);
 });
 
 test('turns are kept rigid at a switch, as one step that solves nothing', async ({ page }) => {
