@@ -1,6 +1,6 @@
 /** The posed picture as geometry: the motions that draw it, and what lies where on it. */
 import { blendOf } from '../document/bending';
-import { anchor, isAutomatic, type Turns } from '../document/handle';
+import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
 import { DrawingOrder } from '../geometry/drawing_order';
@@ -129,7 +129,8 @@ export class Posing {
         // The map goes from the posed picture to rest: its turn is the other way round.
         const turn =
           site === undefined ? -(this.map(anchor(handle, 'rest'))?.rotation ?? 0) : siteTurn(motions, site);
-        return [handle.id, turn];
+        // As it is kept when it is pinned, so that pinning changes no digit.
+        return [handle.id, rounded(turn)];
       }),
     );
   }
