@@ -50,6 +50,11 @@ impl Rest {
     pub(crate) fn sites(&self) -> Vec<DVec2> {
         self.points.iter().map(|&(rest, ..)| rest).collect()
     }
+
+    /// Where the bones do.
+    pub(crate) fn bones(&self) -> Vec<[DVec2; 2]> {
+        self.skeleton.bones.iter().map(|bone| bone.rest).collect()
+    }
 }
 
 impl Request {

@@ -144,10 +144,13 @@ impl Solver {
     }
 
     fn scouts(&mut self, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
-        let sites = rest.sites();
-        let ground =
-            ground(&mut self.scouts_ground, outline, rest, scouts_wanted(request.samples, request.density), None);
-        Scouts::new(ground, &outline.domain, &outline.navigation, &sites)
+        let count = scouts_wanted(request.samples, request.density);
+        let ground = match &self.ground {
+            // As a rule they are as many as the samples, and begin as those do.
+            Some(known) if known.is_for(&rest.bones(), count) => known,
+            _ => ground(&mut self.scouts_ground, outline, rest, count, None),
+        };
+        Scouts::new(ground, &outline.domain, &outline.navigation, &rest.sites())
     }
 
     fn divide(&mut self, outline: &Outline, scouts: &Scouts, rest: &Rest, request: &Request) -> Result<Divided, Error> {
@@ -238,7 +241,7 @@ fn ground<'a>(
     count: usize,
     fading: Option<DVec2>,
 ) -> &'a Ground {
-    let bones: Vec<[DVec2; 2]> = rest.skeleton.bones.iter().map(|bone| bone.rest).collect();
+    let bones = rest.bones();
     if known.as_ref().is_some_and(|ground| !ground.is_for(&bones, count)) {
         *known = None;
     }
