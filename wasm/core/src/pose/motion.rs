@@ -96,3 +96,26 @@ pub(super) fn polar(map: DMat2) -> (f64, Strain) {
     let strain = Strain { xx: middle + excess * half, xy: excess * across, yy: middle - excess * half };
     (libm::atan2(sin, cos), strain)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_map_is_its_rotation_and_stretch() {
+        let expected = Motion { angle: 2.5, strain: Strain { xx: 0.3, xy: -0.2, yy: -0.6 }, ..Motion::default() };
+        let (angle, strain) = polar(expected.linear());
+        let found = Motion { angle, strain, ..Motion::default() };
+        assert!((found.linear() - expected.linear()).abs_diff_eq(DMat2::ZERO, 1e-12), "{found:?}");
+        assert!((angle - 2.5).abs() < 1e-12, "{angle}");
+    }
+
+    #[test]
+    fn no_map_turns_over() {
+        for (x, y) in [(1.0, -9.0), (0.0, 0.0), (-2.0, 2.0)] {
+            let (angle, strain) = polar(DMat2::from_diagonal(DVec2::new(x, y)));
+            let motion = Motion { angle, strain, ..Motion::default() };
+            assert!(motion.linear().determinant() > 0.0, "{motion:?}");
+        }
+    }
+}

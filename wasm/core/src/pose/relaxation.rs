@@ -54,6 +54,8 @@ type Parts = [DVec2; 3];
 #[derive(Debug, Clone)]
 pub(super) struct Relaxation {
     freedom: Vec<Freedom>,
+    /// The first unknown of each site.
+    first: Vec<u32>,
     nodes: Vec<Node>,
     terms: Vec<Term>,
     /// Length that linear parts are counted in: then they are places, too.
@@ -159,7 +161,7 @@ impl Relaxation {
         let inverse = Cholesky::new(&groups, &lower);
         let work = 24 * terms.len() + 40 * nodes.len() + 4 * inverse.len();
         let turns = (WORK / work.max(1)).clamp(LEAST_TURNS, TURNS);
-        Self { freedom: freedom.to_vec(), nodes, terms, unit, hold, inverse, turns }
+        Self { freedom: freedom.to_vec(), first, nodes, terms, unit, hold, inverse, turns }
     }
 
     /// Lowers the distortion of motions. `is_free` tells of each site whether its rotation is to be found, `stretch` what stretch it expects;
@@ -209,48 +211,40 @@ impl Relaxation {
             let [place, x, y] = parts[site];
             let map = DMat2::from_cols(x, y) * (1.0 / self.unit);
             match self.freedom[site] {
-                Freedom::Whole => motion.translation = place - rest[site],
-                Freedom::Linear if is_free[site] => {}
-                Freedom::Across(_) => {
-                    bend_bone(motion, map);
-                    continue;
+                Freedom::Whole => {
+                    motion.translation = place - rest[site];
+                    (motion.angle, motion.strain) = polar(map);
                 }
-                Freedom::Linear | Freedom::None => continue,
+                Freedom::Linear if is_free[site] => (motion.angle, motion.strain) = polar(map),
+                Freedom::Across(_) => bend_bone(motion, map),
+                Freedom::Linear | Freedom::None => {}
             }
-            (motion.angle, motion.strain) = polar(map);
         }
     }
 
-    /// Sets to 0 what belongs to sites whose rotation is set.
+    /// What is free of each site, and its first unknown.
+    fn unknowns(&self) -> impl Iterator<Item = (Freedom, usize)> {
+        self.freedom.iter().zip(&self.first).map(|(&freedom, &first)| (freedom, first as usize))
+    }
+
+    /// Sets to 0 what belongs to points whose rotation is set.
     fn keep(&self, is_free: &[bool], values: &mut [DVec2]) {
-        let mut values = values.iter_mut();
-        for (freedom, &is_free) in self.freedom.iter().zip(is_free) {
-            for (_, value) in freedom.factors().zip(values.by_ref()) {
-                if !is_free && *freedom == Freedom::Linear {
-                    *value = DVec2::ZERO;
-                }
+        for ((freedom, first), &is_free) in self.unknowns().zip(is_free) {
+            if freedom == Freedom::Linear && !is_free {
+                values[first..first + 2].fill(DVec2::ZERO);
             }
         }
     }
 
     /// The parts of all sites when the unknowns have these values.
     fn spread(&self, unknown: &[DVec2], begin: &[Parts], parts: &mut [Parts]) {
-        let mut unknown = unknown.iter();
-        for ((freedom, begin), parts) in self.freedom.iter().zip(begin).zip(parts) {
+        for (((freedom, first), begin), parts) in self.unknowns().zip(begin).zip(parts) {
+            let by = &unknown[first..];
             match freedom {
-                Freedom::Whole => {
-                    for (part, begin) in parts.iter_mut().zip(begin) {
-                        *part = *begin + *unknown.next().expect("three unknowns of each");
-                    }
-                }
-                Freedom::Linear => {
-                    for k in [1, 2] {
-                        parts[k] = begin[k] + *unknown.next().expect("two unknowns of each");
-                    }
-                }
+                Freedom::Whole => *parts = [begin[0] + by[0], begin[1] + by[1], begin[2] + by[2]],
+                Freedom::Linear => (parts[1], parts[2]) = (begin[1] + by[0], begin[2] + by[1]),
                 Freedom::Across(along) => {
-                    let by = *unknown.next().expect("one unknown of each");
-                    (parts[1], parts[2]) = (begin[1] - along.y * by, begin[2] + along.x * by);
+                    (parts[1], parts[2]) = (begin[1] - along.y * by[0], begin[2] + along.x * by[0]);
                 }
                 Freedom::None => {}
             }
@@ -259,14 +253,12 @@ impl Relaxation {
 
     /// The gradient by unknowns from that by parts.
     fn gather(&self, forces: &[Parts], gradient: &mut [DVec2]) {
-        let mut gradient = gradient.iter_mut();
-        for (freedom, forces) in self.freedom.iter().zip(forces) {
+        for ((freedom, first), forces) in self.unknowns().zip(forces) {
+            let to = &mut gradient[first..];
             match freedom {
-                Freedom::Whole => forces.iter().zip(gradient.by_ref()).for_each(|(force, to)| *to = *force),
-                Freedom::Linear => forces[1..].iter().zip(gradient.by_ref()).for_each(|(force, to)| *to = *force),
-                Freedom::Across(along) => {
-                    *gradient.next().expect("one unknown of each") = along.x * forces[2] - along.y * forces[1];
-                }
+                Freedom::Whole => to[..3].copy_from_slice(forces),
+                Freedom::Linear => to[..2].copy_from_slice(&forces[1..]),
+                Freedom::Across(along) => to[0] = along.x * forces[2] - along.y * forces[1],
                 Freedom::None => {}
             }
         }
