@@ -98,6 +98,11 @@ fn a_cross_is_twisted_by_90_degrees_without_folds() {
     assert!(mean(&rigid) < 1.5 && mean(&harmonic) > 5.0, "{} and {}", mean(&rigid), mean(&harmonic));
 }
 
+fn point(shape: &Shape) -> (DVec2, DVec2) {
+    let Shape::Point { rest, posed } = shape else { unreachable!("all are points") };
+    (*rest, *posed)
+}
+
 #[test]
 fn a_drag_is_followed_without_jumps() {
     const STEP: f64 = 0.05;
@@ -122,6 +127,29 @@ fn a_drag_is_followed_without_jumps() {
         // A part that is bent by a lever moves farther than the handle; a jump would be of pixels, not of hundredths.
         assert!(worst < 0.5, "{worst} px");
     }
+}
+
+#[test]
+fn a_cross_is_followed_without_jumps_to_its_last_degree() {
+    let mut project = twisted_cross(PoseMode::Rigid);
+    project.pose.density = 100;
+    let solution = solved(&project).expect("a valid scene");
+    let ends: Vec<(DVec2, DVec2)> = project.handles.iter().map(|handle| point(&handle.shape)).collect();
+    let mut before = Vec::new();
+    let (mut worst, mut farthest) = (0.0_f64, 0.0_f64);
+    for step in 0..=200 {
+        for (handle, &(rest, to)) in project.handles.iter_mut().zip(&ends) {
+            handle.shape = Shape::Point { rest, posed: rest.lerp(to, f64::from(step) / 200.0) };
+            farthest = farthest.max(rest.distance(to) / 200.0);
+        }
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+        let after = solution.posed_vertices(&pose);
+        worst = after.iter().zip(&before).map(|(after, before)| after.distance(*before)).fold(worst, f64::max);
+        before = after;
+    }
+    eprintln!("what moves most moves {:.1} times as far as the handles", worst / farthest);
+    // Twice as far is what it takes; a jump is of tens.
+    assert!(worst < 5.0 * farthest, "{worst} px");
 }
 
 #[test]

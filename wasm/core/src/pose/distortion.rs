@@ -17,6 +17,16 @@ pub(super) struct Distortion {
     least: f64,
 }
 
+/// The energy of one J, and its derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Height {
+    pub(super) energy: f64,
+    pub(super) by_det: f64,
+    pub(super) by_square: f64,
+    pub(super) by_det_twice: f64,
+    pub(super) by_both: f64,
+}
+
 impl Distortion {
     /// `softness` must be below 1.
     pub(super) fn new(softness: f64) -> Self {
@@ -28,20 +38,36 @@ impl Distortion {
         Self { softness, factor, least: 2.0 * (1.0 + factor / (chi * chi)) }
     }
 
-    /// The energy of J and its gradient, scaled and shifted so that a J near a rotation R has about |J − R|² / 2.
-    pub(super) fn of(&self, j: DMat2) -> (f64, DMat2) {
-        let det = j.determinant();
-        let square = j.x_axis.length_squared() + j.y_axis.length_squared();
+    /// The energy by det J and |J|², scaled and shifted so that a J near a rotation R has about |J − R|² / 2.
+    pub(super) fn of(&self, det: f64, square: f64) -> Height {
         let root = (det * det + self.softness).sqrt();
         let chi = (det + root) / 2.0;
-        let inverse = self.factor / (chi * chi);
-        let (by, of_det) = (1.0 + inverse, square * inverse / root);
-        let gradient = DMat2::from_cols(
-            by * j.x_axis + of_det * j.y_axis.perp(), //
-            by * j.y_axis - of_det * j.x_axis.perp(),
-        );
-        ((square * by - self.least) / 8.0, gradient * 0.25)
+        // One division for all.
+        let share = 1.0 / (chi * chi * root);
+        let (inverse, by_root) = (self.factor * share * root, share * chi * chi);
+        Height {
+            energy: ((1.0 + inverse) * square - self.least) / 8.0,
+            by_det: -0.25 * inverse * by_root * square,
+            by_square: (1.0 + inverse) / 8.0,
+            by_det_twice: 0.25 * inverse * by_root * by_root * square * (2.0 + det * by_root),
+            by_both: -0.25 * inverse * by_root,
+        }
     }
+
+    /// The gradient by J.
+    pub(super) fn gradient(&self, j: DMat2) -> DMat2 {
+        let height = self.of(j.determinant(), square(j));
+        let (by_square, by_det) = (2.0 * height.by_square, height.by_det);
+        DMat2::from_cols(
+            by_square * j.x_axis - by_det * j.y_axis.perp(), //
+            by_square * j.y_axis + by_det * j.x_axis.perp(),
+        )
+    }
+}
+
+/// |J|².
+pub(super) fn square(j: DMat2) -> f64 {
+    j.x_axis.length_squared() + j.y_axis.length_squared()
 }
 
 #[cfg(test)]
@@ -52,10 +78,15 @@ mod tests {
 
     const SOFTNESS: [f64; 3] = [0.01, 0.2, 0.5];
 
+    fn energy(distortion: &Distortion, j: DMat2) -> f64 {
+        distortion.of(j.determinant(), square(j)).energy
+    }
+
     #[test]
     fn rotations_have_none() {
         for (softness, angle) in SOFTNESS.into_iter().zip([0.3, 2.0, -3.0]) {
-            let (energy, gradient) = Distortion::new(softness).of(DMat2::from_angle(angle));
+            let (distortion, rotation) = (Distortion::new(softness), DMat2::from_angle(angle));
+            let (energy, gradient) = (energy(&distortion, rotation), distortion.gradient(rotation));
             assert!(energy.abs() < 1e-15 && gradient.abs_diff_eq(DMat2::ZERO, 1e-15), "{energy} {gradient}");
         }
     }
@@ -63,7 +94,7 @@ mod tests {
     #[test]
     fn small_strains_count_as_in_as_rigid_as_possible() {
         let strain = DMat2::from_cols_array(&[2e-4, -1e-4, -1e-4, 3e-4]);
-        let (energy, _) = Distortion::new(0.01).of(DMat2::from_angle(1.0) * (DMat2::IDENTITY + strain));
+        let energy = energy(&Distortion::new(0.01), DMat2::from_angle(1.0) * (DMat2::IDENTITY + strain));
         let expected = (4.0 + 1.0 + 1.0 + 9.0) * 1e-8 / 2.0;
         // The next order of the energy is of the size of the strain.
         assert!((energy / expected - 1.0).abs() < 1e-3, "{energy} in place of {expected}");
@@ -74,12 +105,12 @@ mod tests {
         let step = 1e-6;
         for entries in [[1.2, 0.4, -0.3, 0.8], [0.3, 0.1, 0.2, 0.1], [1.0, 0.0, 0.0, -0.4], [0.0; 4]] {
             let distortion = Distortion::new(0.2);
-            let (_, gradient) = distortion.of(DMat2::from_cols_array(&entries));
+            let gradient = distortion.gradient(DMat2::from_cols_array(&entries));
             for (at, found) in gradient.to_cols_array().into_iter().enumerate() {
                 let by = |by: f64| {
                     let mut moved = entries;
                     moved[at] += by;
-                    distortion.of(DMat2::from_cols_array(&moved)).0
+                    energy(&distortion, DMat2::from_cols_array(&moved))
                 };
                 let slope = (by(step) - by(-step)) / (2.0 * step);
                 assert!((slope - found).abs() < 1e-4 * (1.0 + slope.abs()), "{slope} and {found} at {entries:?}");
@@ -90,7 +121,7 @@ mod tests {
     #[test]
     fn what_turns_over_costs_more_than_what_is_squeezed() {
         for distortion in SOFTNESS.map(Distortion::new) {
-            let of = |x| distortion.of(DMat2::from_diagonal(DVec2::new(1.0, x))).0;
+            let of = |x| energy(&distortion, DMat2::from_diagonal(DVec2::new(1.0, x)));
             let energies = [1.0, 0.5, 0.2, 0.0, -0.2, -0.5].map(of);
             assert!(energies.windows(2).all(|pair| pair[0] < pair[1] && pair[1].is_finite()), "{energies:?}");
         }

@@ -5,7 +5,8 @@
 //! Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area · [`distortion`](super::distortion)(J S⁻¹), S the stretch
 //! that is expected there, over all that the handles leave free: see [`Freedom`].
 //!
-//! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². It begins where the cell graph alone settles: see
+//! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². Along a line the derivatives are linear in the length,
+//! so det J and |J|² are polynomials of it, and the lowest place is found without going through sites again. It begins where the cell graph alone settles: see
 //! [`rigid`](super::rigid). Cost: see [`WORK`].
 
 use std::{collections::BTreeMap, f64::consts::TAU};
@@ -13,22 +14,33 @@ use std::{collections::BTreeMap, f64::consts::TAU};
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Motion, Quadrature, cholesky::Cholesky, descent::descend, distortion::Distortion, motion::polar};
+use super::{
+    Motion, Quadrature,
+    cholesky::Cholesky,
+    descent::{Landscape, Limits, View, descend},
+    distortion::{Distortion, square},
+    motion::polar,
+};
 
 /// Softness of the first turns: so soft that what has turned over at the start comes back in them.
 const SOFT: f64 = 0.5;
-/// How many these are. Without them close handles and bars stay folded for ten turns; with more, handles that fold a thin strip
-/// find another way to fold it.
+/// How many these are. Without them a twisted cross of 200 sites keeps twice as many folds, and bars beside a held outline some.
 const SOFT_TURNS: usize = 2;
-/// Softness of those that follow. With twice as much, folds cost too little; with a quarter of it, descents get stuck.
+/// Softness of those that follow. With half of it descents get stuck, with twice as much folds cost too little.
 const HARD: f64 = 0.2;
 /// How much a motion is held to where it began, as a share of the area around its site: it decides where the quadrature does
-/// not. With less, bars that turn against each other may fold what is between them; with five times as much, all bends stiffly.
-const HOLD: f64 = 0.2;
+/// not. With a fifth of it, bars that turn against each other distort more of what is between them; with five times as much, all
+/// bends stiffly.
+const HOLD: f64 = 0.1;
 /// Least share of a cell for [`HOLD`]: what next to nothing depends on stays with its surroundings.
 const LEAST: f64 = 1e-3;
-/// Multiplications of all turns together, about: 100 sites take eight turns in 0.4 ms, 200 sites five in 0.6.
-const WORK: usize = 2_500_000;
+/// A turn that lowers the energy by no more than this share of it is the last. With ten times as much, drags jump by some pixels.
+const GAIN: f64 = 1e-3;
+/// A step ends where the energy falls by no more than this share of what it fell by at its start. With three times as much, a
+/// cross that is twisted stays folded: the first low place along a line is far from its lowest.
+const LEVEL: f64 = 0.03;
+/// Multiplications of all turns together, about: 100 sites take eight turns, 200 sites four or five, in some 0.7 ms.
+const WORK: usize = 1_400_000;
 /// Turns at most: two thirds of poses have settled in five.
 const TURNS: usize = 8;
 /// Turns at least: the soft ones, and two to come to rest.
@@ -47,18 +59,20 @@ pub(super) enum Freedom {
     None,
 }
 
-/// Place of a site, and the columns of its linear part times the [unit](Relaxation::unit).
+/// Place of a site, and the columns of its linear part, in units.
 type Parts = [DVec2; 3];
 
-/// The blended map's distortion as a function of what is free.
+/// The blended map's distortion as a function of what is free. Lengths are in [units](Relaxation::unit).
 #[derive(Debug, Clone)]
 pub(super) struct Relaxation {
     freedom: Vec<Freedom>,
     /// The first unknown of each site.
     first: Vec<u32>,
+    /// Of each site.
+    rest: Vec<DVec2>,
     nodes: Vec<Node>,
     terms: Vec<Term>,
-    /// Length that linear parts are counted in: then they are places, too.
+    /// The root of the mean cell's area, in pixels.
     unit: f64,
     /// How much each unknown is held.
     hold: Vec<f64>,
@@ -68,6 +82,7 @@ pub(super) struct Relaxation {
 
 #[derive(Debug, Clone)]
 struct Node {
+    at: DVec2,
     area: f64,
     /// Where its terms end; they begin where those of the node before end.
     end: u32,
@@ -75,26 +90,59 @@ struct Node {
     fixed: u32,
 }
 
-/// A site at a node. Lengths but the gradient's in units.
+/// A site at a node.
 #[derive(Debug, Clone)]
 struct Term {
     site: u32,
-    /// From the site to the node.
-    offset: DVec2,
     weight: f64,
     gradient: DVec2,
 }
 
-/// What a node sees in one pose.
+/// A pose on the way to its least distortion.
+struct Relaxing<'a> {
+    relaxation: &'a Relaxation,
+    distortion: Distortion,
+    is_free: &'a [bool],
+    /// Counted from where they begin.
+    unknown: Vec<DVec2>,
+    by: Vec<DVec2>,
+    /// What the direction, or the gradient, is for the parts of each site, whose places are of the map at the origin.
+    parts: Vec<Parts>,
+    sights: Vec<Sight>,
+    lines: Vec<Lines>,
+    /// What holds the unknowns, along the direction: a polynomial of the length.
+    held: [f64; 3],
+}
+
+/// What a node sees.
 #[derive(Debug, Clone, Copy)]
-struct View {
-    /// What sites without freedom make of the derivative.
-    fixed: DMat2,
+struct Sight {
     /// What undoes the stretch that is expected.
     unstretch: DMat2,
-    /// The derivative, and then its gradient.
+    /// The derivative J after it.
     derivative: DMat2,
+    /// How that changes along the direction; then the gradient by it.
+    along: DMat2,
 }
+
+/// What nodes see along the direction: coefficients of polynomials of the length. Of some nodes at once, as processors work on more than one
+/// number at a time.
+#[derive(Debug, Clone, Copy)]
+struct Lines {
+    area: [f64; LANES],
+    det: [[f64; LANES]; 3],
+    /// |J|².
+    square: [[f64; LANES]; 3],
+}
+
+const LANES: usize = 4;
+
+/// Lines of no node: their J is 1, and they weigh nothing.
+const NO_LINES: Lines = Lines {
+    area: [0.0; LANES],
+    det: [[1.0; LANES], [0.0; LANES], [0.0; LANES]],
+    square: [[2.0; LANES], [0.0; LANES], [0.0; LANES]],
+};
 
 impl Freedom {
     /// Parts that are unknown, each as the factors of its value in the three parts of the site.
@@ -115,6 +163,7 @@ impl Relaxation {
         let all: Vec<_> = quadrature.nodes().collect();
         let mean = (all.iter().map(|(_, area, _)| area).sum::<f64>() / rest.len() as f64).max(f64::MIN_POSITIVE);
         let unit = mean.sqrt();
+        let rest: Vec<DVec2> = rest.iter().map(|&rest| rest / unit).collect();
         let (mut nodes, mut terms, mut around) = (Vec::new(), Vec::new(), vec![0.0; rest.len()]);
         for (at, area, mut influences) in all {
             influences.sort_by_key(|one| freedom[one.site] != Freedom::None);
@@ -123,11 +172,10 @@ impl Relaxation {
             if fixed < influences.len() {
                 terms.extend(influences.iter().map(|one| Term {
                     site: one.site as u32,
-                    offset: (at - rest[one.site]) / unit,
-                    weight: one.weight / unit,
-                    gradient: one.gradient,
+                    weight: one.weight,
+                    gradient: unit * one.gradient,
                 }));
-                nodes.push(Node { area, end: terms.len() as u32, fixed: fixed as u32 });
+                nodes.push(Node { at: at / unit, area, end: terms.len() as u32, fixed: fixed as u32 });
             }
         }
         let (mut first, mut hold, mut groups) = (Vec::new(), Vec::new(), Vec::new());
@@ -135,7 +183,7 @@ impl Relaxation {
             let from = hold.len() as u32;
             first.push(from);
             // A place one cell away is as bad as a linear part off by one.
-            hold.extend(freedom.factors().map(|_| HOLD * f64::max(around, LEAST * mean) / mean));
+            hold.extend(freedom.factors().map(|_| HOLD * f64::max(around, LEAST * mean)));
             if hold.len() as u32 > from {
                 groups.push((from..hold.len() as u32).collect());
             }
@@ -147,7 +195,7 @@ impl Relaxation {
             columns.clear();
             for term in &terms[start + node.fixed as usize..node.end as usize] {
                 let site = term.site as usize;
-                let of_parts = term.of_parts();
+                let of_parts = term.of_parts(node.at - rest[site]);
                 let value = |factors: [f64; 3]| -> DVec2 { (0..3).map(|k| of_parts[k] * factors[k]).sum() };
                 columns.extend((first[site]..).zip(freedom[site].factors().map(value)));
             }
@@ -161,58 +209,60 @@ impl Relaxation {
         let inverse = Cholesky::new(&groups, &lower);
         let work = 24 * terms.len() + 40 * nodes.len() + 4 * inverse.len();
         let turns = (WORK / work.max(1)).clamp(LEAST_TURNS, TURNS);
-        Self { freedom: freedom.to_vec(), first, nodes, terms, unit, hold, inverse, turns }
+        if std::env::var("DBG").is_ok() {
+            eprintln!(
+                "rows {} nodes {} terms {} values {} turns {turns}",
+                hold.len(),
+                nodes.len(),
+                terms.len(),
+                inverse.len()
+            );
+        }
+        Self { freedom: freedom.to_vec(), first, rest, nodes, terms, unit, hold, inverse, turns }
     }
 
     /// Lowers the distortion of motions. `is_free` tells of each site whether its rotation is to be found, `stretch` what stretch it expects;
-    /// a turn that moves no site by more than `settled` is the last.
-    pub(super) fn settle(
-        &self,
-        rest: &[DVec2],
-        motions: &mut [Motion],
-        is_free: &[bool],
-        stretch: &[DMat2],
-        settled: f64,
-    ) {
+    /// a turn that moves no site by more than `settled` pixels is the last.
+    pub(super) fn settle(&self, motions: &mut [Motion], is_free: &[bool], stretch: &[DMat2], settled: f64) {
         if self.hold.is_empty() {
             return;
         }
-        let mut parts: Vec<Parts> = Vec::with_capacity(rest.len());
-        for (motion, &rest) in motions.iter().zip(rest) {
+        let mut parts: Vec<Parts> = Vec::with_capacity(motions.len());
+        for (motion, &rest) in motions.iter().zip(&self.rest) {
             let linear = motion.linear();
-            parts.push([rest + motion.translation, self.unit * linear.x_axis, self.unit * linear.y_axis]);
+            parts.push([rest + motion.translation / self.unit, linear.x_axis, linear.y_axis]);
         }
-        let begin = parts.clone();
-        let mut views = self.views(&parts, stretch);
-        // Unknowns are counted from where they begin.
-        let mut unknown = vec![DVec2::ZERO; self.hold.len()];
-        let keep = |values: &mut [DVec2]| self.keep(is_free, values);
+        let mut relaxing = Relaxing {
+            relaxation: self,
+            distortion: Distortion::new(SOFT),
+            is_free,
+            unknown: vec![DVec2::ZERO; self.hold.len()],
+            by: vec![DVec2::ZERO; self.hold.len()],
+            sights: self.sights(&parts, stretch),
+            lines: vec![NO_LINES; self.nodes.len().div_ceil(LANES)],
+            parts: vec![[DVec2::ZERO; 3]; motions.len()],
+            held: [0.0; 3],
+        };
         let solve = |values: &mut [DVec2]| {
             self.inverse.solve(values);
-            keep(values);
+            self.keep(is_free, values);
         };
-        let mut forces = vec![[DVec2::ZERO; 3]; rest.len()];
         for (softness, turns) in [(SOFT, SOFT_TURNS), (HARD, self.turns - SOFT_TURNS)] {
-            let distortion = Distortion::new(softness);
-            descend(&mut unknown, solve, settled, turns, |unknown, gradient| {
-                self.spread(unknown, &begin, &mut parts);
-                let mut energy = self.energy(&distortion, &parts, &mut views, &mut forces);
-                self.gather(&forces, gradient);
-                for ((gradient, &hold), &unknown) in gradient.iter_mut().zip(&self.hold).zip(unknown) {
-                    energy += hold / 2.0 * unknown.length_squared();
-                    *gradient += hold * unknown;
-                }
-                keep(gradient);
-                energy
-            });
+            relaxing.distortion = Distortion::new(softness);
+            let limits = Limits { turns, settled: settled / self.unit, gain: GAIN, level: LEVEL };
+            descend(&mut relaxing, self.hold.len(), solve, limits);
         }
-        self.spread(&unknown, &begin, &mut parts);
+        self.spread(&relaxing.unknown, |site, by| {
+            for (part, by) in parts[site].iter_mut().zip(by) {
+                *part += by;
+            }
+        });
         for (site, motion) in motions.iter_mut().enumerate() {
             let [place, x, y] = parts[site];
-            let map = DMat2::from_cols(x, y) * (1.0 / self.unit);
+            let map = DMat2::from_cols(x, y);
             match self.freedom[site] {
                 Freedom::Whole => {
-                    motion.translation = place - rest[site];
+                    motion.translation = self.unit * (place - self.rest[site]);
                     (motion.angle, motion.strain) = polar(map);
                 }
                 Freedom::Linear if is_free[site] => (motion.angle, motion.strain) = polar(map),
@@ -236,98 +286,170 @@ impl Relaxation {
         }
     }
 
-    /// The parts of all sites when the unknowns have these values.
-    fn spread(&self, unknown: &[DVec2], begin: &[Parts], parts: &mut [Parts]) {
-        for (((freedom, first), begin), parts) in self.unknowns().zip(begin).zip(parts) {
+    /// Tells what the unknowns make of each site's parts.
+    fn spread(&self, unknown: &[DVec2], mut tell: impl FnMut(usize, Parts)) {
+        for (site, (freedom, first)) in self.unknowns().enumerate() {
             let by = &unknown[first..];
             match freedom {
-                Freedom::Whole => *parts = [begin[0] + by[0], begin[1] + by[1], begin[2] + by[2]],
-                Freedom::Linear => (parts[1], parts[2]) = (begin[1] + by[0], begin[2] + by[1]),
-                Freedom::Across(along) => {
-                    (parts[1], parts[2]) = (begin[1] - along.y * by[0], begin[2] + along.x * by[0]);
-                }
+                Freedom::Whole => tell(site, [by[0], by[1], by[2]]),
+                Freedom::Linear => tell(site, [DVec2::ZERO, by[0], by[1]]),
+                Freedom::Across(along) => tell(site, [DVec2::ZERO, -along.y * by[0], along.x * by[0]]),
                 Freedom::None => {}
             }
         }
     }
 
     /// The gradient by unknowns from that by parts.
-    fn gather(&self, forces: &[Parts], gradient: &mut [DVec2]) {
-        for ((freedom, first), forces) in self.unknowns().zip(forces) {
+    fn gather(&self, forces: impl Fn(usize) -> Parts, gradient: &mut [DVec2]) {
+        for (site, (freedom, first)) in self.unknowns().enumerate() {
             let to = &mut gradient[first..];
             match freedom {
-                Freedom::Whole => to[..3].copy_from_slice(forces),
-                Freedom::Linear => to[..2].copy_from_slice(&forces[1..]),
-                Freedom::Across(along) => to[0] = along.x * forces[2] - along.y * forces[1],
+                Freedom::Whole => to[..3].copy_from_slice(&forces(site)),
+                Freedom::Linear => to[..2].copy_from_slice(&forces(site)[1..]),
+                Freedom::Across(along) => {
+                    let [_, x, y] = forces(site);
+                    to[0] = along.x * y - along.y * x;
+                }
                 Freedom::None => {}
             }
         }
     }
 
-    /// What nodes see of what does not change while the distortion falls.
-    fn views(&self, parts: &[Parts], stretch: &[DMat2]) -> Vec<View> {
+    /// Each node with its terms.
+    fn seen(&self) -> impl Iterator<Item = (&Node, &[Term])> {
         let mut start = 0;
-        let view = |node: &Node| {
+        self.nodes.iter().map(move |node| {
             let terms = &self.terms[start..node.end as usize];
             start = node.end as usize;
-            let expected = |sum, term: &Term| sum + stretch[term.site as usize] * (self.unit * term.weight);
-            let fixed = |sum, term: &Term| sum + term.derivative(&parts[term.site as usize]);
-            View {
-                fixed: terms[..node.fixed as usize].iter().fold(DMat2::ZERO, fixed),
-                unstretch: terms.iter().fold(DMat2::ZERO, expected).inverse(),
-                derivative: DMat2::ZERO,
-            }
-        };
-        self.nodes.iter().map(view).collect()
+            (node, terms)
+        })
     }
 
-    /// The energy, and its gradient by the parts of all sites.
-    fn energy(&self, distortion: &Distortion, parts: &[Parts], views: &mut [View], forces: &mut [Parts]) -> f64 {
-        let mut start = 0;
-        for (node, view) in self.nodes.iter().zip(&mut *views) {
-            let terms = &self.terms[start + node.fixed as usize..node.end as usize];
-            start = node.end as usize;
-            let add = |sum, term: &Term| sum + term.derivative(&parts[term.site as usize]);
-            view.derivative = terms.iter().fold(view.fixed, add);
-        }
-        // By itself, as it is slow by latency: nodes do not wait for one another.
-        let mut energy = 0.0;
-        for (node, view) in self.nodes.iter().zip(&mut *views) {
-            let (height, gradient) = distortion.of(view.derivative * view.unstretch);
-            energy += node.area * height;
-            view.derivative = gradient * view.unstretch.transpose() * node.area;
-        }
-        forces.fill([DVec2::ZERO; 3]);
-        start = 0;
-        for (node, view) in self.nodes.iter().zip(&*views) {
-            let terms = &self.terms[start + node.fixed as usize..node.end as usize];
-            start = node.end as usize;
-            for term in terms {
-                term.pull(view.derivative, &mut forces[term.site as usize]);
-            }
-        }
-        energy
+    fn sights(&self, parts: &[Parts], stretch: &[DMat2]) -> Vec<Sight> {
+        let at_origin = |(&[place, x, y], &rest): (&Parts, &DVec2)| [place - rest.x * x - rest.y * y, x, y];
+        let parts: Vec<Parts> = parts.iter().zip(&self.rest).map(at_origin).collect();
+        let sight = |(node, terms): (&Node, &[Term])| {
+            let expected = |sum, term: &Term| sum + stretch[term.site as usize] * term.weight;
+            let unstretch = terms.iter().fold(DMat2::ZERO, expected).inverse();
+            Sight { unstretch, derivative: derivative(node, terms, &parts) * unstretch, along: DMat2::ZERO }
+        };
+        self.seen().map(sight).collect()
     }
 }
 
+impl Landscape for Relaxing<'_> {
+    fn face(&mut self, by: &[DVec2]) {
+        let relaxation = self.relaxation;
+        self.by.copy_from_slice(by);
+        relaxation.spread(by, |site, [place, x, y]| {
+            let rest = relaxation.rest[site];
+            self.parts[site] = [place - rest.x * x - rest.y * y, x, y];
+        });
+        for (at, ((node, terms), sight)) in relaxation.seen().zip(&mut self.sights).enumerate() {
+            let along = derivative(node, &terms[node.fixed as usize..], &self.parts) * sight.unstretch;
+            sight.along = along;
+            let (x, y) = (sight.derivative.x_axis, sight.derivative.y_axis);
+            let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
+            let product = x.dot(along.x_axis) + y.dot(along.y_axis);
+            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
+            lines.area[lane] = node.area;
+            let det = [x.perp_dot(y), mixed, along.determinant()];
+            let square = [square(sight.derivative), 2.0 * product, square(along)];
+            for power in 0..3 {
+                lines.det[power][lane] = det[power];
+                lines.square[power][lane] = square[power];
+            }
+        }
+        self.held = [0.0; 3];
+        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(by) {
+            self.held[0] += hold / 2.0 * unknown.length_squared();
+            self.held[1] += hold * unknown.dot(*by);
+            self.held[2] += hold / 2.0 * by.length_squared();
+        }
+    }
+
+    fn look(&self, length: f64) -> View {
+        let (mut heights, mut slopes, mut curvatures) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        for lines in &self.lines {
+            for lane in 0..LANES {
+                let of = |[c0, c1, c2]: &[[f64; LANES]; 3]| polynomial([c0[lane], c1[lane], c2[lane]], length);
+                let (det, by_det, by_det_twice) = of(&lines.det);
+                let (square, by_square, by_square_twice) = of(&lines.square);
+                let seen = self.distortion.of(det, square);
+                heights[lane] += lines.area[lane] * seen.energy;
+                slopes[lane] += lines.area[lane] * (seen.by_det * by_det + seen.by_square * by_square);
+                curvatures[lane] += lines.area[lane]
+                    * ((seen.by_det_twice * by_det + 2.0 * seen.by_both * by_square) * by_det
+                        + seen.by_det * by_det_twice
+                        + seen.by_square * by_square_twice);
+            }
+        }
+        let (height, slope, curvature) = polynomial(self.held, length);
+        View {
+            height: height + heights.iter().sum::<f64>(),
+            slope: slope + slopes.iter().sum::<f64>(),
+            curvature: curvature + curvatures.iter().sum::<f64>(),
+        }
+    }
+
+    fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
+        let relaxation = self.relaxation;
+        for (unknown, by) in self.unknown.iter_mut().zip(&self.by) {
+            *unknown += length * by;
+        }
+        // By itself, as it is slow by latency: nodes do not wait for one another.
+        for (node, sight) in relaxation.nodes.iter().zip(&mut self.sights) {
+            sight.derivative += length * sight.along;
+            sight.along = self.distortion.gradient(sight.derivative) * sight.unstretch.transpose() * node.area;
+        }
+        self.parts.fill([DVec2::ZERO; 3]);
+        for ((node, terms), sight) in relaxation.seen().zip(&self.sights) {
+            for term in &terms[node.fixed as usize..] {
+                term.pull(node.at, sight.along, &mut self.parts[term.site as usize]);
+            }
+        }
+        let force = |site: usize| {
+            let ([place, x, y], rest) = (self.parts[site], relaxation.rest[site]);
+            [place, x - rest.x * place, y - rest.y * place]
+        };
+        relaxation.gather(force, gradient);
+        for ((gradient, &hold), &unknown) in gradient.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
+            *gradient += hold * unknown;
+        }
+        relaxation.keep(self.is_free, gradient);
+    }
+}
+
+/// The value of c₀ + c₁ t + c₂ t² and its first two derivatives.
+fn polynomial([c0, c1, c2]: [f64; 3], t: f64) -> (f64, f64, f64) {
+    ((c2 * t + c1) * t + c0, 2.0 * c2 * t + c1, 2.0 * c2)
+}
+
+/// What sites make of a node's derivative, their places of the map at the origin: Σ T(p) ∇wᵀ + w T′.
+fn derivative(node: &Node, terms: &[Term], parts: &[Parts]) -> DMat2 {
+    let add = |sum: DMat2, &Term { site, weight, gradient }: &Term| {
+        let [place, x, y] = parts[site as usize];
+        let moved = place + node.at.x * x + node.at.y * y;
+        DMat2::from_cols(
+            sum.x_axis + (gradient.x * moved + weight * x), //
+            sum.y_axis + (gradient.y * moved + weight * y),
+        )
+    };
+    terms.iter().fold(DMat2::ZERO, add)
+}
+
 impl Term {
-    /// What the site makes of the derivative: T(p) ∇wᵀ + w T′.
-    fn derivative(&self, &[place, x, y]: &Parts) -> DMat2 {
-        let moved = place + self.offset.x * x + self.offset.y * y;
-        DMat2::from_cols(self.gradient.x * moved + self.weight * x, self.gradient.y * moved + self.weight * y)
-    }
-
     /// Adds to the gradient by the site's parts when that by the derivative is `gradient`.
-    fn pull(&self, gradient: DMat2, forces: &mut Parts) {
-        let pull = gradient * self.gradient;
+    fn pull(&self, at: DVec2, gradient: DMat2, forces: &mut Parts) {
+        let pull = self.gradient.x * gradient.x_axis + self.gradient.y * gradient.y_axis;
         forces[0] += pull;
-        forces[1] += self.offset.x * pull + self.weight * gradient.x_axis;
-        forces[2] += self.offset.y * pull + self.weight * gradient.y_axis;
+        forces[1] += at.x * pull + self.weight * gradient.x_axis;
+        forces[2] += at.y * pull + self.weight * gradient.y_axis;
     }
 
-    /// What each part makes of the derivative's first and second column.
-    fn of_parts(&self) -> [DVec2; 3] {
-        let Self { offset, weight, gradient, .. } = *self;
+    /// What each part makes of the derivative's first and second column, this far from the site.
+    fn of_parts(&self, offset: DVec2) -> [DVec2; 3] {
+        let Self { weight, gradient, .. } = *self;
         [gradient, offset.x * gradient + DVec2::new(weight, 0.0), offset.y * gradient + DVec2::new(0.0, weight)]
     }
 }

@@ -18,21 +18,24 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Motion, Quadrature,
-    descent::descend,
+    descent::{Landscape, Limits, View, descend},
     laplacian::Laplacian,
     motion::turn,
     relaxation::{Freedom, Relaxation},
 };
 
-/// A turn that moves no site by more than this share of the scene's extent is the last of the graph's: a hundredth of a pixel. What
+/// A turn that moves no site by more than this share of the scene's extent is the last of the graph's: a tenth of a pixel. What
 /// is relaxed from a pixel away is hardly worse, but jumps when a drag makes the graph take one turn more or less.
-const BENT: f64 = 1e-5;
+const BENT: f64 = 1e-4;
 /// The same where nothing is relaxed: a ten-thousandth of a pixel.
 const SETTLED: f64 = 1e-7;
 /// The same of relaxing: a hundredth of a pixel.
 const RELAXED: f64 = 1e-5;
 /// Turns of the graph at most: twice as many as 200 sites of an unrolled spiral take.
 const TURNS: usize = 120;
+
+/// A step ends where the energy falls by no more than this share of what it fell by at its start: nearly always where the Laplacian says.
+const LEVEL: f64 = 0.9;
 
 /// How sites hang together, and the picture between them.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -94,7 +97,7 @@ impl Rigid {
         let bent = if relaxation.is_some() { BENT } else { SETTLED };
         self.bend(rest, motions, is_free, &stretch, bent * extent);
         if let Some(relaxation) = relaxation {
-            relaxation.settle(rest, motions, is_free, &stretch, RELAXED * extent);
+            relaxation.settle(motions, is_free, &stretch, RELAXED * extent);
         }
     }
 
@@ -112,16 +115,17 @@ impl Rigid {
         };
         let mut bending = Bending {
             edges: self.links().map(edge).collect(),
+            free,
             posed: rest.iter().zip(&*motions).map(|(&h, motion)| h + motion.translation).collect(),
+            by: vec![DVec2::ZERO; rest.len()],
             turns: motions.iter().map(|motion| turn(motion.angle)).collect(),
-            torques: vec![DVec2::ZERO; rest.len()],
+            torques: vec![[DVec2::ZERO; 2]; rest.len()],
+            lengths: [0.0; 3],
             forces: vec![DVec2::ZERO; rest.len()],
             is_free,
         };
-        let mut places: Vec<DVec2> = free.iter().map(|&site| bending.posed[site as usize]).collect();
         let solve = |values: &mut [DVec2]| laplacian.inverse.solve(values);
-        descend(&mut places, solve, settled, TURNS, |places, gradient| bending.energy(free, places, gradient));
-        bending.energy(free, &places, &mut vec![DVec2::ZERO; places.len()]);
+        descend(&mut bending, free.len(), solve, Limits { turns: TURNS, settled, gain: 0.0, level: LEVEL });
         for (site, motion) in motions.iter_mut().enumerate() {
             motion.translation = bending.posed[site] - rest[site];
             if is_free[site] {
@@ -134,39 +138,66 @@ impl Rigid {
 /// A pose on the way to its least energy.
 struct Bending<'a> {
     edges: Vec<Edge>,
+    /// Sites that move.
+    free: &'a [u32],
     posed: Vec<DVec2>,
+    /// How places change along the direction.
+    by: Vec<DVec2>,
     /// Cosine and sine of each site's rotation.
     turns: Vec<DVec2>,
-    torques: Vec<DVec2>,
+    /// What turns each site, and how that changes along the direction.
+    torques: Vec<[DVec2; 2]>,
+    /// Σ w |p_i − p_j|² along the direction: a polynomial of the length.
+    lengths: [f64; 3],
     forces: Vec<DVec2>,
     is_free: &'a [bool],
 }
 
-impl Bending<'_> {
-    /// A quarter of the energy when the free sites are at these places, with the rotations that fit them best and less a constant; its
-    /// gradient has the Laplacian for its second derivative as long as no rotation changes.
-    ///
-    /// A site without links, or whose links have shrunk to nothing, keeps its rotation.
-    fn energy(&mut self, free: &[u32], places: &[DVec2], gradient: &mut [DVec2]) -> f64 {
-        for (&site, &place) in free.iter().zip(places) {
-            self.posed[site as usize] = place;
+/// A quarter of the energy with the rotations that fit places best, less a constant. The Laplacian is its second derivative as long as
+/// no rotation changes.
+impl Landscape for Bending<'_> {
+    fn face(&mut self, by: &[DVec2]) {
+        for (&site, &by) in self.free.iter().zip(by) {
+            self.by[site as usize] = by;
         }
-        self.torques.fill(DVec2::ZERO);
-        let mut lengths = 0.0;
+        self.torques.fill([DVec2::ZERO; 2]);
+        self.lengths = [0.0; 3];
         for &Edge { sites: [i, j], weight, rest } in &self.edges {
-            let after = self.posed[j] - self.posed[i];
-            lengths += weight * after.length_squared();
+            let (after, by) = (self.posed[j] - self.posed[i], self.by[j] - self.by[i]);
+            self.lengths[0] += weight * after.length_squared();
+            self.lengths[1] += 2.0 * weight * after.dot(by);
+            self.lengths[2] += weight * by.length_squared();
             // The same from both ends: both edges change their sign.
             for (site, before) in [(i, rest[0]), (j, rest[1])] {
-                self.torques[site] += weight * DVec2::new(before.dot(after), before.perp_dot(after));
+                let [torque, change] = &mut self.torques[site];
+                *torque += weight * DVec2::new(before.dot(after), before.perp_dot(after));
+                *change += weight * DVec2::new(before.dot(by), before.perp_dot(by));
             }
         }
-        let mut fit = 0.0;
-        for ((turn, &torque), &is_free) in self.turns.iter_mut().zip(&self.torques).zip(self.is_free) {
-            if is_free {
-                *turn = torque.try_normalize().unwrap_or(*turn);
-            }
-            fit += turn.dot(torque);
+    }
+
+    fn look(&self, length: f64) -> View {
+        let [c0, c1, c2] = self.lengths;
+        let mut view =
+            View { height: (c2 * length + c1) * length + c0, slope: 2.0 * c2 * length + c1, curvature: 2.0 * c2 };
+        for ((&[torque, change], &turn), &is_free) in self.torques.iter().zip(&self.turns).zip(self.is_free) {
+            let torque = torque + length * change;
+            let turn = turned(turn, torque, is_free);
+            view.height -= turn.dot(torque);
+            view.slope -= turn.dot(change);
+            let across = turn.perp_dot(change);
+            let strength = turn.dot(torque);
+            view.curvature -= if is_free && strength > 0.0 { across * across / strength } else { 0.0 };
+        }
+        View { height: view.height / 2.0, slope: view.slope / 2.0, curvature: view.curvature / 2.0 }
+    }
+
+    fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
+        for (posed, by) in self.posed.iter_mut().zip(&self.by) {
+            *posed += length * by;
+        }
+        for ((turn, &[torque, change]), &is_free) in self.turns.iter_mut().zip(&self.torques).zip(self.is_free) {
+            *turn = turned(*turn, torque + length * change, is_free);
         }
         self.forces.fill(DVec2::ZERO);
         for &Edge { sites: [i, j], weight, rest } in &self.edges {
@@ -175,9 +206,13 @@ impl Bending<'_> {
             self.forces[i] -= force;
             self.forces[j] += force;
         }
-        for (&site, gradient) in free.iter().zip(gradient) {
+        for (&site, gradient) in self.free.iter().zip(gradient) {
             *gradient = self.forces[site as usize];
         }
-        (lengths - fit) / 2.0
     }
+}
+
+/// The rotation that fits best. A site without links, or whose links have shrunk to nothing, keeps its own.
+fn turned(turn: DVec2, torque: DVec2, is_free: bool) -> DVec2 {
+    if is_free { torque.try_normalize().unwrap_or(turn) } else { turn }
 }
