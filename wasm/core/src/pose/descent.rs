@@ -32,7 +32,7 @@ pub(super) trait Landscape {
     fn face(&mut self, by: &[DVec2]);
     /// What is seen in that direction at a length of it.
     fn look(&self, length: f64) -> View;
-    /// Goes there, and writes the gradient there.
+    /// Goes there, and writes the gradient there; a descent begins by going nowhere, before it has turned to any direction.
     fn go(&mut self, length: f64, gradient: &mut [DVec2]);
 }
 
@@ -70,7 +70,6 @@ pub(super) fn descend(landscape: &mut impl Landscape, places: usize, solve: impl
     let mut by = vec![DVec2::ZERO; places];
     let (mut gradient, mut next_gradient) = (by.clone(), by.clone());
     let mut steps = VecDeque::with_capacity(MEMORY);
-    landscape.face(&by);
     landscape.go(0.0, &mut gradient);
     for _ in 0..limits.turns {
         direction(&steps, &solve, &gradient, &mut by);

@@ -124,6 +124,8 @@ impl Rigid {
             forces: vec![DVec2::ZERO; rest.len()],
             is_free,
         };
+        // Torques at the start.
+        bending.face(&vec![DVec2::ZERO; free.len()]);
         let solve = |values: &mut [DVec2]| laplacian.inverse.solve(values);
         descend(&mut bending, free.len(), solve, Limits { turns: TURNS, settled, gain: 0.0, level: LEVEL });
         for (site, motion) in motions.iter_mut().enumerate() {

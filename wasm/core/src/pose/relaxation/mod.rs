@@ -5,20 +5,22 @@
 //! Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area · [`distortion`](super::distortion)(J S⁻¹), S the stretch
 //! that is expected there, over all that the handles leave free: see [`Freedom`].
 //!
-//! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². Along a line the derivatives are linear in the length,
-//! so det J and |J|² are polynomials of it, and the lowest place is found without going through sites again. It begins where the cell graph alone settles: see
-//! [`rigid`](super::rigid). Cost: see [`WORK`].
+//! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². Along a line J is linear in the length, so det J
+//! and |J|² are polynomials of it, and the lowest place is found without going through sites again: see `relaxing`. It begins
+//! where the cell graph alone settles: see [`rigid`](super::rigid). Cost: see [`WORK`].
+
+mod relaxing;
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
+use self::relaxing::Relaxing;
 use super::{
     Motion, Quadrature,
     cholesky::Cholesky,
-    descent::{Landscape, Limits, View, descend},
-    distortion::{Distortion, square},
+    descent::{Limits, descend},
     motion::polar,
 };
 
@@ -98,52 +100,6 @@ struct Term {
     gradient: DVec2,
 }
 
-/// A pose on the way to its least distortion.
-struct Relaxing<'a> {
-    relaxation: &'a Relaxation,
-    distortion: Distortion,
-    is_free: &'a [bool],
-    /// Counted from where they begin.
-    unknown: Vec<DVec2>,
-    by: Vec<DVec2>,
-    /// What the direction, or the gradient, is for the parts of each site, whose places are of the map at the origin.
-    parts: Vec<Parts>,
-    sights: Vec<Sight>,
-    lines: Vec<Lines>,
-    /// What holds the unknowns, along the direction: a polynomial of the length.
-    held: [f64; 3],
-}
-
-/// What a node sees.
-#[derive(Debug, Clone, Copy)]
-struct Sight {
-    /// What undoes the stretch that is expected.
-    unstretch: DMat2,
-    /// The derivative J after it.
-    derivative: DMat2,
-    /// How that changes along the direction; then the gradient by it.
-    along: DMat2,
-}
-
-/// What nodes see along the direction: coefficients of polynomials of the length. Of some nodes at once, as processors work on more than one
-/// number at a time.
-#[derive(Debug, Clone, Copy)]
-struct Lines {
-    area: [f64; LANES],
-    det: [[f64; LANES]; 3],
-    /// |J|².
-    square: [[f64; LANES]; 3],
-}
-
-const LANES: usize = 4;
-
-/// Lines of no node: their J is 1, and they weigh nothing.
-const NO_LINES: Lines = Lines {
-    area: [0.0; LANES],
-    det: [[1.0; LANES], [0.0; LANES], [0.0; LANES]],
-    square: [[2.0; LANES], [0.0; LANES], [0.0; LANES]],
-};
-
 impl Freedom {
     /// Parts that are unknown, each as the factors of its value in the three parts of the site.
     fn factors(self) -> impl Iterator<Item = [f64; 3]> {
@@ -189,11 +145,10 @@ impl Relaxation {
             }
         }
         let mut lower: BTreeMap<(u32, u32), f64> = hold.iter().zip(0..).map(|(&hold, at)| ((at, at), hold)).collect();
-        let mut start = 0;
         let mut columns: Vec<(u32, DVec2)> = Vec::new();
-        for node in &nodes {
+        for (node, terms) in seen(&nodes, &terms) {
             columns.clear();
-            for term in &terms[start + node.fixed as usize..node.end as usize] {
+            for term in &terms[node.fixed as usize..] {
                 let site = term.site as usize;
                 let of_parts = term.of_parts(node.at - rest[site]);
                 let value = |factors: [f64; 3]| -> DVec2 { (0..3).map(|k| of_parts[k] * factors[k]).sum() };
@@ -204,20 +159,10 @@ impl Relaxation {
                     *lower.entry((i, j)).or_default() += node.area * by_i.dot(by_j);
                 }
             }
-            start = node.end as usize;
         }
         let inverse = Cholesky::new(&groups, &lower);
         let work = 24 * terms.len() + 40 * nodes.len() + 4 * inverse.len();
         let turns = (WORK / work.max(1)).clamp(LEAST_TURNS, TURNS);
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "rows {} nodes {} terms {} values {} turns {turns}",
-                hold.len(),
-                nodes.len(),
-                terms.len(),
-                inverse.len()
-            );
-        }
         Self { freedom: freedom.to_vec(), first, rest, nodes, terms, unit, hold, inverse, turns }
     }
 
@@ -232,27 +177,17 @@ impl Relaxation {
             let linear = motion.linear();
             parts.push([rest + motion.translation / self.unit, linear.x_axis, linear.y_axis]);
         }
-        let mut relaxing = Relaxing {
-            relaxation: self,
-            distortion: Distortion::new(SOFT),
-            is_free,
-            unknown: vec![DVec2::ZERO; self.hold.len()],
-            by: vec![DVec2::ZERO; self.hold.len()],
-            sights: self.sights(&parts, stretch),
-            lines: vec![NO_LINES; self.nodes.len().div_ceil(LANES)],
-            parts: vec![[DVec2::ZERO; 3]; motions.len()],
-            held: [0.0; 3],
-        };
+        let mut relaxing = Relaxing::new(self, &parts, is_free, stretch);
         let solve = |values: &mut [DVec2]| {
             self.inverse.solve(values);
             self.keep(is_free, values);
         };
         for (softness, turns) in [(SOFT, SOFT_TURNS), (HARD, self.turns - SOFT_TURNS)] {
-            relaxing.distortion = Distortion::new(softness);
+            relaxing.soften(softness);
             let limits = Limits { turns, settled: settled / self.unit, gain: GAIN, level: LEVEL };
             descend(&mut relaxing, self.hold.len(), solve, limits);
         }
-        self.spread(&relaxing.unknown, |site, by| {
+        self.spread(relaxing.unknown(), |site, by| {
             for (part, by) in parts[site].iter_mut().zip(by) {
                 *part += by;
             }
@@ -314,139 +249,19 @@ impl Relaxation {
             }
         }
     }
-
-    /// Each node with its terms.
-    fn seen(&self) -> impl Iterator<Item = (&Node, &[Term])> {
-        let mut start = 0;
-        self.nodes.iter().map(move |node| {
-            let terms = &self.terms[start..node.end as usize];
-            start = node.end as usize;
-            (node, terms)
-        })
-    }
-
-    fn sights(&self, parts: &[Parts], stretch: &[DMat2]) -> Vec<Sight> {
-        let at_origin = |(&[place, x, y], &rest): (&Parts, &DVec2)| [place - rest.x * x - rest.y * y, x, y];
-        let parts: Vec<Parts> = parts.iter().zip(&self.rest).map(at_origin).collect();
-        let sight = |(node, terms): (&Node, &[Term])| {
-            let expected = |sum, term: &Term| sum + stretch[term.site as usize] * term.weight;
-            let unstretch = terms.iter().fold(DMat2::ZERO, expected).inverse();
-            Sight { unstretch, derivative: derivative(node, terms, &parts) * unstretch, along: DMat2::ZERO }
-        };
-        self.seen().map(sight).collect()
-    }
 }
 
-impl Landscape for Relaxing<'_> {
-    fn face(&mut self, by: &[DVec2]) {
-        let relaxation = self.relaxation;
-        self.by.copy_from_slice(by);
-        relaxation.spread(by, |site, [place, x, y]| {
-            let rest = relaxation.rest[site];
-            self.parts[site] = [place - rest.x * x - rest.y * y, x, y];
-        });
-        for (at, ((node, terms), sight)) in relaxation.seen().zip(&mut self.sights).enumerate() {
-            let along = derivative(node, &terms[node.fixed as usize..], &self.parts) * sight.unstretch;
-            sight.along = along;
-            let (x, y) = (sight.derivative.x_axis, sight.derivative.y_axis);
-            let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
-            let product = x.dot(along.x_axis) + y.dot(along.y_axis);
-            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
-            lines.area[lane] = node.area;
-            let det = [x.perp_dot(y), mixed, along.determinant()];
-            let square = [square(sight.derivative), 2.0 * product, square(along)];
-            for power in 0..3 {
-                lines.det[power][lane] = det[power];
-                lines.square[power][lane] = square[power];
-            }
-        }
-        self.held = [0.0; 3];
-        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(by) {
-            self.held[0] += hold / 2.0 * unknown.length_squared();
-            self.held[1] += hold * unknown.dot(*by);
-            self.held[2] += hold / 2.0 * by.length_squared();
-        }
-    }
-
-    fn look(&self, length: f64) -> View {
-        let (mut heights, mut slopes, mut curvatures) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        for lines in &self.lines {
-            for lane in 0..LANES {
-                let of = |[c0, c1, c2]: &[[f64; LANES]; 3]| polynomial([c0[lane], c1[lane], c2[lane]], length);
-                let (det, by_det, by_det_twice) = of(&lines.det);
-                let (square, by_square, by_square_twice) = of(&lines.square);
-                let seen = self.distortion.of(det, square);
-                heights[lane] += lines.area[lane] * seen.energy;
-                slopes[lane] += lines.area[lane] * (seen.by_det * by_det + seen.by_square * by_square);
-                curvatures[lane] += lines.area[lane]
-                    * ((seen.by_det_twice * by_det + 2.0 * seen.by_both * by_square) * by_det
-                        + seen.by_det * by_det_twice
-                        + seen.by_square * by_square_twice);
-            }
-        }
-        let (height, slope, curvature) = polynomial(self.held, length);
-        View {
-            height: height + heights.iter().sum::<f64>(),
-            slope: slope + slopes.iter().sum::<f64>(),
-            curvature: curvature + curvatures.iter().sum::<f64>(),
-        }
-    }
-
-    fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
-        let relaxation = self.relaxation;
-        for (unknown, by) in self.unknown.iter_mut().zip(&self.by) {
-            *unknown += length * by;
-        }
-        // By itself, as it is slow by latency: nodes do not wait for one another.
-        for (node, sight) in relaxation.nodes.iter().zip(&mut self.sights) {
-            sight.derivative += length * sight.along;
-            sight.along = self.distortion.gradient(sight.derivative) * sight.unstretch.transpose() * node.area;
-        }
-        self.parts.fill([DVec2::ZERO; 3]);
-        for ((node, terms), sight) in relaxation.seen().zip(&self.sights) {
-            for term in &terms[node.fixed as usize..] {
-                term.pull(node.at, sight.along, &mut self.parts[term.site as usize]);
-            }
-        }
-        let force = |site: usize| {
-            let ([place, x, y], rest) = (self.parts[site], relaxation.rest[site]);
-            [place, x - rest.x * place, y - rest.y * place]
-        };
-        relaxation.gather(force, gradient);
-        for ((gradient, &hold), &unknown) in gradient.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
-            *gradient += hold * unknown;
-        }
-        relaxation.keep(self.is_free, gradient);
-    }
-}
-
-/// The value of c₀ + c₁ t + c₂ t² and its first two derivatives.
-fn polynomial([c0, c1, c2]: [f64; 3], t: f64) -> (f64, f64, f64) {
-    ((c2 * t + c1) * t + c0, 2.0 * c2 * t + c1, 2.0 * c2)
-}
-
-/// What sites make of a node's derivative, their places of the map at the origin: Σ T(p) ∇wᵀ + w T′.
-fn derivative(node: &Node, terms: &[Term], parts: &[Parts]) -> DMat2 {
-    let add = |sum: DMat2, &Term { site, weight, gradient }: &Term| {
-        let [place, x, y] = parts[site as usize];
-        let moved = place + node.at.x * x + node.at.y * y;
-        DMat2::from_cols(
-            sum.x_axis + (gradient.x * moved + weight * x), //
-            sum.y_axis + (gradient.y * moved + weight * y),
-        )
-    };
-    terms.iter().fold(DMat2::ZERO, add)
+/// Each node with its terms.
+fn seen<'a>(nodes: &'a [Node], terms: &'a [Term]) -> impl Iterator<Item = (&'a Node, &'a [Term])> {
+    let mut start = 0;
+    nodes.iter().map(move |node| {
+        let terms = &terms[start..node.end as usize];
+        start = node.end as usize;
+        (node, terms)
+    })
 }
 
 impl Term {
-    /// Adds to the gradient by the site's parts when that by the derivative is `gradient`.
-    fn pull(&self, at: DVec2, gradient: DMat2, forces: &mut Parts) {
-        let pull = self.gradient.x * gradient.x_axis + self.gradient.y * gradient.y_axis;
-        forces[0] += pull;
-        forces[1] += at.x * pull + self.weight * gradient.x_axis;
-        forces[2] += at.y * pull + self.weight * gradient.y_axis;
-    }
-
     /// What each part makes of the derivative's first and second column, this far from the site.
     fn of_parts(&self, offset: DVec2) -> [DVec2; 3] {
         let Self { weight, gradient, .. } = *self;

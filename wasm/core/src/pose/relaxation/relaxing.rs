@@ -1,0 +1,208 @@
+//! A pose on the way to its least distortion, seen along lines.
+
+use glam::{DMat2, DVec2};
+
+use super::{
+    super::{
+        descent::{Landscape, View},
+        distortion::{Distortion, square},
+    },
+    Node, Parts, Relaxation, SOFT, Term, seen,
+};
+
+/// A pose on the way to its least distortion.
+pub(super) struct Relaxing<'a> {
+    relaxation: &'a Relaxation,
+    distortion: Distortion,
+    is_free: &'a [bool],
+    /// Counted from where they begin.
+    unknown: Vec<DVec2>,
+    by: Vec<DVec2>,
+    /// What the direction, or the gradient, is for the parts of each site, whose places are of the map at the origin.
+    parts: Vec<Parts>,
+    sights: Vec<Sight>,
+    lines: Vec<Lines>,
+    /// What holds the unknowns, along the direction: a polynomial of the length.
+    held: [f64; 3],
+}
+
+/// What a node sees.
+#[derive(Debug, Clone, Copy)]
+struct Sight {
+    /// What undoes the stretch that is expected.
+    unstretch: DMat2,
+    /// The derivative J after it.
+    derivative: DMat2,
+    /// How that changes along the direction; then the gradient by it.
+    along: DMat2,
+}
+
+/// What some nodes see along the direction: coefficients of polynomials of the length. Processors work on more than one number at a
+/// time.
+#[derive(Debug, Clone, Copy)]
+struct Lines {
+    area: [f64; LANES],
+    det: [[f64; LANES]; 3],
+    /// |J|².
+    square: [[f64; LANES]; 3],
+}
+
+const LANES: usize = 4;
+
+/// Lines of no node: their J is 1, and they weigh nothing.
+const NO_LINES: Lines = Lines {
+    area: [0.0; LANES],
+    det: [[1.0; LANES], [0.0; LANES], [0.0; LANES]],
+    square: [[2.0; LANES], [0.0; LANES], [0.0; LANES]],
+};
+
+impl<'a> Relaxing<'a> {
+    /// Where the parts of all sites are these, whose places are where the sites go; `stretch` is what each site expects.
+    pub(super) fn new(relaxation: &'a Relaxation, parts: &[Parts], is_free: &'a [bool], stretch: &[DMat2]) -> Self {
+        let parts: Vec<Parts> =
+            parts.iter().zip(&relaxation.rest).map(|(&parts, &rest)| at_origin(parts, rest)).collect();
+        let sight = |(node, terms): (&Node, &[Term])| {
+            let expected = |sum, term: &Term| sum + stretch[term.site as usize] * term.weight;
+            let unstretch = terms.iter().fold(DMat2::ZERO, expected).inverse();
+            Sight { unstretch, derivative: derivative(node, terms, &parts) * unstretch, along: DMat2::ZERO }
+        };
+        let unknowns = relaxation.hold.len();
+        Self {
+            relaxation,
+            distortion: Distortion::new(SOFT),
+            is_free,
+            unknown: vec![DVec2::ZERO; unknowns],
+            by: vec![DVec2::ZERO; unknowns],
+            sights: seen(&relaxation.nodes, &relaxation.terms).map(sight).collect(),
+            lines: vec![NO_LINES; relaxation.nodes.len().div_ceil(LANES)],
+            parts,
+            held: [0.0; 3],
+        }
+    }
+
+    /// Sets how soft the distortion is.
+    pub(super) fn soften(&mut self, softness: f64) {
+        self.distortion = Distortion::new(softness);
+    }
+
+    /// The unknowns, counted from where they began.
+    pub(super) fn unknown(&self) -> &[DVec2] {
+        &self.unknown
+    }
+}
+
+impl Landscape for Relaxing<'_> {
+    fn face(&mut self, by: &[DVec2]) {
+        let relaxation = self.relaxation;
+        self.by.copy_from_slice(by);
+        relaxation.spread(by, |site, [place, x, y]| {
+            self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
+        });
+        for (at, ((node, terms), sight)) in seen(&relaxation.nodes, &relaxation.terms).zip(&mut self.sights).enumerate()
+        {
+            let along = derivative(node, &terms[node.fixed as usize..], &self.parts) * sight.unstretch;
+            sight.along = along;
+            let (x, y) = (sight.derivative.x_axis, sight.derivative.y_axis);
+            let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
+            let product = x.dot(along.x_axis) + y.dot(along.y_axis);
+            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
+            lines.area[lane] = node.area;
+            let det = [x.perp_dot(y), mixed, along.determinant()];
+            let square = [square(sight.derivative), 2.0 * product, square(along)];
+            for power in 0..3 {
+                lines.det[power][lane] = det[power];
+                lines.square[power][lane] = square[power];
+            }
+        }
+        self.held = [0.0; 3];
+        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(by) {
+            self.held[0] += hold / 2.0 * unknown.length_squared();
+            self.held[1] += hold * unknown.dot(*by);
+            self.held[2] += hold / 2.0 * by.length_squared();
+        }
+    }
+
+    fn look(&self, length: f64) -> View {
+        let (mut heights, mut slopes, mut curvatures) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        for lines in &self.lines {
+            for lane in 0..LANES {
+                let of = |[c0, c1, c2]: &[[f64; LANES]; 3]| polynomial([c0[lane], c1[lane], c2[lane]], length);
+                let (det, by_det, by_det_twice) = of(&lines.det);
+                let (square, by_square, by_square_twice) = of(&lines.square);
+                let seen = self.distortion.of(det, square);
+                heights[lane] += lines.area[lane] * seen.energy;
+                slopes[lane] += lines.area[lane] * (seen.by_det * by_det + seen.by_square * by_square);
+                curvatures[lane] += lines.area[lane]
+                    * ((seen.by_det_twice * by_det + 2.0 * seen.by_both * by_square) * by_det
+                        + seen.by_det * by_det_twice
+                        + seen.by_square * by_square_twice);
+            }
+        }
+        let (height, slope, curvature) = polynomial(self.held, length);
+        View {
+            height: height + heights.iter().sum::<f64>(),
+            slope: slope + slopes.iter().sum::<f64>(),
+            curvature: curvature + curvatures.iter().sum::<f64>(),
+        }
+    }
+
+    fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
+        let relaxation = self.relaxation;
+        for (unknown, by) in self.unknown.iter_mut().zip(&self.by) {
+            *unknown += length * by;
+        }
+        // By itself, as it is slow by latency: nodes do not wait for one another.
+        for (node, sight) in relaxation.nodes.iter().zip(&mut self.sights) {
+            sight.derivative += length * sight.along;
+            sight.along = self.distortion.gradient(sight.derivative) * sight.unstretch.transpose() * node.area;
+        }
+        self.parts.fill([DVec2::ZERO; 3]);
+        for ((node, terms), sight) in seen(&relaxation.nodes, &relaxation.terms).zip(&self.sights) {
+            for term in &terms[node.fixed as usize..] {
+                term.pull(node.at, sight.along, &mut self.parts[term.site as usize]);
+            }
+        }
+        let force = |site: usize| {
+            let ([place, x, y], rest) = (self.parts[site], relaxation.rest[site]);
+            [place, x - rest.x * place, y - rest.y * place]
+        };
+        relaxation.gather(force, gradient);
+        for ((gradient, &hold), &unknown) in gradient.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
+            *gradient += hold * unknown;
+        }
+        relaxation.keep(self.is_free, gradient);
+    }
+}
+
+/// The value of c₀ + c₁ t + c₂ t² and its first two derivatives.
+fn polynomial([c0, c1, c2]: [f64; 3], t: f64) -> (f64, f64, f64) {
+    ((c2 * t + c1) * t + c0, 2.0 * c2 * t + c1, 2.0 * c2)
+}
+
+/// Parts with the place of the map at the origin, from those with the place of their site.
+fn at_origin([place, x, y]: Parts, rest: DVec2) -> Parts {
+    [place - rest.x * x - rest.y * y, x, y]
+}
+
+/// What sites make of a node's derivative, their places of the map at the origin: Σ T(p) ∇wᵀ + w T′.
+fn derivative(node: &Node, terms: &[Term], parts: &[Parts]) -> DMat2 {
+    let add = |sum: DMat2, &Term { site, weight, gradient }: &Term| {
+        let [place, x, y] = parts[site as usize];
+        let moved = place + node.at.x * x + node.at.y * y;
+        DMat2::from_cols(
+            sum.x_axis + (gradient.x * moved + weight * x), //
+            sum.y_axis + (gradient.y * moved + weight * y),
+        )
+    };
+    terms.iter().fold(DMat2::ZERO, add)
+}
+
+impl Term {
+    /// Adds to the gradient by the site's parts when that by the derivative is `gradient`.
+    fn pull(&self, at: DVec2, gradient: DMat2, forces: &mut Parts) {
+        let pull = self.gradient.x * gradient.x_axis + self.gradient.y * gradient.y_axis;
+        forces[0] += pull;
+        forces[1] += at.x * pull + self.weight * gradient.x_axis;
+        forces[2] += at.y * pull + self.weight * gradient.y_axis;
+    }
+}
