@@ -94,11 +94,6 @@ impl Cholesky {
         Self { pivots, supernodes, rows, values }
     }
 
-    /// Numbers that a solution goes through twice.
-    pub(super) fn len(&self) -> usize {
-        self.values.len()
-    }
-
     /// Solves for a right hand side, which becomes the solution.
     pub(super) fn solve(&self, x: &mut [DVec2]) {
         let mut y: Vec<DVec2> = self.pivots.iter().map(|&row| x[row as usize]).collect();

@@ -7,7 +7,7 @@
 //!
 //! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². Along a line J is linear in the length, so det J
 //! and |J|² are polynomials of it, and the lowest place is found without going through sites again: see `relaxing`. It begins
-//! where the cell graph alone settles: see [`rigid`](super::rigid). Cost: see [`WORK`].
+//! where the cell graph alone settles: see [`rigid`](super::rigid). Cost: some 0.15 ms a turn for 200 sites.
 
 mod relaxing;
 
@@ -36,17 +36,14 @@ const HARD: f64 = 0.2;
 const HOLD: f64 = 0.1;
 /// Least share of a cell for [`HOLD`]: what next to nothing depends on stays with its surroundings.
 const LEAST: f64 = 1e-3;
-/// A turn that lowers the energy by no more than this share of it is the last. With ten times as much, drags jump by some pixels.
-const GAIN: f64 = 1e-3;
+/// A turn that lowers the energy by no more than this share of it is the last: most poses take some five. With ten times as much,
+/// drags jump by some pixels.
+const GAIN: f64 = 2e-3;
 /// A step ends where the energy falls by no more than this share of what it fell by at its start. With three times as much, a
 /// cross that is twisted stays folded: the first low place along a line is far from its lowest.
 const LEVEL: f64 = 0.03;
-/// Multiplications of all turns together, about: 100 sites take eight turns, 200 sites four or five, in some 0.7 ms.
-const WORK: usize = 1_400_000;
-/// Turns at most: two thirds of poses have settled in five.
+/// Turns at most. With six, a twisted cross of 200 sites stays folded in places.
 const TURNS: usize = 8;
-/// Turns at least: the soft ones, and two to come to rest.
-const LEAST_TURNS: usize = 4;
 
 /// What of a site's motion the handles leave free.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -79,7 +76,6 @@ pub(super) struct Relaxation {
     /// How much each unknown is held.
     hold: Vec<f64>,
     inverse: Cholesky,
-    turns: usize,
 }
 
 #[derive(Debug, Clone)]
@@ -161,9 +157,7 @@ impl Relaxation {
             }
         }
         let inverse = Cholesky::new(&groups, &lower);
-        let work = 24 * terms.len() + 40 * nodes.len() + 4 * inverse.len();
-        let turns = (WORK / work.max(1)).clamp(LEAST_TURNS, TURNS);
-        Self { freedom: freedom.to_vec(), first, rest, nodes, terms, unit, hold, inverse, turns }
+        Self { freedom: freedom.to_vec(), first, rest, nodes, terms, unit, hold, inverse }
     }
 
     /// Lowers the distortion of motions. `is_free` tells of each site whether its rotation is to be found, `stretch` what stretch it expects;
@@ -182,7 +176,7 @@ impl Relaxation {
             self.inverse.solve(values);
             self.keep(is_free, values);
         };
-        for (softness, turns) in [(SOFT, SOFT_TURNS), (HARD, self.turns - SOFT_TURNS)] {
+        for (softness, turns) in [(SOFT, SOFT_TURNS), (HARD, TURNS - SOFT_TURNS)] {
             relaxing.soften(softness);
             let limits = Limits { turns, settled: settled / self.unit, gain: GAIN, level: LEVEL };
             descend(&mut relaxing, self.hold.len(), solve, limits);
