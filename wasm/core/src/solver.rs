@@ -19,7 +19,7 @@ use crate::{
     sample::{Ground, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
-    weight::{Basis, Swept, Weights, field_bound, support_radii},
+    weight::{Basis, Swept, Weights, support_radii},
 };
 
 /// A part of the solve. Between two of them a caller may look for newer requests.
@@ -161,7 +161,11 @@ impl Solver {
         let mut regions = Regions::new(navigation, scouts, &obstacles, &mut self.propagation);
         regions.insert_real_sites(&rest.points)?;
         let scores = insert_virtual_sites(&mut regions, request.density)?;
-        Ok((regions.finished(), scores))
+        regions.measure_cells();
+        for (site, radius) in support_radii(&request.weighting, &regions.sites).into_iter().enumerate() {
+            regions.look_out(site, radius);
+        }
+        Ok((regions.sites, scores))
     }
 
     fn finish(&mut self, work: Work, outline: Arc<Outline>) -> Solution {
@@ -170,14 +174,12 @@ impl Solver {
         let (samples, _) = samples.expect("sampled in an earlier stage");
         let (mut sites, scores) = regions.expect("divided in an earlier stage");
         let (navigation, weighting) = (&outline.navigation, &request.weighting);
-        for site in &mut sites {
-            let bound = field_bound(weighting, site).max(SiteGraph::field_bound(site.cell_radius));
+        for (radius, site) in support_radii(weighting, &sites).into_iter().zip(&mut sites) {
+            site.support_radius = radius;
+            let bound = radius.max(SiteGraph::field_bound(site.cell_radius));
             if site.field.bound() < bound {
                 site.field = self.propagation.field(navigation, site.place, site.rest, bound);
             }
-        }
-        for (radius, site) in support_radii(weighting, &sites).into_iter().zip(&mut sites) {
-            site.support_radius = radius;
         }
         let basis = Basis::new(weighting.degree, weighting.filling);
         let functions = Weights::new(navigation, &sites, &skeleton, basis);

@@ -15,7 +15,7 @@ use crate::{
 pub(super) const NEAR_TOP: f64 = 2.0;
 
 /// Fields of real sites, and all fields where there are bones, reach this much farther than the largest cell: as far as
-/// any support may, so that nothing it must stay clear of is overlooked.
+/// nearly all supports do, so that what they must stay clear of is known.
 const LOOK_OUT: f64 = 1.75;
 
 /// The body of a held outline: bones have lower numbers.
@@ -120,13 +120,7 @@ impl<'a> Regions<'a> {
                 }
             }
         }
-        let bones = &self.obstacles.skeleton.bones;
-        for (bone, track) in bones.iter().zip(&self.obstacles.tracks) {
-            let other = track.island == island && Some(bone.body) != body;
-            if other && bone.distance(rest) < clearance {
-                clearance = clearance.min(track.distance(&field));
-            }
-        }
+        clearance = self.distance_to_bones(&field, island, body, clearance);
         if let Some(held) = self.obstacles.held.filter(|_| body != Some(BOUNDARY)) {
             clearance = clearance.min(held.distance_to_outline(rest));
         }
@@ -167,6 +161,44 @@ impl<'a> Regions<'a> {
         self.summits.push(Vec::new());
     }
 
+    /// Distance from a field's source to the nearest bone of the island that is not of a body, or `known` where none is nearer.
+    fn distance_to_bones(&self, field: &DistanceField, island: usize, body: Option<u32>, known: f64) -> f64 {
+        let bones = self.obstacles.skeleton.bones.iter().zip(&self.obstacles.tracks);
+        let others = bones.filter(|(bone, track)| track.island == island && Some(bone.body) != body);
+        others.fold(
+            known,
+            |least, (bone, track)| {
+                if bone.distance(field.source()) < least { least.min(track.distance(field)) } else { least }
+            },
+        )
+    }
+
+    /// Looks around a site as far as its support is to reach, where that is farther than was looked when it was inserted: what it
+    /// must stay clear of may be nearer than was known.
+    ///
+    /// Sites of one body are no obstacle to one another, so what others they have may be many of their cells away.
+    pub(crate) fn look_out(&mut self, site: usize, reach: f64) {
+        let Site { rest, place, island, origin, separation, clearance, .. } = self.sites[site];
+        if reach <= self.sites[site].field.bound() {
+            return;
+        }
+        let field = self.field(rest, place, reach);
+        let body = self.body(origin);
+        let (mut separation, mut clearance) = (separation, self.distance_to_bones(&field, island, body, clearance));
+        for (at, other) in self.sites.iter().enumerate() {
+            let is_other = at != site && other.island == island && (body.is_none() || self.body(other.origin) != body);
+            if is_other && other.rest.distance(rest) < separation.max(clearance) {
+                let d = field.distance(other.place, other.rest);
+                separation = separation.min(d);
+                if other.origin.is_real() {
+                    clearance = clearance.min(d);
+                }
+            }
+        }
+        let site = &mut self.sites[site];
+        (site.separation, site.clearance, site.field) = (separation.min(clearance), clearance, field);
+    }
+
     /// Distances from a point, up to a bound.
     pub(super) fn field(&mut self, from: DVec2, place: Place, bound: f64) -> DistanceField {
         self.propagation.field(self.navigation, place, from, bound)
@@ -181,15 +213,14 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// The sites with their cell radii.
-    pub(crate) fn finished(mut self) -> Vec<Site> {
+    /// Sets the cell radii of all sites.
+    pub(crate) fn measure_cells(&mut self) {
         for site in 0..self.sites.len() {
             if self.known_farthest(site).is_none() {
                 self.find_farthest(site);
             }
             self.sites[site].cell_radius = self.known_farthest(site).map_or(0.0, |points| points[0].distance);
         }
-        self.sites
     }
 
     /// The cell radius as the scouts tell it; never more than the true one.

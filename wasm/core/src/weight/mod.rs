@@ -10,5 +10,5 @@ mod sweep;
 pub use basis::Basis;
 pub use evaluate::{Influence, Weights};
 pub use sparse::SparseWeights;
-pub(crate) use support::{field_bound, support_radii};
+pub(crate) use support::support_radii;
 pub(crate) use sweep::Swept;

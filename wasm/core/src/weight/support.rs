@@ -14,14 +14,6 @@ const LEAST: f64 = 0.25;
 /// 1.5 and 2 the bending energy of the sample poses hardly changes; larger supports cost more.
 const OVERLAP: f64 = 1.75;
 
-/// How far the fields of the sites must reach for [`support_radii`].
-pub(crate) fn field_bound(weighting: &Weighting, site: &Site) -> f64 {
-    match weighting.support {
-        Support::Paper => site.separation.max(site.cell_radius),
-        Support::Smooth => OVERLAP * site.cell_radius,
-    }
-}
-
 /// The support radius of every site.
 ///
 /// By the paper's rule, r_i = (1 − α) r_d + α r_h, where r_d has some room added and r_h is no less than that. By the
