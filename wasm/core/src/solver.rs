@@ -162,6 +162,7 @@ impl Solver {
         regions.insert_real_sites(&rest.points)?;
         let scores = insert_virtual_sites(&mut regions, request.density)?;
         regions.measure_cells();
+        // Radii as far as is known; what is seen on the way only makes them smaller.
         for (site, radius) in support_radii(&request.weighting, &regions.sites).into_iter().enumerate() {
             regions.look_out(site, radius);
         }

@@ -44,6 +44,13 @@ pub(super) struct View {
     pub(super) curvature: f64,
 }
 
+impl View {
+    /// What c₀ + c₁ t + c₂ t² is at t.
+    pub(super) fn of_polynomial([c0, c1, c2]: [f64; 3], t: f64) -> Self {
+        Self { height: (c2 * t + c1) * t + c0, slope: 2.0 * c2 * t + c1, curvature: 2.0 * c2 }
+    }
+}
+
 /// How far to go down.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {

@@ -179,9 +179,7 @@ impl Landscape for Bending<'_> {
     }
 
     fn look(&self, length: f64) -> View {
-        let [c0, c1, c2] = self.lengths;
-        let mut view =
-            View { height: (c2 * length + c1) * length + c0, slope: 2.0 * c2 * length + c1, curvature: 2.0 * c2 };
+        let mut view = View::of_polynomial(self.lengths, length);
         for ((&[torque, change], &turn), &is_free) in self.torques.iter().zip(&self.turns).zip(self.is_free) {
             let torque = torque + length * change;
             let turn = turned(turn, torque, is_free);

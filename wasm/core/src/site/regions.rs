@@ -103,7 +103,7 @@ impl<'a> Regions<'a> {
         let body = self.body(origin);
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
         for at in 0..self.sites.len() {
-            if self.sites[at].island != island || (body.is_some() && self.body(self.sites[at].origin) == body) {
+            if !self.is_obstacle(at, island, body) {
                 continue;
             }
             let site = &mut self.sites[at];
@@ -161,6 +161,12 @@ impl<'a> Regions<'a> {
         self.summits.push(Vec::new());
     }
 
+    /// Whether a site is in the way of others of an island and a body.
+    fn is_obstacle(&self, site: usize, island: usize, body: Option<u32>) -> bool {
+        let site = &self.sites[site];
+        site.island == island && (body.is_none() || self.body(site.origin) != body)
+    }
+
     /// Distance from a field's source to the nearest bone of the island that is not of a body, or `known` where none is nearer.
     fn distance_to_bones(&self, field: &DistanceField, island: usize, body: Option<u32>, known: f64) -> f64 {
         let bones = self.obstacles.skeleton.bones.iter().zip(&self.obstacles.tracks);
@@ -186,8 +192,8 @@ impl<'a> Regions<'a> {
         let body = self.body(origin);
         let (mut separation, mut clearance) = (separation, self.distance_to_bones(&field, island, body, clearance));
         for (at, other) in self.sites.iter().enumerate() {
-            let is_other = at != site && other.island == island && (body.is_none() || self.body(other.origin) != body);
-            if is_other && other.rest.distance(rest) < separation.max(clearance) {
+            if at != site && self.is_obstacle(at, island, body) && other.rest.distance(rest) < separation.max(clearance)
+            {
                 let d = field.distance(other.place, other.rest);
                 separation = separation.min(d);
                 if other.origin.is_real() {

@@ -126,23 +126,22 @@ impl Landscape for Relaxing<'_> {
         let (mut heights, mut slopes, mut curvatures) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for lines in &self.lines {
             for lane in 0..LANES {
-                let of = |[c0, c1, c2]: &[[f64; LANES]; 3]| polynomial([c0[lane], c1[lane], c2[lane]], length);
-                let (det, by_det, by_det_twice) = of(&lines.det);
-                let (square, by_square, by_square_twice) = of(&lines.square);
-                let seen = self.distortion.of(det, square);
+                let of = |c: &[[f64; LANES]; 3]| View::of_polynomial([c[0][lane], c[1][lane], c[2][lane]], length);
+                let (det, square) = (of(&lines.det), of(&lines.square));
+                let seen = self.distortion.of(det.height, square.height);
                 heights[lane] += lines.area[lane] * seen.energy;
-                slopes[lane] += lines.area[lane] * (seen.by_det * by_det + seen.by_square * by_square);
+                slopes[lane] += lines.area[lane] * (seen.by_det * det.slope + seen.by_square * square.slope);
                 curvatures[lane] += lines.area[lane]
-                    * ((seen.by_det_twice * by_det + 2.0 * seen.by_both * by_square) * by_det
-                        + seen.by_det * by_det_twice
-                        + seen.by_square * by_square_twice);
+                    * ((seen.by_det_twice * det.slope + 2.0 * seen.by_both * square.slope) * det.slope
+                        + seen.by_det * det.curvature
+                        + seen.by_square * square.curvature);
             }
         }
-        let (height, slope, curvature) = polynomial(self.held, length);
+        let held = View::of_polynomial(self.held, length);
         View {
-            height: height + heights.iter().sum::<f64>(),
-            slope: slope + slopes.iter().sum::<f64>(),
-            curvature: curvature + curvatures.iter().sum::<f64>(),
+            height: held.height + heights.iter().sum::<f64>(),
+            slope: held.slope + slopes.iter().sum::<f64>(),
+            curvature: held.curvature + curvatures.iter().sum::<f64>(),
         }
     }
 
@@ -172,11 +171,6 @@ impl Landscape for Relaxing<'_> {
         }
         relaxation.keep(self.is_free, gradient);
     }
-}
-
-/// The value of c₀ + c₁ t + c₂ t² and its first two derivatives.
-fn polynomial([c0, c1, c2]: [f64; 3], t: f64) -> (f64, f64, f64) {
-    ((c2 * t + c1) * t + c0, 2.0 * c2 * t + c1, 2.0 * c2)
 }
 
 /// Parts with the place of the map at the origin, from those with the place of their site.
