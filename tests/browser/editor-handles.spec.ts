@@ -148,6 +148,27 @@ test('a box selects both feet, Shift-click adds, and they move together', async 
   await expect.poll(moved).toEqual([true, true, true]);
 });
 
+test('a number being typed stays while the rest of the editor is shown anew', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  await editor.field('x').fill('540');
+  const zoom = await editor.zoom();
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, -120);
+  await page.keyboard.up('Control');
+  await expect.poll(() => editor.zoom()).not.toBe(zoom);
+  await expect(editor.field('x')).toHaveValue('540');
+  await editor.field('x').press('Enter');
+  await expect.poll(async () => (await editor.told('head')).x).toBe(540);
+
+  // What is given up, or committed from elsewhere, is shown as it is.
+  await editor.field('x').fill('300');
+  await editor.field('x').press('Escape');
+  await expect(editor.field('x')).toHaveValue('540');
+  await page.keyboard.press('ArrowRight');
+  await expect(editor.field('x')).toHaveValue('541');
+});
+
 test('numbers commit as one step each, and reset puts back one handle or all', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();

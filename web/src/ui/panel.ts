@@ -1,6 +1,5 @@
 /** The property panel: the numbers of what is selected, and the list of all handles. A sheet on a phone. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { selectedHandles } from '../document/document';
 import {
   anchor,
@@ -18,6 +17,7 @@ import type { Handle } from '../document/project';
 import { bending } from './bending';
 import type { EditorActions, EditorModel, Field } from './model';
 import { commandButton } from './toolbar';
+import { untyped } from './untyped';
 
 interface FieldLook {
   readonly field: Field;
@@ -146,7 +146,7 @@ function numberField(
       step=${look.step}
       aria-label="${look.name} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
       placeholder="mixed"
-      .value=${live(shared)}
+      .value=${untyped(shared)}
       ?disabled=${model.disabled || model.readonly}
       @change=${commit}
       @input=${(event: Event) => event.stopPropagation()}
