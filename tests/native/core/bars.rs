@@ -275,16 +275,22 @@ fn a_held_boundary_stays() {
 #[test]
 fn a_close_point_asks_for_sites_of_a_bar_where_it_is_close_alone() {
     let long = bar("long", &[(40.0, 200.0), (360.0, 200.0)], &[(40.0, 200.0), (360.0, 200.0)]);
-    let sites = |gap: f64| {
+    let sites = |gap: f64, samples: u32| {
         let close = handle(1, (200.0, 200.0 - gap).into(), (200.0, 200.0 - gap).into(), 0.0);
-        let (solution, _) = posed(&square(Support::Paper, vec![long.clone(), close]));
+        let mut project = square(Support::Paper, vec![long.clone(), close]);
+        project.samples = samples;
+        let (solution, _) = posed(&project);
         let on_bar = |site: &&c2warp::site::Site| matches!(site.origin, Origin::Bone { .. });
         (solution.sites.iter().filter(on_bar).count(), solution.sites.len())
     };
     // The paper's uniform pieces, as long as the gap is wide, would be 32, 320 and 3,200.
-    let (wide, narrow, hair) = (sites(10.0), sites(1.0), sites(0.1));
+    let [wide, narrow, hair] = [10.0, 1.0, 0.1].map(|gap| sites(gap, 1_500));
     eprintln!("sites of the bar, and all: {wide:?}, {narrow:?}, {hair:?}");
-    assert!(narrow.0 < wide.0 + 40 && hair.0 < narrow.0 + 40, "{wide:?}, {narrow:?}, {hair:?}");
+    assert!(narrow.0 < wide.0 + 45 && hair.0 < narrow.0 + 45, "{wide:?}, {narrow:?}, {hair:?}");
+    for samples in [500, 10_000] {
+        let others = [10.0, 1.0, 0.1].map(|gap| sites(gap, samples));
+        assert_eq!(others, [wide, narrow, hair], "{samples} samples");
+    }
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The properties of section III-C, on random scenes.
 
-use c2warp::{Solution, project::Support};
+use c2warp::{Solution, project::Support, site::Site};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -73,6 +73,32 @@ proptest! {
             for d in distances.into_iter().flatten() {
                 prop_assert!(site.support_radius <= d);
             }
+        }
+    }
+
+    /// However few samples there are: cells are found on a few scouts, and many of them are narrower than those are apart.
+    #[test]
+    fn no_point_of_a_cell_is_farther_than_its_radius((rings, places, support) in scenes()) {
+        let mut project = project(&rings, &places, support);
+        (project.samples, project.pose.density) = (300, 30);
+        let solution = solved(&project).expect("a valid scene");
+        let around = |site: &Site| {
+            let (rest, scale) = (site.rest, site.separation.min(100.0));
+            spread(100).map(move |p| rest + (p / 200.0 - 1.0) * scale)
+        };
+        let places = spread(2_000).chain(solution.sites.iter().flat_map(around)).chain(rings.iter().flatten().copied());
+        let points: Vec<DVec2> = places.filter(|&p| solution.weights_at(p).is_some()).collect();
+        let mut nearest = vec![(f64::INFINITY, 0); points.len()];
+        for (at, site) in solution.sites.iter().enumerate() {
+            let distances = solution.distances(site.rest, &points).expect("sites lie in the domain");
+            for (nearest, distance) in nearest.iter_mut().zip(distances) {
+                let distance = distance.unwrap_or(f64::INFINITY);
+                if distance < nearest.0 { *nearest = (distance, at) }
+            }
+        }
+        for (&(distance, site), p) in nearest.iter().zip(&points).filter(|((distance, _), _)| distance.is_finite()) {
+            let Site { rest, cell_radius, .. } = solution.sites[site];
+            prop_assert!(distance <= cell_radius * (1.0 + 1e-9) + 1e-9, "{p} is {distance} from {rest}, not {cell_radius}");
         }
     }
 

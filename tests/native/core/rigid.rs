@@ -68,8 +68,8 @@ fn a_strip_bends_by_three_pins_with_a_fraction_of_the_harmonic_modes_distortion(
         [mean(&energies), energies[energies.len() / 2], energies[energies.len() * 9 / 10], energies[energies.len() - 1]]
     });
     eprintln!("symmetric Dirichlet energy, mean, median, 90 % and most: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
-    assert!(rigid[0] < 0.2 && rigid[1] < 0.1 && rigid[2] < 0.45, "{rigid:?}");
-    assert!(rigid[0] < harmonic[0] / 8.0 && rigid[2] < harmonic[2] / 5.0, "{rigid:?} and {harmonic:?}");
+    assert!(rigid[0] < 0.18 && rigid[1] < 0.09 && rigid[2] < 0.4, "{rigid:?}");
+    assert!(rigid[0] < harmonic[0] / 7.0 && rigid[2] < harmonic[2] / 5.0, "{rigid:?} and {harmonic:?}");
     assert!(rigid[3] < MOST_ENERGY, "folds, or nearly: {rigid:?}");
 }
 

@@ -128,6 +128,16 @@ impl DistanceField {
         best.filter(|foot| foot.distance <= self.bound)
     }
 
+    /// The last pieces of all paths to a point that are known: that of the shortest, and of others that are shortest nearby.
+    pub(crate) fn feet(&self, place: Place, p: DVec2) -> impl Iterator<Item = Foot> + '_ {
+        let seeing = self.windows_in(place).iter().filter(move |window| window.sees(p));
+        seeing.map(move |window| Foot {
+            distance: window.offset + window.source.distance(p),
+            pseudo_source: window.source,
+            offset: window.offset,
+        })
+    }
+
     /// The least distance to a point of the segment from `a` to `b`, which lies in one place; infinite beyond the bound and
     /// where no path leads.
     pub(crate) fn distance_to_segment(&self, place: Place, a: DVec2, b: DVec2) -> f64 {

@@ -3,7 +3,9 @@
 //! Cells are kept while sites are added: a new site takes over the scouts around it that it is nearer to, and nothing
 //! else is looked at. Cost of an insertion: its cell, a margin of one scout around it, and the cells it takes from.
 
-use crate::{sample::Scouts, triangulation::NONE};
+use glam::DVec2;
+
+use crate::{distance::Foot, sample::Scouts, triangulation::NONE};
 
 /// The cells of all sites, over the scouts.
 #[derive(Debug, Clone, Default)]
@@ -12,6 +14,8 @@ pub(crate) struct Cells {
     pub(crate) nearest: Vec<u32>,
     /// Its distance.
     pub(crate) distance: Vec<f64>,
+    /// The pseudo-source that the path from it bends at last.
+    pub(crate) apex: Vec<DVec2>,
     /// The scouts of each cell as linked lists: first scout of each site, next scout of each scout.
     first: Vec<u32>,
     next: Vec<u32>,
@@ -28,6 +32,7 @@ impl Cells {
         Self {
             nearest: vec![NONE; scouts],
             distance: vec![f64::INFINITY; scouts],
+            apex: vec![DVec2::ZERO; scouts],
             next: vec![NONE; scouts],
             seen: vec![0; scouts],
             ..Self::default()
@@ -35,8 +40,8 @@ impl Cells {
     }
 
     /// Gives a new site its cell: the scouts nearer to it than to all before. `start` are scouts around the site and
-    /// `distance` tells how far a scout is from it.
-    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], distance: impl Fn(usize) -> f64) {
+    /// `foot` tells how a scout is reached from it.
+    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], foot: impl Fn(usize) -> Option<Foot>) {
         let site = self.first.len() as u32;
         self.first.push(NONE);
         self.farthest.push(NONE);
@@ -50,7 +55,8 @@ impl Cells {
                 continue;
             }
             self.seen[at] = self.insertions;
-            let (d, known) = (distance(at), self.distance[at]);
+            let Some(Foot { distance: d, pseudo_source, .. }) = foot(at) else { continue };
+            let known = self.distance[at];
             // The path to a scout of the cell crosses triangles, none of whose corners is farther from it than an edge.
             if d < known + 2.0 * scouts.reach[at] {
                 self.stack.extend(scouts.graph.of(at));
@@ -60,7 +66,7 @@ impl Cells {
                 if loser != NONE && !losers.contains(&loser) {
                     losers.push(loser);
                 }
-                (self.nearest[at], self.distance[at]) = (site, d);
+                (self.nearest[at], self.distance[at], self.apex[at]) = (site, d, pseudo_source);
                 if d > radius {
                     (farthest, radius) = (sample, d);
                 }
@@ -102,6 +108,11 @@ impl Cells {
             first = at as u32;
         }
         first
+    }
+
+    /// Whether the last insertion saw these scouts. The last cell enters no triangle that has others.
+    pub(crate) fn saw(&self, scouts: [u32; 3]) -> bool {
+        scouts.iter().all(|&at| self.seen[at as usize] == self.insertions)
     }
 
     /// The scouts of a site's cell.

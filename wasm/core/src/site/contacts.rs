@@ -4,30 +4,32 @@
 //! halfway shares the way out, and its motion is free. Algorithm 1 looks at the farthest point of a cell, which is on its open side: a
 //! narrow gap between two bars would be the last to be divided.
 //!
-//! Cost: a look at every scout's neighbours where real sites are new, afterwards at the contacts that are left.
+//! Each is found between two scouts, and where it is does not depend on them: on the border itself.
+//!
+//! Cost: a look at every scout's neighbours where real sites are new, afterwards at the contacts that are left and the sites that are new.
+
+use glam::DVec2;
 
 use super::{
-    Origin,
+    Site,
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
+use crate::distance::Foot;
 
-/// A place on the border of the cells of two real sites, which are not of one body.
-#[derive(Debug, Clone, Copy)]
-struct Contact {
-    /// Two scouts that are neighbours, and the sites they are nearest to.
-    edge: [u32; 2],
-    sites: [u32; 2],
-    /// Where the border crosses the edge.
-    point: FarPoint,
-}
+/// Steps onto the border, as Newton's method does them. Between two points the first ends there.
+const STEPS: usize = 3;
+/// Directions that differ by a smaller square lead along the border, not to it.
+const ALONG: f64 = 1e-3;
 
 /// All contacts, as far as they are not known to be closed.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
-    list: Vec<Contact>,
+    list: Vec<FarPoint>,
     /// So many real sites they were looked for among.
     real_sites: usize,
+    /// So many sites are known to be no nearer than those that meet there.
+    sites: usize,
 }
 
 impl Contacts {
@@ -35,48 +37,71 @@ impl Contacts {
     pub(super) fn widest(&mut self, regions: &Regions) -> Vec<FarPoint> {
         let real_sites = regions.sites.iter().filter(|site| site.origin.is_real()).count();
         if self.real_sites != real_sites {
-            *self = Self { list: regions.contacts().collect(), real_sites };
+            *self = Self { list: regions.contacts().collect(), real_sites, sites: regions.sites.len() };
         }
-        self.list.retain(|contact| contact.edge.map(|scout| regions.cells.nearest[scout as usize]) == contact.sites);
-        let widest = self.list.iter().map(|contact| contact.point.distance).fold(0.0, f64::max);
-        let tied = self.list.iter().filter(|contact| contact.point.distance >= (1.0 - TIE) * widest);
-        tied.map(|contact| contact.point).collect()
+        let new = &regions.sites[self.sites..];
+        let closes = |site: &Site, contact: &FarPoint| {
+            site.rest.distance(contact.at) < contact.distance
+                && site.field.distance(contact.place, contact.at) < contact.distance
+        };
+        self.list.retain(|contact| !new.iter().any(|site| closes(site, contact)));
+        self.sites = regions.sites.len();
+        let widest = self.list.iter().map(|contact| contact.distance).fold(0.0, f64::max);
+        self.list.iter().filter(|contact| contact.distance >= (1.0 - TIE) * widest).copied().collect()
     }
 }
 
 impl Regions<'_> {
-    fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
-        (0..self.scouts.len() as u32).flat_map(move |a| {
-            let forward = self.scouts.graph.of(a as usize).iter().filter(move |&&b| a < b);
-            forward.filter_map(move |&b| self.contact([a, b]))
+    fn contacts(&self) -> impl Iterator<Item = FarPoint> + '_ {
+        (0..self.scouts.len()).flat_map(move |a| {
+            let forward = self.scouts.graph.of(a).iter().map(|&b| b as usize).filter(move |&b| a < b);
+            forward.filter_map(move |b| self.contact([a, b]))
         })
     }
 
-    fn contact(&self, edge: [u32; 2]) -> Option<Contact> {
-        let sites = edge.map(|scout| self.cells.nearest[scout as usize]);
-        let of_edge = sites.map(|site| self.sites.get(site as usize));
-        let [Some(s), Some(t)] = of_edge else { return None };
-        let are_apart =
-            s.origin.is_real() && t.origin.is_real() && sites[0] != sites[1] && !self.are_one_body(s.origin, t.origin);
-        if !are_apart {
+    /// Where the cells meet that two scouts are in, if those are of two handles.
+    fn contact(&self, edge: [usize; 2]) -> Option<FarPoint> {
+        let [s, t] = edge.map(|scout| self.sites.get(self.cells.nearest[scout] as usize));
+        let (s, t) = (s?, t?);
+        let are_one_body = || self.body(s.origin).is_some() && self.body(s.origin) == self.body(t.origin);
+        if !s.origin.is_real() || !t.origin.is_real() || s.rest == t.rest || are_one_body() {
             return None;
         }
-        let [a, b] = edge.map(|scout| self.scouts.mesh.vertices[scout as usize]);
-        let [place_a, place_b] = edge.map(|scout| self.scouts.places[scout as usize]);
+        let [a, b] = edge.map(|scout| self.scouts.mesh.vertices[scout]);
         // By how much the other site is farther: both nearly linear along the edge.
-        let off_a = t.field.distance(place_a, a) - self.cells.distance[edge[0] as usize];
-        let off_b = s.field.distance(place_b, b) - self.cells.distance[edge[1] as usize];
+        let off_a = t.field.distance(self.scouts.places[edge[0]], a) - self.cells.distance[edge[0]];
+        let off_b = s.field.distance(self.scouts.places[edge[1]], b) - self.cells.distance[edge[1]];
         let share = off_a / (off_a + off_b);
-        let at = a.lerp(b, if share.is_finite() { share } else { 0.5 });
-        let place = self.navigation.place(at)?;
-        Some(Contact {
-            edge,
-            sites,
-            point: FarPoint { at, place, distance: self.nearest_distance(place, at, f64::INFINITY) },
-        })
+        self.on_border(a.lerp(b, if share.is_finite() { share } else { 0.5 }), s, t)
     }
 
-    fn are_one_body(&self, a: Origin, b: Origin) -> bool {
-        self.body(a).is_some() && self.body(a) == self.body(b)
+    /// The point near another that is as far from one site as from the other, if there is nothing virtual nearer.
+    fn on_border(&self, mut p: DVec2, s: &Site, t: &Site) -> Option<FarPoint> {
+        let mut place = self.navigation.place(p)?;
+        for _ in 0..STEPS {
+            let (to_s, to_t) = (s.field.foot(place, p)?, t.field.foot(place, p)?);
+            let apart = direction(to_s, p) - direction(to_t, p);
+            if apart.length_squared() < ALONG {
+                break;
+            }
+            p -= (to_s.distance - to_t.distance) * apart / apart.length_squared();
+            place = self.navigation.place(p)?;
+        }
+        let mut nearest = (f64::INFINITY, None);
+        for site in self.sites.iter().filter(|site| site.island == s.island) {
+            if site.rest.distance(p) < nearest.0 {
+                let distance = site.field.distance(place, p);
+                if distance < nearest.0 {
+                    nearest = (distance, Some(site));
+                }
+            }
+        }
+        let (distance, site) = nearest;
+        site?.origin.is_real().then_some(FarPoint { at: p, place, distance })
     }
+}
+
+/// Where paths from a site come from.
+fn direction(foot: Foot, p: DVec2) -> DVec2 {
+    (p - foot.pseudo_source).normalize_or_zero()
 }

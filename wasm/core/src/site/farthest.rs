@@ -1,11 +1,10 @@
-//! The farthest points of a cell, between the samples too.
+//! The farthest points of a cell in a triangle.
 //!
-//! Around a sample the distance to a site is the least of a few cones `offset + |p − pseudo_source|`. A cell's farthest point
-//! lies where cones meet: three of them, or two on the outline. From a sample near it a sequence of linear programs finds it:
-//! each step climbs one of the site's cones as far as the tangent planes say that it stays the least of all. It converges as
-//! Newton's method does.
+//! The distance to a site is the least of a few cones `offset + |p − pseudo_source|`. In a triangle a cell's farthest point lies
+//! where cones meet: three of them, or two on an edge; or in a corner. A sequence of linear programs finds it: each step climbs one
+//! of the site's cones as far as the tangent planes say that it stays the least of all. It converges as Newton's method does.
 //!
-//! So the places of virtual sites hardly depend on where the samples happen to lie.
+//! So the places of virtual sites hardly depend on where the scouts happen to lie.
 
 use glam::DVec2;
 
@@ -26,19 +25,28 @@ impl Cone {
     }
 }
 
+/// The cones that see a place.
+#[derive(Debug, Default)]
+pub(super) struct Cones {
+    /// Those of the cell's own site.
+    pub(super) own: Vec<Cone>,
+    /// Those of others.
+    pub(super) others: Vec<Cone>,
+}
+
 /// Steps at most. Three meeting cones take five; more are only spent where cones touch.
 const STEPS: usize = 16;
-/// A step shorter than this share of the way allowed ends the climb.
+/// A step shorter than this share of the longest edge ends the climb.
 const CONVERGED: f64 = 1e-12;
+/// Where cones meet at a small angle, rounding keeps steps longer than that; beyond this share the climb has failed.
+const SETTLED: f64 = 1e-6;
 
-/// A piece of the outline; the domain lies on the side of its `perp`.
-pub(super) type Wall = (DVec2, DVec2);
-
-/// Climbs a cone where it is the least of all `cones`, within a square of half side `reach` around `start` and, as if they
-/// had no ends, behind the `walls`. Where two ways lead as far, as they do from an axis of symmetry, it goes both.
-pub(super) fn climb(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f64) -> (DVec2, Option<DVec2>) {
-    let (first, forked) = climb_one(cone, cones, walls, start, reach, Fork::First);
-    (first, forked.then(|| climb_one(cone, cones, walls, start, reach, Fork::Last).0))
+/// Climbs a cell's own cones where they are the least of all, in a triangle that winds positively. `cones_at` puts down the cones that
+/// see a place. Where two ways lead as far, as they do from an axis of symmetry, it goes both. Empty where nothing is found.
+pub(super) fn climb(corners: &[DVec2; 3], from: DVec2, mut cones_at: impl FnMut(DVec2, &mut Cones)) -> Vec<DVec2> {
+    let first = climb_one(corners, from, &mut cones_at, Fork::First);
+    let other = first.filter(|&(_, forked)| forked).and_then(|_| climb_one(corners, from, &mut cones_at, Fork::Last));
+    first.into_iter().chain(other).map(|(top, _)| top).collect()
 }
 
 /// Which of several steps that go as far is taken.
@@ -49,65 +57,52 @@ enum Fork {
 }
 
 /// One way up, and whether there was another.
-fn climb_one(cone: &Cone, cones: &[Cone], walls: &[Wall], start: DVec2, reach: f64, fork: Fork) -> (DVec2, bool) {
-    let (mut p, mut forked) = (start, false);
-    let mut sides = Vec::with_capacity(cones.len() + 4);
+fn climb_one(
+    corners: &[DVec2; 3],
+    from: DVec2,
+    cones_at: &mut impl FnMut(DVec2, &mut Cones),
+    fork: Fork,
+) -> Option<(DVec2, bool)> {
+    let [a, b, c] = *corners;
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    let (mut p, mut forked) = (from, false);
+    let (mut cones, mut sides) = (Cones::default(), Vec::new());
+    let mut last = f64::INFINITY;
     for _ in 0..STEPS {
-        let (value, gradient) = (cone.value(p), cone.gradient(p));
-        let others = cones.iter().filter(|other| *other != cone);
-        // How far a step within the square goes in a direction, at most.
-        let (low, high) = (start - p - reach, start - p + reach);
-        let room = |normal: DVec2| (normal * low).max(normal * high).element_sum();
-        let side = |other: &Cone| {
-            let side = Side::new(gradient, gradient - other.gradient(p), other.value(p) - value);
-            (side.limit < room(side.normal)).then_some(side)
-        };
-        sides.clear();
-        sides.extend(others.filter_map(side));
-        let square = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
-        sides.extend(square.map(|normal| Side::new(gradient, normal, reach - normal.dot(p - start))));
-        sides.extend(walls.iter().map(|&(a, b)| {
-            let normal = -(b - a).normalize().perp();
-            Side::new(gradient, normal, normal.dot(a - p))
-        }));
-        let Some((step, other)) = farthest_step(gradient, &sides, reach, fork) else { break };
-        forked |= other;
-        p += step;
-        if step.length() <= CONVERGED * reach {
-            break;
-        }
-    }
-    (p, forked)
-}
-
-/// Climbs a cone along the segment from `a` to `b` where it is the least of all `cones`. It begins in the middle: an end may
-/// be the apex of a cone, a corner that paths bend at, where the cone has no tangent.
-pub(super) fn climb_along(cone: &Cone, cones: &[Cone], a: DVec2, b: DVec2) -> DVec2 {
-    let length = a.distance(b);
-    let along = (b - a) / length;
-    let mut s = length / 2.0;
-    for _ in 0..STEPS {
-        let p = a + along * s;
-        let (value, slope) = (cone.value(p), cone.gradient(p).dot(along));
-        let (mut low, mut high) = (-s, length - s);
-        for other in cones.iter().filter(|other| *other != cone) {
-            let (rise, limit) = (slope - other.gradient(p).dot(along), other.value(p) - value);
-            if rise > 0.0 {
-                high = high.min(limit / rise);
-            } else if rise < 0.0 {
-                low = low.max(limit / rise);
+        cones.own.clear();
+        cones.others.clear();
+        cones_at(p, &mut cones);
+        // Of several own cones the one on which the way leads farther: they meet where paths on both sides of a hole are as long.
+        let mut best: Option<(f64, DVec2, bool)> = None;
+        for cone in &cones.own {
+            let (value, gradient) = (cone.value(p), cone.gradient(p));
+            // How far a step within the triangle goes in a direction, at most.
+            let room = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, f64::max);
+            let side = |other: &Cone| {
+                let side = Side::new(gradient, gradient - other.gradient(p), other.value(p) - value);
+                (side.limit < room(side.normal)).then_some(side)
+            };
+            sides.clear();
+            sides.extend(cones.others.iter().chain(&cones.own).filter(|other| *other != cone).filter_map(side));
+            sides.extend([(a, b), (b, c), (c, a)].map(|(from, to)| {
+                let normal = -(to - from).normalize().perp();
+                Side::new(gradient, normal, normal.dot(from - p))
+            }));
+            let Some((step, other)) = farthest_step(gradient, &sides, longest, fork) else { continue };
+            let reached = value + gradient.dot(step);
+            if best.is_none_or(|(known, ..)| reached > known) {
+                best = Some((reached, step, other));
             }
         }
-        if low > high {
-            break;
-        }
-        let step = if slope >= 0.0 { high } else { low };
-        s += step;
-        if step.abs() <= CONVERGED * length {
+        let (_, step, other) = best?;
+        forked |= other;
+        p += step;
+        last = step.length();
+        if last <= CONVERGED * longest {
             break;
         }
     }
-    a + along * s
+    (last <= SETTLED * longest).then_some((p, forked))
 }
 
 /// The condition `normal · step ≤ limit`.
@@ -167,39 +162,57 @@ fn farthest_step(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Op
 mod tests {
     use super::*;
 
+    /// Where climbs in a triangle end, the first cone being the cell's own.
+    fn tops(corners: [(f64, f64); 3], from: (f64, f64), cones: &[Cone]) -> Vec<DVec2> {
+        climb(&corners.map(DVec2::from), from.into(), |_, seen| {
+            seen.own.extend(&cones[..1]);
+            seen.others.extend(&cones[1..]);
+        })
+    }
+
+    fn cone(x: f64, y: f64, offset: f64) -> Cone {
+        Cone { apex: DVec2::new(x, y), offset }
+    }
+
     #[test]
     fn three_sources_meet_at_the_centre_of_their_circle() {
         let centre = DVec2::new(3.0, 4.0);
         let on_circle = |x: f64, y: f64| Cone { apex: centre + 50.0 * DVec2::new(x, y), offset: 0.0 };
-        let cones = [on_circle(1.0, 0.0), on_circle(-0.6, 0.8), on_circle(-0.6, -0.8)];
-        for cone in &cones {
-            let (top, _) = climb(cone, &cones, &[], centre + DVec2::new(2.0, -1.5), 10.0);
-            assert!(top.distance(centre) < 1e-12);
+        let mut cones = [on_circle(1.0, 0.0), on_circle(-0.6, 0.8), on_circle(-0.6, -0.8)];
+        for _ in 0..3 {
+            cones.rotate_left(1);
+            let found = tops([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
+            assert!(found.len() == 1 && found[0].distance(centre) < 1e-12, "{found:?}");
         }
     }
 
     #[test]
     fn two_ways_that_lead_as_far_are_both_gone() {
-        let cones = [(0.0, 0.0), (0.0, 100.0), (-60.0, 30.0), (60.0, 30.0)];
-        let cones = cones.map(|apex| Cone { apex: apex.into(), offset: 0.0 });
-        let (one, other) = climb(&cones[0], &cones, &[], DVec2::new(0.0, 45.0), 30.0);
-        let other = other.expect("two ways");
+        let cones = [cone(0.0, 0.0, 0.0), cone(0.0, 100.0, 0.0), cone(-60.0, 30.0, 0.0), cone(60.0, 30.0, 0.0)];
+        let found = tops([(-40.0, 20.0), (40.0, 20.0), (0.0, 80.0)], (0.0, 45.0), &cones);
+        let &[one, other] = &found[..] else { panic!("two ways: {found:?}") };
         assert!(one.distance(DVec2::new(-other.x, other.y)) < 1e-9 && one.x.abs() > 5.0, "{one} and {other}");
     }
 
     #[test]
-    fn two_sources_meet_halfway_along_a_wall() {
-        let cones = [0.0, 10.0].map(|x| Cone { apex: DVec2::new(x, 5.0), offset: 0.0 });
-        let top = climb_along(&cones[0], &cones, DVec2::new(4.0, 0.0), DVec2::new(7.0, 0.0));
-        assert!(top.distance(DVec2::new(5.0, 0.0)) < 1e-12);
+    fn two_sources_meet_halfway_along_an_edge() {
+        let found =
+            tops([(4.0, 0.0), (7.0, 0.0), (5.0, 2.0)], (5.5, 0.5), &[cone(0.0, 5.0, 0.0), cone(10.0, 5.0, 0.0)]);
+        assert!(found.len() == 1 && found[0].distance(DVec2::new(5.0, 0.0)) < 1e-12, "{found:?}");
     }
 
     #[test]
     fn a_cell_ends_where_a_neighbour_is_as_near_though_distances_go_on_to_rise() {
-        let bent = Cone { apex: DVec2::ZERO, offset: 3.0 };
-        let above = Cone { apex: DVec2::new(0.0, 5.0), offset: 0.0 };
-        let top = climb_along(&bent, &[bent, above], DVec2::ZERO, DVec2::new(8.0, 0.0));
-        // 3 + s = √(s² + 25)
-        assert!(top.distance(DVec2::new(16.0 / 6.0, 0.0)) < 1e-12);
+        let found = tops([(3.0, 0.0), (8.0, 0.0), (4.0, 0.5)], (4.0, 0.1), &[cone(0.0, 0.0, 3.0), cone(0.0, 5.0, 0.0)]);
+        // 3 + s = √(s² + 25), and s = 16 / 6, which lies before the edge begins: nothing of the cell is in the triangle.
+        assert!(found.is_empty(), "{found:?}");
+        let found = tops([(1.0, 0.0), (8.0, 0.0), (2.0, 0.5)], (2.0, 0.1), &[cone(0.0, 0.0, 3.0), cone(0.0, 5.0, 0.0)]);
+        assert!(found.len() == 1 && found[0].distance(DVec2::new(16.0 / 6.0, 0.0)) < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn alone_a_cone_is_farthest_in_a_corner() {
+        let found = tops([(3.0, 0.0), (8.0, 1.0), (4.0, 2.0)], (5.0, 1.0), &[cone(0.0, 0.0, 0.0)]);
+        assert_eq!(found, [DVec2::new(8.0, 1.0)]);
     }
 }

@@ -2,17 +2,13 @@
 
 use glam::DVec2;
 
-use super::{Origin, Site, cells::Cells, tessellation::Chain};
+use super::{Origin, Site, cells::Cells, piece::Pieces, tessellation::Chain};
 use crate::{
     bone::{Skeleton, Track},
     distance::{DistanceField, Navigation, Place, Propagation},
     domain::Domain,
     sample::Scouts,
-    triangulation::NONE,
 };
-
-/// The farthest point of a cell is no farther than its farthest scout by more than this many edges, also in a narrow tip.
-pub(super) const NEAR_TOP: f64 = 2.0;
 
 /// Fields of real sites, and all fields where there are bones, reach this much farther than the largest cell: as far as
 /// nearly all supports do, so that what they must stay clear of is known.
@@ -39,19 +35,15 @@ pub(crate) struct FarPoint {
     pub(crate) distance: f64,
 }
 
-/// A point of a cell that is farther than all around it.
-pub(super) struct Summit {
-    pub(super) point: FarPoint,
-    /// The sites whose cells meet there.
-    pub(super) meeting: Vec<u32>,
-}
-
 /// What is known of a cell's farthest points.
 pub(super) enum Far {
-    /// These, all as far from the site: at least one.
-    Known(Vec<FarPoint>),
     /// They are no farther than this.
     Within(f64),
+    /// They are no farther than the farthest scout was, or in these triangles of the scouts' mesh, in each no farther than told;
+    /// the farthest first.
+    InTriangles { scout: f64, triangles: Vec<(u32, f64)> },
+    /// These, all as far from the site: at least one.
+    Known(Vec<FarPoint>),
 }
 
 /// All sites with their distance fields and cells.
@@ -64,10 +56,12 @@ pub(crate) struct Regions<'a> {
     pub(crate) cells: Cells,
     /// Farthest points of each cell.
     pub(super) far: Vec<Far>,
-    /// Summits of each cell that were found once, and are in it still.
-    pub(super) summits: Vec<Vec<Summit>>,
-    /// The scouts before and after each scout of the outline.
-    pub(super) along: Vec<[u32; 2]>,
+    pub(super) pieces: Pieces,
+    /// The triangle of the scouts' mesh that holds each site.
+    pub(super) home: Vec<u32>,
+    /// Marks the triangles seen by the running search.
+    pub(super) searched: Vec<u32>,
+    pub(super) searches: u32,
     propagation: &'a mut Propagation,
 }
 
@@ -78,16 +72,20 @@ impl<'a> Regions<'a> {
         obstacles: &'a Obstacles<'a>,
         propagation: &'a mut Propagation,
     ) -> Self {
-        let mut along = vec![[NONE; 2]; scouts.len()];
-        for ring in &scouts.outline {
-            let n = ring.len();
-            for i in 0..n {
-                along[ring[i] as usize] = [ring[(i + n - 1) % n], ring[(i + 1) % n]];
-            }
+        Self {
+            navigation,
+            scouts,
+            obstacles,
+            sites: Vec::new(),
+            chains: Vec::new(),
+            cells: Cells::new(scouts.len()),
+            far: Vec::new(),
+            pieces: Pieces::new(scouts.mesh.triangles.len()),
+            home: Vec::new(),
+            searched: vec![0; scouts.mesh.triangles.len()],
+            searches: 0,
+            propagation,
         }
-        let cells = Cells::new(scouts.len());
-        let (sites, chains, far, summits) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { navigation, scouts, obstacles, sites, chains, cells, far, summits, along, propagation }
     }
 
     /// Adds a site at a point of the domain.
@@ -125,10 +123,10 @@ impl<'a> Regions<'a> {
             clearance = clearance.min(held.distance_to_outline(rest));
         }
         separation = separation.min(clearance);
-        let start = self.scouts.around(rest);
         let scouts = self.scouts;
-        let distance = |at: usize| field.distance(scouts.places[at], scouts.mesh.vertices[at]);
-        self.cells.insert(scouts, start, distance);
+        let home = scouts.triangle_at(rest);
+        let foot = |at: usize| field.foot(scouts.places[at], scouts.mesh.vertices[at]);
+        self.cells.insert(scouts, scouts.mesh.triangles[home], foot);
         self.sites.push(Site {
             rest,
             origin,
@@ -140,6 +138,9 @@ impl<'a> Regions<'a> {
             place,
             field,
         });
+        let mut pieces = std::mem::take(&mut self.pieces);
+        pieces.insert(self);
+        self.pieces = pieces;
         // Cells only shrink: a farthest point that stays in its cell stays the farthest, and a later one is no farther.
         let field = &self.sites[self.sites.len() - 1].field;
         let kept = |point: &FarPoint| {
@@ -154,11 +155,8 @@ impl<'a> Regions<'a> {
                 }
             }
         }
-        for summits in &mut self.summits {
-            summits.retain(|summit| kept(&summit.point));
-        }
-        self.far.push(Far::Within(f64::INFINITY));
-        self.summits.push(Vec::new());
+        self.far.push(Far::Within(radius.map_or(f64::INFINITY, |radius| radius + self.scouts.longest_edge)));
+        self.home.push(home as u32);
     }
 
     /// Whether a site is in the way of others of an island and a body.
@@ -222,8 +220,8 @@ impl<'a> Regions<'a> {
     /// Sets the cell radii of all sites.
     pub(crate) fn measure_cells(&mut self) {
         for site in 0..self.sites.len() {
-            if self.known_farthest(site).is_none() {
-                self.find_farthest(site);
+            while self.known_farthest(site).is_none() {
+                self.look_closer(site);
             }
             self.sites[site].cell_radius = self.known_farthest(site).map_or(0.0, |points| points[0].distance);
         }
@@ -234,14 +232,12 @@ impl<'a> Regions<'a> {
         self.cells.farthest_sample(site).map_or(0.0, |sample| self.cells.distance[sample])
     }
 
-    /// More than the true cell radius can be: every point of a cell has a scout within an edge's length.
+    /// More than the true cell radius can be.
     pub(crate) fn greatest_radius(&self, site: usize) -> f64 {
-        let sample = self.cells.farthest_sample(site);
-        let reach = sample.map_or(self.scouts.spacing, |sample| self.scouts.reach[sample]);
-        let by_samples = self.sampled_radius(site) + NEAR_TOP * reach;
-        match self.far[site] {
-            Far::Within(radius) => radius.min(by_samples),
-            Far::Known(ref points) => points[0].distance,
+        match &self.far[site] {
+            Far::Within(radius) => *radius,
+            Far::InTriangles { scout, triangles } => triangles.first().map_or(*scout, |&(_, above)| above.max(*scout)),
+            Far::Known(points) => points[0].distance,
         }
     }
 
@@ -256,7 +252,7 @@ impl<'a> Regions<'a> {
     pub(crate) fn known_farthest(&self, site: usize) -> Option<&[FarPoint]> {
         match &self.far[site] {
             Far::Known(points) => Some(points),
-            Far::Within(_) => None,
+            Far::Within(_) | Far::InTriangles { .. } => None,
         }
     }
 }

@@ -11,6 +11,8 @@
 //! from a real site; so sites cannot crowd without end. Between two handles 10 px and 0.01 px apart on a picture of 1,000 px
 //! the number of virtual sites grows from some 90 to some 300.
 
+use std::{cmp::Ordering, collections::BinaryHeap};
+
 use super::{
     Site,
     contacts::Contacts,
@@ -90,20 +92,47 @@ fn grown(radius: f64, site: &Site) -> f64 {
 
 /// The greatest rank of all cells. Farthest points are sought only in cells that may have it.
 fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
-    loop {
-        let mut worst = (f64::NEG_INFINITY, None);
-        for site in 0..regions.sites.len() {
-            let known = regions.known_farthest(site).map(|points| points[0].distance);
-            let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
-            let rank = rank(radius, &regions.sites[site]);
-            if rank > worst.0 {
-                worst = (rank, known.is_none().then_some(site));
-            }
+    let ranked = |regions: &Regions, site: usize| {
+        let known = regions.known_farthest(site).map(|points| points[0].distance);
+        let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
+        Ranked { rank: rank(radius, &regions.sites[site]), site, known: known.is_some() }
+    };
+    let mut cells: BinaryHeap<Ranked> = (0..regions.sites.len()).map(|site| ranked(regions, site)).collect();
+    while let Some(worst) = cells.pop() {
+        if worst.known {
+            return worst.rank;
         }
-        match worst {
-            (_, Some(unknown)) => regions.find_farthest(unknown),
-            (rank, None) => return rank,
-        }
+        regions.look_closer(worst.site);
+        cells.push(ranked(regions, worst.site));
+    }
+    f64::NEG_INFINITY
+}
+
+/// A cell among others: the greater, the higher its rank is or may be.
+struct Ranked {
+    rank: f64,
+    site: usize,
+    /// Whether the rank is more than a bound.
+    known: bool,
+}
+
+impl Ord for Ranked {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.rank.total_cmp(&other.rank).then(other.site.cmp(&self.site))
+    }
+}
+
+impl PartialOrd for Ranked {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Eq for Ranked {}
+
+impl PartialEq for Ranked {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
     }
 }
 
@@ -114,8 +143,8 @@ fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoi
     };
     let mut points: Vec<FarPoint> = Vec::new();
     for site in 0..regions.sites.len() {
-        if tied(regions, site, regions.greatest_radius(site)) && regions.known_farthest(site).is_none() {
-            regions.find_farthest(site);
+        while regions.known_farthest(site).is_none() && tied(regions, site, regions.greatest_radius(site)) {
+            regions.look_closer(site);
         }
         let far = regions.known_farthest(site).unwrap_or(&[]);
         for &point in far.iter().filter(|point| tied(regions, site, point.distance)) {
