@@ -44,6 +44,7 @@ pub mod domain;
 mod drawing_order;
 mod error;
 mod given_mesh;
+mod least;
 mod locate;
 mod picture;
 pub mod pose;

@@ -7,7 +7,7 @@
 //!
 //! Cost: about ten windows for each corner of the outline within the bound, some 50 ns each.
 
-use std::{cmp::Ordering, collections::BinaryHeap};
+use std::collections::BinaryHeap;
 
 use glam::DVec2;
 
@@ -15,7 +15,7 @@ use super::{
     field::{DistanceField, Window},
     navigation::{Navigation, Place},
 };
-use crate::{segment::segment_distance, triangulation::NONE};
+use crate::{least::Least, segment::segment_distance, triangulation::NONE};
 
 /// Sines of angles, and pixels in comparisons of distances, below this are zero: rounding stays two orders below.
 const EPSILON: f64 = 1e-12;
@@ -41,34 +41,10 @@ struct Crossing {
     window: Window,
 }
 
-#[derive(Debug, Clone, Copy)]
-struct Event {
-    distance: f64,
-    /// A crossing's index, or a corner's from [`CORNER`] on.
-    what: u32,
-}
+/// What happens next, by distance: a crossing's index, or a corner's from [`CORNER`] on.
+type Event = Least<u32>;
 
 const CORNER: u32 = 1 << 31;
-
-impl Ord for Event {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.distance.total_cmp(&self.distance).then(other.what.cmp(&self.what))
-    }
-}
-
-impl PartialOrd for Event {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Event {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Event {}
 
 impl Propagation {
     /// Exact distances from `source`, which lies in `place`, up to `bound` pixels (infinite for all).
@@ -76,7 +52,7 @@ impl Propagation {
     pub fn field(&mut self, navigation: &Navigation, place: Place, source: DVec2, bound: f64) -> DistanceField {
         self.reset(navigation.mesh.vertices.len());
         self.start(navigation, place, source, bound);
-        while let Some(Event { distance, what }) = self.queue.pop() {
+        while let Some(Least { key: distance, item: what }) = self.queue.pop() {
             if what < CORNER {
                 self.cross(navigation, self.pending[what as usize], bound);
             } else if distance <= self.corners[(what - CORNER) as usize].0 {
@@ -139,7 +115,7 @@ impl Propagation {
                 self.touched.push(corner);
             }
             *known = (distance, from);
-            self.queue.push(Event { distance, what: CORNER + corner });
+            self.queue.push(Least { key: distance, item: CORNER + corner });
         }
     }
 
@@ -170,7 +146,7 @@ impl Propagation {
         let edge = edge.expect("neighbours know each other") as u8;
         let what = self.pending.len() as u32;
         self.pending.push(Crossing { triangle, edge, window: Window { nearest, ..window } });
-        self.queue.push(Event { distance: nearest, what });
+        self.queue.push(Least { key: nearest, item: what });
     }
 
     /// A window crosses its triangle.

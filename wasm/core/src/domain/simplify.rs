@@ -6,12 +6,12 @@
 //!
 //! Cost: O(n log n) for n contour points, with a grid over the points.
 
-use std::{cmp::Ordering, collections::BinaryHeap};
+use std::collections::BinaryHeap;
 
 use glam::DVec2;
 
 use super::Ring;
-use crate::segment::segment_distance;
+use crate::{least::Least, segment::segment_distance};
 
 /// Greatest distance of an original point from the simplified outline, in pixels. Below the half pixel that the eye
 /// sees on an edge; a circle of radius 100 px keeps some 40 corners.
@@ -21,7 +21,7 @@ const TOLERANCE: f64 = 0.35;
 pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
     let mut chains = Chains::new(rings);
     let mut queue: BinaryHeap<Candidate> = (0..chains.points.len()).filter_map(|at| chains.candidate(at)).collect();
-    while let Some(Candidate { at, stamp, .. }) = queue.pop() {
+    while let Some(Least { item: (at, stamp), .. }) = queue.pop() {
         if !chains.alive[at] || chains.stamp[at] != stamp || !chains.sweep_is_clear(at) {
             continue;
         }
@@ -31,32 +31,8 @@ pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
     chains.rings(rings)
 }
 
-/// A point that could go. The cheapest goes first; ties by index.
-struct Candidate {
-    cost: f64,
-    at: usize,
-    stamp: u32,
-}
-
-impl Ord for Candidate {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.cost.total_cmp(&self.cost).then(other.at.cmp(&self.at))
-    }
-}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Candidate {}
+/// A point that could go, by what that costs: where it is among all points, and its stamp.
+type Candidate = Least<(usize, u32)>;
 
 /// All rings as doubly linked chains over the original points.
 struct Chains {
@@ -114,7 +90,7 @@ impl Chains {
                 return None;
             }
         }
-        Some(Candidate { cost, at, stamp: self.stamp[at] })
+        Some(Least { key: cost, item: (at, self.stamp[at]) })
     }
 
     /// Whether no other point lies in the triangle of a point and its neighbours.

@@ -61,10 +61,10 @@ impl Regions<'_> {
 
     /// Where the cells meet that two scouts are in, if those are of two handles.
     fn contact(&self, edge: [usize; 2]) -> Option<FarPoint> {
-        let [s, t] = edge.map(|scout| self.sites.get(self.cells.nearest[scout] as usize));
-        let (s, t) = (s?, t?);
-        let are_one_body = || self.body(s.origin).is_some() && self.body(s.origin) == self.body(t.origin);
-        if !s.origin.is_real() || !t.origin.is_real() || s.rest == t.rest || are_one_body() {
+        let sites = edge.map(|scout| self.cells.nearest[scout] as usize);
+        let [Some(s), Some(t)] = sites.map(|site| self.sites.get(site)) else { return None };
+        let are_real = s.origin.is_real() && t.origin.is_real();
+        if sites[0] == sites[1] || !are_real || !self.is_obstacle(sites[1], s.island, self.body(s.origin)) {
             return None;
         }
         let [a, b] = edge.map(|scout| self.scouts.mesh.vertices[scout]);
@@ -87,17 +87,8 @@ impl Regions<'_> {
             p -= (to_s.distance - to_t.distance) * apart / apart.length_squared();
             place = self.navigation.place(p)?;
         }
-        let mut nearest = (f64::INFINITY, None);
-        for site in self.sites.iter().filter(|site| site.island == s.island) {
-            if site.rest.distance(p) < nearest.0 {
-                let distance = site.field.distance(place, p);
-                if distance < nearest.0 {
-                    nearest = (distance, Some(site));
-                }
-            }
-        }
-        let (distance, site) = nearest;
-        site?.origin.is_real().then_some(FarPoint { at: p, place, distance })
+        let (distance, site) = self.nearest(place, p)?;
+        site.origin.is_real().then_some(FarPoint { at: p, place, distance })
     }
 }
 

@@ -160,7 +160,7 @@ impl<'a> Regions<'a> {
     }
 
     /// Whether a site is in the way of others of an island and a body.
-    fn is_obstacle(&self, site: usize, island: usize, body: Option<u32>) -> bool {
+    pub(super) fn is_obstacle(&self, site: usize, island: usize, body: Option<u32>) -> bool {
         let site = &self.sites[site];
         site.island == island && (body.is_none() || self.body(site.origin) != body)
     }
@@ -241,10 +241,12 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// Distance of a point to its nearest site, or `known` where none is nearer than that.
-    pub(crate) fn nearest_distance(&self, place: Place, p: DVec2, known: f64) -> f64 {
-        self.sites.iter().fold(known, |least, site| {
-            if site.rest.distance_squared(p) < least * least { least.min(site.field.distance(place, p)) } else { least }
+    /// The nearest site of a point, and its distance; none on an island without sites.
+    pub(crate) fn nearest(&self, place: Place, p: DVec2) -> Option<(f64, &Site)> {
+        self.sites.iter().fold(None, |nearest, site| {
+            let known = nearest.map_or(f64::INFINITY, |(known, _)| known);
+            let distance = if site.rest.distance(p) < known { site.field.distance(place, p) } else { f64::INFINITY };
+            if distance < known { Some((distance, site)) } else { nearest }
         })
     }
 

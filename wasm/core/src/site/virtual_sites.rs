@@ -11,14 +11,14 @@
 //! from a real site; so sites cannot crowd without end. Between two handles 10 px and 0.01 px apart on a picture of 1,000 px
 //! the number of virtual sites grows from some 90 to some 300.
 
-use std::{cmp::Ordering, collections::BinaryHeap};
+use std::collections::BinaryHeap;
 
 use super::{
     Site,
     contacts::Contacts,
     regions::{FarPoint, Regions},
 };
-use crate::error::Error;
+use crate::{error::Error, least::Least};
 
 /// Scores and radii this near to one another, relatively, are tied: far above rounding, far below what anyone places.
 pub(super) const TIE: f64 = 1e-9;
@@ -92,48 +92,21 @@ fn grown(radius: f64, site: &Site) -> f64 {
 
 /// The greatest rank of all cells. Farthest points are sought only in cells that may have it.
 fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
+    // The highest rank first, and whether it is more than a bound.
     let ranked = |regions: &Regions, site: usize| {
         let known = regions.known_farthest(site).map(|points| points[0].distance);
         let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
-        Ranked { rank: rank(radius, &regions.sites[site]), site, known: known.is_some() }
+        Least { key: -rank(radius, &regions.sites[site]), item: (site, known.is_some()) }
     };
-    let mut cells: BinaryHeap<Ranked> = (0..regions.sites.len()).map(|site| ranked(regions, site)).collect();
-    while let Some(worst) = cells.pop() {
-        if worst.known {
-            return worst.rank;
+    let mut cells: BinaryHeap<_> = (0..regions.sites.len()).map(|site| ranked(regions, site)).collect();
+    while let Some(Least { key, item: (site, is_known) }) = cells.pop() {
+        if is_known {
+            return -key;
         }
-        regions.look_closer(worst.site);
-        cells.push(ranked(regions, worst.site));
+        regions.look_closer(site);
+        cells.push(ranked(regions, site));
     }
     f64::NEG_INFINITY
-}
-
-/// A cell among others: the greater, the higher its rank is or may be.
-struct Ranked {
-    rank: f64,
-    site: usize,
-    /// Whether the rank is more than a bound.
-    known: bool,
-}
-
-impl Ord for Ranked {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.rank.total_cmp(&other.rank).then(other.site.cmp(&self.site))
-    }
-}
-
-impl PartialOrd for Ranked {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Eq for Ranked {}
-
-impl PartialEq for Ranked {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
 }
 
 /// The farthest points of all cells whose rank is tied with the greatest, in an order that does not depend on the sites'.
@@ -179,8 +152,8 @@ fn representatives(regions: &Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     let middle = group.iter().map(|point| point.at).sum::<glam::DVec2>() / group.len() as f64;
     let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
     if let Some(place) = regions.navigation.place(middle) {
-        let distance = regions.nearest_distance(place, middle, f64::INFINITY);
-        if distance > (1.0 - CROWDED / 2.0) * least && distance.is_finite() {
+        let nearest = regions.nearest(place, middle).filter(|&(distance, _)| distance > (1.0 - CROWDED / 2.0) * least);
+        if let Some((distance, _)) = nearest {
             return vec![FarPoint { at: middle, place, distance }];
         }
     }
