@@ -34,7 +34,9 @@ test('a hand is dragged: the arm bends, the rest stays, and one undo takes it ba
   await expect.poll(slip).toBeLessThan(0.01);
   // Its label tells whole degrees, its field tenths.
   await editor.handle('left foot').click();
-  await expect.poll(async () => Math.abs(Number(await editor.field('rotation').inputValue()))).toBeLessThan(3);
+  await expect
+    .poll(async () => Math.abs(Number(await editor.field('rotation').inputValue())))
+    .toBeLessThan(3);
 
   await page.keyboard.press('Control+z');
   await expect.poll(() => editor.told('right hand')).toEqual({ x: 900, y: 516, rotation: 0 });
