@@ -1,4 +1,4 @@
-//! What was measured. Times in milliseconds, each a median.
+//! What was measured. Times in milliseconds, each the least of many runs.
 
 use serde::{Deserialize, Serialize};
 

@@ -14,7 +14,7 @@ use glam::DVec2;
 use crate::{
     cases::{Scene, TABLE_1, TABLE_2, gingerbread, one_more, raised, spread, table_1},
     clock::Clock,
-    measure::{Effort, median, median_ms, runs},
+    measure::{Effort, least, least_ms, runs},
     results::{Evaluation, Solve, Timings, Yardstick},
 };
 
@@ -128,7 +128,7 @@ impl Suite {
         }
         let solution = solve_once(&project, &scene.picture()?)?;
         solution.poser().pose(&project.handles, project.pose.blend)?;
-        Ok(median_ms(self.clock, self.effort, || {
+        Ok(least_ms(self.clock, self.effort, || {
             let _ = black_box(solution.poser().pose(&project.handles, project.pose.blend));
         }))
     }
@@ -160,7 +160,7 @@ impl Suite {
         let points = &samples.mesh.vertices;
         let mut propagation = Propagation::default();
         let mut distances = vec![0.0; samples.len()];
-        let passes = median_ms(self.clock, self.effort, || {
+        let passes = least_ms(self.clock, self.effort, || {
             for &source in &sources {
                 let place = navigation.place(source).expect("handles lie in the domain");
                 let field = propagation.field(&navigation, place, source, f64::INFINITY);
@@ -171,7 +171,7 @@ impl Suite {
             }
         });
         let graph = Graph::of_mesh(&samples.mesh);
-        let graphs = median_ms(self.clock, self.effort, || {
+        let graphs = least_ms(self.clock, self.effort, || {
             for &source in &samples.at_sites {
                 black_box(graph.distances(points, source as usize));
             }
@@ -195,7 +195,7 @@ impl Suite {
     }
 
     fn evaluation<T>(&self, solution: &Solution, points: &[DVec2], at: impl Fn(&Solution, DVec2) -> T) -> f64 {
-        median_ms(self.clock, self.effort, || {
+        least_ms(self.clock, self.effort, || {
             for &p in points {
                 black_box(at(solution, p));
             }
@@ -203,9 +203,9 @@ impl Suite {
     }
 }
 
-/// The medians of many solves with the same outcome.
+/// The least times of many solves with the same outcome, each stage for itself.
 fn solve(stages: &[Stages], solution: &Solution) -> Solve {
-    let of = |part: fn(&Stages) -> f64| median(stages.iter().map(part));
+    let of = |part: fn(&Stages) -> f64| least(stages.iter().map(part));
     Solve {
         samples: solution.samples,
         virtual_sites: solution.sites.iter().filter(|site| !site.origin.is_real()).count(),

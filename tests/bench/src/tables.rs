@@ -37,8 +37,8 @@ vertices were given.
 ";
 
 const BARS_NOTE: &str = "
-A pass is one distance field without a bound, asked at every sample. A solve is regions and weights. Bars in ms are for
-orientation, on two cores of a cloud machine. No verdict changes the exit status.
+Every time is the least of many runs. A pass is one distance field without a bound, asked at every sample. A solve is
+regions and weights. Bars in ms are for orientation, on two cores of a cloud machine. No verdict changes the exit status.
 ";
 
 fn table_1(results: &Results) -> String {

@@ -82,14 +82,16 @@ impl Poser {
                 return Err(Error::PoseNotFinite { id: handles[handle].id.clone() });
             }
         }
-        let linear: Vec<DMat2> = motions.iter().map(Motion::linear).collect();
+        // What stays adds nothing: a held outline, and most handles as a rule.
+        let linear: Vec<Option<DMat2>> =
+            motions.iter().map(|motion| (*motion != Motion::default()).then(|| motion.linear())).collect();
         for site in (0..motions.len()).filter(|&site| !self.origin[site].is_real()) {
             let here = |&(real, share): &(u32, f64)| {
                 let real = real as usize;
                 let from = self.rest[site] - self.rest[real];
-                (motions[real].seen_from(from, linear[real]), share)
+                linear[real].map(|linear| (motions[real].seen_from(from, linear), share))
             };
-            motions[site] = Motion::blended(self.shares[site].iter().map(here));
+            motions[site] = Motion::blended(self.shares[site].iter().filter_map(here));
         }
         if let Some(rigid) = &self.rigid {
             let is_free = |origin: &Origin| match origin {

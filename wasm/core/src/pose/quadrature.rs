@@ -2,8 +2,9 @@
 //!
 //! A cell is divided by which two other sites weigh most, and every part has a place at its centroid: three in what would be a
 //! triangle of neighbouring sites, each nearer to another of its corners, like Gauss's of degree 2. Where many sites meet in a
-//! narrow space, places are dense. Each site is a place, too: a narrow cell may have no other. A symmetric scene has symmetric
-//! places.
+//! narrow space, places are dense. A site whose cell has no other place is one. A symmetric scene has symmetric places.
+//!
+//! All of a held outline counts as one site: whatever its sites weigh, they stay.
 //!
 //! Numbers are kept as f32, some 70 kB for 200 sites; what rounding takes from sums that must be 1 and 0 is given back.
 
@@ -13,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     distance::{Navigation, Place},
     sample::Samples,
-    site::Site,
+    site::{Origin, Site},
     weight::{Influence, SparseWeights, Weights},
 };
 
@@ -28,8 +29,6 @@ const TOLD_BY: usize = 3;
 const STEEP: f64 = 10.0;
 /// Least weight of a site at a place: what is less costs a sixth of the time of a pose, and changes its energy by some thousandths.
 const TAIL: f64 = 0.004;
-/// The part of what a site weighs that it stands for itself.
-const OWN: f64 = 0.1;
 
 /// The site that weighs most, and the next two in the order of their numbers; [`NO_SITE`] where fewer reach.
 type Part = [u32; TOLD_BY];
@@ -59,12 +58,23 @@ impl Quadrature {
         functions: &Weights,
     ) -> Self {
         let vertices = &samples.mesh.vertices;
+        let outline = sites.iter().position(|site| site.origin == Origin::Boundary);
+        let counted_as = |site: usize| outline.filter(|_| sites[site].origin == Origin::Boundary).unwrap_or(site);
         // Area, and area times place, of each part; samples that follow one another are often of the same.
         let mut sums: Vec<(Part, f64, DVec2)> = Vec::new();
         let mut around = vec![0.0; sites.len()];
+        let mut row: Vec<(usize, f64)> = Vec::new();
         for (sample, &area) in areas(samples).iter().enumerate() {
-            weights.row(sample).for_each(|(site, weight)| around[site] += weight * area);
-            divide(&|| weights.row(sample), [NO_SITE; TOLD_BY], 0, area, &mut |part, area| {
+            row.clear();
+            for (site, weight) in weights.row(sample) {
+                around[site] += weight * area;
+                let site = counted_as(site);
+                match row.iter_mut().find(|known| known.0 == site) {
+                    Some(known) => known.1 += weight,
+                    None => row.push((site, weight)),
+                }
+            }
+            divide(&row, [NO_SITE; TOLD_BY], 0, area, &mut |part, area| {
                 let moment = area * vertices[sample];
                 match sums.last_mut().filter(|last| last.0 == part) {
                     Some(last) => *last = (part, last.1 + area, last.2 + moment),
@@ -80,21 +90,40 @@ impl Quadrature {
             }
             same
         });
-        // A centroid may lie in a gap of the domain: then the parts around it tell what there is to tell.
-        let of_parts = sums.into_iter().filter_map(|(_, area, moment)| {
-            let at = moment / area;
-            Some((at, navigation.place(at)?, area))
-        });
-        let of_sites = sites.iter().zip(around).map(|(site, around)| (site.rest, site.place, OWN * around));
-        let node = |(at, place, area): (DVec2, Place, f64)| {
-            let mut influences = functions.at(sites, place, at);
+        let node = |at: DVec2, place: Place, area: f64| {
+            let mut terms: Vec<Influence> = Vec::new();
+            for influence in functions.at(sites, place, at) {
+                let site = counted_as(influence.site);
+                match terms.iter_mut().find(|known| known.site == site) {
+                    Some(known) => {
+                        known.weight += influence.weight;
+                        known.gradient += influence.gradient;
+                    }
+                    None => terms.push(Influence { site, ..influence }),
+                }
+            }
+            let steepest = terms.iter().map(|one| one.gradient.length()).fold(0.0, f64::max);
+            terms.retain(|one| one.weight >= TAIL);
             let term = |one: &Influence| (one.site as u32, one.weight as f32, one.gradient.as_vec2().to_array());
-            let steepest = influences.iter().map(|one| one.gradient.length()).fold(0.0, f64::max);
-            influences.retain(|one| one.weight >= TAIL);
-            let is_seen = area > 0.0 && !influences.is_empty() && steepest * area.sqrt() < STEEP;
-            is_seen.then(|| Node { at, area, terms: influences.iter().map(term).collect() })
+            let is_seen = area > 0.0 && !terms.is_empty() && steepest * area.sqrt() < STEEP;
+            is_seen.then(|| Node { at, area, terms: terms.iter().map(term).collect() })
         };
-        Self { nodes: of_parts.chain(of_sites).filter_map(node).collect() }
+        let mut nodes = Vec::new();
+        let mut has_place = vec![false; sites.len()];
+        for ([first, ..], area, moment) in sums {
+            let at = moment / area;
+            // A centroid may lie in a gap of the domain: then the parts around it tell what there is to tell.
+            if let Some(node) = navigation.place(at).and_then(|place| node(at, place, area)) {
+                nodes.push(node);
+                if first != NO_SITE {
+                    has_place[first as usize] = true;
+                }
+            }
+        }
+        let is_alone = |&site: &usize| !has_place[site] && sites[site].origin != Origin::Boundary;
+        let alone = (0..sites.len()).filter(is_alone);
+        nodes.extend(alone.filter_map(|site| node(sites[site].rest, sites[site].place, around[site])));
+        Self { nodes }
     }
 
     /// Whether it is made for so many sites: to be asked of what came from elsewhere.
@@ -128,23 +157,17 @@ impl Quadrature {
 
 /// Divides the area of a sample among the parts that its weights tell of: one, or several where weights are tied. `part` holds the
 /// `known` sites that weigh most.
-fn divide<Row: Iterator<Item = (usize, f64)>>(
-    row: &impl Fn() -> Row,
-    part: Part,
-    known: usize,
-    area: f64,
-    take: &mut impl FnMut(Part, f64),
-) {
-    let others = || row().filter(|&(site, _)| !part[..known].contains(&(site as u32)));
-    let most = others().map(|(_, weight)| weight).fold(0.0, f64::max);
-    let tied = || others().filter(|&(_, weight)| weight >= most - TIE && weight > 0.0);
+fn divide(row: &[(usize, f64)], part: Part, known: usize, area: f64, take: &mut impl FnMut(Part, f64)) {
+    let others = || row.iter().filter(|(site, _)| !part[..known].contains(&(*site as u32)));
+    let most = others().map(|&(_, weight)| weight).fold(0.0, f64::max);
+    let tied = || others().filter(|&&(_, weight)| weight >= most - TIE && weight > 0.0);
     let count = tied().count();
     if known == TOLD_BY || count == 0 {
         let [first, second, third] = part;
         take([first, second.min(third), second.max(third)], area);
         return;
     }
-    for (site, _) in tied() {
+    for &(site, _) in tied() {
         let mut next = part;
         next[known] = site as u32;
         divide(row, next, known + 1, area / count as f64, take);

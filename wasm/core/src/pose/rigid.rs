@@ -55,7 +55,7 @@ pub(super) struct Rigid {
 struct Edge {
     sites: [usize; 2],
     weight: f64,
-    /// The edge at rest, stretched as either site asks.
+    /// The edge at rest, stretched as either site asks, times the weight.
     rest: [DVec2; 2],
 }
 
@@ -78,7 +78,7 @@ impl Rigid {
     }
 
     /// The links, with their weights.
-    pub(super) fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+    pub(super) fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
@@ -111,7 +111,7 @@ impl Rigid {
         }
         let edge = |(i, j, weight): (usize, usize, f64)| {
             let at_rest = rest[j] - rest[i];
-            Edge { sites: [i, j], weight, rest: [stretch[i] * at_rest, stretch[j] * at_rest] }
+            Edge { sites: [i, j], weight, rest: [i, j].map(|site| weight * (stretch[site] * at_rest)) }
         };
         let mut bending = Bending {
             edges: self.links().map(edge).collect(),
@@ -172,8 +172,8 @@ impl Landscape for Bending<'_> {
             // The same from both ends: both edges change their sign.
             for (site, before) in [(i, rest[0]), (j, rest[1])] {
                 let [torque, change] = &mut self.torques[site];
-                *torque += weight * DVec2::new(before.dot(after), before.perp_dot(after));
-                *change += weight * DVec2::new(before.dot(by), before.perp_dot(by));
+                *torque += DVec2::new(before.dot(after), before.perp_dot(after));
+                *change += DVec2::new(before.dot(by), before.perp_dot(by));
             }
         }
     }
@@ -182,12 +182,18 @@ impl Landscape for Bending<'_> {
         let mut view = View::of_polynomial(self.lengths, length);
         for ((&[torque, change], &turn), &is_free) in self.torques.iter().zip(&self.turns).zip(self.is_free) {
             let torque = torque + length * change;
-            let turn = turned(turn, torque, is_free);
-            view.height -= turn.dot(torque);
-            view.slope -= turn.dot(change);
-            let across = turn.perp_dot(change);
-            let strength = turn.dot(torque);
-            view.curvature -= if is_free && strength > 0.0 { across * across / strength } else { 0.0 };
+            let strength = torque.length();
+            if is_free && strength > 0.0 {
+                // As below, with the turn that fits best: torque ÷ strength.
+                let inverse = 1.0 / strength;
+                let across = inverse * torque.perp_dot(change);
+                view.height -= strength;
+                view.slope -= inverse * torque.dot(change);
+                view.curvature -= inverse * across * across;
+            } else {
+                view.height -= turn.dot(torque);
+                view.slope -= turn.dot(change);
+            }
         }
         View { height: view.height / 2.0, slope: view.slope / 2.0, curvature: view.curvature / 2.0 }
     }
@@ -202,7 +208,7 @@ impl Landscape for Bending<'_> {
         self.forces.fill(DVec2::ZERO);
         for &Edge { sites: [i, j], weight, rest } in &self.edges {
             let turned = (self.turns[i].rotate(rest[0]) + self.turns[j].rotate(rest[1])) / 2.0;
-            let force = weight * (self.posed[j] - self.posed[i] - turned);
+            let force = weight * (self.posed[j] - self.posed[i]) - turned;
             self.forces[i] -= force;
             self.forces[j] += force;
         }

@@ -45,6 +45,10 @@ impl Strain {
     /// The stretch itself: the exponential, in closed form, exact for a multiple of the identity.
     #[must_use]
     pub fn stretch(&self) -> DMat2 {
+        // What nearly all sites of nearly all poses do.
+        if *self == Self::default() {
+            return DMat2::IDENTITY;
+        }
         // With the mean m and D the rest, D² = r² I: exp(m I + D) = eᵐ (cosh r I + (sinh r / r) D).
         let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
         let r = libm::hypot(half, self.xy);

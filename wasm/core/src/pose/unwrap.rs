@@ -4,9 +4,13 @@
 //! is rolled up by three turns unrolls by angles up to three turns. The rigid blend takes the mean of angles, so it needs them so.
 //!
 //! From the sites whose turn the person set, or else from the first, each site takes the angle nearest to that of the neighbour
-//! it is reached from. Around a hole the last neighbours may still be a whole turn apart. Cost: a visit of every link.
+//! it is reached from. Around a hole the last neighbours may still be a whole turn apart. Cost: a look at every link, and a visit
+//! where a turn is missing somewhere.
 
-use std::{collections::VecDeque, f64::consts::TAU};
+use std::{
+    collections::VecDeque,
+    f64::consts::{PI, TAU},
+};
 
 use super::Motion;
 
@@ -14,8 +18,11 @@ use super::Motion;
 pub(super) fn unwrap_angles(
     motions: &mut [Motion],
     is_free: &[bool],
-    links: impl Iterator<Item = (usize, usize, f64)>,
+    links: impl Iterator<Item = (usize, usize, f64)> + Clone,
 ) {
+    if links.clone().all(|(i, j, _)| (motions[i].angle - motions[j].angle).abs() < PI) {
+        return;
+    }
     let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); motions.len()];
     for (i, j, _) in links {
         neighbours[i].push(j);

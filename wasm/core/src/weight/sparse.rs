@@ -22,13 +22,26 @@ impl SparseWeights {
         Self { offsets, sites: Vec::with_capacity(COVER * points), weights: Vec::with_capacity(COVER * points) }
     }
 
-    /// Adds a point: the sites that move it, ascending, and their weights.
-    pub(crate) fn push_row(&mut self, row: impl Iterator<Item = (u32, f64)>) {
-        for (site, weight) in row {
-            self.sites.push(site);
-            self.weights.push(weight);
+    /// Adds points from what each site, ascending, weighs at all of them; those that weigh nothing are left out.
+    pub(crate) fn push_rows<'a, const N: usize>(
+        &mut self,
+        points: usize,
+        columns: &(impl ExactSizeIterator<Item = (u32, &'a [f64; N])> + Clone),
+    ) {
+        let mut at = self.sites.len();
+        let room = at + points * columns.len();
+        self.sites.resize(room, 0);
+        self.weights.resize(room, 0.0);
+        for point in 0..points {
+            for (site, weights) in columns.clone() {
+                // Written in any case, and over again where it is nothing: faster than a branch that cannot be foreseen.
+                (self.sites[at], self.weights[at]) = (site, weights[point]);
+                at += usize::from(weights[point] > 0.0);
+            }
+            self.offsets.push(at as u32);
         }
-        self.offsets.push(self.sites.len() as u32);
+        self.sites.truncate(at);
+        self.weights.truncate(at);
     }
 
     /// Normalises `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points.

@@ -131,10 +131,7 @@ impl Swept {
             // Where nothing reaches, what is not a number takes the place of zero.
             column.phi[..count].iter_mut().zip(&*sums).for_each(|(phi, sum)| *phi /= sum);
         }
-        for k in 0..count {
-            let reached = columns.iter().filter(|column| column.phi[k] > 0.0);
-            self.weights.push_row(reached.map(|column| (column.site, column.phi[k])));
-        }
+        self.weights.push_rows(count, &columns.iter().map(|column| (column.site, &column.phi)));
         self.sums.extend_from_slice(sums);
         self.nearest.extend(nearest.iter().map(|&(_, site)| site));
     }

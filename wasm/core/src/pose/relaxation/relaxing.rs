@@ -5,7 +5,7 @@ use glam::{DMat2, DVec2};
 use super::{
     super::{
         descent::{Landscape, View},
-        distortion::{Distortion, square},
+        distortion::{Distortion, gradient, square},
     },
     Node, Parts, Relaxation, SOFT, Term, seen,
 };
@@ -22,6 +22,7 @@ pub(super) struct Relaxing<'a> {
     parts: Vec<Parts>,
     sights: Vec<Sight>,
     lines: Vec<Lines>,
+    slopes: Vec<Slopes>,
     /// What holds the unknowns, along the direction: a polynomial of the length.
     held: [f64; 3],
 }
@@ -33,18 +34,25 @@ struct Sight {
     unstretch: DMat2,
     /// The derivative J after it.
     derivative: DMat2,
-    /// How that changes along the direction; then the gradient by it.
+    /// How that changes along the direction.
     along: DMat2,
 }
 
-/// What some nodes see along the direction: coefficients of polynomials of the length. Processors work on more than one number at a
-/// time.
+/// What some nodes see along the direction: coefficients of polynomials of the length, of which the first are where the pose is.
+/// Processors work on more than one number at a time.
 #[derive(Debug, Clone, Copy)]
 struct Lines {
     area: [f64; LANES],
     det: [[f64; LANES]; 3],
     /// |J|².
     square: [[f64; LANES]; 3],
+}
+
+/// Derivatives of the energy of some nodes.
+#[derive(Debug, Clone, Copy)]
+struct Slopes {
+    by_det: [f64; LANES],
+    by_square: [f64; LANES],
 }
 
 const LANES: usize = 4;
@@ -61,12 +69,19 @@ impl<'a> Relaxing<'a> {
     pub(super) fn new(relaxation: &'a Relaxation, parts: &[Parts], is_free: &'a [bool], stretch: &[DMat2]) -> Self {
         let parts: Vec<Parts> =
             parts.iter().zip(&relaxation.rest).map(|(&parts, &rest)| at_origin(parts, rest)).collect();
+        let is_stretched = stretch.iter().any(|&stretch| stretch != DMat2::IDENTITY);
         let sight = |(node, terms): (&Node, &[Term])| {
             let expected = |sum, term: &Term| sum + stretch[term.site as usize] * term.weight;
-            let unstretch = terms.iter().fold(DMat2::ZERO, expected).inverse();
+            let unstretch =
+                if is_stretched { terms.iter().fold(DMat2::ZERO, expected).inverse() } else { DMat2::IDENTITY };
             Sight { unstretch, derivative: derivative(node, terms, &parts) * unstretch, along: DMat2::ZERO }
         };
         let unknowns = relaxation.hold.len();
+        let count = relaxation.nodes.len().div_ceil(LANES);
+        let mut lines = vec![NO_LINES; count];
+        for (at, node) in relaxation.nodes.iter().enumerate() {
+            lines[at / LANES].area[at % LANES] = node.area;
+        }
         Self {
             relaxation,
             distortion: Distortion::new(SOFT),
@@ -74,7 +89,8 @@ impl<'a> Relaxing<'a> {
             unknown: vec![DVec2::ZERO; unknowns],
             by: vec![DVec2::ZERO; unknowns],
             sights: seen(&relaxation.nodes, &relaxation.terms).map(sight).collect(),
-            lines: vec![NO_LINES; relaxation.nodes.len().div_ceil(LANES)],
+            lines,
+            slopes: vec![Slopes { by_det: [0.0; LANES], by_square: [0.0; LANES] }; count],
             parts,
             held: [0.0; 3],
         }
@@ -106,13 +122,8 @@ impl Landscape for Relaxing<'_> {
             let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
             let product = x.dot(along.x_axis) + y.dot(along.y_axis);
             let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
-            lines.area[lane] = node.area;
-            let det = [x.perp_dot(y), mixed, along.determinant()];
-            let square = [square(sight.derivative), 2.0 * product, square(along)];
-            for power in 0..3 {
-                lines.det[power][lane] = det[power];
-                lines.square[power][lane] = square[power];
-            }
+            (lines.det[1][lane], lines.det[2][lane]) = (mixed, along.determinant());
+            (lines.square[1][lane], lines.square[2][lane]) = (2.0 * product, square(along));
         }
         self.held = [0.0; 3];
         for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(by) {
@@ -145,31 +156,42 @@ impl Landscape for Relaxing<'_> {
         }
     }
 
-    fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
+    fn go(&mut self, length: f64, forces: &mut [DVec2]) {
         let relaxation = self.relaxation;
         for (unknown, by) in self.unknown.iter_mut().zip(&self.by) {
             *unknown += length * by;
         }
-        // By itself, as it is slow by latency: nodes do not wait for one another.
-        for (node, sight) in relaxation.nodes.iter().zip(&mut self.sights) {
+        for (at, sight) in self.sights.iter_mut().enumerate() {
             sight.derivative += length * sight.along;
-            sight.along = self.distortion.gradient(sight.derivative) * sight.unstretch.transpose() * node.area;
+            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
+            (lines.det[0][lane], lines.square[0][lane]) = (sight.derivative.determinant(), square(sight.derivative));
+        }
+        for (lines, slopes) in self.lines.iter().zip(&mut self.slopes) {
+            for lane in 0..LANES {
+                let seen = self.distortion.of(lines.det[0][lane], lines.square[0][lane]);
+                slopes.by_det[lane] = lines.area[lane] * seen.by_det;
+                slopes.by_square[lane] = lines.area[lane] * seen.by_square;
+            }
         }
         self.parts.fill([DVec2::ZERO; 3]);
-        for ((node, terms), sight) in seen(&relaxation.nodes, &relaxation.terms).zip(&self.sights) {
+        let nodes = seen(&relaxation.nodes, &relaxation.terms).zip(&self.sights);
+        for (at, ((node, terms), sight)) in nodes.enumerate() {
+            let (slopes, lane) = (&self.slopes[at / LANES], at % LANES);
+            let pull = gradient(sight.derivative, slopes.by_det[lane], slopes.by_square[lane]);
+            let pull = pull * sight.unstretch.transpose();
             for term in &terms[node.fixed as usize..] {
-                term.pull(node.at, sight.along, &mut self.parts[term.site as usize]);
+                term.pull(node.at, pull, &mut self.parts[term.site as usize]);
             }
         }
         let force = |site: usize| {
             let ([place, x, y], rest) = (self.parts[site], relaxation.rest[site]);
             [place, x - rest.x * place, y - rest.y * place]
         };
-        relaxation.gather(force, gradient);
-        for ((gradient, &hold), &unknown) in gradient.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
-            *gradient += hold * unknown;
+        relaxation.gather(force, forces);
+        for ((force, &hold), &unknown) in forces.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
+            *force += hold * unknown;
         }
-        relaxation.keep(self.is_free, gradient);
+        relaxation.keep(self.is_free, forces);
     }
 }
 
