@@ -47,7 +47,8 @@ await main(async () => {
     'The benchmark does not build; the reason stands above.',
   );
   const failed = 'The benchmark failed; the reason stands above.';
-  const [native, wasm] = ['native.json', 'wasm.json'].map((name) => join(output, name));
+  const native = join(output, 'native.json');
+  const wasm = join(output, 'wasm.json');
   /** @type {unknown[]} */
   const natives = [];
   /** @type {unknown[]} */
