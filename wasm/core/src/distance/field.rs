@@ -32,6 +32,22 @@ impl Window {
         self.first.perp_dot(to) >= -WINDOW_SLACK && to.perp_dot(self.last) >= -WINDOW_SLACK
     }
 
+    /// Whether a point of a box may be seen, and nearer than `radius`.
+    pub(crate) fn may_reach(&self, low: DVec2, high: DVec2, radius: f64) -> bool {
+        let (to_low, to_high) = (low - self.source, high - self.source);
+        // The corners that lie farthest to the left of the first ray, and to the right of the last.
+        let left = |ray: DVec2| {
+            DVec2::new(
+                if ray.y > 0.0 { to_low.x } else { to_high.x }, //
+                if ray.x > 0.0 { to_high.y } else { to_low.y },
+            )
+        };
+        let nearest = DVec2::ZERO.clamp(to_low, to_high).length();
+        self.first.perp_dot(left(self.first)) >= -WINDOW_SLACK
+            && left(-self.last).perp_dot(self.last) >= -WINDOW_SLACK
+            && self.offset + nearest < radius + WINDOW_SLACK
+    }
+
     /// The part of a segment that lies in the cone.
     fn seen_of(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         let (to_a, to_b) = (a - self.source, b - self.source);
@@ -181,5 +197,35 @@ impl DistanceField {
     #[must_use]
     pub fn heap_bytes(&self) -> usize {
         self.triangles.capacity() * size_of::<(u32, u32)>() + self.windows.capacity() * size_of::<Window>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_with_a_point_that_is_seen_within_the_radius_may_be_reached_and_a_box_beside_the_cone_not() {
+        let (low, high) = (DVec2::new(3.0, -2.0), DVec2::new(5.0, 1.0));
+        let ray = |degrees: i32| {
+            let (sin, cos) = libm::sincos(f64::from(degrees).to_radians());
+            DVec2::new(cos, sin)
+        };
+        let points: Vec<DVec2> =
+            (0..=20).flat_map(|i| (0..=20).map(move |j| (f64::from(i), f64::from(j)))).map(DVec2::from).collect();
+        let (mut reached, mut passed) = (0, 0);
+        for (from, width) in (0..360).step_by(15).flat_map(|from| [1, 20, 90, 180].map(|width| (from, width))) {
+            for source in [DVec2::ZERO, DVec2::new(4.0, 0.0), DVec2::new(9.0, -7.0)] {
+                let window = Window { source, offset: 2.0, first: ray(from), last: ray(from + width), nearest: 2.0 };
+                for radius in [4.0, 6.0, 20.0] {
+                    let at = |&share: &DVec2| low + share / 20.0 * (high - low);
+                    let is_reached = |p: DVec2| window.sees(p) && window.offset + source.distance(p) < radius;
+                    let may_reach = window.may_reach(low, high, radius);
+                    assert!(may_reach || !points.iter().map(at).any(is_reached), "{source} {from} {width} {radius}");
+                    *if may_reach { &mut reached } else { &mut passed } += 1;
+                }
+            }
+        }
+        assert!(reached > 100 && passed > 400, "{reached} and {passed}");
     }
 }

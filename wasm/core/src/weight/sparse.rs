@@ -89,9 +89,8 @@ impl SparseWeights {
 
     /// The site that moves a point most, the first of several, if any moves it.
     pub(crate) fn strongest(&self, point: usize) -> Option<usize> {
-        let (start, end) = (self.offsets[point] as usize, self.offsets[point + 1] as usize);
-        let stronger = |best: usize, at: usize| if self.weights[at] > self.weights[best] { at } else { best };
-        (start < end).then(|| self.sites[(start..end).fold(start, stronger)] as usize)
+        let stronger = |best: (usize, f64), at: (usize, f64)| if at.1 > best.1 { at } else { best };
+        self.row(point).reduce(stronger).map(|(site, _)| site)
     }
 
     /// The weights of a point, in the order of [`row`](Self::row).

@@ -1,9 +1,11 @@
 //! The weights of all samples (eq. 2), in one sweep.
 //!
 //! Samples of one triangle of the navigation mesh follow one another, and all of them see through the same windows. So a window
-//! is asked about a [`BATCH`] of samples at once, in loops without branches over flat arrays.
+//! is asked about a [`BATCH`] of samples at once, in loops without branches over flat arrays, unless it cannot reach the box around them.
 //!
 //! Cost: for each sample and each support that reaches into its triangle, some 4 ns a window and as much for φ and the row.
+
+use glam::DVec2;
 
 use super::{Basis, SparseWeights};
 use crate::{
@@ -28,6 +30,9 @@ pub(crate) struct Swept {
 
 /// Samples of one triangle.
 struct Batch {
+    /// The box around them.
+    low: DVec2,
+    high: DVec2,
     x: [f64; BATCH],
     y: [f64; BATCH],
     count: usize,
@@ -55,7 +60,7 @@ pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
         nearest: Vec::with_capacity(count),
     };
     let mut columns: Vec<Column> = Vec::new();
-    let mut batch = Batch { x: [0.0; BATCH], y: [0.0; BATCH], count: 0 };
+    let mut batch = Batch { low: DVec2::ZERO, high: DVec2::ZERO, x: [0.0; BATCH], y: [0.0; BATCH], count: 0 };
     let mut rest = &samples.mesh.vertices[..];
     for same in samples.places.chunk_by(|a, b| a == b) {
         let (mut of_triangle, after) = rest.split_at(same.len());
@@ -64,6 +69,7 @@ pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
             let (now, later) = of_triangle.split_at(of_triangle.len().min(BATCH));
             of_triangle = later;
             batch.count = now.len();
+            (batch.low, batch.high) = now.iter().fold((now[0], now[0]), |(low, high), &p| (low.min(p), high.max(p)));
             for (k, p) in now.iter().enumerate() {
                 (batch.x[k], batch.y[k]) = (p.x, p.y);
             }
@@ -91,6 +97,9 @@ impl Column {
         for window in windows {
             if window.nearest >= site.support_radius {
                 break;
+            }
+            if !window.may_reach(batch.low, batch.high, site.support_radius) {
+                continue;
             }
             let Window { source, offset, first, last, .. } = *window;
             for k in 0..n {
