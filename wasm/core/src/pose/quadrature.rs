@@ -59,20 +59,19 @@ impl Quadrature {
     ) -> Self {
         let vertices = &samples.mesh.vertices;
         let outline = sites.iter().position(|site| site.origin == Origin::Boundary);
-        let counted_as = |site: usize| outline.filter(|_| sites[site].origin == Origin::Boundary).unwrap_or(site);
+        let counted = |influence: Influence| {
+            let stays = sites[influence.site].origin == Origin::Boundary;
+            Influence { site: outline.filter(|_| stays).unwrap_or(influence.site), ..influence }
+        };
         // Area, and area times place, of each part; samples that follow one another are often of the same.
         let mut sums: Vec<(Part, f64, DVec2)> = Vec::new();
         let mut around = vec![0.0; sites.len()];
-        let mut row: Vec<(usize, f64)> = Vec::new();
+        let mut row: Vec<Influence> = Vec::new();
         for (sample, &area) in areas(samples).iter().enumerate() {
             row.clear();
             for (site, weight) in weights.row(sample) {
                 around[site] += weight * area;
-                let site = counted_as(site);
-                match row.iter_mut().find(|known| known.0 == site) {
-                    Some(known) => known.1 += weight,
-                    None => row.push((site, weight)),
-                }
+                add(&mut row, counted(Influence { site, weight, gradient: DVec2::ZERO }));
             }
             divide(&row, [NO_SITE; TOLD_BY], 0, area, &mut |part, area| {
                 let moment = area * vertices[sample];
@@ -92,16 +91,7 @@ impl Quadrature {
         });
         let node = |at: DVec2, place: Place, area: f64| {
             let mut terms: Vec<Influence> = Vec::new();
-            for influence in functions.at(sites, place, at) {
-                let site = counted_as(influence.site);
-                match terms.iter_mut().find(|known| known.site == site) {
-                    Some(known) => {
-                        known.weight += influence.weight;
-                        known.gradient += influence.gradient;
-                    }
-                    None => terms.push(Influence { site, ..influence }),
-                }
-            }
+            functions.at(sites, place, at).into_iter().for_each(|influence| add(&mut terms, counted(influence)));
             let steepest = terms.iter().map(|one| one.gradient.length()).fold(0.0, f64::max);
             terms.retain(|one| one.weight >= TAIL);
             let term = |one: &Influence| (one.site as u32, one.weight as f32, one.gradient.as_vec2().to_array());
@@ -155,21 +145,32 @@ impl Quadrature {
     }
 }
 
+/// Adds to what a site has to say already, if it has.
+fn add(influences: &mut Vec<Influence>, more: Influence) {
+    match influences.iter_mut().find(|known| known.site == more.site) {
+        Some(known) => {
+            known.weight += more.weight;
+            known.gradient += more.gradient;
+        }
+        None => influences.push(more),
+    }
+}
+
 /// Divides the area of a sample among the parts that its weights tell of: one, or several where weights are tied. `part` holds the
 /// `known` sites that weigh most.
-fn divide(row: &[(usize, f64)], part: Part, known: usize, area: f64, take: &mut impl FnMut(Part, f64)) {
-    let others = || row.iter().filter(|(site, _)| !part[..known].contains(&(*site as u32)));
-    let most = others().map(|&(_, weight)| weight).fold(0.0, f64::max);
-    let tied = || others().filter(|&&(_, weight)| weight >= most - TIE && weight > 0.0);
+fn divide(row: &[Influence], part: Part, known: usize, area: f64, take: &mut impl FnMut(Part, f64)) {
+    let others = || row.iter().filter(|one| !part[..known].contains(&(one.site as u32)));
+    let most = others().map(|one| one.weight).fold(0.0, f64::max);
+    let tied = || others().filter(|one| one.weight >= most - TIE && one.weight > 0.0);
     let count = tied().count();
     if known == TOLD_BY || count == 0 {
         let [first, second, third] = part;
         take([first, second.min(third), second.max(third)], area);
         return;
     }
-    for &(site, _) in tied() {
+    for one in tied() {
         let mut next = part;
-        next[known] = site as u32;
+        next[known] = one.site as u32;
         divide(row, next, known + 1, area / count as f64, take);
     }
 }
