@@ -88,6 +88,33 @@ fn exact_in_the_outline_of_a_picture() {
     assert!(worst_error(&domain) < EXACT);
 }
 
+/// Points of a wall are on it within rounding only, by which the direction to its corner turns more, the nearer that is.
+#[test]
+fn paths_from_a_wall_turn_around_its_corners_however_near_those_are() {
+    let domain = outlines::alpha();
+    let navigation = Navigation::new(&domain);
+    let mut propagation = Propagation::default();
+    let mut asked = 0;
+    for ring in domain.rings() {
+        let n = ring.len();
+        let ends = (0..n).flat_map(|i| [(i, (i + 1) % n), (i, (i + n - 1) % n)]).map(|(i, j)| (ring[i], ring[j]));
+        for ((corner, other), away) in ends.flat_map(|ends| [1.0, 0.1, 0.01, 1e-3, 1e-4].map(|away| (ends, away))) {
+            let source = corner.lerp(other, (away / corner.distance(other)).min(0.5));
+            let place = navigation.place(source).expect("a point of the outline");
+            let field = propagation.field(&navigation, place, source, 4.0);
+            for p in (0..6).map(|k| corner + 0.2 * DVec2::from_angle(f64::from(k))) {
+                if let Some(place) = navigation.place(p) {
+                    let longest = source.distance(corner) + corner.distance(p);
+                    let found = field.distance(place, p);
+                    assert!(found <= longest + EXACT, "{source} → {p} by way of {corner}: {found} for {longest}");
+                    asked += 1;
+                }
+            }
+        }
+    }
+    assert!(asked > 10_000, "{asked}");
+}
+
 #[test]
 fn straight_in_a_convex_domain() {
     let domain = outlines::polygon(&outlines::disc());

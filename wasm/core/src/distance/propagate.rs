@@ -183,11 +183,13 @@ impl Propagation {
         let source = navigation.mesh.vertices[corner];
         // A source on the corner itself has seen all around it already.
         let Some(ahead) = (source - before).try_normalize() else { return };
+        // From nearby, a source on a wall stands off it by more than rounding of directions.
+        let slack = EPSILON.max(ON_EDGE / before.distance(source));
         let sides = (ahead.perp_dot(walls.next), ahead.perp_dot(walls.prev));
-        if sides.0 >= -EPSILON && sides.1 >= -EPSILON {
+        if sides.0 >= -slack && sides.1 >= -slack {
             self.spread(navigation, corner, (ahead, walls.prev), (source, offset), bound);
         }
-        if sides.0 <= EPSILON && sides.1 <= EPSILON {
+        if sides.0 <= slack && sides.1 <= slack {
             self.spread(navigation, corner, (walls.next, ahead), (source, offset), bound);
         }
     }
