@@ -144,6 +144,11 @@ impl DistanceField {
         best.filter(|foot| foot.distance <= self.bound)
     }
 
+    /// To ask about points of which many that follow one another are in the same place.
+    pub(crate) fn in_turn(&self) -> InTurn<'_> {
+        InTurn { field: self, known: None }
+    }
+
     /// The last pieces of all paths to a point that are known: that of the shortest, and of others that are shortest nearby.
     pub(crate) fn feet(&self, place: Place, p: DVec2) -> impl Iterator<Item = Foot> + '_ {
         let seeing = self.windows_in(place).iter().filter(move |window| window.sees(p));
@@ -197,6 +202,25 @@ impl DistanceField {
     #[must_use]
     pub fn heap_bytes(&self) -> usize {
         self.triangles.capacity() * size_of::<(u32, u32)>() + self.windows.capacity() * size_of::<Window>()
+    }
+}
+
+/// A field that is asked about one point after another.
+pub(crate) struct InTurn<'a> {
+    field: &'a DistanceField,
+    /// The last place, and its windows.
+    known: Option<(Place, &'a [Window])>,
+}
+
+impl InTurn<'_> {
+    /// What [`DistanceField::foot`] tells.
+    pub(crate) fn foot(&mut self, place: Place, p: DVec2) -> Option<Foot> {
+        let windows = match self.known {
+            Some((known, windows)) if known == place => windows,
+            _ => self.field.windows_in(place),
+        };
+        self.known = Some((place, windows));
+        self.field.foot_in(windows, p)
     }
 }
 

@@ -34,6 +34,9 @@ pub(crate) struct Scouts {
     pub(crate) places: Vec<Place>,
     /// Edges of the mesh.
     pub(crate) graph: Graph,
+    /// Triangles around each scout, one scout after another.
+    fan: Vec<u32>,
+    fan_start: Vec<u32>,
     /// Length of the longest edge at each scout, in pixels.
     pub(crate) reach: Vec<f64>,
     /// Length of the longest edge of all.
@@ -53,7 +56,14 @@ impl Scouts {
         };
         let reach: Vec<f64> = (0..mesh.vertices.len()).map(longest).collect();
         let longest_edge = reach.iter().copied().fold(0.0, f64::max);
-        Self { mesh, places, graph, reach, longest_edge, locator: Arc::clone(&ground.locator) }
+        let (fan_start, fan) = fans(&mesh);
+        let locator = Arc::clone(&ground.locator);
+        Self { mesh, places, graph, fan, fan_start, reach, longest_edge, locator }
+    }
+
+    /// The triangles around a scout.
+    pub(crate) fn fan(&self, scout: usize) -> &[u32] {
+        &self.fan[self.fan_start[scout] as usize..self.fan_start[scout + 1] as usize]
     }
 
     /// The triangle that holds a point of the domain.
@@ -65,4 +75,23 @@ impl Scouts {
     pub(crate) fn len(&self) -> usize {
         self.mesh.vertices.len()
     }
+}
+
+fn fans(mesh: &Triangulation) -> (Vec<u32>, Vec<u32>) {
+    let mut start = vec![0_u32; mesh.vertices.len() + 1];
+    for &corner in mesh.triangles.iter().flatten() {
+        start[corner as usize + 1] += 1;
+    }
+    for i in 1..start.len() {
+        start[i] += start[i - 1];
+    }
+    let (mut fill, mut fan) = (start.clone(), vec![0; mesh.triangles.len() * 3]);
+    for (triangle, corners) in (0..).zip(&mesh.triangles) {
+        for &corner in corners {
+            let at = &mut fill[corner as usize];
+            fan[*at as usize] = triangle;
+            *at += 1;
+        }
+    }
+    (start, fan)
 }

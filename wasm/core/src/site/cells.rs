@@ -5,10 +5,11 @@
 
 use glam::DVec2;
 
+use super::marks::Marks;
 use crate::{distance::Foot, sample::Scouts, triangulation::NONE};
 
 /// The cells of all sites, over the scouts.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(crate) struct Cells {
     /// The nearest site of each scout; [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
@@ -21,9 +22,8 @@ pub(crate) struct Cells {
     next: Vec<u32>,
     /// The farthest scout of each cell, or [`NONE`].
     farthest: Vec<u32>,
-    /// Marks the scouts seen by the running insertion.
-    seen: Vec<u32>,
-    insertions: u32,
+    /// The scouts that the last insertion saw.
+    seen: Marks,
     stack: Vec<u32>,
 }
 
@@ -33,28 +33,29 @@ impl Cells {
             nearest: vec![NONE; scouts],
             distance: vec![f64::INFINITY; scouts],
             apex: vec![DVec2::ZERO; scouts],
+            first: Vec::new(),
             next: vec![NONE; scouts],
-            seen: vec![0; scouts],
-            ..Self::default()
+            farthest: Vec::new(),
+            seen: Marks::new(scouts),
+            stack: Vec::new(),
         }
     }
 
     /// Gives a new site its cell: the scouts nearer to it than to all before. `start` are scouts around the site and
     /// `foot` tells how a scout is reached from it.
-    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], foot: impl Fn(usize) -> Option<Foot>) {
+    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], mut foot: impl FnMut(usize) -> Option<Foot>) {
         let site = self.first.len() as u32;
         self.first.push(NONE);
         self.farthest.push(NONE);
-        self.insertions += 1;
+        self.seen.clear();
         let mut losers: Vec<u32> = Vec::new();
         self.stack.extend(start);
         let (mut first, mut farthest, mut radius) = (NONE, NONE, -1.0);
         while let Some(sample) = self.stack.pop() {
             let at = sample as usize;
-            if self.seen[at] == self.insertions {
+            if !self.seen.mark(sample) {
                 continue;
             }
-            self.seen[at] = self.insertions;
             let Some(Foot { distance: d, pseudo_source, .. }) = foot(at) else { continue };
             let known = self.distance[at];
             // The path to a scout of the cell crosses triangles, none of whose corners is farther from it than an edge.
@@ -112,7 +113,7 @@ impl Cells {
 
     /// Whether the last insertion saw these scouts. The last cell enters no triangle that has others.
     pub(crate) fn saw(&self, scouts: [u32; 3]) -> bool {
-        scouts.iter().all(|&at| self.seen[at as usize] == self.insertions)
+        scouts.iter().all(|&at| self.seen.has(at))
     }
 
     /// The scouts of a site's cell.

@@ -34,6 +34,8 @@ pub(super) struct Cones {
     pub(super) others: Vec<Cone>,
 }
 
+/// Cones that there is room for from the beginning; a few meet, as a rule.
+const ROOM: usize = 16;
 /// Steps at most. Three meeting cones take five; more are only spent where cones touch.
 const STEPS: usize = 16;
 /// A step shorter than this share of the longest edge ends the climb.
@@ -66,7 +68,8 @@ fn climb_one(
     let [a, b, c] = *corners;
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let (mut p, mut forked) = (from, false);
-    let (mut cones, mut sides) = (Cones::default(), Vec::new());
+    let mut cones = Cones { own: Vec::with_capacity(ROOM), others: Vec::with_capacity(ROOM) };
+    let mut sides = Vec::with_capacity(2 * ROOM);
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         cones.own.clear();

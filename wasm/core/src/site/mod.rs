@@ -4,6 +4,7 @@ mod cells;
 mod contacts;
 mod farthest;
 mod graph;
+mod marks;
 mod piece;
 mod regions;
 mod summit;

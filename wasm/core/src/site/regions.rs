@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{Origin, Site, cells::Cells, piece::Pieces, tessellation::Chain};
+use super::{Origin, Site, cells::Cells, marks::Marks, piece::Pieces, tessellation::Chain};
 use crate::{
     bone::{Skeleton, Track},
     distance::{DistanceField, Navigation, Place, Propagation},
@@ -59,9 +59,8 @@ pub(crate) struct Regions<'a> {
     pub(super) pieces: Pieces,
     /// The triangle of the scouts' mesh that holds each site.
     pub(super) home: Vec<u32>,
-    /// Marks the triangles seen by the running search.
-    pub(super) searched: Vec<u32>,
-    pub(super) searches: u32,
+    /// The triangles that the running search has come to.
+    pub(super) searched: Marks,
     propagation: &'a mut Propagation,
 }
 
@@ -82,8 +81,7 @@ impl<'a> Regions<'a> {
             far: Vec::new(),
             pieces: Pieces::new(scouts.mesh.triangles.len()),
             home: Vec::new(),
-            searched: vec![0; scouts.mesh.triangles.len()],
-            searches: 0,
+            searched: Marks::new(scouts.mesh.triangles.len()),
             propagation,
         }
     }
@@ -125,7 +123,8 @@ impl<'a> Regions<'a> {
         separation = separation.min(clearance);
         let scouts = self.scouts;
         let home = scouts.triangle_at(rest);
-        let foot = |at: usize| field.foot(scouts.places[at], scouts.mesh.vertices[at]);
+        let mut field_in_turn = field.in_turn();
+        let foot = |at: usize| field_in_turn.foot(scouts.places[at], scouts.mesh.vertices[at]);
         self.cells.insert(scouts, scouts.mesh.triangles[home], foot);
         self.sites.push(Site {
             rest,

@@ -5,11 +5,15 @@
 //! only, those that may hold the farthest point first, and is sure to find it however few scouts there are.
 
 use super::{
+    Site,
     piece::{Pieces, bend},
     regions::{Far, FarPoint, Regions},
     virtual_sites::TIE,
 };
-use crate::triangulation::NONE;
+use crate::{distance::Foot, triangulation::NONE};
+
+/// Room for the triangles of most searches.
+const STACK: usize = 64;
 
 impl Regions<'_> {
     /// Learns more of how far the farthest points of a site's cell are: first in which triangles they may be, then where they are.
@@ -28,54 +32,75 @@ impl Regions<'_> {
     }
 
     /// The triangles that may hold a point of a site's cell as far as its farthest scout, and how far at most; the farthest first.
+    ///
+    /// A path to the site stays in its cell, so the triangles that the cell enters hang together. Of those with scouts of the cell
+    /// only such are looked at as may be far enough, or lead to others that have none.
     fn triangles_of(&mut self, site: usize, scout: f64) -> Vec<(u32, f64)> {
         let least = scout * (1.0 - TIE);
-        self.searches += 1;
-        let mut found = Vec::new();
-        let mut stack = vec![self.home[site]];
-        self.searched[self.home[site] as usize] = self.searches;
+        let Self { scouts, cells, searched, .. } = self;
+        searched.clear();
+        let mut stack = Vec::with_capacity(STACK);
+        let home = self.home[site];
+        searched.mark(home);
+        stack.push(home);
+        for at in cells.of(site) {
+            let is_inner = || scouts.graph.of(at).iter().all(|&other| cells.nearest[other as usize] == site as u32);
+            if cells.distance[at] + scouts.reach[at] >= least || !is_inner() {
+                stack.extend(scouts.fan(at).iter().filter(|&&t| searched.mark(t)));
+            }
+        }
+        let mut found = Vec::with_capacity(STACK);
         while let Some(t) = stack.pop() {
-            // A path to the site stays in its cell, so the triangles that the cell enters hang together.
-            if self.may_enter(site, t) {
-                for neighbour in self.scouts.mesh.neighbours[t as usize].into_iter().filter(|&n| n != NONE) {
-                    let searched = &mut self.searched[neighbour as usize];
-                    if *searched != self.searches {
-                        *searched = self.searches;
-                        stack.push(neighbour);
-                    }
+            let mesh = &self.scouts.mesh;
+            let is_own = mesh.triangles[t as usize].map(|at| self.cells.nearest[at as usize] == site as u32);
+            if !(is_own.contains(&true) || self.may_enter(site, t)) {
+                continue;
+            }
+            for k in (0..3).filter(|&k| !is_own[k] && !is_own[(k + 1) % 3]) {
+                let neighbour = mesh.neighbours[t as usize][k];
+                if neighbour != NONE && self.searched.mark(neighbour) {
+                    stack.push(neighbour);
                 }
-                let above = self.above(t, least);
-                if above >= least {
-                    found.push((t, above));
-                }
+            }
+            let above = self.above(t, least);
+            if above >= least {
+                found.push((t, above));
             }
         }
         found.sort_by(|(t, a), (u, b)| b.total_cmp(a).then(t.cmp(u)));
         found
     }
 
-    /// Whether a site's cell may have a point in a triangle.
+    /// Whether a site's cell may have a point in a triangle that has none of its scouts.
     fn may_enter(&self, site: usize, triangle: u32) -> bool {
         if let Some(piece) = self.pieces.known(triangle) {
             return piece.has(site);
         }
-        let (scouts, cells) = (self.scouts, &self.cells);
+        let Self { scouts, sites, .. } = self;
+        let Site { rest, field, .. } = &sites[site];
         let corners = scouts.mesh.triangles[triangle as usize].map(|v| v as usize);
-        if corners.iter().any(|&at| cells.nearest[at] == site as u32) {
-            return true;
+        let points = corners.map(|at| scouts.mesh.vertices[at]);
+        // No path is shorter than the straight line, and most are no longer.
+        let straight = points.map(|p| rest.distance(p));
+        if !self.is_low(corners, straight, straight) {
+            return false;
         }
-        let field = &self.sites[site].field;
-        let feet = corners.map(|at| field.foot(scouts.places[at], scouts.mesh.vertices[at]));
+        let mut field = field.in_turn();
+        let feet = [0, 1, 2].map(|k| field.foot(scouts.places[corners[k]], points[k]));
         let [Some(a), Some(b), Some(c)] = feet else { return false };
         let feet = [a, b, c];
-        let mut behind = (0..3).map(|k| feet[k].distance - cells.distance[corners[k]]);
-        let longest = corners.iter().map(|&at| scouts.reach[at]).fold(0.0, f64::max);
-        if feet.iter().all(|foot| foot.pseudo_source == a.pseudo_source) && self.is_of_one_cone(corners) {
-            let apart = (0..3).map(|k| feet[k].distance - feet[k].offset).fold(f64::INFINITY, f64::min);
-            let bend = bend(longest, apart);
-            return behind.any(|behind| behind <= bend);
-        }
-        behind.all(|behind| behind <= 2.0 * longest)
+        let is_one_cone = feet.iter().all(|foot| foot.pseudo_source == a.pseudo_source);
+        let to_apex = |foot: Foot| if is_one_cone { foot.distance - foot.offset } else { 0.0 };
+        self.is_low(corners, feet.map(|foot| foot.distance), feet.map(to_apex))
+    }
+
+    /// Whether a cone may be the lowest somewhere in a triangle, from its values at the corners and how far its apex is from them.
+    fn is_low(&self, corners: [usize; 3], values: [f64; 3], to_apex: [f64; 3]) -> bool {
+        let longest = corners.iter().map(|&at| self.scouts.reach[at]).fold(0.0, f64::max);
+        let mut over = (0..3).map(|k| values[k] - self.cells.distance[corners[k]]);
+        let apart = to_apex.into_iter().fold(f64::INFINITY, f64::min);
+        over.clone().all(|over| over <= 2.0 * longest)
+            && (!self.is_of_one_cone(corners) || over.any(|over| over <= bend(longest, apart)))
     }
 
     /// No point of a triangle is farther from its nearest site than this; told exactly from `least` on.
