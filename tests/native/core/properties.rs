@@ -76,6 +76,28 @@ proptest! {
         }
     }
 
+    /// As coordinates are that were rounded, to six digits say.
+    #[test]
+    fn a_handle_beside_a_corner_by_less_than_a_millionth_of_a_pixel_counts_as_on_it(
+        (rings, places, support) in scenes(),
+        corner in 0..1000_usize,
+        (away, angle) in (-10.0..-6.1_f64, 0.0..6.3_f64),
+    ) {
+        let corner = rings[0][corner % rings[0].len()];
+        let beside = corner + 10.0_f64.powf(away) * DVec2::from_angle(angle);
+        let places: Vec<DVec2> = places.iter().copied().chain([beside]).collect();
+        let Ok(solution) = solved(&project(&rings, &places, support)) else { return Ok(()) };
+        let of_handle = |site: &Site| site.origin.handle() == Some(places.len() - 1);
+        let site = solution.sites.iter().position(of_handle).expect("a site for each handle");
+        prop_assert_eq!(solution.weights_at(beside), Some(vec![(site, 1.0)]));
+        let points: Vec<DVec2> = spread(200).chain(places).filter(|&p| solution.weights_at(p).is_some()).collect();
+        let [from_corner, from_beside] = [corner, beside].map(|p| solution.distances(p, &points).expect("inside"));
+        for ((a, b), p) in from_corner.into_iter().zip(from_beside).zip(points) {
+            let (a, b) = (a.unwrap_or(f64::INFINITY), b.unwrap_or(f64::INFINITY));
+            prop_assert!(a == b || (a - b).abs() < 2e-6, "{p} is {a} from {corner}, and {b} from {beside}");
+        }
+    }
+
     /// However few samples there are: cells are found on a few scouts, and many of them are narrower than those are apart.
     #[test]
     fn no_point_of_a_cell_is_farther_than_its_radius((rings, places, support) in scenes()) {

@@ -92,7 +92,7 @@ impl Request {
     /// [`Error::BarsOverlap`].
     pub(crate) fn rest(&self, outline: &Outline) -> Result<Rest, Error> {
         let navigation: &Navigation = &outline.navigation;
-        let mut rest = self.points_at(|p| navigation.place(p))?;
+        let mut rest = self.points_at(|p| navigation.locate(p))?;
         if self.fix_boundary {
             let on_boundary = |point: &&PointHandle| outline.domain.distance_to_outline(point.rest) < HELD_CLEARANCE;
             if let Some(point) = self.points.iter().find(on_boundary) {
@@ -113,14 +113,16 @@ impl Request {
         Ok(rest)
     }
 
-    /// The same where there are point handles alone, for what tells the place of a point, or that it lies outside.
+    /// The same where there are point handles alone, for what tells the place of a point and the point in it, or that it lies
+    /// outside.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`].
-    pub(crate) fn points_at<P>(&self, place: impl Fn(DVec2) -> Option<P>) -> Result<Rest<P>, Error> {
+    pub(crate) fn points_at<P>(&self, locate: impl Fn(DVec2) -> Option<(P, DVec2)>) -> Result<Rest<P>, Error> {
         let site = |&PointHandle { handle, ref id, rest }: &PointHandle| {
             let outside = || Error::HandleOutside { id: id.clone(), x: rest.x, y: rest.y };
-            Ok((rest, place(rest).ok_or_else(outside)?, handle))
+            let (place, inside) = locate(rest).ok_or_else(outside)?;
+            Ok((inside, place, handle))
         };
         let mut points = self.points.iter().map(site).collect::<Result<Vec<_>, Error>>()?;
         points.sort_by(|(a, ..), (b, ..)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));

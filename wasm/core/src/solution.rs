@@ -68,7 +68,7 @@ impl Solution {
     /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
     #[must_use]
     pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
-        let place = self.outline.navigation.place(p)?;
+        let (place, p) = self.outline.navigation.locate(p)?;
         Some(self.functions.at(&self.sites, place, p))
     }
 
@@ -111,10 +111,11 @@ impl Solution {
     /// [`Error::PointOutside`] where the first point lies outside the domain.
     pub fn distances(&self, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
         let navigation = &self.outline.navigation;
-        let place = navigation.place(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
+        let (place, from) = navigation.locate(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
         let field = Propagation::default().field(navigation, place, from, f64::INFINITY);
         let distance = |&p: &DVec2| {
-            let d = field.distance(navigation.place(p)?, p);
+            let (place, p) = navigation.locate(p)?;
+            let d = field.distance(place, p);
             d.is_finite().then_some(d)
         };
         Ok(at.iter().map(distance).collect())

@@ -290,7 +290,7 @@ pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error
 pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolution, Error> {
     let request = Request::new(project)?;
     request.check_points_only()?;
-    let rest = request.points_at(|p| cloud.contains(p).then_some(()))?;
+    let rest = request.points_at(|p| cloud.contains(p).then_some(((), p)))?;
     let handles: Vec<(u32, DVec2)> = rest.points.iter().map(|&(rest, (), handle)| (handle, rest)).collect();
     CloudSolution::new(cloud, &handles, &request.weighting, request.density, request.mode)
 }

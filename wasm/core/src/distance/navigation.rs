@@ -2,9 +2,11 @@
 
 use glam::DVec2;
 
+use super::field::WINDOW_SLACK;
 use crate::{
     domain::Domain,
     locate::Locator,
+    segment::nearest_on_segment,
     triangulation::{NONE, Triangulation},
 };
 
@@ -16,6 +18,11 @@ pub struct Place(pub(crate) u32);
 
 /// Turns smaller than this (sine of the angle) are straight: no path gains by bending there.
 const STRAIGHT: f64 = 1e-12;
+
+/// A point this far beside its place, in pixels, need not be moved into it: windows allow for as much.
+const BESIDE: f64 = WINDOW_SLACK / 2.0;
+/// A point this near to a corner, in pixels, is taken to be it: which of the edges that meet there it lies on could not be told.
+const ON_CORNER: f64 = 1e-8;
 
 /// The constrained Delaunay triangulation of a domain's outline, and what lies around each corner.
 #[derive(Debug, Clone)]
@@ -61,10 +68,28 @@ impl Navigation {
         Self { mesh, island, corners, fan, fan_start, locator }
     }
 
-    /// The place of a point, or `None` outside the domain.
+    /// The place of a point, or `None` outside the domain; on the outline, a millionth of a pixel is allowed for rounding.
     #[must_use]
     pub fn place(&self, p: DVec2) -> Option<Place> {
         self.locator.locate(&self.mesh, p).map(|t| Place(t as u32))
+    }
+
+    /// The place of a point that comes from elsewhere, and the point in it: moved onto the outline where it stands beside by no more than
+    /// its place [allows](Self::place). `None` outside.
+    #[must_use]
+    pub fn locate(&self, p: DVec2) -> Option<(Place, DVec2)> {
+        self.place(p).map(|place| (place, self.onto(place, p)))
+    }
+
+    /// The point of a place that is nearest to another, or a corner that this is next to. Mostly it is the other itself.
+    pub(crate) fn onto(&self, place: Place, p: DVec2) -> DVec2 {
+        let corners = self.mesh.corners(place.0 as usize);
+        let edges = (0..3).map(|k| (corners[k], corners[(k + 1) % 3]));
+        let beyond = edges.filter(|&(a, b)| (b - a).perp_dot(p - a) < 0.0);
+        let nearer = |one: DVec2, other: DVec2| if other.distance(p) < one.distance(p) { other } else { one };
+        let on_rim = beyond.map(|(a, b)| nearest_on_segment(p, a, b)).reduce(nearer);
+        let inside = on_rim.filter(|on_rim| on_rim.distance(p) > BESIDE).unwrap_or(p);
+        corners.into_iter().find(|corner| corner.distance(inside) <= ON_CORNER).unwrap_or(inside)
     }
 
     /// All triangles with their corners.
