@@ -1,11 +1,15 @@
 //! The methods, and what each makes of a pose.
 
-use std::time::Instant;
+use std::hint::black_box;
 
 use c2warp::{
     Error,
     project::{Blend, PoseMode, Project, Support},
     solve,
+};
+use c2warp_bench::{
+    clock::native_ms,
+    measure::{Effort, least_ms},
 };
 use glam::DVec2;
 
@@ -17,6 +21,9 @@ use crate::{
     poses::StandardPose,
     targets::Targets,
 };
+
+/// Times are the least of some runs, as the benchmark's are.
+const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, least_runs: 3 };
 
 /// A way to pose a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -157,11 +164,9 @@ impl Compared {
             false => self.fine.vertices.iter().map(|&p| map(p)).collect(),
         };
         let site = |(at, site): (usize, &c2warp::site::Site)| (site.rest, pose.moved(at, site.rest));
-        let pose_ms = median_ms(9, || solution.poser().pose(&project.handles, project.pose.blend));
-        let frame_ms = median_ms(9, || {
-            let pose = solution.poser().pose(&project.handles, project.pose.blend);
-            pose.map(|pose| solution.posed_vertices(&pose))
-        });
+        let posed_again = || solution.poser().pose(&project.handles, project.pose.blend);
+        let pose_ms = ms_of(posed_again);
+        let frame_ms = ms_of(|| posed_again().map(|pose| solution.posed_vertices(&pose)));
         Ok(Outcome {
             method,
             distortion: Distortion::of(&self.fine, &posed),
@@ -186,9 +191,9 @@ impl Compared {
     fn by_dense(&self) -> Outcome {
         let pins = pins(&self.fine, &self.targets);
         let dense = Dense::new(&self.fine, &pins);
-        let start = Instant::now();
-        let first = dense.settled(&dense.harmonic(&pins));
-        let frame_ms = ms_since(start);
+        let settle = || dense.settled(&dense.harmonic(&pins));
+        let frame_ms = ms_of(settle);
+        let first = settle();
         // There may be a lower minimum near where a mode of the solver ends: the reference is the lowest that was found.
         let others = self.outcomes.iter().map(|outcome| {
             let pinned = outcome.posed.iter().zip(&pins).map(|(&posed, pin)| pin.unwrap_or(posed));
@@ -232,7 +237,7 @@ impl Compared {
             virtual_sites: None,
             sites: Vec::new(),
             pose_ms: None,
-            frame_ms: median_ms(3, all),
+            frame_ms: ms_of(all),
             turns: None,
             posed,
         }
@@ -267,19 +272,9 @@ impl Compared {
     }
 }
 
-fn ms_since(start: Instant) -> f64 {
-    start.elapsed().as_secs_f64() * 1e3
-}
-
-/// The median time of some runs.
-fn median_ms<T>(runs: usize, run: impl Fn() -> T) -> f64 {
-    let mut times: Vec<f64> = (0..runs)
-        .map(|_| {
-            let start = Instant::now();
-            std::hint::black_box(run());
-            ms_since(start)
-        })
-        .collect();
-    times.sort_by(f64::total_cmp);
-    times[runs / 2]
+/// The least time of some runs.
+fn ms_of<T>(run: impl Fn() -> T) -> f64 {
+    least_ms(native_ms, EFFORT, || {
+        black_box(run());
+    })
 }
