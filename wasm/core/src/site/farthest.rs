@@ -26,7 +26,7 @@ impl Cone {
 }
 
 /// The cones that see a place.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Cones {
     /// Those of the cell's own site.
     pub(super) own: Vec<Cone>,

@@ -310,7 +310,7 @@ impl Piece {
 }
 
 /// How points are reached from a site.
-fn feet(field: &DistanceField, points: &[DVec2; 3], places: &[Place; 3]) -> Feet {
+pub(super) fn feet(field: &DistanceField, points: &[DVec2; 3], places: &[Place; 3]) -> Feet {
     let mut field = field.in_turn();
     [0, 1, 2].map(|k| field.foot(places[k], points[k]))
 }

@@ -6,7 +6,7 @@
 
 use super::{
     Site,
-    piece::{Pieces, bend},
+    piece::{Pieces, bend, feet},
     regions::{Far, FarPoint, Regions},
     virtual_sites::TIE,
 };
@@ -85,9 +85,8 @@ impl Regions<'_> {
         if !self.is_low(corners, straight, straight) {
             return false;
         }
-        let mut field = field.in_turn();
-        let feet = [0, 1, 2].map(|k| field.foot(scouts.places[corners[k]], points[k]));
-        let [Some(a), Some(b), Some(c)] = feet else { return false };
+        let places = corners.map(|at| scouts.places[at]);
+        let [Some(a), Some(b), Some(c)] = feet(field, &points, &places) else { return false };
         let feet = [a, b, c];
         let is_one_cone = feet.iter().all(|foot| foot.pseudo_source == a.pseudo_source);
         let to_apex = |foot: Foot| if is_one_cone { foot.distance - foot.offset } else { 0.0 };
