@@ -36,10 +36,9 @@ All on one mesh of about {SAMPLES} samples, figures by triangle and weighted by 
 Stretch: largest and least singular value of J, negative where turned over. Bending: Σ over inner edges of length ÷ distance
 between centroids · |J₁ − J₂|², without a unit. Off: farthest off a handle or a held outline. Moved: share of the area that
 went farther than half a pixel. Pose: motions of the sites; frame: posed handles to posed vertices, on one core; the least time of
-some runs, as in the benchmark. Dense: the lowest
-minimum found from the harmonic start and from every other row's result; its time is from the harmonic start until the energy falls
-by less than 1e-9 of itself in a turn, the factorisation left out, and in brackets until it is within 1 % of that. Its pins are
-single vertices: on a finer mesh they hold less, and its energy gathers around them.
+some runs, as in the benchmark. Dense: the lowest minimum found from the harmonic start and from every other row's result; its time is
+from the harmonic start until the energy falls by less than 1e-9 of itself in a turn, the factorisation left out, and in brackets until
+it is within 1 % of that. Its pins are single vertices: on a finer mesh they hold less, and its energy gathers around them.
 "
     )
 }

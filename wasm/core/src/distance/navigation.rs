@@ -89,7 +89,7 @@ impl Navigation {
         let nearer = |one: DVec2, other: DVec2| if other.distance(p) < one.distance(p) { other } else { one };
         let on_rim = beyond.map(|(a, b)| nearest_on_segment(p, a, b)).reduce(nearer);
         let inside = on_rim.filter(|on_rim| on_rim.distance(p) > BESIDE).unwrap_or(p);
-        corners.into_iter().find(|corner| corner.distance(inside) <= ON_CORNER).unwrap_or(inside)
+        corners.into_iter().find(|p| p.distance_squared(inside) <= ON_CORNER * ON_CORNER).unwrap_or(inside)
     }
 
     /// All triangles with their corners.

@@ -13,7 +13,7 @@ use super::{
 use crate::{distance::Foot, triangulation::NONE};
 
 /// Room for the triangles of most searches.
-const STACK: usize = 64;
+const ROOM: usize = 64;
 
 impl Regions<'_> {
     /// Learns more of how far the farthest points of a site's cell are: first in which triangles they may be, then where they are.
@@ -39,7 +39,7 @@ impl Regions<'_> {
         let least = scout * (1.0 - TIE);
         let Self { scouts, cells, searched, .. } = self;
         searched.clear();
-        let mut stack = Vec::with_capacity(STACK);
+        let mut stack = Vec::with_capacity(ROOM);
         let home = self.home[site];
         searched.mark(home);
         stack.push(home);
@@ -49,7 +49,7 @@ impl Regions<'_> {
                 stack.extend(scouts.fan(at).iter().filter(|&&t| searched.mark(t)));
             }
         }
-        let mut found = Vec::with_capacity(STACK);
+        let mut found = Vec::with_capacity(ROOM);
         while let Some(t) = stack.pop() {
             let mesh = &self.scouts.mesh;
             let is_own = mesh.triangles[t as usize].map(|at| self.cells.nearest[at as usize] == site as u32);
