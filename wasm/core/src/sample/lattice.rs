@@ -93,7 +93,8 @@ impl Lattice {
             for span in crossings.chunks_exact(2) {
                 for column in self.columns_within(row, span[0], span[1]) {
                     let x = self.node(row, column).x;
-                    inside[row * self.columns + column] = span[0] < x && x < span[1];
+                    // What lies between two spans, close to both, is looked at twice.
+                    inside[row * self.columns + column] |= span[0] < x && x < span[1];
                 }
             }
         }
@@ -130,4 +131,29 @@ impl Lattice {
 /// Whole numbers from just below `low` to just above `high`, within `0..count`.
 fn range(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
     (low.floor().max(0.0) as usize)..((high.ceil() + 1.0).max(0.0) as usize).min(count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::contains;
+
+    #[test]
+    fn every_node_that_is_inside_and_clear_of_the_outline_is_there_beside_the_narrowest_hole() {
+        let outer = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)].map(DVec2::from).to_vec();
+        for (at, width) in (0..40).map(|i| (30.0 + 0.7 * f64::from(i), 0.1 + 0.05 * f64::from(i))) {
+            let hole = [(at, 10.0), (at + width, 10.0), (at + width, 70.0), (at, 70.0)].map(DVec2::from).to_vec();
+            let domain = Domain::from_polygon(&[outer.clone(), hole], 100, 80).expect("a hole inside");
+            let vertices: Vec<DVec2> = domain.rings().iter().flatten().copied().collect();
+            let segments: Vec<[usize; 2]> = (0..8).map(|i| [i, i / 4 * 4 + (i + 1) % 4]).collect();
+            let spacing = 5.0;
+            let found = inner_points(&domain, &[], spacing, &vertices, &segments);
+            let lattice = Lattice::new(&domain, spacing);
+            let nodes = (0..lattice.rows).flat_map(|row| (0..lattice.columns).map(move |column| (row, column)));
+            let is_inside = |p: DVec2| domain.rings().iter().filter(|ring| contains(ring, p)).count() == 1;
+            let is_clear = |p: &DVec2| is_inside(*p) && domain.distance_to_outline(*p) >= CLEARANCE * spacing;
+            let expected: Vec<DVec2> = nodes.map(|(row, column)| lattice.node(row, column)).filter(is_clear).collect();
+            assert_eq!(found, expected, "a hole from {at}, {width} wide");
+        }
+    }
 }
