@@ -12,12 +12,15 @@ use super::lattice::{CLEARANCE, ROW};
 /// Samples wanted across the gap between two sites, and across the distance to them.
 const RESOLUTION: f64 = 6.0;
 
+/// Of a patch's radius, the share that its nodes lie within: those on the rim itself are left out, whatever the rounding.
+const RIM: f64 = 1.0 - 1e-9;
+
 /// A round patch of triangular lattice, a node on its centre.
 pub(super) struct Patch {
     centre: DVec2,
     spacing: f64,
     radius: f64,
-    /// The other sites that are patched: nodes nearer to one of them are its own.
+    /// The other sites that are patched: what is nearer to one of them is its own.
     rivals: Vec<DVec2>,
 }
 
@@ -53,9 +56,16 @@ impl Patch {
         let walls: Vec<(DVec2, DVec2)> =
             outline.filter(|&(a, b)| segment_distance(self.centre, a, b) < self.radius + self.spacing).collect();
         let clearance = CLEARANCE * self.spacing;
+        // Nodes of two patches of one spacing are farther from one another than the clearance, so neither has to give way: what
+        // comes first does not matter, and a symmetric scene has symmetric nodes.
+        let is_own = |rival: &DVec2, p: DVec2| {
+            let to_border =
+                (p.distance_squared(*rival) - p.distance_squared(self.centre)) / (2.0 * rival.distance(self.centre));
+            to_border >= self.spacing / 4.0
+        };
         // Nodes are farther from one another than that.
         let is_clear = |&p: &DVec2| {
-            self.rivals.iter().all(|rival| p.distance(*rival) >= p.distance(self.centre))
+            self.rivals.iter().all(|rival| is_own(rival, p))
                 && near.iter().all(|q| p.distance(*q) >= clearance)
                 && walls.iter().all(|&(a, b)| segment_distance(p, a, b) >= clearance)
                 && navigation.place(p).is_some()
@@ -68,7 +78,7 @@ impl Patch {
         (-steps..=steps).flat_map(move |j| (-steps - 1..=steps + 1).map(move |i| (i, j))).filter_map(move |(i, j)| {
             let shift = if j % 2 == 0 { 0.0 } else { 0.5 };
             let step = DVec2::new((f64::from(i) + shift) * self.spacing, f64::from(j) * self.spacing * ROW);
-            (step.length() < self.radius).then_some(self.centre + step)
+            (step.length() < RIM * self.radius).then_some(self.centre + step)
         })
     }
 }
