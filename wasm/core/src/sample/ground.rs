@@ -39,7 +39,7 @@ impl Ground {
     ) -> Self {
         let spacing = lattice::spacing(domain, count);
         let Outline { mut vertices, segments, rings } = Outline::new(domain, spacing);
-        bones::add_bones(&mut vertices, bones, spacing);
+        let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
         let mut inner = lattice::inner_points(domain, bones, spacing, &vertices, &segments);
         // What asks about samples in turn then asks for the same place again and again.
         inner.sort_by_cached_key(|&p| navigation.place(p).map(|place| place.0));
@@ -47,6 +47,9 @@ impl Ground {
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
         let locator = Arc::new(Locator::new(&mesh));
         let mut samples = Samples::from_mesh(mesh, navigation, rings, spacing);
+        for p in on_outline {
+            insert(&mut samples, navigation, &locator, p);
+        }
         samples.rim = fading.map_or_else(Rim::default, |size| Rim::new(&samples.mesh, &samples.outline, size));
         Self { samples, locator, count, bones: bones.to_vec(), fading }
     }
@@ -70,10 +73,10 @@ impl Ground {
             at_sites: Vec::new(),
             spacing: *spacing,
         };
-        samples.at_sites = sites.iter().map(|&site| self.insert(&mut samples, navigation, site)).collect();
+        samples.at_sites = sites.iter().map(|&site| insert(&mut samples, navigation, &self.locator, site)).collect();
         for patch in refine::patches(sites, samples.spacing) {
             for node in patch.clear_nodes(&samples.mesh.vertices, navigation, domain) {
-                self.insert(&mut samples, navigation, node);
+                insert(&mut samples, navigation, &self.locator, node);
             }
         }
         samples.rim = match self.fading {
@@ -83,19 +86,20 @@ impl Ground {
         };
         samples
     }
+}
 
-    fn insert(&self, samples: &mut Samples, navigation: &Navigation, p: DVec2) -> u32 {
-        let inserted = samples.mesh.insert(self.locator.near(p), p);
-        if let Inserted::OnBoundary { vertex, between } = inserted {
-            let of_edge = |pair: [u32; 2]| pair == between || [pair[1], pair[0]] == between;
-            let on_ring = |ring: &Vec<u32>| (0..ring.len()).find(|&i| of_edge([ring[i], ring[(i + 1) % ring.len()]]));
-            let at = samples.outline.iter().enumerate().find_map(|(at, ring)| Some((at, on_ring(ring)?)));
-            let (ring, edge) = at.expect("what bounds the mesh is the outline");
-            samples.outline[ring].insert(edge + 1, vertex);
-        }
-        if samples.places.len() < samples.mesh.vertices.len() {
-            samples.places.push(navigation.place(p).expect("samples lie in the domain"));
-        }
-        inserted.vertex()
+/// Adds a point of the domain to samples; on the outline, to that too.
+fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: DVec2) -> u32 {
+    let inserted = samples.mesh.insert(locator.near(p), p);
+    if let Inserted::OnBoundary { vertex, between } = inserted {
+        let of_edge = |pair: [u32; 2]| pair == between || [pair[1], pair[0]] == between;
+        let on_ring = |ring: &Vec<u32>| (0..ring.len()).find(|&i| of_edge([ring[i], ring[(i + 1) % ring.len()]]));
+        let at = samples.outline.iter().enumerate().find_map(|(at, ring)| Some((at, on_ring(ring)?)));
+        let (ring, edge) = at.expect("what bounds the mesh is the outline");
+        samples.outline[ring].insert(edge + 1, vertex);
     }
+    if samples.places.len() < samples.mesh.vertices.len() {
+        samples.places.push(navigation.place(p).expect("samples lie in the domain"));
+    }
+    inserted.vertex()
 }
