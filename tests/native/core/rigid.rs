@@ -95,7 +95,7 @@ fn a_cross_is_twisted_by_90_degrees_without_folds() {
     });
     eprintln!("mean symmetric Dirichlet energy: harmonic {:.3}, rigid {:.3}", mean(&harmonic), mean(&rigid));
     assert!(rigid[rigid.len() - 1] < MOST_ENERGY, "{}", rigid[rigid.len() - 1]);
-    assert!(mean(&rigid) < 1.5 && mean(&harmonic) > 5.0, "{} and {}", mean(&rigid), mean(&harmonic));
+    assert!(mean(&rigid) < 1.0 && mean(&rigid) < mean(&harmonic) / 5.0, "{} and {}", mean(&rigid), mean(&harmonic));
 }
 
 fn point(shape: &Shape) -> (DVec2, DVec2) {

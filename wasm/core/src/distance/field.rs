@@ -4,12 +4,15 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::Place;
+use super::{Navigation, Place};
 use crate::segment::segment_distance;
 
 /// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray
 /// must fall into one of them whatever the rounding. A path that cuts a corner by this much is shorter by at most as much.
 pub(crate) const WINDOW_SLACK: f64 = 1e-9;
+
+/// Paths whose lengths differ by no more, in pixels, are as long: above rounding, as [`WINDOW_SLACK`] is.
+const TIE: f64 = 1e-9;
 
 /// What a pseudo-source sees of one triangle: a cone of directions (Mitchell et al.'s interval of optimality).
 #[derive(Debug, Clone, Copy)]
@@ -81,6 +84,24 @@ pub struct Foot {
     pub offset: f64,
 }
 
+impl Foot {
+    /// The gradient of the distance at the point that this is the foot of, from the windows of its place: the mean of several where
+    /// several paths are as short. At the source, and at a corner that nothing else sees, it is 0.
+    pub(crate) fn gradient_in(&self, windows: &[Window], p: DVec2) -> DVec2 {
+        let (mut sum, mut count) = (DVec2::ZERO, 0.0);
+        for window in windows.iter().take_while(|window| window.nearest <= self.distance + TIE) {
+            let to = p - window.source;
+            let length = to.length();
+            // A path to a corner ends there: the corner's own windows tell of the paths beyond.
+            if window.offset + length <= self.distance + TIE && length > TIE && window.sees(p) {
+                sum += to / length;
+                count += 1.0;
+            }
+        }
+        if count > 0.0 { sum / count } else { DVec2::ZERO }
+    }
+}
+
 /// Exact intrinsic distances from one source, up to a bound. Made by [`Propagation::field`](super::Propagation::field).
 ///
 /// 72 bytes a window; a window for each pseudo-source and triangle of the outline that it may be nearest in.
@@ -128,7 +149,13 @@ impl DistanceField {
         self.foot_in(self.windows_in(place), p)
     }
 
-    /// The same for a point in a place whose windows are at hand.
+    /// The distance to a point and its gradient there, if it is within the bound.
+    pub(crate) fn slope(&self, place: Place, p: DVec2) -> Option<(f64, DVec2)> {
+        let windows = self.windows_in(place);
+        self.foot_in(windows, p).map(|foot| (foot.distance, foot.gradient_in(windows, p)))
+    }
+
+    /// The [`foot`](Self::foot) of a point in a place whose windows are at hand.
     pub(crate) fn foot_in(&self, windows: &[Window], p: DVec2) -> Option<Foot> {
         let mut best: Option<Foot> = None;
         for window in windows {
@@ -157,6 +184,21 @@ impl DistanceField {
             pseudo_source: window.source,
             offset: window.offset,
         })
+    }
+
+    /// The point halfway along the shortest path to a point, if the distance is within the bound.
+    pub(crate) fn halfway(&self, navigation: &Navigation, place: Place, p: DVec2) -> Option<DVec2> {
+        let half = self.distance(place, p) / 2.0;
+        let mut foot = self.foot(place, p)?;
+        let mut end = p;
+        while foot.offset > half {
+            end = foot.pseudo_source;
+            // Its own windows see a corner, too.
+            let before = navigation.around(end).flat_map(|place| self.feet(place, end));
+            let before = before.filter(|foot| foot.pseudo_source != end);
+            foot = before.reduce(|best, foot| if foot.distance < best.distance { foot } else { best })?;
+        }
+        Some(foot.pseudo_source.lerp(end, (half - foot.offset) / (foot.distance - foot.offset)))
     }
 
     /// The least distance to a point of the segment from `a` to `b`, which lies in one place; infinite beyond the bound and

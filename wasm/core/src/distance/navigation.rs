@@ -92,6 +92,23 @@ impl Navigation {
         corners.into_iter().find(|p| p.distance_squared(inside) <= ON_CORNER * ON_CORNER).unwrap_or(inside)
     }
 
+    /// Whether a point of a place is, as far as rounding goes, on its border: perhaps as much in another one.
+    pub(crate) fn is_between(&self, place: Place, p: DVec2) -> bool {
+        let corners = self.mesh.corners(place.0 as usize);
+        (0..3).any(|k| {
+            let (a, b) = (corners[k], corners[(k + 1) % 3]);
+            (b - a).perp_dot(p - a) <= BESIDE * a.distance(b)
+        })
+    }
+
+    /// The places that meet in a corner of the outline.
+    pub(crate) fn around(&self, corner: DVec2) -> impl Iterator<Item = Place> + '_ {
+        let is_corner = move |&v: &u32| self.mesh.vertices[v as usize] == corner;
+        let of_place = self.place(corner).map(|place| self.mesh.triangles[place.0 as usize]);
+        let known = of_place.into_iter().flatten().find(is_corner);
+        known.into_iter().flat_map(|v| self.fan(v as usize)).map(|&(t, _)| Place(t))
+    }
+
     /// All triangles with their corners.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = (Place, [DVec2; 3])> + '_ {
         (0..self.mesh.triangles.len()).map(|t| (Place(t as u32), self.mesh.corners(t)))

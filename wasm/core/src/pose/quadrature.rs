@@ -18,7 +18,8 @@ use crate::{
     weight::{Influence, SparseWeights, Weights},
 };
 
-/// Sites whose weights differ by no more weigh the same: a sample on an axis of symmetry counts for both sides.
+/// Sites whose weights differ by no more weigh the same: a sample on an axis of symmetry counts for both sides. One that weighs no more
+/// weighs nothing: it is rounding that decides where a support ends.
 const TIE: f64 = 1e-9;
 /// The site that weighs most and how many others tell a part of the picture from the rest. With one other, folds between the places go
 /// unseen; with three, or two in the order of their weights, poses are hardly better.
@@ -29,6 +30,9 @@ const TOLD_BY: usize = 3;
 const STEEP: f64 = 10.0;
 /// Least weight of a site at a place: what is less costs a sixth of the time of a pose, and changes its energy by some thousandths.
 const TAIL: f64 = 0.004;
+
+/// Gradients are taken over this share of the width of a part where it takes differences.
+const STEP: f64 = 1e-5;
 
 /// The site that weighs most, and the next two in the order of their numbers; [`NO_SITE`] where fewer reach.
 type Part = [u32; TOLD_BY];
@@ -91,7 +95,11 @@ impl Quadrature {
         });
         let node = |at: DVec2, place: Place, area: f64| {
             let mut terms: Vec<Influence> = Vec::new();
-            functions.at(sites, place, at).into_iter().for_each(|influence| add(&mut terms, counted(influence)));
+            let here = match navigation.is_between(place, at) {
+                true => functions.across(navigation, sites, (place, at), STEP * area.sqrt()),
+                false => functions.at(sites, place, at),
+            };
+            here.into_iter().for_each(|influence| add(&mut terms, counted(influence)));
             let steepest = terms.iter().map(|one| one.gradient.length()).fold(0.0, f64::max);
             terms.retain(|one| one.weight >= TAIL);
             let term = |one: &Influence| (one.site as u32, one.weight as f32, one.gradient.as_vec2().to_array());
@@ -161,7 +169,7 @@ fn add(influences: &mut Vec<Influence>, more: Influence) {
 fn divide(row: &[Influence], part: Part, known: usize, area: f64, take: &mut impl FnMut(Part, f64)) {
     let others = || row.iter().filter(|one| !part[..known].contains(&(one.site as u32)));
     let most = others().map(|one| one.weight).fold(0.0, f64::max);
-    let tied = || others().filter(|one| one.weight >= most - TIE && one.weight > 0.0);
+    let tied = || others().filter(|one| one.weight >= most - TIE && one.weight > TIE);
     let count = tied().count();
     if known == TOLD_BY || count == 0 {
         let [first, second, third] = part;
@@ -175,21 +183,16 @@ fn divide(row: &[Influence], part: Part, known: usize, area: f64, take: &mut imp
     }
 }
 
-/// The area that each sample stands for: its Voronoi cell's, cut at the outline. Corners on one circle may be triangulated in
-/// either way, which leaves these areas alone.
+/// The area that each sample stands for: of every triangle a third. What has more corners on one circle is shared out as a whole.
 fn areas(samples: &Samples) -> Vec<f64> {
     let vertices = &samples.mesh.vertices;
     let mut areas = vec![0.0; vertices.len()];
-    for corners in &samples.mesh.triangles {
-        let p = corners.map(|v| vertices[v as usize]);
-        for k in 0..3 {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            let (to, from) = (p[i] - p[k], p[j] - p[k]);
-            let cotangent = to.dot(from) / to.perp_dot(from).abs();
-            let share = cotangent * p[i].distance_squared(p[j]) / 8.0;
-            areas[corners[i] as usize] += share;
-            areas[corners[j] as usize] += share;
+    samples.mesh.polygons(|edges| {
+        let middle = edges.iter().map(|[a, _]| vertices[*a as usize]).sum::<DVec2>() / edges.len() as f64;
+        for edge in edges {
+            let [a, b] = edge.map(|v| vertices[v as usize] - middle);
+            edge.iter().for_each(|&v| areas[v as usize] += a.perp_dot(b) / 4.0);
         }
-    }
+    });
     areas
 }

@@ -15,7 +15,6 @@ use super::{
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
-use crate::distance::Foot;
 
 /// Steps onto the border, as Newton's method does them. Between two points the first ends there.
 const STEPS: usize = 3;
@@ -37,7 +36,7 @@ impl Contacts {
     pub(super) fn widest(&mut self, regions: &Regions) -> Vec<FarPoint> {
         let real_sites = regions.sites.iter().filter(|site| site.origin.is_real()).count();
         if self.real_sites != real_sites {
-            *self = Self { list: regions.contacts().collect(), real_sites, sites: regions.sites.len() };
+            *self = Self { list: regions.contacts(), real_sites, sites: regions.sites.len() };
         }
         let new = &regions.sites[self.sites..];
         let closes = |site: &Site, contact: &FarPoint| {
@@ -52,47 +51,63 @@ impl Contacts {
 }
 
 impl Regions<'_> {
-    fn contacts(&self) -> impl Iterator<Item = FarPoint> + '_ {
-        (0..self.scouts.len()).flat_map(move |a| {
-            let forward = self.scouts.graph.of(a).iter().map(|&b| b as usize).filter(move |&b| a < b);
-            forward.filter_map(move |b| self.contact([a, b]))
-        })
+    fn contacts(&self) -> Vec<FarPoint> {
+        let mut pairs: Vec<[u32; 2]> = Vec::new();
+        let are_apart = |&[a, b]: &[u32; 2]| self.cells.nearest[a as usize] != self.cells.nearest[b as usize];
+        self.scouts.mesh.polygons(|edges| {
+            // Inner edges come from both sides.
+            pairs.extend(edges.iter().filter(|[a, b]| a < b).filter(|pair| are_apart(pair)));
+            if edges.len() > 3 {
+                let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
+                pairs.extend(edges.iter().flat_map(ends).filter(|[a, b]| a < b).filter(are_apart));
+            }
+        });
+        pairs.into_iter().flat_map(|pair| self.contacts_between(pair.map(|scout| scout as usize))).collect()
     }
 
     /// Where the cells meet that two scouts are in, if those are of two handles.
-    fn contact(&self, edge: [usize; 2]) -> Option<FarPoint> {
-        let sites = edge.map(|scout| self.cells.nearest[scout] as usize);
-        let [Some(s), Some(t)] = sites.map(|site| self.sites.get(site)) else { return None };
-        let are_real = s.origin.is_real() && t.origin.is_real();
-        if sites[0] == sites[1] || !are_real || !self.is_obstacle(sites[1], s.island, self.body(s.origin)) {
-            return None;
-        }
-        let [a, b] = edge.map(|scout| self.scouts.mesh.vertices[scout]);
+    fn contacts_between(&self, scouts: [usize; 2]) -> impl Iterator<Item = FarPoint> + '_ {
+        let [of_a, of_b] = scouts.map(|scout| self.nearest_handles(scout));
+        let sites = of_a.into_iter().flat_map(move |s| of_b.clone().into_iter().map(move |t| [s, t]));
+        sites.filter_map(move |[s, t]| {
+            let (a, b) = (&self.sites[s], &self.sites[t]);
+            let are_apart = s != t && self.is_obstacle(t, a.island, self.body(a.origin));
+            are_apart.then(|| self.on_border(self.between(scouts, a, b), a, b)).flatten()
+        })
+    }
+
+    /// The real sites that no other is nearer to a scout than: several where it is on a border, as on an axis of symmetry.
+    fn nearest_handles(&self, scout: usize) -> Vec<usize> {
+        let (place, p) = (self.scouts.places[scout], self.scouts.mesh.vertices[scout]);
+        let within = self.cells.distance[scout] * (1.0 + TIE);
+        let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(place, p) <= within;
+        let real = self.sites.iter().enumerate().filter(|(_, site)| site.origin.is_real());
+        real.filter(|(_, site)| is_near(site)).map(|(at, _)| at).collect()
+    }
+
+    /// About where the border of two sites is between two scouts, one in the cell of each.
+    fn between(&self, scouts: [usize; 2], s: &Site, t: &Site) -> DVec2 {
+        let [a, b] = scouts.map(|scout| self.scouts.mesh.vertices[scout]);
         // By how much the other site is farther: both nearly linear along the edge.
-        let off_a = t.field.distance(self.scouts.places[edge[0]], a) - self.cells.distance[edge[0]];
-        let off_b = s.field.distance(self.scouts.places[edge[1]], b) - self.cells.distance[edge[1]];
+        let off_a = t.field.distance(self.scouts.places[scouts[0]], a) - self.cells.distance[scouts[0]];
+        let off_b = s.field.distance(self.scouts.places[scouts[1]], b) - self.cells.distance[scouts[1]];
         let share = off_a / (off_a + off_b);
-        self.on_border(a.lerp(b, if share.is_finite() { share } else { 0.5 }), s, t)
+        a.lerp(b, if share.is_finite() { share } else { 0.5 })
     }
 
     /// The point near another that is as far from one site as from the other, if there is nothing virtual nearer.
     fn on_border(&self, mut p: DVec2, s: &Site, t: &Site) -> Option<FarPoint> {
         let mut place = self.navigation.place(p)?;
         for _ in 0..STEPS {
-            let (to_s, to_t) = (s.field.foot(place, p)?, t.field.foot(place, p)?);
-            let apart = direction(to_s, p) - direction(to_t, p);
+            let [(to_s, from_s), (to_t, from_t)] = [s.field.slope(place, p)?, t.field.slope(place, p)?];
+            let apart = from_s - from_t;
             if apart.length_squared() < ALONG {
                 break;
             }
-            p -= (to_s.distance - to_t.distance) * apart / apart.length_squared();
+            p -= (to_s - to_t) * apart / apart.length_squared();
             place = self.navigation.place(p)?;
         }
         let (distance, site) = self.nearest(place, p)?;
         site.origin.is_real().then_some(FarPoint { at: p, place, distance })
     }
-}
-
-/// Where paths from a site come from.
-fn direction(foot: Foot, p: DVec2) -> DVec2 {
-    (p - foot.pseudo_source).normalize_or_zero()
 }

@@ -8,7 +8,7 @@ use super::{
     Site,
     piece::{Pieces, bend, feet},
     regions::{Far, FarPoint, Regions},
-    virtual_sites::TIE,
+    virtual_sites::{SAME, TIE},
 };
 use crate::{distance::Foot, triangulation::NONE};
 
@@ -150,10 +150,11 @@ impl Regions<'_> {
             found.extend(tops);
         }
         self.pieces = pieces;
-        let same = TIE.sqrt() * greatest;
         let mut points: Vec<FarPoint> = Vec::new();
         for point in found {
-            if tied(point.distance, greatest) && points.iter().all(|known| known.at.distance(point.at) > same) {
+            if tied(point.distance, greatest)
+                && points.iter().all(|known| known.at.distance(point.at) > SAME * greatest)
+            {
                 points.push(point);
             }
         }

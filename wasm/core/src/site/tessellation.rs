@@ -91,15 +91,26 @@ impl Chain {
         length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
     }
 
-    /// The place of the line that is nearest to a point: its straight distance, and the length of the line before it.
-    fn nearest(&self, p: DVec2) -> (f64, f64) {
+    /// The places of the line that are nearest to a point: its straight distance, and the lengths of the line before them. Of several as
+    /// near, those that are farther than `apart` from one another.
+    fn nearest(&self, p: DVec2, apart: f64) -> (f64, Vec<f64>) {
         let n = self.corners.len();
-        let edges = (0..self.lengths.len() - 1).map(|edge| {
-            let (a, b) = (self.corners[edge], self.corners[(edge + 1) % n]);
-            let foot = nearest_on_segment(p, a, b);
-            (foot.distance(p), self.lengths[edge] + foot.distance(a))
-        });
-        edges.fold((f64::INFINITY, 0.0), |best, at| if at.0 < best.0 { at } else { best })
+        let feet: Vec<(DVec2, f64)> = (0..self.lengths.len() - 1)
+            .map(|edge| {
+                let (a, b) = (self.corners[edge], self.corners[(edge + 1) % n]);
+                let foot = nearest_on_segment(p, a, b);
+                (foot, self.lengths[edge] + foot.distance(a))
+            })
+            .collect();
+        let least = feet.iter().map(|(foot, _)| foot.distance(p)).fold(f64::INFINITY, f64::min);
+        let mut kept: Vec<(DVec2, f64)> = Vec::new();
+        for (foot, length) in feet {
+            let is_new = || kept.iter().all(|(known, _)| known.distance(foot) > apart);
+            if foot.distance(p) <= least * (1.0 + TIE) && is_new() {
+                kept.push((foot, length));
+            }
+        }
+        (least, kept.into_iter().map(|(_, length)| length).collect())
     }
 
     fn has_site_near(&self, length: f64, within: f64) -> bool {
@@ -221,16 +232,17 @@ impl Regions<'_> {
     }
 
     /// The chain that a virtual site would be too near to, and the length of it before the nearest place that may have a site. Several
-    /// where they are as near.
+    /// where they are as near, of one chain or of many.
     fn encroached_on(&mut self, point: &FarPoint) -> Vec<(usize, f64)> {
-        let clear = CLEAR * point.distance;
-        let is_near = |(at, chain): (usize, &Chain)| {
-            let (distance, length) = chain.nearest(point.at);
-            let length = chain.clear_of_ends(length);
-            let near = distance < clear && !chain.has_site_near(length, THERE * point.distance);
-            near.then_some((at, length, distance))
-        };
-        let mut near: Vec<(usize, f64, f64)> = self.chains.iter().enumerate().filter_map(is_near).collect();
+        let (clear, there) = (CLEAR * point.distance, THERE * point.distance);
+        let mut near: Vec<(usize, f64, f64)> = Vec::new();
+        for (at, chain) in self.chains.iter().enumerate() {
+            let (distance, lengths) = chain.nearest(point.at, there);
+            if distance < clear {
+                let lengths = lengths.into_iter().map(|length| chain.clear_of_ends(length));
+                near.extend(lengths.filter(|&l| !chain.has_site_near(l, there)).map(|length| (at, length, distance)));
+            }
+        }
         if near.is_empty() {
             return Vec::new();
         }

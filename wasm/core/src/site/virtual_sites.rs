@@ -13,6 +13,8 @@
 
 use std::collections::BinaryHeap;
 
+use glam::DVec2;
+
 use super::{
     Site,
     contacts::Contacts,
@@ -22,6 +24,8 @@ use crate::{error::Error, least::Least};
 
 /// Scores and radii this near to one another, relatively, are tied: far above rounding, far below what anyone places.
 pub(super) const TIE: f64 = 1e-9;
+/// Points no farther apart than this share of their distance are one that was found twice.
+pub(super) const SAME: f64 = 1e-8;
 /// Cells must be smaller than the limit by this share: the farthest point of a cell on the limit has no weight, and weights
 /// get steep where it is close.
 const MARGIN: f64 = 0.05;
@@ -122,7 +126,7 @@ fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoi
         let far = regions.known_farthest(site).unwrap_or(&[]);
         for &point in far.iter().filter(|point| tied(regions, site, point.distance)) {
             // A corner of several cells is a farthest point of each.
-            if points.iter().all(|known| known.at.distance(point.at) > TIE.sqrt() * point.distance) {
+            if points.iter().all(|known| known.at.distance(point.at) > SAME * point.distance) {
                 points.push(point);
             }
         }
@@ -130,8 +134,8 @@ fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoi
     spread_out(regions, points)
 }
 
-/// Replaces tied points that crowd each other by the one in their middle, or, where that is no good, by some of them.
-fn spread_out(regions: &Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
+/// Replaces tied points that crowd each other by one between them, or, where there is none, by some of them.
+fn spread_out(regions: &mut Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
     points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
     let mut groups: Vec<Vec<FarPoint>> = Vec::new();
     for point in points {
@@ -145,23 +149,49 @@ fn spread_out(regions: &Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
     groups.iter().flat_map(|group| representatives(regions, group)).collect()
 }
 
-fn representatives(regions: &Regions, group: &[FarPoint]) -> Vec<FarPoint> {
+fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     if let [alone] = group {
         return vec![*alone];
     }
-    let middle = group.iter().map(|point| point.at).sum::<glam::DVec2>() / group.len() as f64;
     let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
-    if let Some(place) = regions.navigation.place(middle) {
-        let nearest = regions.nearest(place, middle).filter(|&(distance, _)| distance > (1.0 - CROWDED / 2.0) * least);
-        if let Some((distance, _)) = nearest {
-            return vec![FarPoint { at: middle, place, distance }];
+    let middle = group.iter().map(|point| point.at).sum::<DVec2>() / group.len() as f64;
+    if let Some(point) = far_enough(regions, middle, least) {
+        return vec![point];
+    }
+    // Something is between them. Of two on both sides of an axis of symmetry, it is on the axis, and so is the middle of the way around it.
+    match innermost(group, middle)[..] {
+        [alone] => vec![alone],
+        [one, other] => halfway(regions, one, other).map_or_else(|| vec![one, other], |point| vec![point]),
+        _ => {
+            let mut chosen: Vec<FarPoint> = Vec::new();
+            for point in group {
+                if chosen.iter().all(|other| other.at.distance(point.at) >= CROWDED * point.distance) {
+                    chosen.push(*point);
+                }
+            }
+            chosen
         }
     }
-    let mut chosen: Vec<FarPoint> = Vec::new();
-    for point in group {
-        if chosen.iter().all(|other| other.at.distance(point.at) >= CROWDED * point.distance) {
-            chosen.push(*point);
-        }
-    }
-    chosen
+}
+
+/// A point, if it lies in the domain, and hardly nearer to a site than those that it stands for: `least`.
+fn far_enough(regions: &Regions, at: DVec2, least: f64) -> Option<FarPoint> {
+    let place = regions.navigation.place(at)?;
+    let (distance, _) = regions.nearest(place, at)?;
+    (distance > (1.0 - CROWDED / 2.0) * least).then_some(FarPoint { at, place, distance })
+}
+
+/// Those of a group that are nearest to its middle.
+fn innermost(group: &[FarPoint], middle: DVec2) -> Vec<FarPoint> {
+    let from_middle = |point: &FarPoint| point.at.distance(middle);
+    let least = group.iter().map(from_middle).fold(f64::INFINITY, f64::min);
+    group.iter().filter(|point| from_middle(point) <= least + SAME * point.distance).copied().collect()
+}
+
+/// The point halfway along the shortest path between two that crowd each other; none where that is too long.
+fn halfway(regions: &mut Regions, one: FarPoint, other: FarPoint) -> Option<FarPoint> {
+    let field = regions.field(one.at, one.place, CROWDED * one.distance.min(other.distance));
+    let at = field.halfway(regions.navigation, other.place, other.at)?;
+    let place = regions.navigation.place(at)?;
+    regions.nearest(place, at).map(|(distance, _)| FarPoint { at, place, distance })
 }

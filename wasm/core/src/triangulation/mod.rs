@@ -10,6 +10,9 @@ pub(crate) use insertion::Inserted;
 /// Marks "no triangle" in [`Triangulation::neighbours`].
 pub const NONE: u32 = u32::MAX;
 
+/// Angles that add up to π within this sine are those of four points on one circle: above rounding.
+const ON_CIRCLE: f64 = 1e-9;
+
 /// A triangle mesh. Every triangle winds so that its signed area (`perp_dot`) is positive.
 #[derive(Debug, Clone, Default)]
 pub struct Triangulation {
@@ -53,6 +56,49 @@ impl Triangulation {
             triangles: roomy(&self.triangles, 2 * vertices),
             neighbours: roomy(&self.neighbours, 2 * vertices),
         }
+    }
+
+    /// Calls `visit` with the edges of each polygon that the mesh is made of, positively around it: of nearly each triangle; but where more
+    /// than three vertices are on one empty circle, as on both sides of an axis of symmetry, chance decides how they are
+    /// triangulated, and what they bound is one polygon.
+    pub(crate) fn polygons(&self, mut visit: impl FnMut(&[[u32; 2]])) {
+        let mut is_visited = vec![false; self.triangles.len()];
+        let (mut open, mut edges) = (Vec::new(), Vec::new());
+        for first in 0..self.triangles.len() {
+            if is_visited[first] {
+                continue;
+            }
+            is_visited[first] = true;
+            open.push(first);
+            while let Some(t) = open.pop() {
+                let [a, b, c] = self.triangles[t];
+                for (edge, &beyond) in [[a, b], [b, c], [c, a]].into_iter().zip(&self.neighbours[t]) {
+                    if !self.is_on_circle(t, beyond) {
+                        edges.push(edge);
+                    } else if !std::mem::replace(&mut is_visited[beyond as usize], true) {
+                        open.push(beyond as usize);
+                    }
+                }
+            }
+            visit(&edges);
+            edges.clear();
+        }
+    }
+
+    /// Whether the corners of two triangles that share an edge are on one circle, within rounding.
+    fn is_on_circle(&self, t: usize, beyond: u32) -> bool {
+        let Some(others) = self.triangles.get(beyond as usize) else { return false };
+        let corners = self.triangles[t];
+        let at = |v: Option<&u32>| v.map(|&v| self.vertices[v as usize]);
+        let apex = |of: [u32; 3], other: [u32; 3]| at(of.iter().find(|v| !other.contains(v)));
+        let (Some(c), Some(d)) = (apex(corners, *others), apex(*others, corners)) else { return false };
+        let mut shared = corners.iter().filter(|v| others.contains(v));
+        let (Some(a), Some(b)) = (at(shared.next()), at(shared.next())) else { return false };
+        let [ca, cb, da, db] = [a - c, b - c, a - d, b - d];
+        // Opposite angles: of their sum the sine, times the sides.
+        let sine = ca.perp_dot(cb) * da.dot(db) - ca.dot(cb) * da.perp_dot(db);
+        let sides = ca.length_squared() * cb.length_squared() * da.length_squared() * db.length_squared();
+        sine * sine <= ON_CIRCLE * ON_CIRCLE * sides
     }
 
     /// The corners of a triangle.
@@ -105,5 +151,25 @@ mod tests {
                 assert!(mesh.neighbours[n as usize].contains(&(t as u32)));
             }
         }
+    }
+
+    #[test]
+    fn corners_on_one_circle_make_one_polygon_however_they_are_triangulated() {
+        let corner = |i: u32| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(i) / 6.0);
+            DVec2::new(3.0 + 20.0 * cos, 7.0 + 20.0 * sin)
+        };
+        let vertices: Vec<DVec2> = (0..6).map(corner).chain([DVec2::new(60.0, 7.0)]).collect();
+        // Round the hexagon, and by way of a vertex beside it.
+        let segments = vec![[1, 2], [2, 3], [3, 4], [4, 5], [5, 6], [6, 1]];
+        let mesh = Triangulation::constrained_delaunay(vertices, segments);
+        let mut polygons = Vec::new();
+        mesh.polygons(|edges| polygons.push(edges.to_vec()));
+        polygons.sort_by_key(Vec::len);
+        let lengths: Vec<usize> = polygons.iter().map(Vec::len).collect();
+        assert_eq!(lengths, [3, 3, 6], "{polygons:?}");
+        let mut starts: Vec<u32> = polygons[2].iter().map(|[a, _]| *a).collect();
+        starts.sort_unstable();
+        assert_eq!(starts, [0, 1, 2, 3, 4, 5]);
     }
 }

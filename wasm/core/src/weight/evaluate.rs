@@ -70,7 +70,8 @@ impl Weights {
 
     /// The weights at a point and their gradients, ascending by site. Empty where no site reaches.
     ///
-    /// They sum to 1 within rounding, and none is negative.
+    /// They sum to 1 within rounding, and none is negative. Where two ways to a site are as long, around a hole say, weights have an
+    /// edge and several gradients: the mean of these is told.
     #[must_use]
     pub fn at(&self, sites: &[Site], place: Place, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
@@ -80,13 +81,11 @@ impl Weights {
             if rest.distance_squared(p) >= radius * radius {
                 continue;
             }
-            let Some(foot) = field.foot_in(field.windows(windows.clone()), p).filter(|foot| foot.distance < radius)
-            else {
-                continue;
-            };
+            let windows = field.windows(windows.clone());
+            let Some(foot) = field.foot_in(windows, p).filter(|foot| foot.distance < radius) else { continue };
             let t = foot.distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
-            let gradient = slope * (p - foot.pseudo_source).normalize_or_zero();
+            let gradient = slope * foot.gradient_in(windows, p);
             sum += phi;
             sum_gradient += gradient;
             influences.push(Influence { site: *site as usize, weight: phi, gradient });
@@ -97,6 +96,28 @@ impl Weights {
             influence.gradient = (influence.gradient - influence.weight * sum_gradient) / sum;
         }
         influences
+    }
+
+    /// The same with the gradients that differences over a small step tell: where weights have an edge, means of both its sides.
+    pub(crate) fn across(
+        &self,
+        navigation: &Navigation,
+        sites: &[Site],
+        (place, p): (Place, DVec2),
+        step: f64,
+    ) -> Vec<Influence> {
+        let mut here = self.at(sites, place, p);
+        let at = |q: DVec2| navigation.place(q).map_or((p, here.clone()), |place| (q, self.at(sites, place, q)));
+        let [left, right, above, below] = [-DVec2::X, DVec2::X, -DVec2::Y, DVec2::Y].map(|axis| at(p + step * axis));
+        let slope = |(from, before): &(DVec2, Vec<Influence>), (to, after): &(DVec2, Vec<Influence>), site: usize| {
+            let weight = |list: &[Influence]| list.iter().find(|one| one.site == site).map_or(0.0, |one| one.weight);
+            let apart = from.distance(*to);
+            if apart > 0.0 { (weight(after) - weight(before)) / apart } else { 0.0 }
+        };
+        for one in &mut here {
+            one.gradient = DVec2::new(slope(&left, &right, one.site), slope(&above, &below, one.site));
+        }
+        here
     }
 
     /// The weights of all samples.

@@ -1,0 +1,183 @@
+//! A symmetric scene has a symmetric result, and a scene that is turned over one that is turned over: random scenes with all that
+//! chance might decide on an axis.
+
+use c2warp::{
+    Solution,
+    pose::Pose,
+    project::{Handle, PoseMode, Project, Rotation, Shape, Support},
+};
+use glam::DVec2;
+use proptest::prelude::*;
+
+use crate::scenes::{cases, project, solved, spread};
+
+/// In pixels: above rounding and what poses make of it.
+const SYMMETRIC: f64 = 1e-6;
+
+/// Left and right change places.
+fn mirrored(p: DVec2) -> DVec2 {
+    DVec2::new(400.0 - p.x, p.y)
+}
+
+/// Top and bottom change places.
+fn turned_over(p: DVec2) -> DVec2 {
+    DVec2::new(p.x, 400.0 - p.y)
+}
+
+/// A handle with another beside it.
+fn handle(id: usize, shape: Shape) -> Handle {
+    Handle { id: format!("h{id}"), shape, rotation: Rotation::Auto, scale: 1.0, depth: 0.0 }
+}
+
+/// What `change` makes of a shape.
+fn changed(shape: &Shape, change: impl Fn(DVec2) -> DVec2) -> Shape {
+    let all = |points: &[DVec2]| points.iter().map(|&p| change(p)).collect();
+    match shape {
+        Shape::Point { rest, posed } => Shape::Point { rest: change(*rest), posed: change(*posed) },
+        Shape::Bar { rest, posed } => Shape::Bar { rest: all(rest), posed: all(posed) },
+        Shape::Polygon { rest, posed } => Shape::Polygon { rest: all(rest), posed: all(posed) },
+    }
+}
+
+/// Rings that are symmetric: an outline of any width at each of some heights, and holes in pairs or on the axis.
+fn symmetric_rings() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
+    let outline = proptest::collection::vec((0.1..0.9_f64, 15.0..185.0_f64), 3..12);
+    let holes = proptest::collection::vec((any::<bool>(), 0.0..150.0_f64, 40.0..360.0_f64, 4.0..25.0_f64), 0..3);
+    (outline, holes).prop_map(|(outline, holes)| {
+        let levels = outline.len() as f64;
+        let corner = |(at, &(share, width)): (usize, &(f64, f64))| {
+            DVec2::new(200.0 + width, 20.0 + 360.0 * (at as f64 + share) / levels)
+        };
+        let right: Vec<DVec2> = outline.iter().enumerate().map(corner).collect();
+        let left = right.iter().rev().map(|&p| mirrored(p));
+        let mut rings = vec![right.iter().copied().chain(left).collect()];
+        for (is_on_axis, x, y, size) in holes {
+            let ring = |at: DVec2, shape: &[(f64, f64)]| -> Vec<DVec2> {
+                shape.iter().map(|&corner| at + size * DVec2::from(corner)).collect()
+            };
+            if is_on_axis {
+                rings.push(ring(DVec2::new(200.0, y), &[(0.0, -1.0), (1.0, 0.3), (0.0, 1.0), (-1.0, 0.3)]));
+            } else if x > size + 3.0 {
+                let hole = ring(DVec2::new(200.0 + x, y), &[(0.0, -1.0), (1.0, 0.2), (-0.5, 1.0)]);
+                rings.push(hole.iter().map(|&p| mirrored(p)).collect());
+                rings.push(hole);
+            }
+        }
+        rings
+    })
+}
+
+/// Handles in pairs and on the axis, not all of them in the domain.
+fn symmetric_handles() -> impl Strategy<Value = Vec<Handle>> {
+    let by = || (-20.0..20.0_f64, -20.0..20.0_f64).prop_map(DVec2::from);
+    let pairs = proptest::collection::vec(((3.0..180.0_f64, 20.0..380.0_f64), by()), 0..4);
+    let middle = proptest::collection::vec((20.0..380.0_f64, -20.0..20.0_f64), 0..3);
+    let bar = ((8.0..150.0_f64, 20.0..380.0_f64), (-5.0..60.0_f64, -40.0..40.0_f64), by());
+    (pairs, middle, proptest::option::weighted(0.3, bar)).prop_map(|(pairs, middle, bar)| {
+        let mut shapes = Vec::new();
+        for ((x, y), by) in pairs {
+            let rest = DVec2::new(200.0 + x, y);
+            shapes.push(Shape::Point { rest, posed: rest + by });
+        }
+        if let Some(((x, y), along, by)) = bar {
+            let rest = vec![DVec2::new(200.0 + x, y), DVec2::new(200.0 + x, y) + DVec2::from(along)];
+            shapes.push(Shape::Bar { posed: vec![rest[0], rest[1] + by], rest });
+        }
+        let others: Vec<Shape> = shapes.iter().map(|shape| changed(shape, mirrored)).collect();
+        shapes.extend(others);
+        shapes.extend(middle.into_iter().map(|(y, by)| {
+            let rest = DVec2::new(200.0, y);
+            Shape::Point { rest, posed: rest + DVec2::new(0.0, by) }
+        }));
+        shapes.into_iter().enumerate().map(|(id, shape)| handle(id, shape)).collect()
+    })
+}
+
+/// Symmetric scenes of every sort; some of them are refused.
+fn symmetric_scenes() -> impl Strategy<Value = Project> {
+    let support = prop_oneof![Just(Support::Paper), Just(Support::Smooth)];
+    let mode = prop_oneof![Just(PoseMode::Harmonic), Just(PoseMode::Rigid)];
+    let numbers = (prop_oneof![Just(500_u32), Just(2000)], prop_oneof![Just(0_u32), Just(10), Just(40), Just(100)]);
+    let scene = (symmetric_rings(), symmetric_handles());
+    (scene, support, mode, numbers, prop::bool::weighted(0.15)).prop_map(
+        |((rings, handles), support, mode, (samples, density), held)| {
+            let mut project = project(&rings, &[], support);
+            let inside = |p: DVec2| rings.iter().filter(|ring| contains(ring, p)).count() % 2 == 1;
+            let is_kept = |handle: &Handle| !matches!(handle.shape, Shape::Point { rest, .. } if !inside(rest));
+            project.handles = handles.into_iter().filter(is_kept).collect();
+            (project.pose.mode, project.pose.density) = (mode, density);
+            (project.samples, project.fix_boundary) = (samples, held);
+            project
+        },
+    )
+}
+
+/// Whether a point lies inside a ring.
+fn contains(ring: &[DVec2], p: DVec2) -> bool {
+    let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+    let crosses =
+        |&(a, b): &(&DVec2, &DVec2)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    edges.filter(crosses).count() % 2 == 1
+}
+
+fn posed(project: &Project) -> Option<(Solution, Pose)> {
+    let solution = solved(project).ok().filter(|_| !project.handles.is_empty())?;
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+    Some((solution, pose))
+}
+
+/// One scene has sites where another has them, and points go where they go there.
+fn check_same(
+    (here, pose): (&Solution, &Pose),
+    (there, other): (&Solution, &Pose),
+    change: impl Fn(DVec2) -> DVec2,
+) -> Result<(), TestCaseError> {
+    prop_assert_eq!(here.sites.len(), there.sites.len());
+    for site in &here.sites {
+        let off = there.sites.iter().map(|other| change(site.rest).distance(other.rest)).fold(f64::INFINITY, f64::min);
+        prop_assert!(off <= SYMMETRIC, "the site at {} is {off} px off", site.rest);
+    }
+    for p in spread(1000) {
+        if let (Some(one), Some(two)) = (here.map(pose, p), there.map(other, change(p))) {
+            let off = change(one.posed).distance(two.posed);
+            prop_assert!(off <= SYMMETRIC, "{p} goes to {}, which is {off} px off", one.posed);
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(96))]
+
+    #[test]
+    fn symmetric_scenes_have_symmetric_results(project in symmetric_scenes()) {
+        let found = posed(&project);
+        prop_assume!(found.is_some());
+        let (solution, pose) = found.expect("as assumed");
+        // What is turned by 180° on the axis goes round on one side or the other.
+        prop_assume!(pose.motions().iter().all(|motion| motion.angle.abs() < 3.0));
+        check_same((&solution, &pose), (&solution, &pose), mirrored)?;
+    }
+
+    #[test]
+    fn scenes_that_are_turned_over_have_results_that_are(project in symmetric_scenes(), kept in 0..8_usize) {
+        // As a rule without the symmetry that it had.
+        let mut project = project;
+        if kept < project.handles.len() {
+            project.handles.swap_remove(kept);
+        }
+        let found = posed(&project);
+        prop_assume!(found.is_some());
+        let (solution, pose) = found.expect("as assumed");
+        prop_assume!(pose.motions().iter().all(|motion| motion.angle.abs() < 3.0));
+        let mut other = project.clone();
+        other.domain = Some(c2warp::project::DomainSpec::Polygon {
+            rings: solution.rings().iter().map(|ring| ring.iter().rev().map(|&p| turned_over(p)).collect()).collect(),
+        });
+        for handle in &mut other.handles {
+            handle.shape = changed(&handle.shape, turned_over);
+        }
+        let (there, other) = posed(&other).expect("as valid as the other");
+        check_same((&solution, &pose), (&there, &other), turned_over)?;
+    }
+}
