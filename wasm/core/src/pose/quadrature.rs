@@ -187,12 +187,13 @@ fn divide(row: &[Influence], part: Part, known: usize, area: f64, take: &mut imp
 fn areas(samples: &Samples) -> Vec<f64> {
     let vertices = &samples.mesh.vertices;
     let mut areas = vec![0.0; vertices.len()];
-    samples.mesh.polygons(|edges| {
+    let share_out = |edges: &[[u32; 2]]| {
         let middle = edges.iter().map(|[a, _]| vertices[*a as usize]).sum::<DVec2>() / edges.len() as f64;
         for edge in edges {
             let [a, b] = edge.map(|v| vertices[v as usize] - middle);
             edge.iter().for_each(|&v| areas[v as usize] += a.perp_dot(b) / 4.0);
         }
-    });
+    };
+    samples.mesh.polygons(|_| true, share_out);
     areas
 }

@@ -53,15 +53,15 @@ impl Contacts {
 impl Regions<'_> {
     fn contacts(&self) -> Vec<FarPoint> {
         let mut pairs: Vec<[u32; 2]> = Vec::new();
-        let are_apart = |&[a, b]: &[u32; 2]| self.cells.nearest[a as usize] != self.cells.nearest[b as usize];
-        self.scouts.mesh.polygons(|edges| {
-            // Inner edges come from both sides.
-            pairs.extend(edges.iter().filter(|[a, b]| a < b).filter(|pair| are_apart(pair)));
-            if edges.len() > 3 {
-                let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
-                pairs.extend(edges.iter().flat_map(ends).filter(|[a, b]| a < b).filter(are_apart));
-            }
-        });
+        let are_apart = |[a, b]: [u32; 2]| self.cells.nearest[a as usize] != self.cells.nearest[b as usize];
+        let add_pairs = |edges: &[[u32; 2]]| {
+            let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
+            pairs.extend(edges.iter().flat_map(ends).filter(|&[a, b]| a < b && are_apart([a, b])));
+        };
+        self.scouts.mesh.polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
+        // Most come from both sides.
+        pairs.sort_unstable();
+        pairs.dedup();
         pairs.into_iter().flat_map(|pair| self.contacts_between(pair.map(|scout| scout as usize))).collect()
     }
 

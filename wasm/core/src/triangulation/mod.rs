@@ -58,23 +58,25 @@ impl Triangulation {
         }
     }
 
-    /// Calls `visit` with the edges of each polygon that the mesh is made of, positively around it: of nearly each triangle; but where more
-    /// than three vertices are on one empty circle, as on both sides of an axis of symmetry, chance decides how they are
-    /// triangulated, and what they bound is one polygon.
-    pub(crate) fn polygons(&self, mut visit: impl FnMut(&[[u32; 2]])) {
+    /// Calls `visit` with the edges of each polygon that the mesh is made of, positively around it, if one of its triangles `is_wanted`:
+    /// nearly each polygon is a triangle; but where more than three vertices are on one empty circle, as on both sides of an axis of
+    /// symmetry, chance decides how they are triangulated, and what they bound is one polygon.
+    pub(crate) fn polygons(&self, is_wanted: impl Fn([u32; 3]) -> bool, mut visit: impl FnMut(&[[u32; 2]])) {
         let mut is_visited = vec![false; self.triangles.len()];
         let (mut open, mut edges) = (Vec::new(), Vec::new());
-        for first in 0..self.triangles.len() {
-            if is_visited[first] {
+        for (first, &corners) in self.triangles.iter().enumerate() {
+            if is_visited[first] || !is_wanted(corners) {
                 continue;
             }
             is_visited[first] = true;
             open.push(first);
             while let Some(t) = open.pop() {
                 let [a, b, c] = self.triangles[t];
-                for (edge, &beyond) in [[a, b], [b, c], [c, a]].into_iter().zip(&self.neighbours[t]) {
-                    if !self.is_on_circle(t, beyond) {
-                        edges.push(edge);
+                for ([a, b, c], beyond) in [[a, b, c], [b, c, a], [c, a, b]].into_iter().zip(self.neighbours[t]) {
+                    let opposite =
+                        self.triangles.get(beyond as usize).and_then(|v| v.iter().find(|&&d| d != a && d != b));
+                    if !opposite.is_some_and(|&d| self.are_on_circle([a, b, c, d])) {
+                        edges.push([a, b]);
                     } else if !std::mem::replace(&mut is_visited[beyond as usize], true) {
                         open.push(beyond as usize);
                     }
@@ -85,15 +87,9 @@ impl Triangulation {
         }
     }
 
-    /// Whether the corners of two triangles that share an edge are on one circle, within rounding.
-    fn is_on_circle(&self, t: usize, beyond: u32) -> bool {
-        let Some(others) = self.triangles.get(beyond as usize) else { return false };
-        let corners = self.triangles[t];
-        let at = |v: Option<&u32>| v.map(|&v| self.vertices[v as usize]);
-        let apex = |of: [u32; 3], other: [u32; 3]| at(of.iter().find(|v| !other.contains(v)));
-        let (Some(c), Some(d)) = (apex(corners, *others), apex(*others, corners)) else { return false };
-        let mut shared = corners.iter().filter(|v| others.contains(v));
-        let (Some(a), Some(b)) = (at(shared.next()), at(shared.next())) else { return false };
+    /// Whether the ends of an edge and the corners of the triangles on both its sides are on one circle, within rounding.
+    fn are_on_circle(&self, corners: [u32; 4]) -> bool {
+        let [a, b, c, d] = corners.map(|v| self.vertices[v as usize]);
         let [ca, cb, da, db] = [a - c, b - c, a - d, b - d];
         // Opposite angles: of their sum the sine, times the sides.
         let sine = ca.perp_dot(cb) * da.dot(db) - ca.dot(cb) * da.perp_dot(db);
@@ -164,7 +160,7 @@ mod tests {
         let segments = vec![[1, 2], [2, 3], [3, 4], [4, 5], [5, 6], [6, 1]];
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
         let mut polygons = Vec::new();
-        mesh.polygons(|edges| polygons.push(edges.to_vec()));
+        mesh.polygons(|_| true, |edges| polygons.push(edges.to_vec()));
         polygons.sort_by_key(Vec::len);
         let lengths: Vec<usize> = polygons.iter().map(Vec::len).collect();
         assert_eq!(lengths, [3, 3, 6], "{polygons:?}");
