@@ -31,7 +31,8 @@ const STEEP: f64 = 10.0;
 /// Least weight of a site at a place: what is less costs a sixth of the time of a pose, and changes its energy by some thousandths.
 const TAIL: f64 = 0.004;
 
-/// Gradients are taken over this share of the width of a part where it takes differences.
+/// Where a place is between triangles of the outline, of which each sees the paths on its own side, gradients are differences over this
+/// share of the width of its part.
 const STEP: f64 = 1e-5;
 
 /// The site that weighs most, and the next two in the order of their numbers; [`NO_SITE`] where fewer reach.
