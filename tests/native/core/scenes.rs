@@ -98,10 +98,14 @@ pub(crate) fn solved(project: &Project) -> Result<Solution, Error> {
 pub(crate) fn scenes() -> impl Strategy<Value = (Vec<Vec<DVec2>>, Vec<DVec2>, Support)> {
     let support = prop_oneof![Just(Support::Paper), Just(Support::Smooth)];
     (domains(), places(), support).prop_filter_map("no handle in the domain", |(rings, places, support)| {
-        let inside = |p: &DVec2| rings.iter().filter(|ring| contains(ring, *p)).count() % 2 == 1;
-        let places: Vec<DVec2> = places.into_iter().filter(inside).collect();
+        let places: Vec<DVec2> = places.into_iter().filter(|&p| is_inside(&rings, p)).collect();
         (!places.is_empty()).then_some((rings, places, support))
     })
+}
+
+/// Whether a point lies in the domain of such rings.
+pub(crate) fn is_inside(rings: &[Vec<DVec2>], p: DVec2) -> bool {
+    rings.iter().filter(|ring| contains(ring, p)).count() % 2 == 1
 }
 
 fn contains(ring: &[DVec2], p: DVec2) -> bool {

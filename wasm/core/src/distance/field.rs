@@ -188,9 +188,8 @@ impl DistanceField {
 
     /// The point halfway along the shortest path to a point, if the distance is within the bound.
     pub(crate) fn halfway(&self, navigation: &Navigation, place: Place, p: DVec2) -> Option<DVec2> {
-        let half = self.distance(place, p) / 2.0;
         let mut foot = self.foot(place, p)?;
-        let mut end = p;
+        let (half, mut end) = (foot.distance / 2.0, p);
         while foot.offset > half {
             end = foot.pseudo_source;
             // Its own windows see a corner, too.

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::field::WINDOW_SLACK;
 use crate::{
     domain::Domain,
-    locate::Locator,
+    locate::{Locator, depth_in},
     segment::nearest_on_segment,
     triangulation::{NONE, Triangulation},
 };
@@ -94,11 +94,7 @@ impl Navigation {
 
     /// Whether a point of a place is, as far as rounding goes, on its border: perhaps as much in another one.
     pub(crate) fn is_between(&self, place: Place, p: DVec2) -> bool {
-        let corners = self.mesh.corners(place.0 as usize);
-        (0..3).any(|k| {
-            let (a, b) = (corners[k], corners[(k + 1) % 3]);
-            (b - a).perp_dot(p - a) <= BESIDE * a.distance(b)
-        })
+        depth_in(self.mesh.corners(place.0 as usize), p) <= BESIDE
     }
 
     /// The places that meet in a corner of the outline.

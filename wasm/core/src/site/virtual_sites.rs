@@ -155,7 +155,7 @@ fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     }
     let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
     let middle = group.iter().map(|point| point.at).sum::<DVec2>() / group.len() as f64;
-    if let Some(point) = far_enough(regions, middle, least) {
+    if let Some(point) = point_at(regions, middle).filter(|point| point.distance > (1.0 - CROWDED / 2.0) * least) {
         return vec![point];
     }
     // Something is between them. Of two on both sides of an axis of symmetry, it is on the axis, and so is the middle of the way around it.
@@ -174,11 +174,10 @@ fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     }
 }
 
-/// A point, if it lies in the domain, and hardly nearer to a site than those that it stands for: `least`.
-fn far_enough(regions: &Regions, at: DVec2, least: f64) -> Option<FarPoint> {
+/// A point, if it lies in the domain, and how far the nearest site is.
+fn point_at(regions: &Regions, at: DVec2) -> Option<FarPoint> {
     let place = regions.navigation.place(at)?;
-    let (distance, _) = regions.nearest(place, at)?;
-    (distance > (1.0 - CROWDED / 2.0) * least).then_some(FarPoint { at, place, distance })
+    regions.nearest(place, at).map(|(distance, _)| FarPoint { at, place, distance })
 }
 
 /// Those of a group that are nearest to its middle.
@@ -191,7 +190,5 @@ fn innermost(group: &[FarPoint], middle: DVec2) -> Vec<FarPoint> {
 /// The point halfway along the shortest path between two that crowd each other; none where that is too long.
 fn halfway(regions: &mut Regions, one: FarPoint, other: FarPoint) -> Option<FarPoint> {
     let field = regions.field(one.at, one.place, CROWDED * one.distance.min(other.distance));
-    let at = field.halfway(regions.navigation, other.place, other.at)?;
-    let place = regions.navigation.place(at)?;
-    regions.nearest(place, at).map(|(distance, _)| FarPoint { at, place, distance })
+    point_at(regions, field.halfway(regions.navigation, other.place, other.at)?)
 }
