@@ -2,7 +2,7 @@
  * Picture, document and solution, kept consistent with one another.
  *
  * What the solver refuses never stays: a picture or project that cannot be opened leaves the ones before it, an edit
- * that cannot be solved is taken back through the history. The host shows what comes of it.
+ * that cannot be solved is taken back through the history, be it that of a document just opened. The host shows what comes of it.
  */
 import { type Document, newProject, openDocument } from '../document/document';
 import type { HistoryRecord } from '../document/history';
@@ -158,8 +158,9 @@ export class Workbench {
 
   #refused(key: string, error: Error): void {
     const opening = this.#opening;
-    if (!opening) {
-      this.editing.withdraw(key);
+    // What was kept may end with a step that nobody waited for to be refused: those before it stand.
+    const left = this.editing.withdraw(key);
+    if (left || !opening) {
       this.#host.report(error);
       return;
     }
