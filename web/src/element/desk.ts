@@ -161,6 +161,8 @@ export class Desk {
       return false;
     }
     this.#touched = kept.record.past.length > 0;
+    // Its last step may have been refused.
+    this.#keep();
     return true;
   }
 
@@ -216,6 +218,7 @@ export class Desk {
       disabled,
       dark,
       camera: this.viewing.camera,
+      stage: this.viewing.stage,
       grips: this.#input?.grips ?? { handle: 0, line: 0, ring: 0, band: 0, slop: 0 },
       undo: editing.undoLabel,
       redo: editing.redoLabel,

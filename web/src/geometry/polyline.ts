@@ -1,5 +1,5 @@
 /** Lines through corners, open or closed: how far away they are, what lies inside, how they are turned. */
-import { add, bearing, distance, scaled, snapped, subtract, type Vec } from './vec';
+import { add, bearing, between, distance, scaled, snapped, subtract, type Vec } from './vec';
 
 /** The mean of the corners; the origin where there are none. */
 export const centre = (corners: readonly Vec[]): Vec =>
@@ -26,7 +26,7 @@ function distanceToEdge(a: Vec, b: Vec, p: Vec): number {
   const [along, to] = [subtract(b, a), subtract(p, a)];
   const squared = along[0] ** 2 + along[1] ** 2;
   const share = squared === 0 ? 0 : (along[0] * to[0] + along[1] * to[1]) / squared;
-  return distance(p, add(a, scaled(along, Math.min(1, Math.max(0, share)))));
+  return distance(p, between(a, b, Math.min(1, Math.max(0, share))));
 }
 
 /** By the even-odd rule. */

@@ -5,6 +5,8 @@ export const add = (a: Vec, b: Vec): Vec => [a[0] + b[0], a[1] + b[1]];
 export const subtract = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1]];
 export const scaled = (a: Vec, factor: number): Vec => [a[0] * factor, a[1] * factor];
 export const midpoint = (a: Vec, b: Vec): Vec => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+/** At a share of the way. */
+export const between = (a: Vec, b: Vec, share: number): Vec => add(a, scaled(subtract(b, a), share));
 export const distance = (a: Vec, b: Vec): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
 /** Turned about the origin, in degrees, clockwise on the screen. */

@@ -3,10 +3,11 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import { toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
 import { CORNERS_NEEDED, isDrawable } from '../tools/drafting';
+import { dots } from './dots';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
 
-export function draftMarks({ draft, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+export function draftMarks({ draft, camera, stage }: EditorModel): SVGTemplateResult | typeof nothing {
   if (!draft) return nothing;
   const set = draft.corners.map((corner) => toStage(camera, corner));
   const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
@@ -22,12 +23,12 @@ export function draftMarks({ draft, camera }: EditorModel): SVGTemplateResult | 
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${
       next && last
-        ? svg`<path class="line under" d="M${last}L${next}"/><path class="line next" d="M${last}L${next}"/>`
+        ? svg`<path class="line under" d="M${last}L${next}"/>${dots('line', [last, next], false, stage)}`
         : nothing
     }
     ${
       draft.kind === 'polygon' && first && all.length > 2
-        ? svg`<path class="line closing" d="M${all.at(-1) ?? first}L${first}"/>`
+        ? dots('line closing', [all.at(-1) ?? first, first], false, stage)
         : nothing
     }
     ${set.map(([x, y], k) => {

@@ -16,8 +16,9 @@ import {
   type Turns,
 } from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
-import { type Camera, toStage } from '../geometry/camera';
+import { type Size, toStage } from '../geometry/camera';
 import { distance, type Vec } from '../geometry/vec';
+import { dots } from './dots';
 import type { EditorActions, EditorModel } from './model';
 
 /** What a screen reader says of a handle. */
@@ -37,36 +38,38 @@ export function handleLabel(handle: Handle, turns: Turns): string {
 }
 
 export function handleMarks(model: EditorModel): SVGTemplateResult {
-  const { document, camera, grips, turns } = model;
+  const { document, camera, stage, grips, turns } = model;
   const radius = grips.ring * camera.scale;
   return svg`${document.project.handles.map((handle) => {
     const rest = toStage(camera, anchor(handle, 'rest'));
     const posed = toStage(camera, anchor(handle));
     const selected = document.selection.includes(handle.id);
     return svg`
-      ${isLine(handle) ? lineMarks(handle, camera, selected) : distance(rest, posed) > 4 ? restMark(rest, posed) : nothing}
+      ${isLine(handle) ? lineMarks(handle, model, selected) : distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
       ${selected && !model.readonly ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
   })}`;
 }
 
-const restMark = (rest: Vec, posed: Vec): SVGTemplateResult => svg`<g class="rest">
-  <path class="dashes under" d="M${rest}L${posed}"/>
-  <path class="dashes" d="M${rest}L${posed}"/>
+const restMark = (rest: Vec, posed: Vec, stage: Size): SVGTemplateResult => svg`<g class="rest">
+  ${restLine([rest, posed], false, stage)}
   <circle class="under" cx=${rest[0]} cy=${rest[1]} r="4.5"/>
   <circle cx=${rest[0]} cy=${rest[1]} r="4.5"/>
 </g>`;
 
+/** Twice, the first time dark and wider: it reads on any picture. */
+const restLine = (places: readonly Vec[], closed: boolean, stage: Size): SVGTemplateResult =>
+  svg`${dots('dots under', places, closed, stage)}${dots('dots', places, closed, stage)}`;
+
 /** Where a bar or polygon rests, faintly, as soon as it is elsewhere; and where it is. */
-function lineMarks(handle: LineHandle, camera: Camera, selected: boolean): SVGTemplateResult {
-  const path = (of: 'rest' | 'posed') => {
-    const places = corners(handle, of).map((corner) => toStage(camera, corner));
-    return `M${places.join('L')}${handle.kind === 'polygon' ? 'Z' : ''}`;
-  };
-  const [rest, posed] = [path('rest'), path('posed')];
+function lineMarks(handle: LineHandle, { camera, stage }: EditorModel, selected: boolean): SVGTemplateResult {
+  const closed = handle.kind === 'polygon';
+  const places = (of: 'rest' | 'posed') => corners(handle, of).map((corner) => toStage(camera, corner));
+  const [rest, posed] = [places('rest'), `M${places('posed').join('L')}${closed ? 'Z' : ''}`];
+  const isAway = handle.rest.some((corner, k) => distance(corner, handle.posed[k] ?? corner) > 0);
   return svg`
-    ${rest === posed ? nothing : svg`<g class="rest"><path class="dashes under" d=${rest}/><path class="dashes" d=${rest}/></g>`}
+    ${isAway ? svg`<g class="rest">${restLine(rest, closed, stage)}</g>` : nothing}
     <g class="line-handle ${selected ? 'selected' : ''}">
-      ${handle.kind === 'polygon' ? svg`<path class="body" d=${posed}/>` : nothing}
+      ${closed ? svg`<path class="body" d=${posed}/>` : nothing}
       <path class="casing" d=${posed}/><path class="line" d=${posed}/>
     </g>`;
 }

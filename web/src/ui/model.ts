@@ -20,6 +20,8 @@ export interface EditorModel {
   readonly readonly: boolean;
   readonly disabled: boolean;
   readonly camera: Camera;
+  /** CSS pixels. */
+  readonly stage: Size;
   readonly grips: Grips;
   readonly undo: string | null;
   readonly redo: string | null;

@@ -151,11 +151,10 @@ export const stageStyle = css`
     stroke: #0005;
     stroke-width: 3;
   }
-  .rest .dashes {
-    stroke-dasharray: 0.5 6;
+  .rest .dots {
     stroke-width: 2.25;
   }
-  .rest .dashes.under {
+  .rest .dots.under {
     stroke-width: 4;
   }
   .ring {
@@ -204,10 +203,6 @@ export const stageStyle = css`
   .draft .line.under {
     stroke: #fff;
     stroke-width: 5.5;
-  }
-  .draft .next,
-  .draft .closing {
-    stroke-dasharray: 1 6;
   }
   .draft .closing {
     opacity: 0.7;

@@ -1,0 +1,39 @@
+/**
+ * Dotted lines. A dot out of sight costs as much as any other, and from near there are thousands of them along a bar: what is
+ * drawn of a line is what is on the stage.
+ */
+import { type SVGTemplateResult, svg } from 'lit';
+import { sharesInside } from '../geometry/box';
+import type { Size } from '../geometry/camera';
+import { edgesOf } from '../geometry/polyline';
+import { between, distance, type Vec } from '../geometry/vec';
+
+/** From dot to dot, CSS pixels. */
+const SPACING = 6.5;
+/** A dot with round caps is hardly longer than wide. */
+const DOT = 0.5;
+/** Half the width of a dot, and more. */
+const ROOM = 4;
+
+/** A dotted line through corners on the stage. */
+export const dots = (
+  kind: string,
+  corners: readonly Vec[],
+  closed: boolean,
+  stage: Size,
+): SVGTemplateResult =>
+  svg`<path class=${kind} stroke-dasharray="${DOT} ${SPACING - DOT}" d=${onStage(corners, closed, stage)}/>`;
+
+/** The parts of the edges that can be seen. Each begins a whole number of dots from its corner: so these stand still in a pan. */
+export function onStage(corners: readonly Vec[], closed: boolean, { width, height }: Size): string {
+  const box = { min: [-ROOM, -ROOM], max: [width + ROOM, height + ROOM] } as const;
+  return edgesOf(corners, closed)
+    .map(([a, b]) => {
+      const shares = sharesInside(box, a, b);
+      if (!shares) return '';
+      const [from, to] = shares;
+      const spacing = SPACING / Math.max(SPACING, distance(a, b));
+      return `M${between(a, b, Math.floor(from / spacing) * spacing)}L${between(a, b, to)}`;
+    })
+    .join('');
+}
