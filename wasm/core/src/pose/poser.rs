@@ -198,21 +198,23 @@ fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
 }
 
 /// The cell graph seen from its real sites alone: a link's weight is what flows between two handles, directly and by way of
-/// virtual sites (the Schur complement of the Laplacian).
+/// virtual sites (the Schur complement of the Laplacian). Links of point handles, that is; of the others there may be a million.
 fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<(u32, u32, f64)> {
+    let is_point = |site: usize| matches!(sites[site].origin, Origin::Point { .. });
     let mut flow = std::collections::BTreeMap::<(u32, u32), f64>::new();
     for (i, j, weight) in graph.iter() {
         for (real, other) in [(i, j), (j, i)] {
             // Links between two real sites count from both ends, as flows by way of virtual sites do.
-            if sites[real].origin.is_real() {
-                for &(to, share) in harmonic.rows[other].iter().filter(|&&(to, _)| to as usize != real) {
+            if !sites[real].origin.is_real() {
+                continue;
+            }
+            for &(to, share) in &harmonic.rows[other] {
+                if to as usize != real && (is_point(real) || is_point(to as usize)) {
                     let pair = ((real as u32).min(to), (real as u32).max(to));
                     *flow.entry(pair).or_default() += weight * share;
                 }
             }
         }
     }
-    let is_point = |site: u32| matches!(sites[site as usize].origin, Origin::Point { .. });
-    let turning = flow.into_iter().filter(|&((i, j), _)| is_point(i) || is_point(j));
-    turning.map(|((i, j), weight)| (i, j, weight)).collect()
+    flow.into_iter().map(|((i, j), weight)| (i, j, weight)).collect()
 }

@@ -188,11 +188,16 @@ impl Piece {
             let cones = self.feet.iter().filter(|feet| may_enter(feet, &nearest, longest) && apex(feet).is_some());
             cones.reduce(|best, feet| if distance(feet, k) < distance(best, k) { feet } else { best }).copied()
         });
+        let leaders = leaders(&self.feet);
         let is_kept = |feet: &Feet| {
             let of_another = |rival: &Feet, bend: f64| (0..3).all(|k| distance(rival, k) + bend < distance(feet, k));
             // Between the corners a cone sags by so much at most; that of another site does not rise.
             let bend = apex(feet).map_or(f64::INFINITY, |apex| self.bend(apex));
-            may_enter(feet, &nearest, longest) && !rivals.iter().flatten().any(|rival| of_another(rival, bend))
+            let is_behind =
+                |leader: &Feet| is_same_way(leader, feet) && of_another(leader, 2.0 * TIE * distance(feet, 0));
+            may_enter(feet, &nearest, longest)
+                && !rivals.iter().flatten().any(|rival| of_another(rival, bend))
+                && !leaders.iter().any(is_behind)
         };
         let kept: Vec<usize> = (0..self.feet.len()).filter(|&at| is_kept(&self.feet[at])).collect();
         self.sites = kept.iter().map(|&at| self.sites[at]).collect();
@@ -330,6 +335,27 @@ fn apex(feet: &Feet) -> Option<DVec2> {
     if a == b && b == c { a } else { None }
 }
 
+/// Of the sites that are seen by way of the same corners of the outline, the one that is nearest to these. What is farther from all of
+/// them is nowhere the nearest.
+fn leaders(all: &[Feet]) -> Vec<Feet> {
+    let way = |feet: &Feet| feet.iter().flatten().map(|foot| foot.offset).sum::<f64>();
+    let mut leaders: Vec<Feet> = Vec::new();
+    for feet in all.iter().filter(|feet| feet.iter().all(|foot| foot.is_some_and(|foot| foot.offset > 0.0))) {
+        match leaders.iter_mut().find(|leader| is_same_way(leader, feet)) {
+            Some(leader) if way(feet) < way(leader) => *leader = *feet,
+            Some(_) => {}
+            None => leaders.push(*feet),
+        }
+    }
+    leaders
+}
+
+/// Whether each corner of a piece is reached by way of the same pseudo-source.
+fn is_same_way(one: &Feet, other: &Feet) -> bool {
+    let sources = |feet: &Feet| feet.map(|foot| foot.map(|foot| foot.pseudo_source));
+    sources(one) == sources(other)
+}
+
 /// The part of a convex polygon where a linear function is not negative.
 fn clipped(polygon: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut part = Vec::with_capacity(polygon.len() + 1);
@@ -366,6 +392,29 @@ pub(super) fn bend(longest: f64, distance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{distance::Navigation, domain::Domain, picture::Picture};
+
+    #[test]
+    fn of_sites_behind_the_same_corners_the_nearest_is_kept() {
+        let corners = [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)].map(DVec2::from);
+        let [before, beside] = [(-30.0, 0.0), (-10.0, 1.0)].map(DVec2::from);
+        // The corner `beside` is seen from the corner `before`; some sites are this far behind that.
+        let feet_by = |sources: [DVec2; 3], behind: f64| -> Feet {
+            [0, 1, 2].map(|k| {
+                let offset = behind + before.distance(sources[k]);
+                let distance = offset + sources[k].distance(corners[k]);
+                Some(Foot { distance, pseudo_source: sources[k], offset })
+            })
+        };
+        let (ways, other_ways) = ([before, before, beside], [before, beside, beside]);
+        let behind = [7.0, 5.0, 5.0 + 1e-12, 6.0, 5.1].map(|behind| feet_by(ways, behind));
+        let feet: Vec<Feet> = behind.into_iter().chain([feet_by(other_ways, 6.0)]).collect();
+        let navigation = Navigation::new(&Domain::new(None, &Picture::new(2, 2, &[255; 16]).unwrap()).unwrap());
+        let place = navigation.place(DVec2::ONE).unwrap();
+        let piece = Piece::new(corners, [place; 3], ((0..).take(feet.len()).collect(), feet), 0);
+        // What rounding tells apart is tied.
+        assert_eq!(piece.sites, [1, 2, 5]);
+    }
 
     #[test]
     fn no_cone_bends_more_than_the_bound_says() {
