@@ -23,7 +23,7 @@ export function draftMarks({ draft, camera, stage }: EditorModel): SVGTemplateRe
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${
       next && last
-        ? svg`<path class="line under" d="M${last}L${next}"/>${dots('line', [last, next], false, stage)}`
+        ? svg`<path class="line under" d="M${last}L${next}"/>${dots('line next', [last, next], false, stage)}`
         : nothing
     }
     ${
