@@ -91,12 +91,15 @@ export const atRest = (handle: Handle, rotation: Rotation): Handle =>
     ? { ...handle, posed: handle.rest, rotation: 'auto', scale: 1 }
     : { ...handle, posed: handle.rest, rotation, scale: 1 };
 
-/** An automatic rotation is never a change of its own. */
-export function isAtRest(handle: Handle): boolean {
+/** Whether it is where it rests, turned and scaled or not. */
+export function isInPlace(handle: Handle): boolean {
   const rest = corners(handle, 'rest');
-  const same = corners(handle).every((p, k) => p[0] === rest[k]?.[0] && p[1] === rest[k]?.[1]);
-  return same && rotationOf(handle) === 0 && scaleOf(handle) === 1;
+  return corners(handle).every((p, k) => p[0] === rest[k]?.[0] && p[1] === rest[k]?.[1]);
 }
+
+/** An automatic rotation is never a change of its own. */
+export const isAtRest = (handle: Handle): boolean =>
+  isInPlace(handle) && rotationOf(handle) === 0 && scaleOf(handle) === 1;
 
 /** The turn of the corners that is nearest to `degrees`. */
 function turnNear({ rest, posed }: LineHandle, degrees: number): number {

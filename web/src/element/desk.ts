@@ -161,8 +161,8 @@ export class Desk {
       return false;
     }
     this.#touched = kept.record.past.length > 0;
-    // Its last step may have been refused.
-    this.#keep();
+    // Where its last step was refused, what is kept ends before that.
+    if (this.workbench.editing.document !== kept.record.present) this.#keep();
     return true;
   }
 

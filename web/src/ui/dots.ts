@@ -15,14 +15,9 @@ const DOT = 0.5;
 /** Half the width of a dot, and more. */
 const ROOM = 4;
 
-/** A dotted line through corners on the stage. */
-export const dots = (
-  kind: string,
-  corners: readonly Vec[],
-  closed: boolean,
-  stage: Size,
-): SVGTemplateResult =>
-  svg`<path class=${kind} stroke-dasharray="${DOT} ${SPACING - DOT}" d=${onStage(corners, closed, stage)}/>`;
+/** A dotted line along a path that is {@link onStage}. */
+export const dots = (kind: string, path: string): SVGTemplateResult =>
+  svg`<path class=${kind} stroke-dasharray="${DOT} ${SPACING - DOT}" d=${path}/>`;
 
 /** The parts of the edges that can be seen. Each begins a whole number of dots from its corner: so these stand still in a pan. */
 export function onStage(corners: readonly Vec[], closed: boolean, { width, height }: Size): string {

@@ -3,7 +3,7 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import { toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
 import { CORNERS_NEEDED, isDrawable } from '../tools/drafting';
-import { dots } from './dots';
+import { dots, onStage } from './dots';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
 
@@ -23,12 +23,12 @@ export function draftMarks({ draft, camera, stage }: EditorModel): SVGTemplateRe
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${
       next && last
-        ? svg`<path class="line under" d="M${last}L${next}"/>${dots('line next', [last, next], false, stage)}`
+        ? svg`<path class="line under" d="M${last}L${next}"/>${dots('line next', onStage([last, next], false, stage))}`
         : nothing
     }
     ${
       draft.kind === 'polygon' && first && all.length > 2
-        ? dots('line closing', [all.at(-1) ?? first, first], false, stage)
+        ? dots('line closing', onStage([all.at(-1) ?? first, first], false, stage))
         : nothing
     }
     ${set.map(([x, y], k) => {

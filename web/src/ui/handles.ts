@@ -9,6 +9,7 @@ import {
   anchor,
   corners,
   depthOf,
+  isInPlace,
   isLine,
   nameOf,
   rotationOf,
@@ -18,7 +19,7 @@ import {
 import type { Handle, LineHandle } from '../document/project';
 import { type Size, toStage } from '../geometry/camera';
 import { distance, type Vec } from '../geometry/vec';
-import { dots } from './dots';
+import { dots, onStage } from './dots';
 import type { EditorActions, EditorModel } from './model';
 
 /** What a screen reader says of a handle. */
@@ -57,17 +58,18 @@ const restMark = (rest: Vec, posed: Vec, stage: Size): SVGTemplateResult => svg`
 </g>`;
 
 /** Twice, the first time dark and wider: it reads on any picture. */
-const restLine = (places: readonly Vec[], closed: boolean, stage: Size): SVGTemplateResult =>
-  svg`${dots('dots under', places, closed, stage)}${dots('dots', places, closed, stage)}`;
+function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemplateResult {
+  const path = onStage(places, closed, stage);
+  return svg`${dots('dots under', path)}${dots('dots', path)}`;
+}
 
 /** Where a bar or polygon rests, faintly, as soon as it is elsewhere; and where it is. */
 function lineMarks(handle: LineHandle, { camera, stage }: EditorModel, selected: boolean): SVGTemplateResult {
   const closed = handle.kind === 'polygon';
   const places = (of: 'rest' | 'posed') => corners(handle, of).map((corner) => toStage(camera, corner));
   const [rest, posed] = [places('rest'), `M${places('posed').join('L')}${closed ? 'Z' : ''}`];
-  const isAway = handle.rest.some((corner, k) => distance(corner, handle.posed[k] ?? corner) > 0);
   return svg`
-    ${isAway ? svg`<g class="rest">${restLine(rest, closed, stage)}</g>` : nothing}
+    ${isInPlace(handle) ? nothing : svg`<g class="rest">${restLine(rest, closed, stage)}</g>`}
     <g class="line-handle ${selected ? 'selected' : ''}">
       ${closed ? svg`<path class="body" d=${posed}/>` : nothing}
       <path class="casing" d=${posed}/><path class="line" d=${posed}/>

@@ -331,7 +331,7 @@ fn distance(feet: &Feet, corner: usize) -> f64 {
 
 /// By way of which pseudo-source all corners are reached, if it is the same.
 fn apex(feet: &Feet) -> Option<DVec2> {
-    let [a, b, c] = feet.map(|foot| foot.map(|foot| foot.pseudo_source));
+    let [a, b, c] = sources(feet);
     if a == b && b == c { a } else { None }
 }
 
@@ -352,8 +352,12 @@ fn leaders(all: &[Feet]) -> Vec<Feet> {
 
 /// Whether each corner of a piece is reached by way of the same pseudo-source.
 fn is_same_way(one: &Feet, other: &Feet) -> bool {
-    let sources = |feet: &Feet| feet.map(|foot| foot.map(|foot| foot.pseudo_source));
     sources(one) == sources(other)
+}
+
+/// By way of which pseudo-source each corner of a piece is reached.
+fn sources(feet: &Feet) -> [Option<DVec2>; 3] {
+    feet.map(|foot| foot.map(|foot| foot.pseudo_source))
 }
 
 /// The part of a convex polygon where a linear function is not negative.
