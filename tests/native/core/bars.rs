@@ -153,27 +153,77 @@ fn a_loop_keeps_its_inside() {
     }
 }
 
+/// A scene, so many times as large, as the editor poses it.
+fn in_rigid_mode(name: &str, times: u32, change: impl FnOnce(&mut Project)) -> (Solution, Pose) {
+    let Scene { mut project, picture } = Scene::enlarged(name, times);
+    project.weighting.support = Support::Smooth;
+    (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
+    change(&mut project);
+    let (width, height) = picture.dimensions();
+    let picture = Picture::new(width, height, picture.as_raw()).expect("a picture of fair size");
+    let solution = solve(&project, &picture).expect("a valid scene");
+    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+    (solution, pose)
+}
+
 #[test]
 fn what_nobody_moves_stays_in_the_rigid_mode_around_joints_too() {
     for name in ["portrait", "tower"] {
-        let Scene { mut project, picture } = Scene::enlarged(name, 2);
-        project.weighting.support = Support::Smooth;
-        (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
-        for handle in &mut project.handles {
-            match &mut handle.shape {
-                Shape::Point { rest, posed } => *posed = *rest,
-                Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => posed.clone_from(rest),
+        let (solution, pose) = in_rigid_mode(name, 2, |project| {
+            for handle in &mut project.handles {
+                match &mut handle.shape {
+                    Shape::Point { rest, posed } => *posed = *rest,
+                    Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => posed.clone_from(rest),
+                }
             }
-        }
-        let (width, height) = picture.dimensions();
-        let picture = Picture::new(width, height, picture.as_raw()).expect("a picture of fair size");
-        let solution = solve(&project, &picture).expect("a valid scene");
-        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+        });
         let posed = solution.posed_vertices(&pose);
         let moved = posed.iter().zip(&solution.mesh.vertices).map(|(p, q)| p.distance(*q));
         // Weights of the quadrature are kept as f32, but what they sum to is exact.
         let farthest = moved.fold(0.0, f64::max);
         assert!(farthest < 1e-8, "{name}: {farthest} px");
+    }
+}
+
+#[test]
+fn what_is_squeezed_between_bars_keeps_its_side_whatever_the_samples() {
+    // Between the mouth's ends and the jaw 45 px become 22: the number of samples decides where in there virtual sites are.
+    for samples in [4_000, 5_000, 7_000, 9_000, 10_000, 16_000] {
+        let (solution, pose) = in_rigid_mode("portrait", 4, |project| project.samples = samples);
+        let det = |&p: &DVec2| solution.map(&pose, p).expect("a sample").det;
+        let least = solution.mesh.vertices[..solution.samples].iter().map(det).fold(f64::INFINITY, f64::min);
+        eprintln!("{samples} samples: least det {least:.3}");
+        // With places of the quadrature too far apart it was -0.7.
+        assert!(least > 0.05, "{samples} samples: {least}");
+        assert_eq!(solution.folded_triangles(&pose), 0);
+    }
+}
+
+#[test]
+fn a_bar_that_is_drawn_longer_stretches_what_is_on_it_and_not_the_whole_picture() {
+    let longer = bar("longer", &[(160.0, 200.0), (240.0, 200.0)], &[(150.0, 200.0), (250.0, 200.0)]);
+    let mut project = square(Support::Smooth, vec![longer]);
+    (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
+    let (solution, pose) = posed(&project);
+    let between = |[a, b]: [(f64, f64); 2]| {
+        goes(&solution, &pose, a.into()).distance(goes(&solution, &pose, b.into())) / DVec2::from(a).distance(b.into())
+    };
+    assert!((between([(170.0, 200.0), (230.0, 200.0)]) - 1.25).abs() < 1e-9);
+    for edge in [[(30.0, 30.0), (370.0, 30.0)], [(30.0, 370.0), (370.0, 370.0)], [(30.0, 30.0), (30.0, 370.0)]] {
+        // 1.25 where the stretch is taken for what is asked for all around.
+        assert!((between(edge) - 1.0).abs() < 0.05, "{}", between(edge));
+    }
+}
+
+#[test]
+fn a_scale_is_for_what_is_around_a_handle_too() {
+    let rest = DVec2::new(160.0, 220.0);
+    let mut project = square(Support::Smooth, vec![Handle { scale: 1.25, ..handle(0, rest, rest, 0.0) }]);
+    (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
+    let (solution, pose) = posed(&project);
+    for p in [(30.0, 30.0), (370.0, 30.0), (200.0, 360.0)].map(DVec2::from) {
+        let to = rest + 1.25 * (p - rest);
+        assert!(goes(&solution, &pose, p).distance(to) < 1e-6, "{p} goes to {}", goes(&solution, &pose, p));
     }
 }
 

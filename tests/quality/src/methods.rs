@@ -47,6 +47,9 @@ pub enum Method {
 /// What the editor asks for.
 pub const EDITOR: Method = Method::Rigid { density: 100, blend: Blend::Linear };
 
+/// Numbers of samples that the editor's way is tried with besides: what comes out must not hang on one of them.
+pub const OTHER_SAMPLES: [u32; 5] = [4_000, 6_000, 10_000, 16_000, 31_325];
+
 /// In the order of tables and sheets.
 pub const METHODS: [Method; 9] = [
     Method::Paper,
@@ -110,6 +113,8 @@ pub struct Compared {
     pub outcomes: Vec<Outcome>,
     /// Methods that cannot do it, and why.
     pub refused: Vec<(Method, String)>,
+    /// What [`EDITOR`] makes of it with each of [`OTHER_SAMPLES`].
+    pub others: Vec<Distortion>,
 }
 
 impl Compared {
@@ -121,7 +126,7 @@ impl Compared {
         let picture = pose.solver_picture();
         let fine = Fine::of(&solve(&pose.project, &picture)?);
         let targets = Targets::of(&pose.project);
-        let mut compared = Self { pose, targets, fine, outcomes: Vec::new(), refused: Vec::new() };
+        let mut compared = Self { pose, targets, fine, outcomes: Vec::new(), refused: Vec::new(), others: Vec::new() };
         for method in METHODS {
             let outcome = match method {
                 Method::Paper => compared.by_solver(method, PoseMode::Harmonic, Support::Paper, Blend::Linear, 0),
@@ -136,6 +141,8 @@ impl Compared {
                 Err(reason) => compared.refused.push((method, reason.to_string())),
             }
         }
+        compared.others =
+            OTHER_SAMPLES.into_iter().map(|count| compared.with_samples(count)).collect::<Result<_, _>>()?;
         Ok(compared)
     }
 
@@ -178,6 +185,17 @@ impl Compared {
             turns: None,
             posed,
         })
+    }
+
+    /// The editor's way with so many samples, on the mesh over them.
+    fn with_samples(&self, count: u32) -> Result<Distortion, Error> {
+        let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
+        let mut project = self.asking(PoseMode::Rigid, Support::Smooth, blend, density);
+        project.samples = count;
+        let solution = solve(&project, &self.pose.solver_picture())?;
+        let pose = solution.poser().pose(&project.handles, blend)?;
+        let fine = Fine::of(&solution);
+        Ok(Distortion::of(&fine, &solution.posed_vertices(&pose)[..fine.vertices.len()]))
     }
 
     /// The pose's project with other settings.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::{
     bars::{Bar, bars},
     measure::MOST_ENERGY,
-    methods::{Compared, EDITOR, Method, Outcome},
+    methods::{Compared, EDITOR, Method, OTHER_SAMPLES, Outcome},
     poses::SAMPLES,
 };
 
@@ -24,6 +24,8 @@ pub fn tables(all: &[Compared], unsolved: &[(&'static str, String)]) -> String {
     for (pose, reason) in unsolved {
         writeln!(text, "{pose} is left out: {reason}").expect("memory");
     }
+    write!(text, "\n## {} with other numbers of samples\n\n{}", EDITOR.name(), other_samples(all)).expect("memory");
+    text += "\nE mean, least stretch and folds, each on the mesh over the samples.\n";
     write!(text, "\n## Bars of {}\n\n{}", EDITOR.name(), bar_table(all)).expect("memory");
     text
 }
@@ -73,6 +75,17 @@ fn outcomes(all: &[Compared]) -> String {
     };
     let rows = all.iter().flat_map(|compared| compared.outcomes.iter().map(move |outcome| row(compared, outcome)));
     aligned(&header, rows, 2)
+}
+
+fn other_samples(all: &[Compared]) -> String {
+    let counts = OTHER_SAMPLES.map(|count| count.to_string());
+    let header: Vec<&str> = std::iter::once("pose").chain(counts.iter().map(String::as_str)).collect();
+    let row = |compared: &Compared| {
+        let figures =
+            compared.others.iter().map(|d| format!("{} {:.2} {}", digits(d.energy), d.least_stretch, d.folds));
+        std::iter::once(compared.pose.name.to_owned()).chain(figures).collect()
+    };
+    aligned(&header, all.iter().map(row), 1)
 }
 
 fn bar_table(all: &[Compared]) -> String {

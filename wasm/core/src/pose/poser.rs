@@ -100,7 +100,7 @@ impl Poser {
                 Origin::Bone { .. } | Origin::Boundary => false,
             };
             let is_free: Vec<bool> = self.origin.iter().map(is_free).collect();
-            rigid.settle(&self.rest, &mut motions, &is_free);
+            rigid.settle(&self.rest, &mut motions, &is_free, &self.scales(handles));
             unwrap_angles(&mut motions, &is_free, rigid.links());
         }
         Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
@@ -132,6 +132,16 @@ impl Poser {
             }
         }
         motions
+    }
+
+    /// How large handles ask things to be around each site. How long bars and polygons are drawn is not meant for what is around them.
+    fn scales(&self, handles: &[Handle]) -> Vec<f64> {
+        let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
+        let log = |&(real, share): &(u32, f64)| {
+            let handle = self.origin[real as usize].handle();
+            share * handle.map_or(0.0, |handle| logs[handle])
+        };
+        self.shares.iter().map(|shares| libm::exp(shares.iter().map(log).sum())).collect()
     }
 
     /// The rotation that best takes the edges to neighbouring real sites from rest to pose.

@@ -1,8 +1,8 @@
 //! The rigid pose mode: virtual sites move so that the picture distorts as little as it can.
 //!
 //! First the cell graph bends: as-rigid-as-possible (Sorkine and Alexa 2007) on the sites alone. The motions minimise
-//! Σ w_ij |(p_i − p_j) − R_i S_i (h_i − h_j)|² over the links, each from both its ends. The stretches S_i are those of the
-//! harmonic pose. Real sites stay where the handles are, with their rotation where the person set one. The
+//! Σ w_ij |(p_i − p_j) − s_i R_i (h_i − h_j)|² over the links, each from both its ends. The scales s_i are those that handles
+//! ask for, harmonic between them. Real sites stay where the handles are, with their rotation where the person set one. The
 //! rotations that fit given places best have a closed form, so the energy is one of the places alone; it is lowered by
 //! [`descent`](super::descent) on the factorised Laplacian.
 //!
@@ -13,7 +13,7 @@
 
 use std::sync::OnceLock;
 
-use glam::{DMat2, DVec2};
+use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -55,7 +55,7 @@ pub(super) struct Rigid {
 struct Edge {
     sites: [usize; 2],
     weight: f64,
-    /// The edge at rest, stretched as either site asks, times the weight.
+    /// The edge at rest, as large as either site asks, times the weight.
     rest: [DVec2; 2],
 }
 
@@ -82,12 +82,12 @@ impl Rigid {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
-    /// Takes the harmonic motions to rigid ones. `is_free` tells of each site whether its rotation is to be found.
-    pub(super) fn settle(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool]) {
+    /// Takes the harmonic motions to rigid ones. `is_free` tells of each site whether its rotation is to be found, `scales` how large
+    /// things are to be around it.
+    pub(super) fn settle(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
         if rest.is_empty() {
             return;
         }
-        let stretch: Vec<DMat2> = motions.iter().map(|motion| motion.strain.stretch()).collect();
         let (low, high) = rest.iter().fold((rest[0], rest[0]), |(low, high), &h| (low.min(h), high.max(h)));
         let extent = (high - low).length();
         let relaxation = self
@@ -95,14 +95,14 @@ impl Rigid {
             .as_ref()
             .map(|quadrature| self.relaxation.get_or_init(|| Relaxation::new(quadrature, rest, &self.freedom)));
         let bent = if relaxation.is_some() { BENT } else { SETTLED };
-        self.bend(rest, motions, is_free, &stretch, bent * extent);
+        self.bend(rest, motions, is_free, scales, bent * extent);
         if let Some(relaxation) = relaxation {
-            relaxation.settle(motions, is_free, &stretch, RELAXED * extent);
+            relaxation.settle(motions, is_free, scales, RELAXED * extent);
         }
     }
 
     /// Lets the graph bend until no site moves by more than `settled`.
-    fn bend(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], stretch: &[DMat2], settled: f64) {
+    fn bend(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64], settled: f64) {
         let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
         let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
         let free = &laplacian.free;
@@ -111,7 +111,7 @@ impl Rigid {
         }
         let edge = |(i, j, weight): (usize, usize, f64)| {
             let at_rest = rest[j] - rest[i];
-            Edge { sites: [i, j], weight, rest: [i, j].map(|site| weight * (stretch[site] * at_rest)) }
+            Edge { sites: [i, j], weight, rest: [i, j].map(|site| weight * scales[site] * at_rest) }
         };
         let mut bending = Bending {
             edges: self.links().map(edge).collect(),

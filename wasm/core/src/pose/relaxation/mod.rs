@@ -2,8 +2,8 @@
 //!
 //! The sites alone do not show what a blend does between them. But the blended map is linear in the places and linear parts of the sites
 //! (eq. 1), and so is its derivative J at a place of the [quadrature](super::Quadrature), as in fast automatic skinning (Jacobson,
-//! Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area · [`distortion`](super::distortion)(J S⁻¹), S the stretch
-//! that is expected there, over all that the handles leave free: see [`Freedom`].
+//! Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area · [`distortion`](super::distortion)(J ÷ s), s the scale
+//! that is asked for there, over all that the handles leave free: see [`Freedom`].
 //!
 //! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². Along a line J is linear in the length, so det J
 //! and |J|² are polynomials of it, and the lowest place is found without going through sites again: see `relaxing`. It begins
@@ -34,8 +34,9 @@ const HARD: f64 = 0.2;
 /// not. With a fifth of it, bars that turn against each other distort more of what is between them; with five times as much, all
 /// bends stiffly.
 const HOLD: f64 = 0.1;
-/// Least share of a cell for [`HOLD`]: what next to nothing depends on stays with its surroundings.
-const LEAST: f64 = 1e-3;
+/// Least share of a cell for [`HOLD`]: what little depends on stays with its surroundings. With a hundredth of it, a site between two bars
+/// may go anywhere, and folds what is between the places of the quadrature.
+const LEAST: f64 = 0.2;
 /// A turn that lowers the energy by no more than this share of it is the last: most poses take some five. With ten times as much,
 /// drags jump by some pixels.
 const GAIN: f64 = 2e-3;
@@ -161,9 +162,9 @@ impl Relaxation {
         Self { freedom: freedom.to_vec(), first, rest, nodes, terms, unit, hold, inverse }
     }
 
-    /// Lowers the distortion of motions. `is_free` tells of each site whether its rotation is to be found, `stretch` what stretch it expects;
-    /// a turn that moves no site by more than `settled` pixels is the last.
-    pub(super) fn settle(&self, motions: &mut [Motion], is_free: &[bool], stretch: &[DMat2], settled: f64) {
+    /// Lowers the distortion of motions. `is_free` tells of each site whether its rotation is to be found, `scales` how large things are to
+    /// be around it; a turn that moves no site by more than `settled` pixels is the last.
+    pub(super) fn settle(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], settled: f64) {
         if self.hold.is_empty() {
             return;
         }
@@ -172,7 +173,7 @@ impl Relaxation {
             let linear = motion.linear();
             parts.push([rest + motion.translation / self.unit, linear.x_axis, linear.y_axis]);
         }
-        let mut relaxing = Relaxing::new(self, &parts, is_free, stretch);
+        let mut relaxing = Relaxing::new(self, &parts, is_free, scales);
         let solve = |values: &mut [DVec2]| {
             self.inverse.solve(values);
             self.keep(is_free, values);

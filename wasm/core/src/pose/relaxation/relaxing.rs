@@ -30,9 +30,9 @@ pub(super) struct Relaxing<'a> {
 /// What a node sees.
 #[derive(Debug, Clone, Copy)]
 struct Sight {
-    /// What undoes the stretch that is expected.
-    unstretch: DMat2,
-    /// The derivative J after it.
+    /// Reciprocal of the scale that is asked for.
+    unscale: f64,
+    /// The derivative J times it.
     derivative: DMat2,
     /// How that changes along the direction.
     along: DMat2,
@@ -65,16 +65,15 @@ const NO_LINES: Lines = Lines {
 };
 
 impl<'a> Relaxing<'a> {
-    /// Where the parts of all sites are these, whose places are where the sites go; `stretch` is what each site expects.
-    pub(super) fn new(relaxation: &'a Relaxation, parts: &[Parts], is_free: &'a [bool], stretch: &[DMat2]) -> Self {
+    /// Where the parts of all sites are these, whose places are where the sites go; `scales` are what the sites ask for.
+    pub(super) fn new(relaxation: &'a Relaxation, parts: &[Parts], is_free: &'a [bool], scales: &[f64]) -> Self {
         let parts: Vec<Parts> =
             parts.iter().zip(&relaxation.rest).map(|(&parts, &rest)| at_origin(parts, rest)).collect();
-        let is_stretched = stretch.iter().any(|&stretch| stretch != DMat2::IDENTITY);
+        let is_scaled = scales.iter().any(|&scale| scale != 1.0);
         let sight = |(node, terms): (&Node, &[Term])| {
-            let expected = |sum, term: &Term| sum + stretch[term.site as usize] * term.weight;
-            let unstretch =
-                if is_stretched { terms.iter().fold(DMat2::ZERO, expected).inverse() } else { DMat2::IDENTITY };
-            Sight { unstretch, derivative: derivative(node, terms, &parts) * unstretch, along: DMat2::ZERO }
+            let scale = |term: &Term| term.weight * scales[term.site as usize];
+            let unscale = if is_scaled { 1.0 / terms.iter().map(scale).sum::<f64>() } else { 1.0 };
+            Sight { unscale, derivative: unscale * derivative(node, terms, &parts), along: DMat2::ZERO }
         };
         let unknowns = relaxation.hold.len();
         let count = relaxation.nodes.len().div_ceil(LANES);
@@ -116,7 +115,7 @@ impl Landscape for Relaxing<'_> {
         });
         for (at, ((node, terms), sight)) in seen(&relaxation.nodes, &relaxation.terms).zip(&mut self.sights).enumerate()
         {
-            let along = derivative(node, &terms[node.fixed as usize..], &self.parts) * sight.unstretch;
+            let along = sight.unscale * derivative(node, &terms[node.fixed as usize..], &self.parts);
             sight.along = along;
             let (x, y) = (sight.derivative.x_axis, sight.derivative.y_axis);
             let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
@@ -178,7 +177,7 @@ impl Landscape for Relaxing<'_> {
         for (at, ((node, terms), sight)) in nodes.enumerate() {
             let (slopes, lane) = (&self.slopes[at / LANES], at % LANES);
             let pull = gradient(sight.derivative, slopes.by_det[lane], slopes.by_square[lane]);
-            let pull = pull * sight.unstretch.transpose();
+            let pull = sight.unscale * pull;
             for term in &terms[node.fixed as usize..] {
                 term.pull(node.at, pull, &mut self.parts[term.site as usize]);
             }
