@@ -127,13 +127,14 @@ impl Column {
 impl Swept {
     /// Adds the rows of a batch, normalised.
     fn push_rows(&mut self, columns: &mut [Column], count: usize) {
-        let (mut sums, mut nearest) = ([0.0; BATCH], [(f64::INFINITY, NONE); BATCH]);
-        let (sums, nearest) = (&mut sums[..count], &mut nearest[..count]);
+        let (mut sums, mut least, mut nearest) = ([0.0; BATCH], [f64::INFINITY; BATCH], [NONE; BATCH]);
+        let (sums, least, nearest) = (&mut sums[..count], &mut least[..count], &mut nearest[..count]);
         for column in &*columns {
+            let (distance, phi, site) = (&column.distance[..count], &column.phi[..count], column.site);
             for k in 0..count {
-                sums[k] += column.phi[k];
-                nearest[k] =
-                    if column.distance[k] < nearest[k].0 { (column.distance[k], column.site) } else { nearest[k] };
+                sums[k] += phi[k];
+                nearest[k] = if distance[k] < least[k] { site } else { nearest[k] };
+                least[k] = if distance[k] < least[k] { distance[k] } else { least[k] };
             }
         }
         for column in &mut *columns {
@@ -142,6 +143,6 @@ impl Swept {
         }
         self.weights.push_rows(count, &columns.iter().map(|column| (column.site, &column.phi)));
         self.sums.extend_from_slice(sums);
-        self.nearest.extend(nearest.iter().map(|&(_, site)| site));
+        self.nearest.extend_from_slice(nearest);
     }
 }
