@@ -1,9 +1,9 @@
 //! The rigid pose mode: it needs no rotations, keeps handles in place, and bends with little distortion.
 
 use c2warp::{
-    Solution,
+    Error, Solution,
     pose::Pose,
-    project::{PoseMode, Project, Rotation, Shape, Support},
+    project::{Handle, PoseMode, Project, Rotation, Shape, Support},
 };
 use glam::{DMat2, DVec2};
 
@@ -194,4 +194,42 @@ fn a_set_rotation_is_kept() {
     let site = solution.sites.iter().position(|site| site.origin.handle() == Some(1)).expect("a real site");
     assert_eq!(pose.motions()[site].angle, 25.0_f64.to_radians());
     assert!(pose.motions().iter().any(|motion| motion.angle.abs() > 0.3));
+}
+
+#[test]
+fn whatever_handles_ask_for_motions_are_finite_or_it_is_refused_by_name() {
+    let ring = [(40.0, 160.0), (360.0, 160.0), (360.0, 240.0), (40.0, 240.0)].map(DVec2::from).to_vec();
+    let bar = |id: &str, posed: DVec2| Handle {
+        id: id.into(),
+        shape: Shape::Bar {
+            rest: [(250.0, 180.0), (250.0, 220.0)].map(DVec2::from).to_vec(),
+            posed: vec![posed, posed + DVec2::new(0.0, 40.0)],
+        },
+        ..handle(0, DVec2::ZERO, DVec2::ZERO, 0.0)
+    };
+    let rest = DVec2::new(100.0, 200.0);
+    let mut project = posed(&[ring], &[(rest, rest)], PoseMode::Rigid);
+    project.handles.push(bar("bar", DVec2::new(250.0, 180.0)));
+    let solution = solved(&project).expect("a valid scene");
+    for scale in [f64::NAN, -1.0, 0.0, 1e-300, 1e-9, 1e9, 1e12, 1e300] {
+        for far in [0.0, 1e9, 1e11, 1e300] {
+            for which in 0..2 {
+                let mut handles = project.handles.clone();
+                handles[which].scale = scale;
+                match &mut handles[which].shape {
+                    Shape::Point { posed, .. } => posed.x += far,
+                    Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => posed[0].x += far,
+                }
+                match solution.poser().pose(&handles, project.pose.blend) {
+                    Ok(pose) => {
+                        assert!(scale > 0.0 && scale < 1e300 && far < 1e300, "{scale} and {far} px are taken");
+                        let posed = solution.posed_vertices(&pose);
+                        assert!(posed.iter().all(|p| p.is_finite()), "{which} by {scale} and {far} px");
+                    }
+                    Err(Error::PoseNotFinite { id }) => assert_eq!(id, handles[which].id),
+                    Err(other) => panic!("{other}"),
+                }
+            }
+        }
+    }
 }

@@ -71,10 +71,14 @@ impl Poser {
     /// play no part, but for the turn of bars and polygons.
     ///
     /// # Errors
-    /// [`Error::PoseMismatch`] for other handles than were solved; [`Error::PoseNotFinite`].
+    /// [`Error::PoseMismatch`] for other handles than were solved; [`Error::PoseNotFinite`] for numbers that overflow, and scales that are
+    /// not above 0.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
         if handles.len() != self.handles || !self.fits(handles) {
             return Err(Error::PoseMismatch { expected: self.handles, found: handles.len() });
+        }
+        if let Some(flat) = handles.iter().find(|handle| handle.scale.is_nan() || handle.scale <= 0.0) {
+            return Err(Error::PoseNotFinite { id: flat.id.clone() });
         }
         let mut motions = self.real_motions(handles);
         for (origin, motion) in self.origin.iter().zip(&motions) {
@@ -82,6 +86,7 @@ impl Poser {
                 return Err(Error::PoseNotFinite { id: handles[handle].id.clone() });
             }
         }
+        self.turn_automatic(handles, &mut motions);
         // What stays adds nothing: a held outline, and most handles as a rule.
         let linear: Vec<Option<DMat2>> =
             motions.iter().map(|motion| (*motion != Motion::default()).then(|| motion.linear())).collect();
@@ -115,7 +120,7 @@ impl Poser {
         points.all(|handle| matches!(handle.shape, Shape::Point { .. })) && self.skeleton.fits(handles)
     }
 
-    /// The motions of the real sites; none of the virtual ones yet.
+    /// The motions of the real sites, but for automatic rotations; none of the virtual ones yet.
     fn real_motions(&self, handles: &[Handle]) -> Vec<Motion> {
         let bones = self.skeleton.motions(handles);
         let motion = |(&rest, origin): (&DVec2, &Origin)| match *origin {
@@ -123,15 +128,18 @@ impl Poser {
             Origin::Bone { handle, bone } => of_bone(rest, &bones[bone as usize], handles[handle as usize].depth),
             Origin::Boundary | Origin::Virtual => Motion::default(),
         };
-        let mut motions: Vec<Motion> = self.rest.iter().zip(&self.origin).map(motion).collect();
+        self.rest.iter().zip(&self.origin).map(motion).collect()
+    }
+
+    /// Finds automatic rotations.
+    fn turn_automatic(&self, handles: &[Handle], motions: &mut [Motion]) {
         for site in 0..motions.len() {
             if let Origin::Point { handle } = self.origin[site]
                 && handles[handle as usize].rotation == Rotation::Auto
             {
-                motions[site].angle = self.turn_of_edges(site, &motions);
+                motions[site].angle = self.turn_of_edges(site, motions);
             }
         }
-        motions
     }
 
     /// How large handles ask things to be around each site. How long bars and polygons are drawn is not meant for what is around them.

@@ -183,6 +183,10 @@ impl Relaxation {
             let limits = Limits { turns, settled: settled / self.unit, gain: GAIN, level: LEVEL };
             descend(&mut relaxing, self.hold.len(), solve, limits);
         }
+        // Handles may be posed beyond all measure: what the graph makes of that is left as it is.
+        if !relaxing.unknown().iter().all(|by| by.is_finite()) {
+            return;
+        }
         self.spread(relaxing.unknown(), |site, by| {
             for (part, by) in parts[site].iter_mut().zip(by) {
                 *part += by;
