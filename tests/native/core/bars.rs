@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use c2warp::{
-    Error, Picture, Solution,
+    Error, Solution,
     pose::Pose,
     project::{Blend, Handle, PoseMode, Project, Rotation, Shape, Support},
     site::Origin,
@@ -155,14 +155,13 @@ fn a_loop_keeps_its_inside() {
 
 /// A scene, so many times as large, as the editor poses it.
 fn in_rigid_mode(name: &str, times: u32, change: impl FnOnce(&mut Project)) -> (Solution, Pose) {
-    let Scene { mut project, picture } = Scene::enlarged(name, times);
+    let mut scene = Scene::enlarged(name, times);
+    let project = &mut scene.project;
     project.weighting.support = Support::Smooth;
     (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
-    change(&mut project);
-    let (width, height) = picture.dimensions();
-    let picture = Picture::new(width, height, picture.as_raw()).expect("a picture of fair size");
-    let solution = solve(&project, &picture).expect("a valid scene");
-    let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+    change(project);
+    let solution = solve(&scene.project, &scene.solver_picture()).expect("a valid scene");
+    let pose = solution.poser().pose(&scene.project.handles, scene.project.pose.blend).expect("finite");
     (solution, pose)
 }
 

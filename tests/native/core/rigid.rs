@@ -3,11 +3,14 @@
 use c2warp::{
     Error, Solution,
     pose::Pose,
-    project::{Handle, PoseMode, Project, Rotation, Shape, Support},
+    project::{PoseMode, Project, Rotation, Shape, Support},
 };
 use glam::{DMat2, DVec2};
 
-use crate::scenes::{handle, project, solved, spread};
+use crate::{
+    bars::bar,
+    scenes::{handle, project, solved, spread},
+};
 
 /// A project whose handles rest and go, with rotations left to the solver.
 fn posed(rings: &[Vec<DVec2>], moves: &[(DVec2, DVec2)], mode: PoseMode) -> Project {
@@ -199,17 +202,10 @@ fn a_set_rotation_is_kept() {
 #[test]
 fn whatever_handles_ask_for_motions_are_finite_or_it_is_refused_by_name() {
     let ring = [(40.0, 160.0), (360.0, 160.0), (360.0, 240.0), (40.0, 240.0)].map(DVec2::from).to_vec();
-    let bar = |id: &str, posed: DVec2| Handle {
-        id: id.into(),
-        shape: Shape::Bar {
-            rest: [(250.0, 180.0), (250.0, 220.0)].map(DVec2::from).to_vec(),
-            posed: vec![posed, posed + DVec2::new(0.0, 40.0)],
-        },
-        ..handle(0, DVec2::ZERO, DVec2::ZERO, 0.0)
-    };
     let rest = DVec2::new(100.0, 200.0);
     let mut project = posed(&[ring], &[(rest, rest)], PoseMode::Rigid);
-    project.handles.push(bar("bar", DVec2::new(250.0, 180.0)));
+    let places = [(250.0, 180.0), (250.0, 220.0)];
+    project.handles.push(bar("bar", &places, &places));
     let solution = solved(&project).expect("a valid scene");
     for scale in [f64::NAN, -1.0, 0.0, 1e-300, 1e-9, 1e9, 1e12, 1e300] {
         for far in [0.0, 1e9, 1e11, 1e300] {

@@ -145,6 +145,9 @@ impl Poser {
     /// How large handles ask things to be around each site. How long bars and polygons are drawn is not meant for what is around them.
     fn scales(&self, handles: &[Handle]) -> Vec<f64> {
         let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
+        if logs.iter().all(|&log| log == 0.0) {
+            return vec![1.0; self.rest.len()];
+        }
         let log = |&(real, share): &(u32, f64)| {
             let handle = self.origin[real as usize].handle();
             share * handle.map_or(0.0, |handle| logs[handle])

@@ -194,8 +194,10 @@ impl Moments {
         let (xx, xy, yy) = (xx - at.x * at.x, xy - at.x * at.y, yy - at.y * at.y);
         let half = (xx - yy) / 2.0;
         let excess = libm::hypot(half, xy);
-        let along = (f64::midpoint(xx, yy) + excess).sqrt() * turn(libm::atan2(xy, half) / 2.0);
-        (2.0 * excess > least * least).then(|| [at - along, at + along])
+        (2.0 * excess > least * least).then(|| {
+            let along = (f64::midpoint(xx, yy) + excess).sqrt() * turn(libm::atan2(xy, half) / 2.0);
+            [at - along, at + along]
+        })
     }
 }
 
