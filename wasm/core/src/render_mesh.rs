@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::{pose::HarmonicFields, sample::Samples, weight::SparseWeights};
+use crate::{pose::HarmonicFields, sample::Samples};
 
 /// Triangles to draw, later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,11 +46,10 @@ impl RenderMesh {
     }
 }
 
-/// The real site that moves each sample most, by way of the site that has the largest weight.
-pub(crate) fn leading_sites(weights: &SparseWeights, harmonic: &HarmonicFields) -> Vec<u32> {
+/// The real site that each sample goes with: of the sample's cell, the one that has the largest share.
+pub(crate) fn leading_sites(nearest: &[u32], harmonic: &HarmonicFields) -> Vec<u32> {
     let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
-    let lead = |point: usize| weights.strongest(point).map_or(0, |site| leader[site]);
-    (0..weights.len()).map(lead).collect()
+    nearest.iter().map(|&site| leader.get(site as usize).copied().unwrap_or(0)).collect()
 }
 
 /// The real site that has the largest share of a site. Real sites come first, from top to bottom.

@@ -191,7 +191,7 @@ impl Solver {
             .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
         let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode, quadrature);
         let count = samples.len();
-        let leading = leading_sites(&weights, &harmonic);
+        let leading = leading_sites(&nearest, &harmonic);
         weights.extend_as(&samples.rim.owners);
         let mesh = RenderMesh::new(samples, &leading);
         Solution {

@@ -87,12 +87,6 @@ impl SparseWeights {
         self.sites[range.clone()].iter().zip(&self.weights[range]).map(|(&site, &weight)| (site as usize, weight))
     }
 
-    /// The site that moves a point most, the first of several, if any moves it.
-    pub(crate) fn strongest(&self, point: usize) -> Option<usize> {
-        let stronger = |best: (usize, f64), at: (usize, f64)| if at.1 > best.1 { at } else { best };
-        self.row(point).reduce(stronger).map(|(site, _)| site)
-    }
-
     /// The weights of a point, in the order of [`row`](Self::row).
     pub(super) fn row_mut(&mut self, point: usize) -> &mut [f64] {
         &mut self.weights[self.offsets[point] as usize..self.offsets[point + 1] as usize]
