@@ -78,6 +78,55 @@ test('one press, drag and release draws a whole bar, with Shift at 45°', async 
   expect(bar.posed[1]?.[1]).toBeCloseTo(bar.posed[0]?.[1] ?? 0, 1);
 });
 
+test('a double click gives a bar a corner there, which bends it, and one on the corner takes it away', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const at = await leg(editor);
+  await page.keyboard.press('v');
+  const corners = () => editor.inProject('bar-6').then((bar) => (bar?.kind === 'bar' ? bar.posed.length : 0));
+  const [knee, bent] = [at(380, 930), at(340, 930)];
+  await page.mouse.dblclick(knee.x, knee.y);
+  await expect(editor.corner(2, 'bar 6')).toBeFocused();
+  await editor.drag(knee, { x: bent.x - knee.x, y: 0 });
+  const bar = await editor.inProject('bar-6');
+  if (bar?.kind !== 'bar' || bar.posed.length !== 3) throw new Error('the bar has a knee');
+  for (const k of [0, 1, 2]) await settles(editor, bar.rest[k] ?? [0, 0], bar.posed[k] ?? [0, 0]);
+  expect(bar.posed[1]?.[0]).toBeLessThan((bar.rest[1]?.[0] ?? 0) - 30);
+
+  await page.mouse.dblclick(bent.x, bent.y);
+  await expect(editor.button('Undo: delete a corner of bar 6')).toBeEnabled();
+  expect(await corners()).toBe(2);
+  // The ends stay: a bar has two.
+  const ankle = at(...ANKLE);
+  await page.mouse.dblclick(ankle.x, ankle.y);
+  expect(await corners()).toBe(2);
+  await page.keyboard.press('Control+z');
+  await expect.poll(corners).toBe(3);
+});
+
+test('by keys a corner is added beside the one that has the focus, and deleted', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await leg(editor);
+  await page.keyboard.press('v');
+  await editor.corner(2, 'bar 6').focus();
+  await page.keyboard.press('c');
+  // Behind an end there is no edge: it comes before.
+  await expect(editor.corner(2, 'bar 6')).toBeFocused();
+  await expect(editor.corner(3, 'bar 6')).toBeVisible();
+  await page.keyboard.press('Shift+ArrowLeft');
+  await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+  await page.keyboard.press('x');
+  await expect(editor.corner(1, 'bar 6')).toBeFocused();
+  await expect(editor.corner(3, 'bar 6')).toBeHidden();
+  // Two are needed.
+  await page.keyboard.press('x');
+  await expect(editor.corner(2, 'bar 6')).toBeVisible();
+  await editor.button('Add a corner').click();
+  await expect(editor.corner(2, 'bar 6')).toBeFocused();
+  await expect(editor.corner(3, 'bar 6')).toBeVisible();
+});
+
 test('a polygon closes on its first corner, and carries the picture inside it along', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
@@ -244,6 +293,28 @@ test.describe('under fingers', () => {
     await touch('touchMove', { x: end.x + 20, y: end.y - 16 });
     await touch('touchEnd');
     await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+  });
+
+  test('a double tap gives a bar a corner', async ({ page }) => {
+    const editor = await Editor.open(page);
+    const at = await editor.fromImage('head', [512, 260]);
+    await editor.button('Draw a bar').tap();
+    // In an arm, which the sheet of what is selected leaves free.
+    for (const place of [at(260, 560), at(480, 560)]) await page.touchscreen.tap(place.x, place.y);
+    await editor.button('Finish').tap();
+    await editor.button('Select and move').tap();
+    const knee = await editor.place('bar 6');
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: Place[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    // Without waiting for one another: on a busy machine two taps would be too far apart.
+    await Promise.all([
+      touch('touchStart', knee),
+      touch('touchEnd'),
+      touch('touchStart', knee),
+      touch('touchEnd'),
+    ]);
+    await expect(editor.corner(3, 'bar 6')).toBeVisible();
   });
 
   test('how the picture bends can be chosen while nothing is selected', async ({ page }) => {

@@ -2,12 +2,14 @@ import { describe, expect, it } from 'vitest';
 import { bent } from './bending';
 import { type Document, newProject, openDocument } from './document';
 import {
+  addCorner,
   addHandle,
   freeId,
   holdBoundary,
   moveHandles,
   putCorner,
   raiseHandles,
+  removeCorner,
   removeHandles,
   resetHandles,
   selectHandles,
@@ -57,6 +59,36 @@ describe('bars and polygons', () => {
   const bar = straightBar(10);
   const held = addHandle(empty, bar);
   const arm = (document: Document) => document.project.handles[0] as BarHandle;
+
+  it('get a corner as far along at rest as posed, and lose it again', () => {
+    const pulled = putCorner(held, 'arm', 1, [0, 40]);
+    const divided = addCorner(pulled, 'arm', { edge: 0, share: 0.25 });
+    expect(arm(divided)).toMatchObject({
+      rest: [
+        [0, 0],
+        [2.5, 0],
+        [10, 0],
+      ],
+      posed: [
+        [0, 0],
+        [0, 10],
+        [0, 40],
+      ],
+    });
+    expect(rotationOf(arm(divided))).toBeCloseTo(90);
+    expect(removeCorner(divided, 'arm', 1)).toEqual(pulled);
+  });
+
+  it('may have the corner on the edge that closes them', () => {
+    const around = [
+      [0, 0],
+      [8, 0],
+      [0, 8],
+    ] as const;
+    const ring = addHandle(empty, { id: 'ring', kind: 'polygon', rest: around, posed: around });
+    const [divided] = addCorner(ring, 'ring', { edge: 2, share: 0.5 }).project.handles;
+    expect(divided?.posed).toEqual([...around, [0, 4]]);
+  });
 
   it('turn about their middle by any number of turns, and come back to rest', () => {
     const turned = turnHandles(held, ['arm'], () => 450);

@@ -1,9 +1,20 @@
 /** Changes of a document, each a pure function from the document before to the document after. */
+import type { LinePlace } from '../geometry/polyline';
 import type { Vec } from '../geometry/vec';
 import { restingRotation } from './bending';
 import type { Document } from './document';
-import { atDepth, atRest, cornerPut, depthOf, isLine, moved, turnedTo } from './handle';
-import type { Handle, Project } from './project';
+import {
+  atDepth,
+  atRest,
+  cornerAdded,
+  cornerPut,
+  cornerRemoved,
+  depthOf,
+  isLine,
+  moved,
+  turnedTo,
+} from './handle';
+import type { Handle, LineHandle, Project } from './project';
 
 const withHandles = (document: Document, handles: readonly Handle[]): Document => ({
   ...document,
@@ -20,6 +31,9 @@ export const changeHandles = (
     document,
     document.project.handles.map((handle) => (ids.includes(handle.id) ? change(handle) : handle)),
   );
+
+const changeLine = (document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document =>
+  changeHandles(document, [id], (handle) => (isLine(handle) ? change(handle) : handle));
 
 /** Adds a handle at the end and selects it alone. */
 export const addHandle = (document: Document, handle: Handle): Document => ({
@@ -52,8 +66,15 @@ export const putCorner = (
   index: number,
   at: Vec,
   before?: number,
-): Document =>
-  changeHandles(document, [id], (handle) => (isLine(handle) ? cornerPut(handle, index, at, before) : handle));
+): Document => changeLine(document, id, (handle) => cornerPut(handle, index, at, before));
+
+/** One corner more on an edge of a handle. */
+export const addCorner = (document: Document, id: string, at: LinePlace): Document =>
+  changeLine(document, id, (handle) => cornerAdded(handle, at));
+
+/** One corner of a handle less. */
+export const removeCorner = (document: Document, id: string, index: number): Document =>
+  changeLine(document, id, (handle) => cornerRemoved(handle, index));
 
 /** Nearer to the eye by so much, or farther where it is negative. */
 export const raiseHandles = (document: Document, ids: readonly string[], by: number): Document =>

@@ -1,6 +1,6 @@
 /** One handle: reading it, and the pure changes that a person makes to it. */
-import { bestTurn, centre, nearestTurn } from '../geometry/polyline';
-import { add, rotated, subtract, type Vec, wrapDegrees } from '../geometry/vec';
+import { bestTurn, centre, edgesOf, type LinePlace, nearestTurn } from '../geometry/polyline';
+import { add, between, rotated, subtract, type Vec, wrapDegrees } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** How far each automatic handle is turned now, degrees by id. */
@@ -73,6 +73,25 @@ export function cornerPut(
   const turn = turnNear(next, before);
   const counted = typeof handle.rotation === 'number' || Math.abs(turn) > 180;
   return counted ? { ...next, rotation: rounded(turn) } : next;
+}
+
+/** Corners that a bar or polygon has at least. */
+export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'], number>> = { bar: 2, polygon: 3 };
+
+/** One corner more, on an edge. At rest it is as far along: the edge stays straight, and nothing bends by it. */
+export function cornerAdded(handle: LineHandle, { edge, share }: LinePlace): LineHandle {
+  const divided = (corners: readonly Vec[]): readonly Vec[] => {
+    const ends = edgesOf(corners, handle.kind === 'polygon')[edge];
+    if (!ends) return corners;
+    return [...corners.slice(0, edge + 1), roundedVec(between(...ends, share)), ...corners.slice(edge + 1)];
+  };
+  return { ...handle, rest: divided(handle.rest), posed: divided(handle.posed) };
+}
+
+/** One corner less. */
+export function cornerRemoved(handle: LineHandle, index: number): LineHandle {
+  const without = (corners: readonly Vec[]) => corners.filter((_, k) => k !== index);
+  return { ...handle, rest: without(handle.rest), posed: without(handle.posed) };
 }
 
 /** Turned by whatever is around it. */

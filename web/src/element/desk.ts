@@ -187,6 +187,8 @@ export class Desk {
       choose: (tool) => this.choose(tool),
       flip: () => this.#compare(!this.#comparing),
       bail: () => this.#bail(),
+      addCorner: () => this.#input?.addCorner(),
+      removeCorner: () => this.#input?.removeCorner(),
       settings: () => this.#openSettings(!this.#settings),
       looked: () => this.#looked(),
     });

@@ -6,11 +6,13 @@
 import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
 import { type Document, handleById, selectedHandles } from '../document/document';
 import {
+  addCorner,
   changeHandles,
   holdBoundary,
   moveHandles,
   putCorner,
   raiseHandles,
+  removeCorner,
   removeHandles,
   resetHandles,
   selectHandles,
@@ -19,6 +21,7 @@ import {
 import {
   anchor,
   atDepth,
+  CORNERS_NEEDED,
   DEPTHS,
   depthOf,
   freed,
@@ -32,9 +35,10 @@ import {
   turnedTo,
 } from '../document/handle';
 import { History, type HistoryRecord } from '../document/history';
-import type { Handle, PoseMode, Project } from '../document/project';
+import type { Handle, LineHandle, PoseMode, Project } from '../document/project';
 import { solveKey } from '../document/solved';
 import type { Blend } from '../geometry/blend';
+import type { LinePlace } from '../geometry/polyline';
 import { add, type Vec } from '../geometry/vec';
 import { ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
@@ -163,6 +167,23 @@ export class Editing {
     if (!handle || !at) return;
     const next = putCorner(this.document, id, index, add(at, by));
     this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`);
+  }
+
+  /** One corner more on a bar or polygon. Returns which it is. */
+  addCorner(handle: LineHandle, at: LinePlace): number {
+    this.step(`Add a corner to ${nameOf(handle)}`, addCorner(this.document, handle.id, at));
+    return at.edge + 1;
+  }
+
+  /** One corner less, if enough are left. Returns the one before it, or null where it stays. */
+  removeCorner(handle: LineHandle, index: number): number | null {
+    const needed = CORNERS_NEEDED[handle.kind];
+    if (handle.posed.length <= needed) {
+      this.#host.say(`A ${handle.kind} needs ${needed} corners`);
+      return null;
+    }
+    this.step(`Delete a corner of ${nameOf(handle)}`, removeCorner(this.document, handle.id, index));
+    return Math.max(0, index - 1);
   }
 
   /** Nearer to the eye by so much, or farther. */

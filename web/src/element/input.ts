@@ -1,7 +1,10 @@
 /** From pointers and keys to the tools: presses in image pixels, what the pointer would take hold of, nudges. */
-import { handleById } from '../document/document';
+import { handleById, selectedHandles } from '../document/document';
+import { isLine } from '../document/handle';
+import type { LineHandle } from '../document/project';
 import { type Camera, toImage } from '../geometry/camera';
-import { add, scaled, type Vec } from '../geometry/vec';
+import { edgesOf, type LinePlace, nearestPlace } from '../geometry/polyline';
+import { add, distance, scaled, type Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
 import { hit } from '../tools/hit';
 import type { Grips, Press, Scene } from '../tools/state';
@@ -65,6 +68,7 @@ export class Input {
       pressMove: (pointer) => this.#apply(host.editing.machine.move(this.#press(pointer), this.scene)),
       pressUp: (pointer) => this.#up(pointer),
       pressCancel: () => this.#apply(host.editing.machine.cancel()),
+      pressedTwice: (pointer) => this.#pressedTwice(this.#press(pointer).at),
       hover: (pointer) => this.#hover(pointer),
     });
     this.#keyboard = new Keyboard(root, {
@@ -121,6 +125,26 @@ export class Input {
     if (!editing.machine.draft) this.#host.held(editing.document.selection[0]);
   }
 
+  /** One corner more: half way to the next from the corner that has the focus, else on the longest edge of what is selected. */
+  addCorner(): void {
+    const { document } = this.#host.editing;
+    const corner = this.#focusedCorner;
+    const [only, ...others] = selectedHandles(document);
+    const handle = corner ? handleById(document, corner.id) : others.length === 0 ? only : undefined;
+    if (!handle || !isLine(handle)) return;
+    const lengths = edgesOf(handle.posed, handle.kind === 'polygon').map(([a, b]) => distance(a, b));
+    const longest = lengths.indexOf(Math.max(...lengths));
+    const edge = corner ? Math.min(corner.index, lengths.length - 1) : longest;
+    this.#addCorner(handle, { edge, share: 0.5 });
+  }
+
+  /** The corner that has the focus goes, and the one before it takes the focus. */
+  removeCorner(): void {
+    const corner = this.#focusedCorner;
+    const handle = corner && handleById(this.#host.editing.document, corner.id);
+    if (handle && isLine(handle)) this.#removeCorner(handle, corner.index);
+  }
+
   release(): void {
     this.#pointing.release();
     this.#keyboard.release();
@@ -157,6 +181,28 @@ export class Input {
     const keeps = held !== null && held.part !== 'ring' && selection.includes(held.id);
     if (keeps && held.part === 'corner') this.#host.held(held.id, held.index);
     else this.#host.held(keeps ? held.id : selection[0]);
+  }
+
+  /** On a corner it goes; on the line beside them there is one more. What is drawn ends by two clicks as well. */
+  #pressedTwice(at: Vec): void {
+    const { editing, editable } = this.#host;
+    if (!editable || editing.machine.tool !== 'select') return;
+    const under = hit(this.scene, at, false);
+    const handle = under && handleById(editing.document, under.id);
+    if (!handle || !isLine(handle)) return;
+    if (under.part === 'corner') this.#removeCorner(handle, under.index);
+    if (under.part !== 'handle') return;
+    const place = nearestPlace(handle.posed, handle.kind === 'polygon', at);
+    if (place.away <= this.grips.line) this.#addCorner(handle, place);
+  }
+
+  #addCorner(handle: LineHandle, at: LinePlace): void {
+    this.#host.held(handle.id, this.#host.editing.addCorner(handle, at));
+  }
+
+  #removeCorner(handle: LineHandle, index: number): void {
+    const before = this.#host.editing.removeCorner(handle, index);
+    if (before !== null) this.#host.held(handle.id, before);
   }
 
   #apply(effects: Parameters<Editing['apply']>[0]): void {

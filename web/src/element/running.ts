@@ -15,6 +15,8 @@ export interface RunningHost {
   /** Holds the original up until it is asked again. */
   flip(): void;
   bail(): void;
+  addCorner(): void;
+  removeCorner(): void;
   /** Opens or closes what concerns the whole picture, where there is no room for it always. */
   settings(): void;
   looked(): void;
@@ -44,6 +46,8 @@ export function run(command: CommandName, host: RunningHost): void {
     reset: () => edit(() => editing.reset(false)),
     'reset-all': () => edit(() => editing.reset(true)),
     remove: () => edit(() => (drawing() ? look(back) : editing.remove())),
+    'add-corner': () => edit(() => host.addCorner()),
+    'remove-corner': () => edit(() => host.removeCorner()),
     forward: () => edit(() => editing.raise(1)),
     backward: () => edit(() => editing.raise(-1)),
     settings: () => host.settings(),

@@ -1,5 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { bestTurn, centre, constrained, distanceToLine, edgesOf, isInside, nearestTurn } from './polyline';
+import {
+  bestTurn,
+  centre,
+  constrained,
+  distanceToLine,
+  edgesOf,
+  isInside,
+  nearestPlace,
+  nearestTurn,
+} from './polyline';
 import type { Vec } from './vec';
 
 const square: readonly Vec[] = [
@@ -20,6 +29,12 @@ describe('a line through corners', () => {
     expect(distanceToLine(square, false, [-1, 2])).toBeCloseTo(Math.hypot(1, 2));
     expect(distanceToLine(square, true, [-1, 2])).toBe(1);
     expect(distanceToLine([[3, 3]], false, [0, 0])).toBe(Number.POSITIVE_INFINITY);
+  });
+
+  it('knows on which edge that is, the closing one being the last', () => {
+    expect(nearestPlace(square, true, [5, 1])).toEqual({ edge: 1, share: 0.25, away: 1 });
+    expect(nearestPlace(square, true, [-1, 1])).toEqual({ edge: 3, share: 0.75, away: 1 });
+    expect(nearestPlace(square, false, [-1, 3])).toMatchObject({ edge: 2, share: 1 });
   });
 
   it('holds what lies inside', () => {

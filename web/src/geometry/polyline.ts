@@ -8,26 +8,40 @@ export const centre = (corners: readonly Vec[]): Vec =>
     1 / Math.max(1, corners.length),
   );
 
-/** The edges, as pairs of corners. */
+/** The edges, as pairs of corners: from each corner to the next, and at last, of a closed line, to the first. */
 export const edgesOf = (corners: readonly Vec[], closed: boolean): readonly (readonly [Vec, Vec])[] =>
-  corners.flatMap((to, k) => {
-    const from = k > 0 ? corners[k - 1] : closed ? corners.at(-1) : undefined;
-    return from ? [[from, to] as const] : [];
+  corners.flatMap((from, k) => {
+    const to = corners[k + 1] ?? (closed ? corners[0] : undefined);
+    return to ? [[from, to] as const] : [];
   });
+
+/** A place on a line: a share of the way along an edge, which are counted as {@link edgesOf} lists them. */
+export interface LinePlace {
+  readonly edge: number;
+  readonly share: number;
+}
+
+/** The place of the line that is nearest to a point, and how far that is; infinitely far where there is no edge. */
+export function nearestPlace(
+  corners: readonly Vec[],
+  closed: boolean,
+  p: Vec,
+): LinePlace & { readonly away: number } {
+  let best = { edge: 0, share: 0, away: Number.POSITIVE_INFINITY };
+  for (const [edge, [a, b]] of edgesOf(corners, closed).entries()) {
+    const [along, to] = [subtract(b, a), subtract(p, a)];
+    const squared = along[0] ** 2 + along[1] ** 2;
+    const foot = squared === 0 ? 0 : (along[0] * to[0] + along[1] * to[1]) / squared;
+    const share = Math.min(1, Math.max(0, foot));
+    const away = distance(p, between(a, b, share));
+    if (away < best.away) best = { edge, share, away };
+  }
+  return best;
+}
 
 /** From a point to the nearest place of the line. */
 export const distanceToLine = (corners: readonly Vec[], closed: boolean, p: Vec): number =>
-  edgesOf(corners, closed).reduce(
-    (least, [a, b]) => Math.min(least, distanceToEdge(a, b, p)),
-    Number.POSITIVE_INFINITY,
-  );
-
-function distanceToEdge(a: Vec, b: Vec, p: Vec): number {
-  const [along, to] = [subtract(b, a), subtract(p, a)];
-  const squared = along[0] ** 2 + along[1] ** 2;
-  const share = squared === 0 ? 0 : (along[0] * to[0] + along[1] * to[1]) / squared;
-  return distance(p, between(a, b, Math.min(1, Math.max(0, share))));
-}
+  nearestPlace(corners, closed, p).away;
 
 /** By the even-odd rule. */
 export const isInside = (corners: readonly Vec[], [x, y]: Vec): boolean =>

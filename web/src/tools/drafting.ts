@@ -5,15 +5,13 @@
  * draws a whole bar. Shift keeps to steps of 45°. Cancelling a press takes back the corner that it set, not the drawing.
  */
 import { addHandle, freeId } from '../document/edits';
-import { isLine, rounded, roundedVec } from '../document/handle';
+import { CORNERS_NEEDED, isLine, rounded, roundedVec } from '../document/handle';
 import type { LineHandle, Project } from '../document/project';
 import { constrained } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import { type Draft, type Outcome, outcome, type Press, type Scene, type State } from './state';
 
 export type LineKind = LineHandle['kind'];
-
-export const CORNERS_NEEDED: Readonly<Record<LineKind, number>> = { bar: 2, polygon: 3 };
 
 /** Steps of direction while Shift is held, degrees. */
 export const STEP_DEGREES = 45;

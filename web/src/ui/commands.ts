@@ -23,6 +23,8 @@ export const COMMANDS = {
   'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },
   reset: { label: 'Reset', icon: 'reset', keys: [] },
   remove: { label: 'Delete', icon: 'remove', keys: ['Delete', 'Backspace'] },
+  'add-corner': { label: 'Add a corner', icon: 'add-corner', keys: ['C'] },
+  'remove-corner': { label: 'Delete the corner', icon: 'remove-corner', keys: ['X'] },
   forward: { label: 'Bring forward', icon: 'forward', keys: [']'] },
   backward: { label: 'Send back', icon: 'backward', keys: ['['] },
   compare: { label: 'Hold to compare with the original', icon: 'compare', keys: ['O'] },

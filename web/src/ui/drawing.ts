@@ -1,8 +1,9 @@
 /** A bar or polygon that is being drawn: its line as far as it goes, on to the pointer, and what can be done with it. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { CORNERS_NEEDED } from '../document/handle';
 import { toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
-import { CORNERS_NEEDED, isDrawable } from '../tools/drafting';
+import { isDrawable } from '../tools/drafting';
 import { dots, onStage } from './dots';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';

@@ -19,6 +19,8 @@ const SHAPES = {
   redo: svg`<path d="m12.8 4 3.6 3.6-3.6 3.6M16 7.6H8.4a4.6 4.6 0 0 0 0 9.2H12"/>`,
   reset: svg`<path d="M4.1 8.1A6.4 6.4 0 1 1 3.6 11M3.6 4.3v3.9h3.9"/>`,
   remove: svg`<path d="M3.8 5.6h12.4M8 5.4V4c0-.5.4-.9.9-.9h2.2c.5 0 .9.4.9.9v1.4M5.4 5.8l.7 9.9c0 .6.5 1 1.1 1h5.6c.6 0 1.1-.4 1.1-1l.7-9.9M8.4 8.8v5M11.6 8.8v5"/>`,
+  'add-corner': svg`<path d="M3.2 16.4 8.6 8.6l8.2 3.6"/><circle cx="8.6" cy="8.6" r="1.9" fill="currentColor" stroke="none"/><path d="M14.6 2.6v5M12.1 5.1h5"/>`,
+  'remove-corner': svg`<path d="M3.2 16.4 8.6 8.6l8.2 3.6"/><circle cx="8.6" cy="8.6" r="1.9" fill="currentColor" stroke="none"/><path d="M12.1 5.1h5"/>`,
   compare: svg`<rect x="3" y="4.2" width="14" height="11.6" rx="1.2"/><path d="M10 2.6v14.8"/><path d="M10 5v10h6V5Z" fill="currentColor" stroke="none" opacity=".32"/>`,
   overlays: svg`<path d="M10 3.2 17 7l-7 3.8L3 7ZM3.4 10.3 10 13.9l6.6-3.6M3.4 13.4 10 17l6.6-3.6"/>`,
   fit: svg`<path d="M3.4 7V4.4c0-.6.4-1 1-1H7M13 3.4h2.6c.6 0 1 .4 1 1V7M16.6 13v2.6c0 .6-.4 1-1 1H13M7 16.6H4.4c-.6 0-1-.4-1-1V13"/>`,

@@ -13,7 +13,7 @@ import {
   scaleOf,
   type Turns,
 } from '../document/handle';
-import type { Handle } from '../document/project';
+import type { Handle, LineHandle } from '../document/project';
 import { bending } from './bending';
 import type { EditorActions, EditorModel, Field } from './model';
 import { commandButton } from './toolbar';
@@ -83,6 +83,7 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
         besides(look, numberField(look, selected, model, actions), selected, model, actions),
       )}
     </div>
+    ${selected.length === 1 && isLine(first) ? cornersRow(first, model, actions) : nothing}
     <div class="row">
       <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(', ')}` : ''}</span>
       ${commandButton('reset', model, actions, { enabled: !model.readonly && moved, label: 'Reset to rest' })}
@@ -90,6 +91,16 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
     </div>
   </section>`;
 }
+
+const cornersRow = ({ posed }: LineHandle, model: EditorModel, actions: EditorActions): TemplateResult =>
+  html`<div class="row">
+    <span
+      class="faint"
+      title="Double-click the line for one more there, a corner to delete it"
+      >${posed.length} corners: double-click adds or deletes one</span
+    >
+    ${commandButton('add-corner', model, actions, { enabled: !model.readonly })}
+  </div>`;
 
 /** A field, with the buttons that belong to it. */
 function besides(

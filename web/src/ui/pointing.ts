@@ -5,7 +5,7 @@
  * takes back what the first began: two fingers never edit.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
-import { subtract, type Vec } from '../geometry/vec';
+import { distance, subtract, type Vec } from '../geometry/vec';
 
 /** A pointer on the stage, CSS pixels of the stage. */
 export interface StagePointer {
@@ -23,6 +23,8 @@ export interface PointingHost {
   pressMove(pointer: StagePointer): void;
   pressUp(pointer: StagePointer): void;
   pressCancel(): void;
+  /** The press that is over was the second of two in one place. */
+  pressedTwice(pointer: StagePointer): void;
   hover(pointer: StagePointer | null): void;
 }
 
@@ -32,12 +34,23 @@ const WHEEL_ZOOM = 0.0018;
 const PINCH_ZOOM = 0.01;
 const LINE_PX = 16;
 
+/** Two presses without a drag are a double click: so soon after one another, and so near, CSS pixels of a mouse and of a finger. */
+const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
+
+interface Click {
+  readonly place: Vec;
+  readonly time: number;
+}
+
 export class Pointing {
   readonly #stage: HTMLElement;
   readonly #host: PointingHost;
   readonly #listening = new AbortController();
   readonly #fingers = new Map<number, Vec>();
   #pressing: number | null = null;
+  /** Where and when the press in hand began, and the last that was no drag ended. */
+  #begun: Click | null = null;
+  #clicked: Click | null = null;
   #navigating = false;
   #space = false;
 
@@ -72,12 +85,15 @@ export class Pointing {
     if (this.#fingers.size > 1) {
       if (this.#pressing !== null) this.#host.pressCancel();
       this.#pressing = null;
+      this.#clicked = null;
       this.#navigating = true;
       return;
     }
     if (this.#pressing !== null) return;
     this.#pressing = event.pointerId;
-    this.#host.pressDown(this.#pointer(event), this.#space || event.button === 1);
+    const pans = this.#space || event.button === 1;
+    this.#begun = pans ? null : { place: this.#place(event), time: event.timeStamp };
+    this.#host.pressDown(this.#pointer(event), pans);
   }
 
   #move(event: PointerEvent): void {
@@ -94,13 +110,26 @@ export class Pointing {
     this.#lift(event);
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
-    this.#host.pressUp(this.#pointer(event));
+    const pointer = this.#pointer(event);
+    this.#host.pressUp(pointer);
+    if (this.#isSecond(pointer, event.timeStamp)) this.#host.pressedTwice(pointer);
+  }
+
+  /** Whether a press that ends now makes a double click with the one before it. Of three in a row only the first two do. */
+  #isSecond({ stage, coarse }: StagePointer, time: number): boolean {
+    const [begun, before] = [this.#begun, this.#clicked];
+    const isNear = (click: Click) => distance(click.place, stage) <= (coarse ? TWICE.coarse : TWICE.fine);
+    const second = before !== null && time - before.time <= TWICE.ms && isNear(before);
+    const isClick = begun !== null && isNear(begun);
+    this.#clicked = isClick && !second ? { place: stage, time } : null;
+    return isClick && second;
   }
 
   #cancel(event: PointerEvent): void {
     this.#lift(event);
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
+    this.#clicked = null;
     this.#host.pressCancel();
   }
 
