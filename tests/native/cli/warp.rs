@@ -120,4 +120,8 @@ fn a_link_and_a_pipe_are_written_through() {
     let piped = command(place.folder(), "warp scene.c2warp.json -o /dev/stdout").output().unwrap().stdout;
     assert!(piped == std::fs::read(place.file("real.png")).unwrap());
     assert_eq!(place.listing(), ["out.png", "real.png", "scene.c2warp.json", "strip.png"]);
+    // Also one to what is not there yet.
+    std::fs::remove_file(place.file("real.png")).unwrap();
+    succeed(place.folder(), WARP);
+    assert!(place.file("out.png").is_symlink() && place.file("real.png").is_file());
 }

@@ -215,6 +215,25 @@ fn a_bar_that_is_drawn_longer_stretches_what_is_on_it_and_not_the_whole_picture(
 }
 
 #[test]
+fn a_bar_that_is_drawn_to_nothing_takes_no_more_along_than_one_of_a_thousandth() {
+    let far: Vec<DVec2> = [(40.0, 40.0), (360.0, 60.0), (200.0, 360.0), (60.0, 300.0)].map(DVec2::from).into();
+    let drawn_to = |length: f64| {
+        let bar = bar("bar", &[(160.0, 200.0), (240.0, 200.0)], &[(160.0, 200.0), (160.0 + length, 200.0)]);
+        let corner = DVec2::new(350.0, 350.0);
+        let mut project = square(Support::Smooth, vec![bar, handle(0, corner, corner, 0.0)]);
+        (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
+        let (solution, pose) = posed(&project);
+        far.iter().map(|&p| goes(&solution, &pose, p)).collect::<Vec<_>>()
+    };
+    let ([some, none], moved) = ([0.008, 0.0].map(&drawn_to), drawn_to(80.0));
+    for (k, p) in far.iter().enumerate() {
+        assert!(moved[k].distance(*p) < 1e-6);
+        // Less than the length of the one.
+        assert!(some[k].distance(none[k]) < 0.008, "{p} goes to {} and {}", some[k], none[k]);
+    }
+}
+
+#[test]
 fn a_scale_is_for_what_is_around_a_handle_too() {
     let rest = DVec2::new(160.0, 220.0);
     let mut project = square(Support::Smooth, vec![Handle { scale: 1.25, ..handle(0, rest, rest, 0.0) }]);

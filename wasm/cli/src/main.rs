@@ -52,7 +52,7 @@ fn main() -> ExitCode {
         // Whoever reads the output has seen enough, as `head` does.
         Err(CliError::Print(reason)) if reason.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(error) => {
-            let line = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+            let line = one_line(&error.to_string());
             // Nobody may be listening there either, and there is no third place to complain at.
             let _ = writeln!(io::stderr(), "c2warp: {line}");
             ExitCode::FAILURE
@@ -60,11 +60,22 @@ fn main() -> ExitCode {
     }
 }
 
+/// A message on one line, in which a name can do nothing to the terminal.
+fn one_line(message: &str) -> String {
+    let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
+    words.collect::<Vec<_>>().join(" ")
+}
+
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
 
-    use super::Arguments;
+    use super::{Arguments, one_line};
+
+    #[test]
+    fn a_message_is_one_line_without_control_characters() {
+        assert_eq!(one_line("handle \"\u{1b}[31mred\n x\0\": gone"), "handle \"\u{fffd}[31mred x\u{fffd}\": gone");
+    }
 
     #[test]
     fn the_arguments_contradict_each_other_nowhere() {

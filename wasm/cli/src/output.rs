@@ -25,8 +25,9 @@ impl Output {
     }
 
     fn open(path: &Path) -> io::Result<Self> {
-        // A link stays a link to what it names.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        // A link stays a link to what it names, be that there or not.
+        let named = |_| fs::read_link(path).map(|to| path.with_file_name("").join(to));
+        let path = fs::canonicalize(path).or_else(named).unwrap_or_else(|_| path.to_owned());
         let (file, temporary) = match fs::metadata(&path) {
             Ok(place) if place.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
             Ok(place) if !place.is_file() => (OpenOptions::new().write(true).open(&path)?, None),

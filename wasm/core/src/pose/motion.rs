@@ -46,6 +46,11 @@ impl Motion {
         Self { translation: self.translation + linear * from - from, ..*self }
     }
 
+    /// What there is of it in other motions: a bar that is drawn to nothing flattens what is around it, and does not take it along into nothing.
+    pub(crate) fn passed_on(&self) -> Self {
+        Self { strain: self.strain.shrunk_by_at_most(LEAST), ..*self }
+    }
+
     /// The weighted sum of motions.
     pub(crate) fn blended(motions: impl Iterator<Item = (Self, f64)>) -> Self {
         motions.fold(Self::default(), |sum, (motion, weight)| Self {

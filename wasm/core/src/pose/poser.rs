@@ -88,13 +88,16 @@ impl Poser {
         }
         self.turn_automatic(handles, &mut motions);
         // What stays adds nothing: a held outline, and most handles as a rule.
-        let linear: Vec<Option<DMat2>> =
-            motions.iter().map(|motion| (*motion != Motion::default()).then(|| motion.linear())).collect();
+        let passed_on = |motion: &Motion| {
+            let passed_on = motion.passed_on();
+            (*motion != Motion::default()).then(|| (passed_on, passed_on.linear()))
+        };
+        let passed_on: Vec<Option<(Motion, DMat2)>> = motions.iter().map(passed_on).collect();
         for site in (0..motions.len()).filter(|&site| !self.origin[site].is_real()) {
             let here = |&(real, share): &(u32, f64)| {
                 let real = real as usize;
                 let from = self.rest[site] - self.rest[real];
-                linear[real].map(|linear| (motions[real].seen_from(from, linear), share))
+                passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), share))
             };
             motions[site] = Motion::blended(self.shares[site].iter().filter_map(here));
         }

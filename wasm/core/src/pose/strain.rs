@@ -57,6 +57,21 @@ impl Strain {
         libm::exp(mean) * DMat2::from_cols_array(&[even + odd * half, across, across, even - odd * half])
     }
 
+    /// The same stretch, but that nothing is shrunk below a share of what is stretched most, nor of its own size.
+    #[must_use]
+    pub fn shrunk_by_at_most(&self, share: f64) -> Self {
+        let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
+        let r = libm::hypot(half, self.xy);
+        let (long, short) = (mean + r, mean - r);
+        let least = (long + libm::log(share)).min(0.0);
+        // Written so that NaN is passed on.
+        if short >= least || r == 0.0 {
+            return *self;
+        }
+        let (middle, excess) = (f64::midpoint(long, least), (long - least) / (2.0 * r));
+        Self { xx: middle + excess * half, xy: excess * self.xy, yy: middle - excess * half }
+    }
+
     /// Logarithm of the uniform scale that makes areas grow as much.
     #[must_use]
     pub fn mean(&self) -> f64 {
@@ -110,6 +125,20 @@ mod tests {
         let stretch = Strain::of_bone(DVec2::X, 0.0, 1.0).stretch();
         assert!((stretch.determinant() - 1e-9).abs() < 1e-15);
         assert!(Strain::of_bone(DVec2::X, f64::NAN, 1.0).stretch().is_nan());
+    }
+
+    #[test]
+    fn what_is_shrunk_to_nothing_is_shrunk_to_a_share_and_what_grows_is_left() {
+        let u = turn(0.9);
+        for (along, across, least) in
+            [(0.0, 1.0, 0.1), (1e-4, 3.0, 0.3), (0.0, 30.0, 1.0), (0.2, 1.0, 0.2), (50.0, 1.0, 1.0)]
+        {
+            let stretch = Strain::of_bone(u, along, across).shrunk_by_at_most(0.1).stretch();
+            let expected = if along < across { (least, across) } else { (along, across) };
+            assert!((stretch * u).distance(expected.0 * u) < 1e-9, "{along} {across}: {stretch}");
+            assert!((stretch * u.perp()).distance(expected.1 * u.perp()) < 1e-9, "{along} {across}: {stretch}");
+        }
+        assert_eq!(Strain::uniform(1e-3).shrunk_by_at_most(0.1), Strain::uniform(1e-3));
     }
 
     #[test]

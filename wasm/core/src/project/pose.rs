@@ -6,6 +6,9 @@ use serde::Serialize;
 use super::ProjectError;
 use super::place::Place;
 
+/// Half of the sites that there may be: those that handles need besides have room.
+const MOST: u32 = crate::site::MAX_SITES as u32 / 2;
+
 /// How a pose is made from the handles.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
 #[schemars(rename = "Pose", deny_unknown_fields)]
@@ -17,7 +20,7 @@ pub struct PoseSpec {
     #[schemars(default)]
     pub blend: Blend,
     /// The least number of virtual sites to insert; 0 leaves it to Algorithm 1.
-    #[schemars(default)]
+    #[schemars(default, range(max = MOST))]
     pub density: u32,
 }
 
@@ -55,7 +58,7 @@ impl PoseSpec {
             blend: pose.or("blend", default.blend, |place| {
                 place.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
             })?,
-            density: pose.or("density", default.density, |place| place.whole_number(0..=u32::MAX))?,
+            density: pose.or("density", default.density, |place| place.whole_number(0..=MOST))?,
         })
     }
 }

@@ -33,6 +33,15 @@ fn writes_what_it_read() {
 }
 
 #[test]
+fn numbers_are_read_to_the_last_bit() {
+    // Quick readers take it for …304.
+    let project = Project::from_json(&FULL.replacen("[128, 40.5]", "[-94.55329736530005, 40.5]", 1)).unwrap();
+    let Shape::Point { rest, .. } = project.handles[0].shape else { panic!("a point") };
+    assert_eq!(rest.x, -94.553_297_365_300_05);
+    assert_eq!(Project::from_json(&project.to_json()).unwrap(), project);
+}
+
+#[test]
 fn fills_in_the_defaults_and_writes_them_out() {
     let project = Project::from_json(LEAST).unwrap();
     let image = ImageRef { src: "a.png".to_owned(), width: 4, height: 3 };
@@ -57,7 +66,8 @@ fn refuses_with_the_way_to_the_key() {
         ("0.25", "1.01", "weighting.shape_factor: expected a number from 0 to 1, found 1.01"),
         (r#""degree": 7"#, r#""degree": 4"#, "weighting.degree: expected a whole number from 5 to 32, found 4"),
         (r#""half""#, "null", r#"weighting.filling: expected "line" or "half", found null"#),
-        (r#""density": 120"#, r#""density": -1"#, "pose.density: expected a whole number, 0 or more, found -1"),
+        (r#""density": 120"#, r#""density": -1"#, "pose.density: expected a whole number from 0 to 4096, found -1"),
+        (r#""density": 120"#, r#""density": 4097"#, "pose.density: expected a whole number from 0 to 4096, found 4097"),
         ("true", "1", "fix_boundary: expected true or false, found 1"),
         (
             r#""fix_boundary""#,
