@@ -53,6 +53,38 @@ test('methods do what tools do', async ({ page }) => {
   await expect.poll(async () => (await editor.told('head')).rotation).toBe(0);
 });
 
+test('what no handle can be is refused at once, and leaves no step', async ({ page }) => {
+  await Editor.open(page);
+  const refusals = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const tries = [
+      () => warp.updateHandle('nobody', { scale: 2 }),
+      () => warp.removeHandle('nobody'),
+      () => warp.updateHandle('head', { scale: -1 }),
+      () => warp.updateHandle('head', { posed: [Number.NaN, 1] }),
+      () => warp.addHandle({ id: 'head', kind: 'point', rest: [512, 700] }),
+      () => warp.addHandle({ id: 'bar', kind: 'bar', rest: [[512, 700]] }),
+    ];
+    return tries.map((attempt) => {
+      try {
+        attempt();
+        return 'taken';
+      } catch (error) {
+        return error instanceof RangeError ? error.message : String(error);
+      }
+    });
+  });
+  expect(refusals).toEqual([
+    'there is no handle "nobody"',
+    'there is no handle "nobody"',
+    'handle "head", scale: expected a number above 0',
+    'handle "head", posed: expected a point [x, y]',
+    'there is a handle "head" already',
+    'handle "bar", rest: expected 2 points or more [x, y]',
+  ]);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+});
+
 test('a point is told where it goes', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('right hand').click();

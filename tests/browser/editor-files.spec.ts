@@ -98,6 +98,32 @@ test('a reload brings everything back: picture, pose, history', async ({ page })
   await expect(editor.handles).toHaveCount(1);
 });
 
+test('of two tabs the one that changed last comes back, whole', async ({ page, context }) => {
+  const first = await Editor.open(page);
+  await first.dragHandle('left hand', { x: 20, y: -40 });
+  await expect(first.button('Undo: move left hand')).toBeEnabled();
+  await page.waitForTimeout(500);
+  // It opens with the same work, the first goes on with another picture.
+  const other = await context.newPage();
+  const second = await Editor.open(other);
+  await expect(second.button('Undo: move left hand')).toBeEnabled();
+  await first.choose(png('disc.png', disc(96)));
+  await expect(first.status).toContainText('96 × 96 px');
+  await page.keyboard.press('p');
+  await page.keyboard.press('Enter');
+  await expect(first.handles).toHaveCount(1);
+  await page.waitForTimeout(500);
+  await second.dragHandle('right hand', { x: -20, y: -40 });
+  await expect(second.button('Undo: move right hand')).toBeEnabled();
+  await other.waitForTimeout(500);
+  for (const tab of [page, other]) {
+    await tab.reload();
+    const editor = new Editor(tab);
+    await expect(editor.handles).toHaveCount(5);
+    await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  }
+});
+
 test('a step that nobody waited for to be refused does not take the work before it along', async ({
   page,
 }) => {

@@ -69,6 +69,10 @@ test('the guard stops numbers and keys too, and is off at first', async ({ page 
   const nudged = await editor.still(() => editor.told('right hand'));
   expect(nudged.x).toBeGreaterThan(x - 30);
   await expect(page.getByText('Stopped: more would fold the picture')).toBeAttached();
+  // What is undone was stopped by nothing.
+  await expect(page.getByText('Stopped at a fold')).toBeVisible();
+  await page.keyboard.press('Control+z');
+  await expect(page.getByText('Stopped at a fold')).toBeHidden();
 });
 
 test('depth is set by number, buttons and keys, each taken back by undo', async ({ page }) => {

@@ -123,6 +123,36 @@ test('beside the picture nothing is placed, and a word says so', async ({ page }
   await expect(editor.handles).toHaveCount(5);
 });
 
+for (const [key, after] of [
+  ['Delete', 'delete left hand'],
+  ['ArrowLeft', 'move left hand'],
+] as const) {
+  test(`${key} in the midst of a drag ends it, and both can be undone`, async ({ page }) => {
+    const editor = await Editor.open(page);
+    const hand = await editor.place('left hand');
+    await page.mouse.move(hand.x, hand.y);
+    await page.mouse.down();
+    await page.mouse.move(hand.x + 40, hand.y - 40);
+    const dragged = await editor.still(() => editor.told('left hand'));
+    await page.keyboard.press(key);
+    await page.mouse.move(hand.x + 80, hand.y - 80);
+    await page.mouse.up();
+    await expect(editor.handles).toHaveCount(key === 'Delete' ? 4 : 5);
+    await editor.button(`Undo: ${after}`).click();
+    await expect.poll(() => editor.told('left hand')).toEqual(dragged);
+    await editor.button('Undo: move left hand').click();
+    await expect.poll(async () => (await editor.told('left hand')).x).toBe(124);
+    await expect(editor.button('Undo')).toBeDisabled();
+  });
+}
+
+test('a handle chosen in the list is moved by keys', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp .list .item', { hasText: 'head' }).click();
+  await page.keyboard.press('Shift+ArrowRight');
+  await expect.poll(async () => (await editor.told('head')).x).toBe(522);
+});
+
 test('Escape bails out of a drag', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('left hand');

@@ -8,7 +8,9 @@
  * file where there is no DOM does nothing.
  */
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
+import { handleById } from './document/document';
 import { addHandle, changeHandles, freeId, removeHandles } from './document/edits';
+import { checkedHandle } from './document/handle';
 import {
   type Handle,
   type HandleFile,
@@ -91,6 +93,7 @@ export class C2Warp extends LitElement {
   set project(given: ProjectFile) {
     const { workbench } = this.#present;
     const project = posedProject(given);
+    project.handles.forEach(checkedHandle);
     if (!workbench.picture || !fits(workbench.picture, project)) {
       throw new RangeError('the project is for a picture of another size: load both together');
     }
@@ -108,30 +111,40 @@ export class C2Warp extends LitElement {
 
   /**
    * Opens a picture, with a project for it or a new one. Done once it is solved.
-   * @throws Error with a code where it cannot be opened; what was open before stays.
+   * @throws DOMException AbortError where another is opened, or the element removed, before that; Error with a code where it cannot be opened; what was open before stays.
    */
   async load(source: string | Blob, project?: string | ProjectFile): Promise<void> {
     await this.#present.files.load(source, typeof project === 'object' ? posedProject(project) : project);
     this.#emit('load');
   }
 
-  /** Adds a handle; without an id it gets one. Returns the id. */
+  /**
+   * Adds a handle; without an id it gets one. Returns the id.
+   * @throws RangeError for an id that is taken, and where a number is none or out of its range.
+   */
   addHandle(handle: NewHandle): string {
     const { editing } = this.#present.workbench;
     const id = handle.id ?? freeId(editing.project);
-    editing.step('Add handle', addHandle(editing.document, posedHandle({ ...handle, id } as HandleFile)));
+    if (handleById(editing.document, id)) throw new RangeError(`there is a handle "${id}" already`);
+    const added = checkedHandle(posedHandle({ ...handle, id } as HandleFile));
+    editing.step('Add handle', addHandle(editing.document, added));
     return id;
   }
 
+  /** @throws RangeError where there is no such handle, and where a number is none or out of its range. */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     const { editing } = this.#present.workbench;
-    const next = changeHandles(editing.document, [id], (handle) => ({ ...handle, ...change }) as Handle);
-    editing.step('Change handle', next);
+    const changed = checkedHandle({ ...this.#handle(id), ...change } as Handle);
+    editing.step(
+      'Change handle',
+      changeHandles(editing.document, [id], () => changed),
+    );
   }
 
+  /** @throws RangeError where there is no such handle. */
   removeHandle(id: string): void {
     const { editing } = this.#present.workbench;
-    editing.step('Delete handle', removeHandles(editing.document, [id]));
+    editing.step('Delete handle', removeHandles(editing.document, [this.#handle(id).id]));
   }
 
   undo(): void {
@@ -242,6 +255,12 @@ export class C2Warp extends LitElement {
     }
   }
 
+  #handle(id: string): Handle {
+    const handle = handleById(this.#present.workbench.editing.document, id);
+    if (!handle) throw new RangeError(`there is no handle "${id}"`);
+    return handle;
+  }
+
   get #present(): Desk {
     if (!this.#desk) throw new Error('<c2-warp> is not on a page');
     return this.#desk;
@@ -260,6 +279,7 @@ export class C2Warp extends LitElement {
         await desk.files.load(this.src, this.projectSource ?? undefined);
       this.#emit('load');
     } catch (error) {
+      if (desk !== this.#desk) return;
       desk.talking.report(error);
     }
     this.#emit('ready');

@@ -4,6 +4,7 @@ import { type Document, newProject, openDocument } from './document';
 import {
   addCorner,
   addHandle,
+  changeHandles,
   freeId,
   holdBoundary,
   moveHandles,
@@ -16,7 +17,7 @@ import {
   turnHandles,
 } from './edits';
 import { straightBar } from './fixtures';
-import { depthOf, isAtRest, nameOf, rotationOf } from './handle';
+import { depthOf, isAtRest, nameOf, rotationOf, scaledTo } from './handle';
 import type { BarHandle, PointHandle } from './project';
 import { followedHandles, solveKey } from './solved';
 
@@ -77,6 +78,20 @@ describe('bars and polygons', () => {
     });
     expect(rotationOf(arm(divided))).toBeCloseTo(90);
     expect(removeCorner(divided, 'arm', 1)).toEqual(pulled);
+  });
+
+  it('are scaled about their middle, along themselves as across', () => {
+    const twice = changeHandles(held, ['arm'], (handle) => scaledTo(handle, 2));
+    expect(arm(twice)).toMatchObject({
+      scale: 2,
+      posed: [
+        [-5, 0],
+        [15, 0],
+      ],
+    });
+    expect(changeHandles(twice, ['arm'], (handle) => scaledTo(handle, 1)).project.handles[0]?.posed).toEqual(
+      bar.posed,
+    );
   });
 
   it('may have the corner on the edge that closes them', () => {

@@ -1,6 +1,6 @@
 /** One handle: reading it, and the pure changes that a person makes to it. */
 import { bestTurn, centre, edgesOf, type LinePlace, nearestTurn } from '../geometry/polyline';
-import { add, between, rotated, subtract, type Vec, wrapDegrees } from '../geometry/vec';
+import { add, between, rotated, scaled, subtract, type Vec, wrapDegrees } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** How far each automatic handle is turned now, degrees by id. */
@@ -8,8 +8,9 @@ export type Turns = ReadonlyMap<string, number>;
 
 const NO_TURNS: Turns = new Map();
 
-/** Hundredths of a pixel and of a degree: what the file keeps and the panel shows. */
-const rounded = (value: number): number => Math.round(value * 100) / 100 || 0;
+/** Hundredths of a pixel and of a degree: what the file keeps and the panel shows. Numbers beyond all measure have none. */
+const rounded = (value: number): number =>
+  Math.abs(value) < 1e12 ? Math.round(value * 100) / 100 || 0 : value;
 const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 
 /** The corners of a handle at rest or posed; a point has one. */
@@ -94,10 +95,41 @@ export function cornerRemoved(handle: LineHandle, index: number): LineHandle {
   return { ...handle, rest: without(handle.rest), posed: without(handle.posed) };
 }
 
+/**
+ * The same handle, if the solver can pose it.
+ * @throws RangeError that names the handle and what is wrong with it.
+ */
+export function checkedHandle(handle: Handle): Handle {
+  const { id, rotation = 0 } = handle;
+  const refuse = (what: string) => {
+    throw new RangeError(`handle "${id}", ${what}`);
+  };
+  for (const key of ['rest', 'posed'] as const) {
+    const needed = isLine(handle) ? CORNERS_NEEDED[handle.kind] : 1;
+    const places: unknown = isLine(handle) ? handle[key] : [handle[key]];
+    const isPlace = (p: unknown) => Array.isArray(p) && p.length === 2 && p.every(Number.isFinite);
+    if (!Array.isArray(places) || places.length < needed || !places.every(isPlace)) {
+      refuse(`${key}: expected ${needed > 1 ? `${needed} points or more` : 'a point'} [x, y]`);
+    }
+  }
+  if (corners(handle).length !== corners(handle, 'rest').length)
+    refuse('posed: expected as many points as in rest');
+  if (rotation !== 'auto' && !Number.isFinite(rotation)) refuse('rotation: expected degrees or "auto"');
+  if (!(Number.isFinite(scaleOf(handle)) && scaleOf(handle) > 0)) refuse('scale: expected a number above 0');
+  if (!Number.isFinite(depthOf(handle))) refuse('depth: expected a number');
+  return handle;
+}
+
 /** Turned by whatever is around it. */
 export const freed = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' });
 
-export const scaledTo = (handle: Handle, scale: number): Handle => ({ ...handle, scale: rounded(scale) });
+/** As large as a scale says, what has corners about its own anchor: it grows along itself as across. */
+export function scaledTo(handle: Handle, scale: number): Handle {
+  const grown = { ...handle, scale: rounded(scale) };
+  if (!isLine(handle)) return grown;
+  const [pivot, growth] = [anchor(handle), scale / scaleOf(handle)];
+  return replaced(grown, (corner) => roundedVec(add(pivot, scaled(subtract(corner, pivot), growth))));
+}
 
 export const atDepth = (handle: Handle, depth: number): Handle => ({
   ...handle,

@@ -266,6 +266,7 @@ export class Desk {
     settings: (on) => this.#openSettings(on),
     select: (ids) => this.workbench.editing.select(ids),
     toggle: (id) => this.workbench.editing.toggle(id),
+    hold: (id) => this.#focus(id),
     cancelSolve: () => this.workbench.cancelSolve(),
     dismiss: () => this.talking.notify(null),
     theme: () => this.#host.switchTheme(),

@@ -119,6 +119,7 @@ export class Editing {
     if (next.selection.join('\n') === before.join('\n')) return;
     this.#history.settle();
     this.#history.update(next);
+    if (!this.machine.busy) this.#host.guarding.end();
     this.#host.edited('selection');
   }
 
@@ -129,6 +130,7 @@ export class Editing {
 
   /** A whole change in one go. */
   step(label: string, document: Document): void {
+    this.#host.guarding.end();
     this.#step(label, document, null);
     this.#host.say(label);
   }
@@ -283,6 +285,8 @@ export class Editing {
   /** Steps of one key in a row are one undo step. */
   #step(label: string, document: Document, key: string | null): void {
     this.#history.step(label, document, key);
+    // A press in hand knows nothing of this step: what it did so far is a step before it, and it is over.
+    if (this.machine.busy) this.apply(this.machine.cancel());
     this.#host.edited('change');
   }
 
@@ -349,6 +353,7 @@ export class Editing {
 
   #travel(verb: string, label: string | null): void {
     this.apply(this.machine.cancel());
+    this.#host.guarding.end();
     if (label === null) return;
     this.#host.edited('change');
     this.#host.say(`${verb}: ${label}`);

@@ -1,15 +1,25 @@
 /**
  * Keeps what is open in the browser's own storage, so that a reload or a crash brings it back: the picture once, the
- * document with its history after every step.
+ * document with its history after every step. Several tabs have one place there: what changed last is what comes back, whole.
  *
  * Where the browser grants no storage, as in some private windows, nothing is kept and nothing fails.
  */
 import { readKept, writeKept } from '../io/storage';
 import type { Kept } from './workbench';
 
+interface KeptPicture extends Pick<Kept, 'file' | 'name'> {
+  readonly mark: string;
+}
+
+interface KeptDocument extends Pick<Kept, 'record'> {
+  readonly mark: string;
+}
+
 export class Keeping {
   readonly #key: string;
   #file: Blob | null = null;
+  /** Tells the picture from those of other tabs: a document is worth nothing with another. */
+  #mark = '';
   #writing: Promise<void> = Promise.resolve();
   #next: Kept | null = null;
 
@@ -19,13 +29,12 @@ export class Keeping {
 
   async restore(): Promise<Kept | null> {
     try {
-      const [picture, document] = await Promise.all([
-        readKept<Pick<Kept, 'file' | 'name'>>(`${this.#key}/picture`),
-        readKept<Pick<Kept, 'record' | 'name'>>(`${this.#key}/document`),
-      ]);
-      if (!picture || !document || picture.name !== document.name) return null;
-      this.#file = picture.file;
-      return { ...picture, record: document.record };
+      const names = [`${this.#key}/picture`, `${this.#key}/document`];
+      const [picture, document] = (await readKept(names)) as [KeptPicture?, KeptDocument?];
+      if (!picture || picture.mark !== document?.mark) return null;
+      const { file, name, mark } = picture;
+      [this.#file, this.#mark] = [file, mark];
+      return { file, name, record: document.record };
     } catch {
       return null;
     }
@@ -43,10 +52,19 @@ export class Keeping {
     this.#next = null;
     if (!kept) return;
     const { file, name, record } = kept;
+    if (file !== this.#file)
+      [this.#file, this.#mark] = [file, `${performance.timeOrigin}+${performance.now()}`];
+    const mark = this.#mark;
+    const markName = `${this.#key}/mark`;
+    const [picture, document]: [KeptPicture, KeptDocument] = [
+      { file, name, mark },
+      { record, mark },
+    ];
     try {
-      if (file !== this.#file) await writeKept(`${this.#key}/picture`, { file, name });
-      this.#file = file;
-      await writeKept(`${this.#key}/document`, { name, record });
+      await writeKept(
+        { [`${this.#key}/document`]: document },
+        { name: markName, is: mark, values: { [`${this.#key}/picture`]: picture, [markName]: mark } },
+      );
     } catch {
       // Storage full or refused: the work in hand is not touched by it.
     }

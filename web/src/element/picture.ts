@@ -39,5 +39,12 @@ export function sortFiles(files: readonly File[]): { picture?: File; project?: F
 export const stem = (name: string): string => name.replace(/(\.c2warp)?\.[^.]+$/, '') || name;
 
 /** The last part of an address or path. */
-export const fileName = (address: string): string =>
-  decodeURIComponent(address.split(/[?#]/)[0]?.split('/').at(-1) ?? '') || 'picture';
+export function fileName(address: string): string {
+  const written = address.split(/[?#]/)[0]?.split('/').at(-1) ?? '';
+  try {
+    return decodeURIComponent(written) || 'picture';
+  } catch {
+    // A percent sign that begins no character.
+    return written;
+  }
+}

@@ -72,11 +72,12 @@ export class Workbench {
     return this.#picture;
   }
 
-  /** What is open, to be kept. */
+  /** What is open, to be kept; while another picture is on its way, what was open before. */
   get kept(): Kept | null {
-    if (!this.#picture || this.#opening) return null;
-    const { file, name } = this.#picture;
-    return { file, name, record: this.editing.record() };
+    const open = this.#opening ? this.#opening.before : this.#picture && this.#snapshot(this.#picture);
+    if (!open) return null;
+    const { file, name } = open.picture;
+    return { file, name, record: open.record };
   }
 
   /**
@@ -127,11 +128,12 @@ export class Workbench {
   }
 
   dispose(): void {
+    this.#opening?.reject(new DOMException('the editor is gone', 'AbortError'));
     this.solving.dispose();
     this.#picture?.bitmap.close();
   }
 
-  #snapshot(picture: Picture): Opening['before'] {
+  #snapshot(picture: Picture): NonNullable<Opening['before']> {
     return { picture, record: this.editing.record() };
   }
 

@@ -1,5 +1,5 @@
 /** What is kept in this browser, in a database of its own: values that can be cloned, files among them, by name. */
-import { createStore, get, set, type UseStore } from 'idb-keyval';
+import { createStore, getMany, promisifyRequest, type UseStore } from 'idb-keyval';
 
 let store: UseStore | undefined;
 
@@ -9,12 +9,25 @@ function kept(): UseStore {
   return store;
 }
 
-/** @throws DOMException where the browser grants no storage. */
-export function readKept<Value>(name: string): Promise<Value | undefined> {
-  return get<Value>(name, kept());
+/** Values as they are at one time. @throws DOMException where the browser grants no storage. */
+export function readKept(names: readonly string[]): Promise<readonly unknown[]> {
+  return getMany([...names], kept());
 }
 
-/** @throws DOMException where the browser grants no storage, or no more of it. */
-export function writeKept(name: string, value: unknown): Promise<void> {
-  return set(name, value, kept());
+/**
+ * Writes some values, all of them or none.
+ * @param unless values that are left out where there is this one under this name already.
+ * @throws DOMException where the browser grants no storage, or no more of it.
+ */
+export function writeKept(
+  values: Readonly<Record<string, unknown>>,
+  unless: { readonly name: string; readonly is: unknown; readonly values: Readonly<Record<string, unknown>> },
+): Promise<void> {
+  return kept()('readwrite', async (store) => {
+    const same = (await promisifyRequest(store.get(unless.name))) === unless.is;
+    for (const [name, value] of Object.entries({ ...values, ...(same ? {} : unless.values) })) {
+      store.put(value, name);
+    }
+    await promisifyRequest(store.transaction);
+  });
 }

@@ -162,9 +162,11 @@ describe('drawing a bar', () => {
     bench.apply(bench.machine.finish(bench.scene()));
     if (draft) bench.machine.resume(draft);
     expect(bench.machine.draft?.corners).toHaveLength(2);
+    // Also where another tool has been taken up meanwhile.
     bench.take('select');
     if (draft) bench.machine.resume(draft);
-    expect(bench.machine.draft).toBeNull();
+    expect(bench.machine.draft?.corners).toHaveLength(2);
+    expect(bench.machine.tool).toBe('bar');
   });
 
   it('follows the pointer between presses, and pans in the middle of it', () => {

@@ -88,9 +88,10 @@ export class ToolMachine {
     return this.#between(this.#resting.back?.());
   }
 
-  /** Goes on with a drawing, unless something else is being drawn by now. */
+  /** Goes on with a drawing, with its tool, unless something else is being drawn by now. */
   resume(draft: Draft): void {
-    if (this.#tool !== draft.kind || this.draft || this.busy) return;
+    if (this.draft || this.busy) return;
+    this.#tool = draft.kind;
     this.#settle(resumed(draft, TOOLS[this.#tool]));
   }
 

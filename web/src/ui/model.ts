@@ -105,6 +105,8 @@ export interface EditorActions {
   settings(on: boolean): void;
   select(ids: readonly string[]): void;
   toggle(id: string): void;
+  /** A handle takes the focus. */
+  hold(id: string): void;
   cancelSolve(): void;
   dismiss(): void;
   theme(): void;

@@ -28,6 +28,7 @@ interface FieldLook {
   /** Decimals shown: as many as one can set by hand. */
   readonly digits: number;
   readonly least?: number;
+  readonly most?: number;
   readonly tip?: string;
   read(handle: Handle, turns: Turns): number;
 }
@@ -44,6 +45,7 @@ const FIELDS: readonly FieldLook[] = [
     step: 0.05,
     digits: 2,
     least: 0.01,
+    most: 100,
     read: scaleOf,
   },
   {
@@ -57,6 +59,9 @@ const FIELDS: readonly FieldLook[] = [
     read: depthOf,
   },
 ];
+
+/** Pixels and degrees that can be typed: far beyond any picture. */
+const MOST = 1e6;
 
 export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
   const selected = selectedHandles(model.document);
@@ -134,7 +139,8 @@ function numberField(
     event.stopPropagation();
     const input = event.target as HTMLInputElement;
     const value = input.valueAsNumber;
-    if (Number.isFinite(value) && value >= (look.least ?? Number.NEGATIVE_INFINITY)) {
+    const { least = -MOST, most = MOST } = look;
+    if (value >= least && value <= most) {
       actions.field(look.field, value);
     } else {
       input.value = shared;
@@ -147,9 +153,7 @@ function numberField(
     const root = input.getRootNode() as ShadowRoot;
     root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });
   };
-  // Across a bar or polygon: along it, its corners tell.
-  const tip = look.field === 'scale' && selected.every(isLine) ? 'How much it grows across itself' : look.tip;
-  return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${tip ?? nothing}>
+  return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
     <span class="label">${look.label}</span>
     <input
       type="number"
@@ -189,6 +193,12 @@ function automaticToggle(
   </button>`;
 }
 
+/** A press takes hold of the handle itself, so that arrow keys move it; the keyboard stays in the list. */
+function listed(event: MouseEvent, id: string, actions: EditorActions): void {
+  actions.select([id]);
+  if (event.detail > 0) actions.hold(id);
+}
+
 function handleList(model: EditorModel, actions: EditorActions): TemplateResult {
   const { project, selection } = model.document;
   return html`<section class="list">
@@ -205,7 +215,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
                   aria-pressed=${String(selection.includes(handle.id))}
                   ?disabled=${model.disabled}
                   @click=${(event: MouseEvent) =>
-                    event.shiftKey ? actions.toggle(handle.id) : actions.select([handle.id])}
+                    event.shiftKey ? actions.toggle(handle.id) : listed(event, handle.id, actions)}
                 >
                   <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
                   ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}

@@ -32,7 +32,8 @@ export interface PointingHost {
 const WHEEL_ZOOM = 0.0018;
 /** A pinch on a touchpad arrives as a wheel with Ctrl and small deltas. */
 const PINCH_ZOOM = 0.01;
-const LINE_PX = 16;
+/** Three of them are a notch. */
+const LINE_PX = 36;
 
 /** Two presses without a drag are a double click: so soon after one another, and so near, CSS pixels of a mouse and of a finger. */
 const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
@@ -152,10 +153,11 @@ export class Pointing {
   #wheel(event: WheelEvent): void {
     event.preventDefault();
     const { camera } = this.#host;
-    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1;
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
+    const unit = lines ? LINE_PX : 1;
     const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
     if (event.ctrlKey || event.metaKey) {
-      const rate = Math.abs(dy) < 50 ? PINCH_ZOOM : WHEEL_ZOOM;
+      const rate = !lines && Math.abs(dy) < 50 ? PINCH_ZOOM : WHEEL_ZOOM;
       this.#host.look(scaledAt(camera, camera.scale * Math.exp(-dy * rate), this.#place(event)));
     } else {
       this.#host.look(panned(camera, event.shiftKey && dx === 0 ? [-dy, 0] : [-dx, -dy]));
