@@ -9,7 +9,10 @@ use c2warp::{
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::scenes::{cases, is_inside, project, solved, spread};
+use crate::{
+    bars::{bar, polygon},
+    scenes::{cases, is_inside, project, solved, spread},
+};
 
 /// In pixels: above rounding and what poses make of it.
 const SYMMETRIC: f64 = 1e-6;
@@ -137,6 +140,45 @@ fn check_same(
         }
     }
     Ok(())
+}
+
+/// What meets on bones is tied there: which bone a joint or a sample on one belongs to must not be chance.
+#[test]
+fn what_crosses_touches_or_leaves_the_picture_goes_the_same_way_in_a_mirror() {
+    let crossing = bar("crossing", &[(80.0, 80.0), (320.0, 300.0)], &[(100.0, 60.0), (340.0, 320.0)]);
+    let crossed = bar("crossed", &[(300.0, 100.0), (120.0, 340.0)], &[(280.0, 120.0), (80.0, 300.0)]);
+    let long = bar("long", &[(40.0, 200.0), (360.0, 220.0)], &[(40.0, 180.0), (360.0, 240.0)]);
+    let touching = bar("touching", &[(200.0, 40.0), (200.0, 210.0)], &[(220.0, 60.0), (200.0, 210.0)]);
+    let simple = [(80.0, 100.0), (300.0, 80.0), (260.0, 320.0), (140.0, 240.0)];
+    let twisted = [(80.0, 100.0), (300.0, 300.0), (280.0, 80.0), (100.0, 320.0)];
+    let clipped = [(120.0, 120.0), (480.0, 100.0), (460.0, 280.0), (140.0, 300.0)];
+    let sheared = |rest: &[(f64, f64)]| {
+        let posed: Vec<(f64, f64)> =
+            rest.iter().map(|&(x, y)| (0.9 * x + 0.1 * y + 14.0, 1.1 * y - 0.05 * x + 6.0)).collect();
+        polygon("polygon", rest, &posed)
+    };
+    for handles in [
+        vec![crossing, crossed],
+        vec![long, touching],
+        vec![sheared(&simple)],
+        vec![sheared(&twisted)],
+        vec![sheared(&clipped)],
+    ] {
+        for density in [0, 60] {
+            let mut project = project(&[], &[], Support::Smooth);
+            (project.domain, project.samples, project.handles) = (None, 300, handles.clone());
+            (project.pose.mode, project.pose.density) = (PoseMode::Rigid, density);
+            let (solution, pose) = posed(&project).expect("a valid scene");
+            for change in [mirrored, turned_over] {
+                let mut other = project.clone();
+                for handle in &mut other.handles {
+                    handle.shape = changed(&handle.shape, change);
+                }
+                let (there, other) = posed(&other).expect("as valid as the other");
+                check_same((&solution, &pose), (&there, &other), change).expect("the same");
+            }
+        }
+    }
 }
 
 proptest! {

@@ -201,7 +201,8 @@ impl Bone {
     }
 
     /// How far a place is off the bone, in square pixels, and the gradient: zero on it and nowhere else, twice
-    /// continuously differentiable, and about the squared distance far away.
+    /// continuously differentiable, and about the squared distance far away. What is on it but for rounding is on it: which bone of a
+    /// joint is nearest there is chance, and gradients relative to so little are noise.
     pub(crate) fn offset(&self, p: DVec2) -> (f64, DVec2) {
         let [a, b] = self.rest;
         let length = self.length();
@@ -210,6 +211,9 @@ impl Bone {
         let across = (p - a) - along * x;
         // The squared distance has a jump in its second derivative where an end begins to be nearest; e³ / (e + length) has not.
         let (beyond, outwards) = if x < 0.0 { (-x, -along) } else { ((x - length).max(0.0), along) };
+        if across.length_squared() + beyond * beyond <= ON_BONE * ON_BONE {
+            return (0.0, DVec2::ZERO);
+        }
         let sum = beyond + length;
         let value = across.length_squared() + beyond * beyond * beyond / sum;
         let slope = beyond * beyond * (2.0 * beyond + 3.0 * length) / (sum * sum);

@@ -2,9 +2,9 @@
 //!
 //! Sites of connected bones reach over one another. So that a point of a bone moves by that bone's map alone, φ_j is replaced by
 //! Φ (φ_j / q_j) / Σ_k (φ_k / q_k), where Φ = Σ_k φ_k, sums run over the body's sites, and q_j is
-//! [how far](Bone::offset) the point is off the bone of site j. On a bone its sites have all of Φ. The body as a whole weighs
-//! what it did: partition of unity, and what others weigh, do not change. As q is twice continuously differentiable and
-//! zero on its bone alone, so are weights, but at joints, where maps agree and the body bends.
+//! [how far](Bone::offset) the point is off the bone of site j. On a bone its sites have all of Φ, in a joint those of all
+//! that meet there. The body as a whole weighs what it did: partition of unity, and what others weigh, do not change. As q is twice
+//! continuously differentiable and zero on its bone alone, so are weights, but at joints, where maps agree and the body bends.
 
 use glam::DVec2;
 
