@@ -147,9 +147,7 @@ impl Skeleton {
             let mut stack = vec![seed];
             while let Some(at) = stack.pop() {
                 self.bones[at].body = bodies;
-                let joints = self.bones[at].joints;
-                let meets =
-                    |bone: &Bone| bone.body == u32::MAX && bone.joints.iter().any(|joint| joints.contains(joint));
+                let meets = |bone: &Bone| bone.body == u32::MAX && bone.meets(&self.bones[at]);
                 stack.extend((0..self.bones.len()).filter(|&other| meets(&self.bones[other])));
             }
             bodies += 1;
@@ -193,6 +191,11 @@ fn lexical(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> Orderi
 impl Bone {
     pub(crate) fn length(&self) -> f64 {
         self.rest[0].distance(self.rest[1])
+    }
+
+    /// Whether both end in the same joint.
+    pub(crate) fn meets(&self, other: &Self) -> bool {
+        self.joints.iter().any(|joint| other.joints.contains(joint))
     }
 
     /// Straight distance to a place.

@@ -56,6 +56,7 @@ impl<'a> Regions<'a> {
             separation,
             clearance,
             cell_radius: 0.0,
+            in_nook: false,
             support_radius: 0.0,
             island: self.cloud.part[at] as usize,
             // A cloud has no triangles: its distances are those of the graph.

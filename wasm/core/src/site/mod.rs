@@ -30,6 +30,8 @@ pub const MAX_SITES: usize = 8192;
 /// A cell may be larger than its site's separation by this factor, where no real site is in the way. See
 /// [`Site::reach_limit`].
 const GRADING: f64 = 1.7;
+/// A cell in a nook may reach this much farther than bones are clear of its site. See [`Site::in_nook`].
+const INTO_NOOK: f64 = 1.1;
 
 /// What a site is there for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -87,6 +89,12 @@ pub struct Site {
     pub cell_radius: f64,
     /// Where φ reaches zero, r_i.
     pub support_radius: f64,
+    /// Whether it is of no body and stands close between two bones that meet at a shallow angle.
+    ///
+    /// Its support is clear of both. Towards their joint sites of theirs end its cell, and however many those are, the cell
+    /// reaches as far as the support, about: with a margin, virtual sites would follow one another into the joint without end. So
+    /// the cell may reach a little farther. Supports of the two bones cover what is left, as they may reach over one another.
+    pub(crate) in_nook: bool,
     pub(crate) island: usize,
     pub(crate) place: Place,
     pub(crate) field: DistanceField,
@@ -102,6 +110,7 @@ impl Site {
     /// Algorithm 1 inserts are then farther apart than those that ask for them, by that factor, cells grow with the distance
     /// from a close pair and their number with the logarithm of the gap (as in Ruppert's Delaunay refinement, 1995).
     pub(crate) fn reach_limit(&self) -> f64 {
-        (GRADING * self.separation).min(self.clearance)
+        let clearance = if self.in_nook { INTO_NOOK * self.clearance } else { self.clearance };
+        (GRADING * self.separation).min(clearance)
     }
 }

@@ -8,6 +8,7 @@ use crate::{
     distance::{DistanceField, Navigation, Place, Propagation},
     domain::Domain,
     sample::Scouts,
+    segment::nearest_on_segment,
 };
 
 /// Fields of real sites, and all fields where there are bones, reach this much farther than the largest cell: as far as
@@ -16,6 +17,12 @@ const LOOK_OUT: f64 = 1.75;
 
 /// The body of a held outline: bones have lower numbers.
 const BOUNDARY: u32 = u32::MAX;
+
+/// Bones are on both sides of a place where the directions to them differ by more than this (cosine): where they meet at
+/// less than 20°. At larger angles the sites of both are close enough to end a cell between them.
+const BOTH_SIDES: f64 = -0.94;
+/// The farther of them is no farther than this multiple of the nearer.
+const BOTH_NEAR: f64 = 1.5;
 
 /// What supports must stay clear of, besides sites.
 #[derive(Debug)]
@@ -121,6 +128,7 @@ impl<'a> Regions<'a> {
             clearance = clearance.min(held.distance_to_outline(rest));
         }
         separation = separation.min(clearance);
+        let in_nook = body.is_none() && self.is_in_nook(rest, place, BOTH_NEAR * clearance);
         let scouts = self.scouts;
         let home = scouts.triangle_at(rest);
         let mut field_in_turn = field.in_turn();
@@ -133,6 +141,7 @@ impl<'a> Regions<'a> {
             clearance,
             cell_radius: 0.0,
             support_radius: 0.0,
+            in_nook,
             island,
             place,
             field,
@@ -174,6 +183,27 @@ impl<'a> Regions<'a> {
                 if bone.distance(field.source()) < least { least.min(track.distance(field)) } else { least }
             },
         )
+    }
+
+    /// Whether bones that meet are on both sides of a place, and no farther than told.
+    pub(super) fn is_in_nook(&mut self, p: DVec2, place: Place, within: f64) -> bool {
+        let bones = &self.obstacles.skeleton.bones;
+        let near: Vec<(usize, DVec2)> = bones
+            .iter()
+            .enumerate()
+            .map(|(at, bone)| (at, nearest_on_segment(p, bone.rest[0], bone.rest[1]) - p))
+            .filter(|(_, to)| to.length() <= within)
+            .collect();
+        let are_opposite = |&(a, to_a): &(usize, DVec2), &(b, to_b): &(usize, DVec2)| {
+            bones[a].meets(&bones[b]) && to_a.dot(to_b) < BOTH_SIDES * to_a.length() * to_b.length()
+        };
+        let is_opposite = |one: &&(usize, DVec2)| near.iter().any(|other| are_opposite(one, other));
+        let opposite: Vec<usize> = near.iter().filter(is_opposite).map(|&(at, _)| at).collect();
+        // And not behind a hole.
+        !opposite.is_empty() && {
+            let field = self.field(p, place, within);
+            opposite.iter().all(|&at| self.obstacles.tracks[at].distance(&field) <= within)
+        }
     }
 
     /// Looks around a site as far as its support is to reach, where that is farther than was looked when it was inserted: what it

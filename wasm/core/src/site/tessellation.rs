@@ -31,6 +31,8 @@ const GAP: f64 = 0.5;
 /// Corners of a held outline that turn by more than this (cosine) get a site each: 20°.
 const TURN: f64 = 0.94;
 
+/// So near to all others, in pixels, no site is asked for but by rounding, and there would be no end of it.
+const NOTHING: f64 = 1e-9;
 /// A virtual site is at least this share as far from a bone or held outline as from the nearest site.
 const CLEAR: f64 = 0.9;
 /// A site on a bone this share of the distance away from where one is wanted is good enough.
@@ -218,6 +220,9 @@ impl Regions<'_> {
     pub(super) fn insert_virtual(&mut self, points: &[FarPoint]) -> Result<usize, Error> {
         let (mut sites, mut count) = (Vec::new(), 0);
         for point in points {
+            if point.distance < NOTHING {
+                return Err(Error::TooManySites);
+            }
             let encroached = self.encroached_on(point);
             if encroached.is_empty() {
                 count += 1;
@@ -234,7 +239,9 @@ impl Regions<'_> {
     /// The chain that a virtual site would be too near to, and the length of it before the nearest place that may have a site. Several
     /// where they are as near, of one chain or of many.
     fn encroached_on(&mut self, point: &FarPoint) -> Vec<(usize, f64)> {
-        let (clear, there) = (CLEAR * point.distance, THERE * point.distance);
+        // In a nook the sites of bones are what ends a cell, so they come first.
+        let is_in_nook = self.is_in_nook(point.at, point.place, point.distance);
+        let (clear, there) = (if is_in_nook { 1.0 } else { CLEAR } * point.distance, THERE * point.distance);
         let mut near: Vec<(usize, f64, f64)> = Vec::new();
         for (at, chain) in self.chains.iter().enumerate() {
             let (distance, lengths) = chain.nearest(point.at, there);

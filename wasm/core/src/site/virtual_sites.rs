@@ -2,6 +2,7 @@
 //!
 //! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell. How far
 //! that is, [`Site::reach_limit`](super::Site::reach_limit), is less strict than the paper's r_d ≤ r_h for virtual sites.
+//! It is less strict too between two bones that meet at a shallow angle, [`Site::in_nook`](super::Site::in_nook).
 //! Three things are stricter:
 //! - farthest points are those of the cell itself, not of its samples;
 //! - tied points, of one cell or of several, enter in one round, so that a symmetric scene stays symmetric;

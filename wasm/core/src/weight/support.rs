@@ -24,7 +24,7 @@ pub(crate) fn support_radii(weighting: &Weighting, sites: &[Site]) -> Vec<f64> {
         if site.separation.is_infinite() {
             return f64::INFINITY;
         }
-        let least = site.cell_radius + LEAST * (site.reach_limit() - site.cell_radius);
+        let least = (site.cell_radius + LEAST * (site.reach_limit() - site.cell_radius)).min(site.clearance);
         let greatest = match weighting.support {
             Support::Paper => site.separation,
             Support::Smooth => site.clearance.min(OVERLAP * site.cell_radius),
