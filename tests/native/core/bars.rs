@@ -341,6 +341,29 @@ fn a_held_boundary_stays() {
 }
 
 #[test]
+fn a_bar_is_cut_where_a_held_boundary_comes_near_in_its_middle() {
+    let ring = [(0.0, 0.0), (190.0, 0.0), (200.0, 200.0), (210.0, 0.0), (400.0, 0.0), (400.0, 400.0), (0.0, 400.0)];
+    // The bar touches the tip of the notch, or passes it by.
+    for (y, is_cut) in [(200.0, true), (200.5, true), (202.0, false)] {
+        let mut project = project(&[points(&ring)], &[], Support::Smooth);
+        project.fix_boundary = true;
+        project.handles = vec![bar("bar", &[(60.0, y), (340.0, y)], &[(60.0, y + 20.0), (340.0, y + 20.0)])];
+        let (solution, pose) = posed(&project);
+        let outside: Vec<[f64; 2]> = solution.outside().iter().map(|part| [part.from[0], part.to[0]]).collect();
+        assert_eq!(outside.len(), usize::from(is_cut), "{outside:?}");
+        assert!(
+            outside.iter().all(|[from, to]| (from + to - 400.0).abs() < 1e-9 && (1.5..2.1).contains(&(to - from))),
+            "{outside:?}"
+        );
+        let tip = DVec2::splat(200.0);
+        assert!(goes(&solution, &pose, tip).distance(tip) <= 1e-9);
+        for x in [60.0, 150.0, 198.0, 202.0, 340.0] {
+            assert!(goes(&solution, &pose, (x, y).into()).distance((x, y + 20.0).into()) <= ON_BAR);
+        }
+    }
+}
+
+#[test]
 fn a_close_point_asks_for_sites_of_a_bar_where_it_is_close_alone() {
     let long = bar("long", &[(40.0, 200.0), (360.0, 200.0)], &[(40.0, 200.0), (360.0, 200.0)]);
     let sites = |gap: f64, samples: u32| {

@@ -17,10 +17,10 @@ pub(super) fn kept(domain: &Domain, navigation: &Navigation, [a, b]: [DVec2; 2],
         return parts;
     }
     let clear = |[enter, leave]: [f64; 2]| {
-        let clear = clear_of_outline(domain, a.lerp(b, enter), a.lerp(b, leave), HELD_CLEARANCE)?;
-        Some(clear.map(|share| enter + share * (leave - enter)))
+        let clear = clear_of_outline(domain, a.lerp(b, enter), a.lerp(b, leave), HELD_CLEARANCE);
+        clear.into_iter().map(move |part| part.map(|share| enter + share * (leave - enter)))
     };
-    parts.into_iter().filter_map(clear).collect()
+    parts.into_iter().flat_map(clear).collect()
 }
 
 /// The parts of the segment from `a` to `b` inside the domain.
@@ -62,16 +62,18 @@ fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[
     parts
 }
 
-/// The part of a segment in the domain from the first place to the last that is no nearer to the outline than `clearance`.
-fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Option<[f64; 2]> {
+/// The parts of a segment in the domain that are no nearer to the outline than `clearance`.
+fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<[f64; 2]> {
     let is_clear = |share: f64| domain.distance_to_outline(a.lerp(b, share)) >= clearance;
-    // Steps no longer than the clearance, so that no clear part between is missed for long.
+    // Steps no longer than the clearance: what is nearer between two of them alone does not come much nearer.
     let steps = (a.distance(b) / clearance).ceil().clamp(2.0, 4096.0) as u32;
     let at = |step: u32| f64::from(step) / f64::from(steps);
-    let first = (0..=steps).find(|&step| is_clear(at(step)))?;
-    let last = (0..=steps).rev().find(|&step| is_clear(at(step)))?;
-    if first == last {
-        return None;
+    let mut runs: Vec<[u32; 2]> = Vec::new();
+    for step in (0..=steps).filter(|&step| is_clear(at(step))) {
+        match runs.last_mut() {
+            Some([_, last]) if *last + 1 == step => *last = step,
+            _ => runs.push([step, step]),
+        }
     }
     let edge = |mut clear: f64, mut near: f64| {
         for _ in 0..HALVINGS {
@@ -80,7 +82,10 @@ fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Opti
         }
         clear
     };
-    let enter = if first == 0 { 0.0 } else { edge(at(first), at(first - 1)) };
-    let leave = if last == steps { 1.0 } else { edge(at(last), at(last + 1)) };
-    Some([enter, leave])
+    let part = |[first, last]: [u32; 2]| {
+        let enter = if first == 0 { 0.0 } else { edge(at(first), at(first - 1)) };
+        let leave = if last == steps { 1.0 } else { edge(at(last), at(last + 1)) };
+        [enter, leave]
+    };
+    runs.into_iter().filter(|[first, last]| first < last).map(part).collect()
 }
