@@ -111,7 +111,8 @@ export class C2Warp extends LitElement {
 
   /**
    * Opens a picture, with a project for it or a new one. Done once it is solved.
-   * @throws DOMException AbortError where another is opened, or the element removed, before that; Error with a code where it cannot be opened; what was open before stays.
+   * @throws Error with a code where it cannot be opened; what was open before stays. DOMException AbortError where another is
+   * opened, or the element removed, before that.
    */
   async load(source: string | Blob, project?: string | ProjectFile): Promise<void> {
     await this.#present.files.load(source, typeof project === 'object' ? posedProject(project) : project);

@@ -35,8 +35,10 @@ const PINCH_ZOOM = 0.01;
 /** Three of them are a notch. */
 const LINE_PX = 36;
 
-/** Two presses without a drag are a double click: so soon after one another, and so near, CSS pixels of a mouse and of a finger. */
+/** Two presses so soon after one another, and so near, are a double click. CSS pixels of a mouse and of a finger. */
 const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
+/** A press that goes farther than this is a drag, which the tools take it for as well. */
+const SLIP = { fine: 3, coarse: 8 } as const;
 
 interface Click {
   readonly place: Vec;
@@ -49,8 +51,8 @@ export class Pointing {
   readonly #listening = new AbortController();
   readonly #fingers = new Map<number, Vec>();
   #pressing: number | null = null;
-  /** Where and when the press in hand began, and the last that was no drag ended. */
-  #begun: Click | null = null;
+  /** Where the press in hand began, and where and when the last that was no drag ended. */
+  #begun: Vec | null = null;
   #clicked: Click | null = null;
   #navigating = false;
   #space = false;
@@ -93,7 +95,7 @@ export class Pointing {
     if (this.#pressing !== null) return;
     this.#pressing = event.pointerId;
     const pans = this.#space || event.button === 1;
-    this.#begun = pans ? null : { place: this.#place(event), time: event.timeStamp };
+    this.#begun = pans ? null : this.#place(event);
     this.#host.pressDown(this.#pointer(event), pans);
   }
 
@@ -118,10 +120,10 @@ export class Pointing {
 
   /** Whether a press that ends now makes a double click with the one before it. Of three in a row only the first two do. */
   #isSecond({ stage, coarse }: StagePointer, time: number): boolean {
-    const [begun, before] = [this.#begun, this.#clicked];
-    const isNear = (click: Click) => distance(click.place, stage) <= (coarse ? TWICE.coarse : TWICE.fine);
-    const second = before !== null && time - before.time <= TWICE.ms && isNear(before);
-    const isClick = begun !== null && isNear(begun);
+    const [begun, before, kind] = [this.#begun, this.#clicked, coarse ? 'coarse' : 'fine'] as const;
+    const isNear = before !== null && distance(before.place, stage) <= TWICE[kind];
+    const second = isNear && time - before.time <= TWICE.ms;
+    const isClick = begun !== null && distance(begun, stage) <= SLIP[kind];
     this.#clicked = isClick && !second ? { place: stage, time } : null;
     return isClick && second;
   }

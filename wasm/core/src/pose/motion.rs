@@ -46,7 +46,8 @@ impl Motion {
         Self { translation: self.translation + linear * from - from, ..*self }
     }
 
-    /// What there is of it in other motions: a bar that is drawn to nothing flattens what is around it, and does not take it along into nothing.
+    /// What there is of it in other motions: a bar that is drawn to nothing flattens what is around it, and does not take it along
+    /// into nothing.
     pub(crate) fn passed_on(&self) -> Self {
         Self { strain: self.strain.shrunk_by_at_most(LEAST), ..*self }
     }

@@ -90,9 +90,10 @@ impl Poser {
         // What stays adds nothing: a held outline, and most handles as a rule.
         let passed_on = |motion: &Motion| {
             let passed_on = motion.passed_on();
-            (*motion != Motion::default()).then(|| (passed_on, passed_on.linear()))
+            (passed_on, passed_on.linear())
         };
-        let passed_on: Vec<Option<(Motion, DMat2)>> = motions.iter().map(passed_on).collect();
+        let passed_on: Vec<Option<(Motion, DMat2)>> =
+            motions.iter().map(|motion| (*motion != Motion::default()).then(|| passed_on(motion))).collect();
         for site in (0..motions.len()).filter(|&site| !self.origin[site].is_real()) {
             let here = |&(real, share): &(u32, f64)| {
                 let real = real as usize;
