@@ -3,17 +3,26 @@
 use c2warp::{Error, Picture, domain::Domain};
 use glam::DVec2;
 
+use crate::noise::Random;
+
 const SIZE: u32 = 120;
 
-/// The domain of a picture whose alpha is the share of each pixel that lies within a distance field's zero.
-fn domain(depth: impl Fn(DVec2) -> f64) -> Result<Domain, Error> {
-    let mut rgba = vec![0; (SIZE * SIZE * 4) as usize];
-    for (i, pixel) in rgba.chunks_exact_mut(4).enumerate() {
-        let i = i as u32;
-        let centre = DVec2::new(f64::from(i % SIZE), f64::from(i / SIZE)) + 0.5;
-        pixel[3] = (255.0 * (depth(centre) + 0.5).clamp(0.0, 1.0)).round() as u8;
-    }
+/// The domain of a picture by the alpha of each of its pixels.
+fn domain_of(alpha: impl Fn(u32, u32) -> u8) -> Result<Domain, Error> {
+    let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|i| [0, 0, 0, alpha(i % SIZE, i / SIZE)]).collect();
     Domain::from_alpha(&Picture::new(SIZE, SIZE, &rgba).expect("a valid picture"), 0.5)
+}
+
+/// How opaque a pixel is: the share of it that lies within a distance field's zero.
+pub(crate) fn covered(depth: impl Fn(DVec2) -> f64) -> impl Fn(u32, u32) -> u8 {
+    move |x, y| {
+        let centre = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
+        (255.0 * (depth(centre) + 0.5).clamp(0.0, 1.0)).round() as u8
+    }
+}
+
+fn domain(depth: impl Fn(DVec2) -> f64) -> Result<Domain, Error> {
+    domain_of(covered(depth))
 }
 
 fn disc(centre: DVec2, radius: f64) -> impl Fn(DVec2) -> f64 {
@@ -21,7 +30,7 @@ fn disc(centre: DVec2, radius: f64) -> impl Fn(DVec2) -> f64 {
 }
 
 /// A stroke with round ends.
-fn stroke(a: DVec2, b: DVec2, width: f64) -> impl Fn(DVec2) -> f64 {
+pub(crate) fn stroke(a: DVec2, b: DVec2, width: f64) -> impl Fn(DVec2) -> f64 {
     move |p| {
         let along = b - a;
         let t = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
@@ -83,6 +92,44 @@ fn holes_and_islands_are_kept_and_specks_counted() {
         (disc(DVec2::new(90.0, 80.0), 18.0), disc(DVec2::new(90.0, 20.0), 0.9), disc(DVec2::new(20.0, 100.0), 0.8));
     let domain = domain(|p| ring(p).max(island(p)).max(dust(p)).max(grain(p))).expect("a ring");
     assert_eq!((domain.islands(), domain.holes(), domain.specks()), (2, 1, 2));
+}
+
+/// Drawings with edges of every slope, soft and hard, and noise: in a mirror each corner is the mirrored one, to the last bit.
+#[test]
+fn the_outline_of_a_mirrored_picture_is_mirrored() {
+    let mut random = Random(11);
+    for case in 0..60 {
+        let grain = 1 + random.below(12) as u32;
+        let noise: Vec<u8> = (0..SIZE * SIZE).map(|_| random.below(256) as u8).collect();
+        let place = |random: &mut Random| 120.0 * DVec2::new(random.unit(), random.unit());
+        let strokes: Vec<(DVec2, DVec2, f64)> =
+            (0..4).map(|_| (place(&mut random), place(&mut random), 1.0 + 20.0 * random.unit())).collect();
+        let drawn = covered(|p| strokes.iter().map(|&(a, b, w)| stroke(a, b, w)(p)).fold(f64::MIN, f64::max));
+        let alpha = |x: u32, y: u32| match case % 3 {
+            0 => noise[(y / grain * SIZE + x / grain) as usize],
+            1 => drawn(x, y),
+            _ => 255 * u8::from(drawn(x, y) > 127),
+        };
+        let last = SIZE - 1;
+        let corners = |domain: Result<Domain, Error>, change: fn(DVec2) -> DVec2| {
+            let rings = domain.map_or_else(|_| Vec::new(), |domain| domain.rings().to_vec());
+            let mut corners: Vec<(u64, u64)> =
+                rings.into_iter().flatten().map(change).map(|p| (p.x.to_bits(), p.y.to_bits())).collect();
+            corners.sort_unstable();
+            corners
+        };
+        let here = |change| corners(domain_of(alpha), change);
+        let there = |domain| corners(domain, |p| p);
+        assert!(
+            here(|p| DVec2::new(f64::from(SIZE) - p.x, p.y)) == there(domain_of(|x, y| alpha(last - x, y))),
+            "case {case}"
+        );
+        assert!(
+            here(|p| DVec2::new(p.x, f64::from(SIZE) - p.y)) == there(domain_of(|x, y| alpha(x, last - y))),
+            "case {case}"
+        );
+        assert!(here(|p| DVec2::new(p.y, p.x)) == there(domain_of(|x, y| alpha(y, x))), "case {case}");
+    }
 }
 
 #[test]

@@ -2,16 +2,19 @@
 //! chance might decide on an axis.
 
 use c2warp::{
-    Solution,
+    Error, Picture, Solution,
     pose::Pose,
     project::{DomainSpec, Handle, PoseMode, Project, Rotation, Shape, Support},
+    solve,
 };
 use glam::DVec2;
 use proptest::prelude::*;
 
 use crate::{
+    alpha::{covered, stroke},
     bars::{bar, polygon},
-    scenes::{cases, is_inside, project, solved, spread},
+    noise::Random,
+    scenes::{SIZE, cases, is_inside, project, solved, spread},
 };
 
 /// In pixels: above rounding and what poses make of it.
@@ -117,7 +120,11 @@ fn symmetric_scenes() -> impl Strategy<Value = Project> {
 
 /// A scene that is not refused, posed; but none in which something turns by 180°: on an axis that goes round on one side or the other.
 fn posed(project: &Project) -> Option<(Solution, Pose)> {
-    let solution = solved(project).ok().filter(|_| !project.handles.is_empty())?;
+    posed_as(project, solved(project))
+}
+
+fn posed_as(project: &Project, solved: Result<Solution, Error>) -> Option<(Solution, Pose)> {
+    let solution = solved.ok().filter(|_| !project.handles.is_empty())?;
     let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     pose.motions().iter().all(|motion| motion.angle.abs() < 3.0).then_some((solution, pose))
 }
@@ -179,6 +186,41 @@ fn what_crosses_touches_or_leaves_the_picture_goes_the_same_way_in_a_mirror() {
             }
         }
     }
+}
+
+/// Limbs in pairs, one on the axis, each with a handle at its end, drawn with soft edges and with hard ones: the outline is found in
+/// the picture.
+#[test]
+fn symmetric_pictures_bend_symmetrically() {
+    let size = f64::from(SIZE);
+    let mut random = Random(5);
+    let mut compared = 0;
+    for case in 0..24 {
+        let mut within = |low: f64, high: f64| low + (high - low) * random.unit();
+        let middle = DVec2::new(size / 2.0, size / 2.0);
+        let ends: Vec<DVec2> = (0..3).map(|_| DVec2::new(within(220.0, 380.0), within(20.0, 380.0))).collect();
+        let limbs: Vec<(DVec2, f64)> = ends.iter().map(|&end| (end, within(14.0, 60.0))).collect();
+        let moves: Vec<DVec2> = ends.iter().map(|_| DVec2::new(within(-25.0, 25.0), within(-25.0, 25.0))).collect();
+        let limb = |p: DVec2| limbs.iter().map(|&(end, w)| stroke(middle, end, w)(p)).fold(f64::MIN, f64::max);
+        let drawn = covered(|p| limb(p).max(limb(mirrored(p))).max(stroke(middle, DVec2::new(200.0, 20.0), 33.0)(p)));
+        let alpha = |x, y| if case % 2 == 0 { drawn(x, y) } else { 255 * u8::from(drawn(x, y) > 127) };
+        let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|i| [0, 0, 0, alpha(i % SIZE, i / SIZE)]).collect();
+        let picture = Picture::new(SIZE, SIZE, &rgba).expect("a valid size");
+        let mut shapes: Vec<Shape> =
+            ends.iter().zip(&moves).map(|(&rest, &by)| Shape::Point { rest, posed: rest + by }).collect();
+        shapes.extend(shapes.clone().iter().map(|shape| changed(shape, mirrored)));
+        shapes.push(Shape::Point { rest: DVec2::new(200.0, 24.0), posed: DVec2::new(200.0, 10.0) });
+        let mut project = project(&[], &[], if case % 3 == 0 { Support::Paper } else { Support::Smooth });
+        project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
+        project.handles = shapes.into_iter().enumerate().map(|(id, shape)| handle(id, shape)).collect();
+        for (mode, density) in [(PoseMode::Harmonic, 0), (PoseMode::Rigid, 60)] {
+            (project.pose.mode, project.pose.density) = (mode, density);
+            let Some((solution, pose)) = posed_as(&project, solve(&project, &picture)) else { continue };
+            check_same((&solution, &pose), (&solution, &pose), mirrored).expect("symmetric");
+            compared += 1;
+        }
+    }
+    assert!(compared > 40, "{compared}");
 }
 
 proptest! {

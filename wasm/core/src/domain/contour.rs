@@ -14,6 +14,9 @@ use crate::picture::Picture;
 /// Crossings keep this share of an edge away from its nodes, so that no two crossings of a contour coincide, even
 /// where a pixel's alpha is just the threshold.
 const NODE_CLEARANCE: f64 = 1.0 / 64.0;
+/// Crossings lie at multiples of this many pixels, far below what a step of alpha moves them by: so those of a picture and of its
+/// mirror image are mirrored to the last bit.
+const GRAIN: f64 = 1.0 / 65_536.0;
 
 /// Contours of `alpha ≥ threshold`, with the threshold in (0, 1].
 pub(super) fn alpha_contours(picture: &Picture, threshold: f64) -> Vec<Ring> {
@@ -107,7 +110,8 @@ impl Alpha<'_> {
     }
 
     fn saddle_inside(&self, Cell { x, y }: Cell) -> bool {
-        let sum = self.at(x, y) + self.at(x + 1, y) + self.at(x, y + 1) + self.at(x + 1, y + 1);
+        // By diagonals, so that the sum is the same to the last bit in a mirror.
+        let sum = (self.at(x, y) + self.at(x + 1, y + 1)) + (self.at(x + 1, y) + self.at(x, y + 1));
         sum / 4.0 >= self.threshold
     }
 
@@ -121,6 +125,7 @@ impl Alpha<'_> {
         };
         let (a, b) = (self.at(ax, ay), self.at(bx, by));
         let t = ((self.threshold - a) / (b - a)).clamp(NODE_CLEARANCE, 1.0 - NODE_CLEARANCE);
+        let t = (t / GRAIN).round() * GRAIN;
         let (from, to) = (DVec2::new(ax as f64, ay as f64), DVec2::new(bx as f64, by as f64));
         let size = DVec2::new(f64::from(self.picture.width), f64::from(self.picture.height));
         (from + (to - from) * t + 0.5).clamp(DVec2::ZERO, size)

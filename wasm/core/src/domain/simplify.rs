@@ -4,6 +4,9 @@
 //! the triangle that the outline sweeps on the way holds no other point of any ring. The second condition makes every
 //! step a deformation that touches nothing, so rings stay simple and disjoint: gaps are not bridged, thin parts not cut.
 //!
+//! Of two points that cost the same, the one nearer to its ring's middle goes first, and those as near go in one round. So what is
+//! symmetric stays symmetric, wherever a ring begins and whichever way it runs.
+//!
 //! Cost: O(n log n) for n contour points, with a grid over the points.
 
 use std::collections::BinaryHeap;
@@ -17,22 +20,36 @@ use crate::{least::Least, segment::segment_distance};
 /// sees on an edge; a circle of radius 100 px keeps some 40 corners.
 const TOLERANCE: f64 = 0.35;
 
+/// Costs are compared to this many pixels, above rounding and far below the tolerance: in a mirror they are the same.
+const GRAIN: f64 = 1.0 / (1_u64 << 30) as f64;
+
 /// The rings with fewer points. Rings must be simple and disjoint, and stay so.
 pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
     let mut chains = Chains::new(rings);
     let mut queue: BinaryHeap<Candidate> = (0..chains.points.len()).filter_map(|at| chains.candidate(at)).collect();
-    while let Some(Least { item: (at, stamp), .. }) = queue.pop() {
-        if !chains.alive[at] || chains.stamp[at] != stamp || !chains.sweep_is_clear(at) {
-            continue;
+    while let Some(first) = queue.pop() {
+        let is_tied = |other: &Candidate| other.key == first.key && other.item.0 == first.item.0;
+        let mut round = vec![first];
+        while queue.peek().is_some_and(is_tied) {
+            round.extend(queue.pop());
         }
-        let (prev, next) = chains.remove(at);
-        queue.extend([prev, next].into_iter().filter_map(|at| chains.candidate(at)));
+        round.retain(|candidate| chains.is_current(candidate));
+        let mut around = Vec::new();
+        for candidate in &round {
+            if chains.is_current(candidate) {
+                around.extend(chains.drop_with_twin(candidate, &round));
+            }
+        }
+        queue.extend(around.into_iter().flatten().filter_map(|at| chains.candidate(at)));
     }
     chains.rings(rings)
 }
 
-/// A point that could go, by what that costs: where it is among all points, and its stamp.
-type Candidate = Least<(usize, u32)>;
+/// A point that could go, by what that costs: how far from its ring's middle it is, where among all points, and its stamp.
+type Candidate = Least<(Remoteness, usize, u32)>;
+
+/// The bits of a squared distance, which are in order as the distances are.
+type Remoteness = u64;
 
 /// All rings as doubly linked chains over the original points.
 struct Chains {
@@ -45,19 +62,22 @@ struct Chains {
     /// Counts the changes around a point, so that outdated candidates are known.
     stamp: Vec<u32>,
     left: Vec<usize>,
+    remoteness: Vec<Remoteness>,
     grid: PointGrid,
 }
 
 impl Chains {
     fn new(rings: &[Ring]) -> Self {
         let points: Vec<DVec2> = rings.iter().flatten().copied().collect();
-        let (mut ring, mut prev, mut next) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut ring, mut prev, mut next, mut remoteness) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut start = 0;
         for points in rings {
             let n = points.len();
             ring.extend((0..n).map(|_| (start, n)));
             prev.extend((0..n).map(|i| start + (i + n - 1) % n));
             next.extend((0..n).map(|i| start + (i + 1) % n));
+            let middle = middle(points);
+            remoteness.extend(points.iter().map(|p| p.distance_squared(middle).to_bits()));
             start += n;
         }
         let n = points.len();
@@ -67,14 +87,57 @@ impl Chains {
         for &(start, len) in &ring {
             left[start] = len;
         }
-        Self { points, ring, prev, next, alive: vec![true; n], stamp: vec![0; n], left, grid }
+        Self { points, ring, prev, next, alive: vec![true; n], stamp: vec![0; n], left, remoteness, grid }
     }
 
-    /// The cost of dropping a point, if that stays within the tolerance.
+    /// The cost of dropping a point, if it is there and that stays within the tolerance.
     fn candidate(&self, at: usize) -> Option<Candidate> {
-        let (from, to) = (self.prev[at], self.next[at]);
-        let (start, len) = self.ring[at];
-        if self.left[start] <= 3 {
+        let cost = if self.alive[at] { self.cost(self.prev[at], self.next[at], 1) } else { None };
+        cost.map(|key| Least { key, item: (self.remoteness[at], at, self.stamp[at]) })
+    }
+
+    /// Nothing around the point has changed since.
+    fn is_current(&self, &Least { item: (_, at, stamp), .. }: &Candidate) -> bool {
+        self.alive[at] && self.stamp[at] == stamp
+    }
+
+    /// Drops a point if nothing is in the way, and with it a neighbour that is tied, as on both sides of an axis: those stay or go
+    /// together, and more than two in a row stay. Gives the points on both sides of what is gone.
+    fn drop_with_twin(&mut self, candidate: &Candidate, round: &[Candidate]) -> Option<[usize; 2]> {
+        let (_, at, _) = candidate.item;
+        let is_tied = |other: usize| round.iter().any(|tied| tied.item.1 == other && self.is_current(tied));
+        let mut dropped = vec![at];
+        let (mut from, mut to) = (self.prev[at], self.next[at]);
+        while dropped.len() < 3 && is_tied(from) {
+            dropped.insert(0, from);
+            from = self.prev[from];
+        }
+        while dropped.len() < 3 && is_tied(to) {
+            dropped.push(to);
+            to = self.next[to];
+        }
+        if dropped.len() > 2 {
+            return None;
+        }
+        self.cost(from, to, dropped.len())?;
+        let is_clear = dropped.iter().zip(dropped.iter().skip(1).chain([&to])).all(|(&at, &next)| {
+            let counts = |other: usize| self.alive[other] && other != from && other != to && !dropped.contains(&other);
+            !self.grid.any_in_triangle([from, at, next].map(|i| self.points[i]), counts, &self.points)
+        });
+        if !is_clear {
+            return None;
+        }
+        for at in dropped {
+            self.remove(at);
+        }
+        Some([from, to])
+    }
+
+    /// The cost of a chord in place of all points between two, of which so many are left, if it stays within the tolerance and at least
+    /// three points of the ring are left.
+    fn cost(&self, from: usize, to: usize, dropped: usize) -> Option<f64> {
+        let (start, len) = self.ring[from];
+        if self.left[start] < 3 + dropped {
             return None;
         }
         let (a, b) = (self.points[from], self.points[to]);
@@ -85,28 +148,15 @@ impl Chains {
             if i == to {
                 break;
             }
-            cost = cost.max(segment_distance(self.points[i], a, b));
+            cost = cost.max((segment_distance(self.points[i], a, b) / GRAIN).round() * GRAIN);
             if cost > TOLERANCE {
                 return None;
             }
         }
-        Some(Least { key: cost, item: (at, self.stamp[at]) })
+        Some(cost)
     }
 
-    /// Whether no other point lies in the triangle of a point and its neighbours.
-    fn sweep_is_clear(&self, at: usize) -> bool {
-        let (prev, next) = (self.prev[at], self.next[at]);
-        let triangle = [self.points[prev], self.points[at], self.points[next]];
-        let (start, _) = self.ring[at];
-        self.left[start] > 3
-            && !self.grid.any_in_triangle(
-                triangle,
-                |other| other != at && other != prev && other != next && self.alive[other],
-                &self.points,
-            )
-    }
-
-    fn remove(&mut self, at: usize) -> (usize, usize) {
+    fn remove(&mut self, at: usize) {
         let (prev, next) = (self.prev[at], self.next[at]);
         self.next[prev] = next;
         self.prev[next] = prev;
@@ -114,7 +164,6 @@ impl Chains {
         self.left[self.ring[at].0] -= 1;
         self.stamp[prev] += 1;
         self.stamp[next] += 1;
-        (prev, next)
     }
 
     fn rings(&self, originals: &[Ring]) -> Vec<Ring> {
@@ -127,6 +176,13 @@ impl Chains {
         }
         rings
     }
+}
+
+/// The middle of the box around a ring.
+fn middle(ring: &[DVec2]) -> DVec2 {
+    let (low, high) =
+        ring.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
+    low.midpoint(high)
 }
 
 /// Points in square cells, each a linked list.

@@ -20,7 +20,7 @@ pub(super) struct Patch {
     centre: DVec2,
     spacing: f64,
     radius: f64,
-    /// The other sites that are patched: what is nearer to one of them is its own.
+    /// The other sites that are patched, as far as they reach nodes of this: what is nearer to one of them is its own.
     rivals: Vec<DVec2>,
 }
 
@@ -34,11 +34,13 @@ pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
         (0..sites.len()).map(|at| (sites[at], gap(at))).filter(|&(_, gap)| gap < RESOLUTION * spacing).collect();
     let mut patches = Vec::new();
     for (at, &(centre, gap)) in close.iter().enumerate() {
-        let rivals: Vec<DVec2> = (0..close.len()).filter(|&other| other != at).map(|other| close[other].0).collect();
+        let mut rivals: Vec<DVec2> =
+            (0..close.len()).filter(|&other| other != at).map(|other| close[other].0).collect();
         let mut finer = spacing / 2.0;
         while finer > gap / (2.0 * RESOLUTION) {
             // Beyond this distance the next coarser spacing resolves the distance.
             let radius = 2.0 * finer * RESOLUTION;
+            rivals.retain(|rival| rival.distance(centre) < 2.0 * radius + finer);
             patches.push(Patch { centre, spacing: finer, radius, rivals: rivals.clone() });
             finer /= 2.0;
         }
