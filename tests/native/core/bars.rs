@@ -306,6 +306,52 @@ fn a_bar_over_a_hole_moves_what_is_on_both_sides_and_tells_what_fell_out() {
     assert!(solution.outside().iter().all(|part| part.handle == "over"));
 }
 
+/// Along the outline, beside it by less than rounding or by little more, and out past its end: what sticks out is told, and nothing panics.
+#[test]
+fn a_bar_beside_the_outline_by_a_hair_is_cut_where_the_domain_ends() {
+    for beside in [0.0, 1e-13, 1e-9, 9e-7, 1e-6, 1.5e-6, 1.99e-6, 3e-6, 1e-5] {
+        for beyond in [5.0, 50.0, 900.0] {
+            let along = [(20.0 - beside, 20.0 - beyond), (20.0 - beside, 200.0)];
+            let project = square(Support::Smooth, vec![bar("along", &along, &along)]);
+            match solved(&project) {
+                Ok(solution) => {
+                    let told = solution.outside();
+                    assert!(
+                        told.iter().any(|part| part.to[1] - part.from[1] > 0.99 * beyond),
+                        "{beside} {beyond}: {told:?}"
+                    );
+                }
+                Err(Error::HandleOutside { id, .. }) => assert!(id == "along" && beside > 9e-7, "{beside} {beyond}"),
+                Err(other) => panic!("{beside} {beyond}: {other}"),
+            }
+        }
+        let corner = [(100.0, 150.0), (200.0, 20.0 - beside), (250.0, 150.0)];
+        let other = [(120.0, 200.0), (20.0 - beside, 240.0)];
+        let handles = vec![polygon("corner", &corner, &corner), bar("end", &other, &other)];
+        let (solution, pose) = posed(&square(Support::Smooth, handles));
+        for p in spread(200).filter(|p| p.min_element() > 21.0 && p.max_element() < 379.0) {
+            assert!(goes(&solution, &pose, p).distance(p) <= ON_BAR, "{beside} {p}");
+        }
+    }
+}
+
+/// Ends within the length that joins them, but not on one another: a move of all is that move, for their joint too.
+#[test]
+fn bars_that_nearly_touch_go_along_with_a_move_of_all() {
+    for (x, y) in [(29.97, 0.009), (29.985, 0.009), (29.9, 0.004), (29.0, 0.009)] {
+        for by in [DVec2::ZERO, DVec2::new(14.0, -9.0)] {
+            let moved =
+                |rest: &[(f64, f64)]| -> Vec<(f64, f64)> { rest.iter().map(|p| (p.0 + by.x, p.1 + by.y)).collect() };
+            let (one, two) = ([(120.0, 150.0), (180.0, 150.0)], [(150.0, 120.0), (150.0 + x, 150.0 + y)]);
+            let handles = vec![bar("one", &one, &moved(&one)), bar("two", &two, &moved(&two))];
+            let (solution, pose) = posed(&square(Support::Paper, handles));
+            for p in spread(500).filter(|p| p.min_element() > 21.0 && p.max_element() < 379.0) {
+                assert!(goes(&solution, &pose, p).distance(p + by) <= ON_BAR, "{x} {y} {by}: {p}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_held_boundary_stays() {
     for (support, mode, density) in [(Support::Paper, PoseMode::Harmonic, 0), (Support::Smooth, PoseMode::Rigid, 40)] {

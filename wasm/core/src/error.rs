@@ -244,7 +244,7 @@ pub enum Error {
         y: f64,
     },
     /// The insertion of virtual sites would not end within its budget.
-    #[error("the handles ask for more than {max} virtual sites: move the closest handles apart",
+    #[error("the handles ask for more than {max} sites: move the closest handles apart",
         max = crate::site::MAX_SITES)]
     TooManySites,
     /// A triangle mesh that is no mesh.

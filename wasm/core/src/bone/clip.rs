@@ -1,29 +1,45 @@
-//! The parts of a straight piece that lie in the domain.
+//! The parts of a straight piece that lie in the domain, ends included.
 
 use glam::DVec2;
 
 use super::HELD_CLEARANCE;
-use crate::{distance::Navigation, domain::Domain};
+use crate::{distance::Navigation, domain::Domain, locate::ON_OUTLINE};
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST: f64 = ON_OUTLINE;
+/// An end this near to that of its piece stays joined with what the piece is joined with, though it may lie beside it: what sticks out
+/// by twice [`SHORTEST`] may seem inside up to its middle.
+const JOINED: f64 = 4.0 * SHORTEST;
 /// Halvings until the way to the outline is known to the last digits.
 const HALVINGS: usize = 60;
 
-/// The parts of a segment in the domain, and clear of its outline where that is `held`, as shares of it, ascending.
-pub(super) fn kept(domain: &Domain, navigation: &Navigation, [a, b]: [DVec2; 2], held: bool) -> Vec<[f64; 2]> {
-    let parts = inside(domain, navigation, a, b);
-    if !held {
-        return parts;
-    }
-    let clear = |[enter, leave]: [f64; 2]| {
-        let clear = clear_of_outline(domain, a.lerp(b, enter), a.lerp(b, leave), HELD_CLEARANCE);
-        clear.into_iter().map(move |part| part.map(|share| enter + share * (leave - enter)))
-    };
-    parts.into_iter().flat_map(clear).collect()
+/// A part of a segment: its ends as shares of it, 0 or 1 where it is joined with the next, and where they are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    pub(super) shares: [f64; 2],
+    pub(super) ends: [DVec2; 2],
 }
 
-/// The parts of the segment from `a` to `b` inside the domain.
+/// The parts of a segment in the domain, and clear of its outline where that is `held`, ascending.
+pub(super) fn kept(domain: &Domain, navigation: &Navigation, [a, b]: [DVec2; 2], held: bool) -> Vec<Part> {
+    let mut shares = inside(domain, navigation, a, b);
+    if held {
+        let clear = |[enter, leave]: [f64; 2]| {
+            let clear = clear_of_outline(domain, a.lerp(b, enter), a.lerp(b, leave), HELD_CLEARANCE);
+            clear.into_iter().map(move |part| part.map(|share| enter + share * (leave - enter)))
+        };
+        shares = shares.into_iter().flat_map(clear).collect();
+    }
+    let joined = JOINED / a.distance(b);
+    let share = |share: f64| match share {
+        share if share <= joined => 0.0,
+        share if share >= 1.0 - joined => 1.0,
+        share => share,
+    };
+    shares.into_iter().map(|part| Part { shares: part.map(share), ends: part.map(|share| a.lerp(b, share)) }).collect()
+}
+
+/// The parts of the segment from `a` to `b` inside the domain, as shares of it.
 fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[f64; 2]> {
     let along = b - a;
     let mut stops = vec![0.0, 1.0];
@@ -31,18 +47,19 @@ fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[
         let wall = d - c;
         let area = along.perp_dot(wall);
         let (share, on_wall) = ((c - a).perp_dot(wall) / area, (c - a).perp_dot(along) / area);
-        // Parallel walls give no number; their ends are ends of others.
-        if share > 0.0 && share < 1.0 && (0.0..=1.0).contains(&on_wall) {
+        let slack = ON_OUTLINE / wall.length();
+        // Parallel walls give no number; their ends are ends of others, also for what runs along just beside them.
+        if share > 0.0 && share < 1.0 && (-slack..=1.0 + slack).contains(&on_wall) {
             stops.push(share);
         }
     }
     stops.sort_by(f64::total_cmp);
     let mut parts: Vec<[f64; 2]> = Vec::new();
     let shortest = SHORTEST / along.length();
+    let is_inside = |share: f64| navigation.place(a.lerp(b, share)).is_some();
     for pair in stops.windows(2) {
         let [from, to] = [pair[0], pair[1]];
-        let is_inside = || navigation.place(a.lerp(b, f64::midpoint(from, to))).is_some();
-        if to - from <= shortest || !is_inside() {
+        if to - from <= shortest || !is_inside(f64::midpoint(from, to)) {
             continue;
         }
         match parts.last_mut() {
@@ -59,7 +76,22 @@ fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[
             part[1] = 1.0;
         }
     }
+    // What allows for rounding in the middle does not at an end that sticks out by twice as much.
+    parts.retain(|&[from, to]| is_inside(f64::midpoint(from, to)));
+    for part in &mut parts {
+        let middle = f64::midpoint(part[0], part[1]);
+        *part = part.map(|end| if is_inside(end) { end } else { last(is_inside, middle, end) });
+    }
     parts
+}
+
+/// The share nearest to `failing` at which something still holds, as at `holding`.
+fn last(holds: impl Fn(f64) -> bool, mut holding: f64, mut failing: f64) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(holding, failing);
+        if holds(middle) { holding = middle } else { failing = middle }
+    }
+    holding
 }
 
 /// The parts of a segment in the domain that are no nearer to the outline than `clearance`.
@@ -75,16 +107,9 @@ fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<
             _ => runs.push([step, step]),
         }
     }
-    let edge = |mut clear: f64, mut near: f64| {
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(clear, near);
-            if is_clear(middle) { clear = middle } else { near = middle }
-        }
-        clear
-    };
-    let part = |[first, last]: [u32; 2]| {
-        let enter = if first == 0 { 0.0 } else { edge(at(first), at(first - 1)) };
-        let leave = if last == steps { 1.0 } else { edge(at(last), at(last + 1)) };
+    let part = |[first, end]: [u32; 2]| {
+        let enter = if first == 0 { 0.0 } else { last(is_clear, at(first), at(first - 1)) };
+        let leave = if end == steps { 1.0 } else { last(is_clear, at(end), at(end + 1)) };
         [enter, leave]
     };
     runs.into_iter().filter(|[first, last]| first < last).map(part).collect()

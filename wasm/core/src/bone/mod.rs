@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{distance::Navigation, domain::Domain, error::Error, report::Outside, segment::segment_distance};
 
+use clip::Part;
 use cut::Piece;
 pub(crate) use lines::Line;
 pub(crate) use motion::BoneMotion;
@@ -105,7 +106,7 @@ impl Skeleton {
     }
 
     /// Adds the bones of a piece, of which `parts` are kept.
-    fn lay(&mut self, line: &Line, piece: &Piece, parts: &[[f64; 2]], outside: &mut Vec<Outside>) {
+    fn lay(&mut self, line: &Line, piece: &Piece, parts: &[Part], outside: &mut Vec<Outside>) {
         let [a, b] = piece.ends(line);
         let mut leave_out = |from: f64, to: f64| {
             if from < to {
@@ -114,12 +115,11 @@ impl Skeleton {
             }
         };
         let mut end = 0.0;
-        for &part in parts {
-            leave_out(end, part[0]);
-            let rest = part.map(|share| a.lerp(b, share));
-            let joints = part.map(|share| self.joint(piece, share));
+        for &Part { shares, ends: rest } in parts {
+            leave_out(end, shares[0]);
+            let joints = shares.map(|share| self.joint(piece, share));
             self.bones.push(Bone { handle: piece.handle, rest, of_loop: line.closed, joints, body: 0 });
-            end = part[1];
+            end = shares[1];
         }
         leave_out(end, 1.0);
     }

@@ -7,6 +7,9 @@ use glam::DVec2;
 use super::{Anchor, Bone, Skeleton};
 use crate::project::{Handle, Rotation, Shape};
 
+/// What is posed to less than this, in pixels, has no length: its direction would be rounding.
+const NO_LENGTH: f64 = 1e-9;
+
 /// The map of a bone: the place `rest` goes to `posed`, and around it all is turned and stretched.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BoneMotion {
@@ -25,11 +28,18 @@ pub(crate) struct BoneMotion {
 impl Skeleton {
     /// The maps of all bones. Handles must have the corners that were solved.
     pub(crate) fn motions(&self, handles: &[Handle]) -> Vec<BoneMotion> {
-        let joints: Vec<DVec2> = self.joints.iter().map(|anchors| posed_joint(anchors, handles)).collect();
+        let joints: Vec<[DVec2; 2]> = self.joints.iter().map(|anchors| joint(anchors, handles)).collect();
         let turns: Vec<f64> = handles.iter().map(whole_turn).collect();
         let motion = |bone: &Bone| {
-            let ([a, b], [c, d]) = (bone.rest, bone.joints.map(|joint| joints[joint as usize]));
-            let (before, after) = (b - a, d - c);
+            let [a, b] = bone.rest;
+            // Bones of one joint may end beside one another, and do so when posed.
+            let posed = |end: DVec2, joint: u32| {
+                let [rest, posed] = joints[joint as usize];
+                posed + (end - rest)
+            };
+            let (c, d) = (posed(a, bone.joints[0]), posed(b, bone.joints[1]));
+            let before = b - a;
+            let after = if c.distance(d) < NO_LENGTH { DVec2::ZERO } else { d - c };
             // A bone without length has the direction of its handle.
             let turn = turns[bone.handle as usize];
             let angle = libm::atan2(before.perp_dot(after), before.dot(after));
@@ -49,30 +59,35 @@ impl Skeleton {
     /// Whether handles have the corners that anchors name.
     pub(crate) fn fits(&self, handles: &[Handle]) -> bool {
         let fits = |anchor: &Anchor| {
-            let corners = corners(&handles[anchor.handle as usize]).len();
+            let corners = corners(&handles[anchor.handle as usize]);
             let is_point = matches!(handles[anchor.handle as usize].shape, Shape::Point { .. });
-            !is_point && (anchor.segment as usize) < corners
+            !is_point && corners.iter().all(|corners| (anchor.segment as usize) < corners.len())
         };
         self.joints.iter().flatten().all(fits)
     }
 }
 
-/// The mean of what the anchors ask for, the same in any order.
-fn posed_joint(anchors: &[Anchor], handles: &[Handle]) -> DVec2 {
-    let posed = |anchor: &Anchor| {
-        let corners = corners(&handles[anchor.handle as usize]);
-        let (from, to) = (anchor.segment as usize, (anchor.segment as usize + 1) % corners.len());
-        corners[from].lerp(corners[to], anchor.share)
-    };
-    let mut places: Vec<DVec2> = anchors.iter().map(posed).collect();
-    places.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
-    places.iter().sum::<DVec2>() / places.len() as f64
+/// The mean of where the anchors rest, and of what they ask for, the same in any order.
+fn joint(anchors: &[Anchor], handles: &[Handle]) -> [DVec2; 2] {
+    let [mut rest, mut posed] = [0, 1].map(|of| {
+        let place = |anchor: &Anchor| {
+            let corners = corners(&handles[anchor.handle as usize])[of];
+            let (from, to) = (anchor.segment as usize, (anchor.segment as usize + 1) % corners.len());
+            corners[from].lerp(corners[to], anchor.share)
+        };
+        anchors.iter().map(place).collect::<Vec<DVec2>>()
+    });
+    [&mut rest, &mut posed].map(|places| {
+        places.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+        places.iter().sum::<DVec2>() / places.len() as f64
+    })
 }
 
-fn corners(handle: &Handle) -> &[DVec2] {
+/// Where the corners rest, and where they are posed.
+fn corners(handle: &Handle) -> [&[DVec2]; 2] {
     match &handle.shape {
-        Shape::Point { posed, .. } => std::slice::from_ref(posed),
-        Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => posed,
+        Shape::Point { rest, posed } => [rest, posed].map(std::slice::from_ref),
+        Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => [rest, posed],
     }
 }
 

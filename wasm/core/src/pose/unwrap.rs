@@ -3,16 +3,17 @@
 //! The rigid mode knows rotations, which have an angle up to whole turns. Between neighbours the least difference is meant: what
 //! is rolled up by three turns unrolls by angles up to three turns. The rigid blend takes the mean of angles, so it needs them so.
 //!
-//! From the sites whose turn the person set, or else from the first, each site takes the angle nearest to that of the neighbour
-//! it is reached from. Around a hole the last neighbours may still be a whole turn apart. Cost: a look at every link, and a visit
-//! where a turn is missing somewhere.
+//! From the sites whose turn the person set, or else from the one that is turned least, each site takes the angle nearest to that of the
+//! neighbour it is reached from: over the links across which angles differ least, whatever the order of the sites. Around a hole the last
+//! neighbours may still be a whole turn apart. Cost: a look at every link, and a heap of them where a turn is missing somewhere.
 
 use std::{
-    collections::VecDeque,
+    collections::BinaryHeap,
     f64::consts::{PI, TAU},
 };
 
 use super::Motion;
+use crate::least::Least;
 
 /// Shifts the angles of free sites by whole turns.
 pub(super) fn unwrap_angles(
@@ -23,27 +24,56 @@ pub(super) fn unwrap_angles(
     if links.clone().all(|(i, j, _)| (motions[i].angle - motions[j].angle).abs() < PI) {
         return;
     }
-    let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); motions.len()];
-    for (i, j, _) in links {
-        neighbours[i].push(j);
-        neighbours[j].push(i);
-    }
-    let mut is_known: Vec<bool> = is_free.iter().map(|free| !free).collect();
-    let mut queue: VecDeque<usize> = (0..motions.len()).filter(|&site| is_known[site]).collect();
-    for first in 0..motions.len() {
-        // Those that are set come first, then one of each part that none of them is in.
-        if queue.is_empty() && !is_known[first] {
-            is_known[first] = true;
-            queue.push_back(first);
+    let mut unwrapping = Unwrapping::new(motions, links);
+    (0..is_free.len()).filter(|&site| !is_free[site]).for_each(|site| unwrapping.know(site));
+    unwrapping.spread();
+    // Then from the least turned of each part that nothing set is in.
+    let mut seeds: Vec<usize> = (0..is_free.len()).filter(|&site| !unwrapping.is_known[site]).collect();
+    seeds.sort_by(|&a, &b| unwrapping.motions[a].angle.abs().total_cmp(&unwrapping.motions[b].angle.abs()));
+    for seed in seeds {
+        if !unwrapping.is_known[seed] {
+            unwrapping.know(seed);
+            unwrapping.spread();
         }
-        while let Some(site) = queue.pop_front() {
-            for &next in &neighbours[site] {
-                if !is_known[next] {
-                    is_known[next] = true;
-                    let turns = libm::round((motions[site].angle - motions[next].angle) / TAU);
-                    motions[next].angle += TAU * turns;
-                    queue.push_back(next);
-                }
+    }
+}
+
+struct Unwrapping<'a> {
+    motions: &'a mut [Motion],
+    neighbours: Vec<Vec<usize>>,
+    /// Whose angle is final.
+    is_known: Vec<bool>,
+    /// Links from known sites, by how far angles differ: to which site, and from which.
+    queue: BinaryHeap<Least<(usize, usize)>>,
+}
+
+impl<'a> Unwrapping<'a> {
+    fn new(motions: &'a mut [Motion], links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
+        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); motions.len()];
+        for (i, j, _) in links {
+            neighbours[i].push(j);
+            neighbours[j].push(i);
+        }
+        let is_known = vec![false; motions.len()];
+        Self { motions, neighbours, is_known, queue: BinaryHeap::new() }
+    }
+
+    fn know(&mut self, site: usize) {
+        self.is_known[site] = true;
+        let angle = |site: usize| self.motions[site].angle;
+        let unknown = self.neighbours[site].iter().filter(|&&next| !self.is_known[next]);
+        self.queue.extend(unknown.map(|&next| {
+            let apart = angle(next) - angle(site);
+            Least { key: (apart - TAU * libm::round(apart / TAU)).abs(), item: (next, site) }
+        }));
+    }
+
+    fn spread(&mut self) {
+        while let Some(Least { item: (site, from), .. }) = self.queue.pop() {
+            if !self.is_known[site] {
+                let turns = libm::round((self.motions[from].angle - self.motions[site].angle) / TAU);
+                self.motions[site].angle += TAU * turns;
+                self.know(site);
             }
         }
     }
@@ -65,6 +95,26 @@ mod tests {
         let wrapped: Vec<f64> = wound.iter().map(|angle| angle - TAU * libm::round(angle / TAU)).collect();
         let found = chain(&wrapped, &[true; 40]);
         assert!(found.iter().zip(&wound).all(|(a, b)| (a - b).abs() < 1e-12));
+    }
+
+    /// Between two that are set against one another it is where angles differ most that they stay apart, however sites are numbered.
+    #[test]
+    fn the_order_of_sites_does_not_matter() {
+        let (angles, links) = ([2.6, 3.1, -2.5, -2.2, -1.4], [(0, 1), (1, 2), (2, 3), (3, 4), (0, 2)]);
+        let found = |order: [usize; 5]| {
+            let mut motions = [Motion::default(); 5];
+            let mut free = [true; 5];
+            for (site, at) in order.into_iter().enumerate() {
+                motions[at].angle = angles[site];
+                free[at] = site != 0 && site != 4;
+            }
+            let links: Vec<_> = links.iter().map(|&(i, j)| (order[i], order[j], 1.0)).collect();
+            unwrap_angles(&mut motions, &free, links.into_iter());
+            order.map(|at| motions[at].angle)
+        };
+        let first = found([0, 1, 2, 3, 4]);
+        assert!([[4, 3, 2, 1, 0], [2, 0, 4, 1, 3], [1, 4, 0, 3, 2]].into_iter().all(|order| found(order) == first));
+        assert_eq!((first[0], first[4]), (2.6, -1.4));
     }
 
     #[test]

@@ -266,11 +266,11 @@ impl Regions<'_> {
     }
 
     fn insert_from_top(&mut self, mut sites: Vec<NewSite>) -> Result<(), Error> {
+        if self.sites.len() + sites.len() > MAX_SITES {
+            return Err(Error::TooManySites);
+        }
         sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
         for NewSite { rest, place, origin, on_chain } in sites {
-            if self.sites.len() >= MAX_SITES {
-                return Err(Error::TooManySites);
-            }
             if let Some((chain, length)) = on_chain {
                 let sites = &mut self.chains[chain].sites;
                 let at = sites.partition_point(|&(known, _)| known < length);
