@@ -118,6 +118,16 @@ fn the_order_of_handles_does_not_matter() {
 }
 
 #[test]
+fn all_of_a_cloud_has_weights_beside_handles_too() {
+    let cloud = PointCloud::new(shaken(|p| p.x + p.y < 250.0), 2).expect("a cloud");
+    let places = [DVec2::new(52.0, 61.0), DVec2::new(55.0, 60.0), DVec2::new(120.0, 40.0)];
+    let solution = solve_cloud(&scene(&places), &cloud).expect("a scene that can be solved");
+    for p in spread(20_000) {
+        assert_eq!(solution.weights_at(p).is_some(), cloud.contains(p), "{p}");
+    }
+}
+
+#[test]
 fn sparse_clouds_end_too() {
     // So few points that all of them become sites.
     let points: Vec<DVec2> = shaken(|_| true).into_iter().step_by(97).collect();

@@ -30,6 +30,8 @@ pub struct CloudSolution {
     /// The worst score δ / r_d before each insertion of Algorithm 1.
     pub scores: Vec<f64>,
     points: usize,
+    given: PointCloud,
+    /// The same with the handles, whose short links make it smaller around them.
     cloud: PointCloud,
     poser: Poser,
 }
@@ -45,6 +47,7 @@ impl CloudSolution {
     ) -> Result<Self, Error> {
         let points = cloud.points.len();
         let places: Vec<DVec2> = handles.iter().map(|handle| handle.1).collect();
+        let given = cloud.clone();
         let (cloud, at) = cloud.with(&places);
         let mut regions = Regions::new(&cloud);
         for (&(handle, _), &point) in handles.iter().zip(&at) {
@@ -65,7 +68,7 @@ impl CloudSolution {
         let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), handles.len(), mode, None);
-        Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, cloud, poser })
+        Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, given, cloud, poser })
     }
 
     /// Makes poses of this solution.
@@ -81,7 +84,7 @@ impl CloudSolution {
     #[must_use]
     pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
         let cloud = &self.cloud;
-        if !cloud.contains(p) {
+        if !self.given.contains(p) {
             return None;
         }
         let near = cloud.tree.nearest(&cloud.points, p, cloud.neighbours);

@@ -107,7 +107,8 @@ impl Weights {
         step: f64,
     ) -> Vec<Influence> {
         let mut here = self.at(sites, place, p);
-        let at = |q: DVec2| navigation.place(q).map_or((p, here.clone()), |place| (q, self.at(sites, place, q)));
+        // Beside a sharp corner the place of a point allows for more than a step.
+        let at = |q: DVec2| navigation.locate(q).map_or((p, here.clone()), |(place, q)| (q, self.at(sites, place, q)));
         let [left, right, above, below] = [-DVec2::X, DVec2::X, -DVec2::Y, DVec2::Y].map(|axis| at(p + step * axis));
         let slope = |(from, before): &(DVec2, Vec<Influence>), (to, after): &(DVec2, Vec<Influence>), site: usize| {
             let weight = |list: &[Influence]| list.iter().find(|one| one.site == site).map_or(0.0, |one| one.weight);
