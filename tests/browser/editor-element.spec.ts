@@ -44,8 +44,8 @@ test('methods do what tools do', async ({ page }) => {
     };
   });
   expect(answers).toEqual({
-    id: 'handle-6',
-    handles: ['head', 'left-hand', 'right-hand', 'left-foot', 'right-foot', 'handle-6'],
+    id: 'handle-1',
+    handles: ['head', 'left-hand', 'right-hand', 'left-foot', 'right-foot', 'handle-1'],
     selection: ['head'],
     size: [256, 320],
     left: 5,
@@ -61,9 +61,18 @@ test('what no handle can be is refused at once, and leaves no step', async ({ pa
       () => warp.updateHandle('nobody', { scale: 2 }),
       () => warp.removeHandle('nobody'),
       () => warp.updateHandle('head', { scale: -1 }),
+      () => warp.updateHandle('head', { depth: 1e300 }),
+      () => warp.updateHandle('head', { id: 'left-hand' } as object),
       () => warp.updateHandle('head', { posed: [Number.NaN, 1] }),
       () => warp.addHandle({ id: 'head', kind: 'point', rest: [512, 700] }),
       () => warp.addHandle({ id: 'bar', kind: 'bar', rest: [[512, 700]] }),
+      () => warp.addHandle({ id: 5, kind: 'point', rest: [512, 700] } as never),
+      () => {
+        warp.project = { ...warp.project, pose: { mode: 'bogus' as 'rigid' } };
+      },
+      () => {
+        warp.project = { ...warp.project, handles: [{ id: 'a', kind: 'circle' } as never] };
+      },
     ];
     return tries.map((attempt) => {
       try {
@@ -77,10 +86,15 @@ test('what no handle can be is refused at once, and leaves no step', async ({ pa
   expect(refusals).toEqual([
     'there is no handle "nobody"',
     'there is no handle "nobody"',
-    'handle "head", scale: expected a number above 0',
+    'handle "head", scale: expected a number above 0 and below 1000000000000',
+    'handle "head", depth: expected a number, at most 1000000000000 from 0',
+    'handle "head", id: cannot be changed',
     'handle "head", posed: expected a point [x, y]',
     'there is a handle "head" already',
     'handle "bar", rest: expected 2 points or more [x, y]',
+    'handle "5", id: expected a name',
+    'pose.mode: expected "harmonic" or "rigid", found "bogus"',
+    expect.stringContaining('handles[0].kind: expected'),
   ]);
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
@@ -131,6 +145,30 @@ test('removed, it gives back its context; put back, it has its document', async 
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
+test('a page may remove it when it tells of a change', async ({ page }) => {
+  await Editor.open(page);
+  const left = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    warp.addEventListener('change', () => warp.remove());
+    warp.updateHandle('head', { rotation: 10 });
+    return document.querySelectorAll('c2-warp').length;
+  });
+  expect(left).toBe(0);
+});
+
+test('the tool of the attribute is taken up after a move, and when readonly goes', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warp = page.locator('c2-warp');
+  const pressed = page.locator('.tools [aria-pressed=true]');
+  await warp.evaluate((element) => Object.assign(element, { readonly: true, tool: 'point' }));
+  await expect(pressed).not.toHaveAccessibleName(/point/);
+  await warp.evaluate((element) => Object.assign(element, { readonly: false }));
+  await expect(pressed).toHaveAccessibleName(/point/);
+  await warp.evaluate((element) => document.body.append(element));
+  await editor.ready();
+  await expect(pressed).toHaveAccessibleName(/point/);
+});
+
 test('readonly shows, pans and zooms, and changes nothing', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
@@ -148,11 +186,108 @@ test('a handle that cannot be solved is named and taken back, and the history wi
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [20, 20], posed: [30, 30] });
   });
-  await expect(editor.notice).toContainText('handle-6');
+  await expect(editor.notice).toContainText('handle-1');
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Redo')).toBeDisabled();
   await editor.button('Undo: move right hand').click();
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+});
+
+test('what a page does with a project or a handle that it has given or got is its own affair', async ({
+  page,
+}) => {
+  await Editor.open(page);
+  const posed = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const places: unknown[] = [];
+    const tell = () => places.push(...warp.project.handles.filter(({ id }) => id === 'head'));
+    const got = structuredClone(warp.project) as unknown as { handles: { posed: number[] }[] };
+    warp.addEventListener('change', (event) => {
+      (event as CustomEvent).detail.project.handles.length = 0;
+    });
+    warp.project = got as never;
+    (warp.project as unknown as typeof got).handles[0]?.posed.fill(1);
+    got.handles[0]?.posed.fill(2);
+    tell();
+    const place: [number, number] = [520, 250];
+    warp.updateHandle('head', { posed: place });
+    place.fill(3);
+    tell();
+    warp.undo();
+    tell();
+    return places.map((handle) => (handle as { posed: number[] }).posed);
+  });
+  expect(posed).toEqual([
+    [512, 260],
+    [520, 250],
+    [512, 260],
+  ]);
+});
+
+test('readonly or disabled in the midst of a drag takes it back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warp = page.locator('c2-warp');
+  await warp.evaluate((element) => {
+    Object.assign(globalThis, { changes: 0 });
+    element.addEventListener('change', () => Object.assign(globalThis, { changes: 1 }));
+  });
+  for (const attribute of ['readonly', 'disabled']) {
+    const { x, y } = await editor.place('right hand');
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y - 40, { steps: 3 });
+    await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(500);
+    await warp.evaluate((element, name) => element.setAttribute(name, ''), attribute);
+    await page.mouse.move(x, y - 80, { steps: 3 });
+    await page.mouse.up();
+    expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
+    await warp.evaluate((element, name) => element.removeAttribute(name), attribute);
+  }
+  expect(await page.evaluate(() => Reflect.get(globalThis, 'changes'))).toBe(0);
+});
+
+test('readonly gives up a drawing and a number being typed', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warp = page.locator('c2-warp');
+  const flip = (on: boolean) => warp.evaluate((element, on) => Object.assign(element, { readonly: on }), on);
+  await editor.handle('head').click();
+  await editor.field('x').fill('700');
+  await flip(true);
+  await page.keyboard.press('Enter');
+  await flip(false);
+  await expect(editor.field('x')).toHaveValue('512');
+  expect(await editor.told('head')).toMatchObject({ x: 512 });
+
+  await page.keyboard.press('g');
+  const at = await editor.fromImage('right hand', [900, 516]);
+  for (const corner of [at(450, 600), at(570, 600), at(510, 720)]) {
+    await page.mouse.click(corner.x, corner.y);
+  }
+  await expect(editor.button('Finish')).toBeEnabled();
+  await flip(true);
+  await page.keyboard.press('Enter');
+  await expect(editor.button('Finish')).toBeHidden();
+  await expect(editor.handles).toHaveCount(5);
+});
+
+test('hidden in the midst of a drag, it takes it back and keeps its view', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const show = (display: string) =>
+    page.locator('c2-warp').evaluate((element, display) => {
+      (element as HTMLElement).style.display = display;
+      return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    }, display);
+  const { x, y } = await editor.place('right hand');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 40, { steps: 3 });
+  await show('none');
+  await page.mouse.move(x, y - 80, { steps: 3 });
+  await page.mouse.up();
+  await show('');
+  expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
+  expect(await editor.place('right hand')).toEqual({ x, y });
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
 
 /** Asks for so many samples that the solve is noticed. */
@@ -181,6 +316,22 @@ test('a long solve shows progress, and can be cancelled', async ({ page }) => {
   await expect(page.getByRole('progressbar')).toBeHidden();
   const samples = () => page.locator('c2-warp').evaluate((element) => (element as C2Warp).project.samples);
   await expect.poll(samples).toBe(10_000);
+});
+
+test('what was taken back while it was solved shows no progress any more', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    for (let k = 0; k < 6; k++)
+      warp.addHandle({ kind: 'point', rest: [420 + 30 * k, 700], posed: [420 + 30 * k, 700] });
+    for (let k = 0; k < 6; k++) {
+      warp.undo();
+      await new Promise((done) => setTimeout(done, 8));
+    }
+  });
+  await expect(editor.handles).toHaveCount(5);
+  await expect(page.getByRole('progressbar')).toBeHidden();
+  await expect(page.locator('c2-warp .solved')).toContainText('sample');
 });
 
 test('the colours chosen stay chosen', async ({ page }) => {

@@ -74,6 +74,53 @@ test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
   expect(alpha(2, 2)).toBe(0);
 });
 
+test('a word in passing does not take away the way back to what was open before', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: -10, y: -40 });
+  await page.locator('c2-warp').evaluate(async (element) => {
+    const canvas = new OffscreenCanvas(64, 64);
+    canvas.getContext('2d')?.fillRect(0, 0, 64, 64);
+    const file = new File([await canvas.convertToBlob()], 'other.png', { type: 'image/png' });
+    const transfer = new DataTransfer();
+    transfer.items.add(file);
+    element.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  });
+  const back = editor.button(/^Back to/);
+  await expect(back).toBeVisible();
+  await editor.button('Add a point handle').click();
+  await page.mouse.click(100, 400);
+  await expect(page.getByText('There is nothing to hold here')).toBeVisible();
+  await expect(back).toBeHidden();
+  await page.keyboard.press('Escape');
+  await expect(back).toBeVisible();
+  await back.click();
+  await expect(editor.handle('right hand')).toBeVisible();
+});
+
+test('a soft shadow is a part of the picture', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const left = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const canvas = new OffscreenCanvas(200, 200);
+    const context = canvas.getContext('2d');
+    if (!context) throw new Error('no canvas');
+    [context.shadowBlur, context.shadowColor] = [40, 'black'];
+    context.arc(100, 100, 40, 0, 7);
+    context.fill();
+    const seen = async (source: ImageBitmapSource) => {
+      const drawn = new OffscreenCanvas(200, 200).getContext('2d');
+      drawn?.drawImage(await createImageBitmap(source), 0, 0);
+      const { data } = drawn?.getImageData(0, 0, 200, 200) ?? { data: [] };
+      return Array.from(data).filter((value, k) => k % 4 === 3 && value > 8).length;
+    };
+    const file = await canvas.convertToBlob();
+    await warp.load(file);
+    return (await seen(await warp.toBlob())) / (await seen(file));
+  });
+  expect(left).toBeGreaterThan(0.99);
+  await expect(editor.handles).toHaveCount(0);
+});
+
 test('a reload brings everything back: picture, pose, history', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.choose(png('disc.png', disc(96)));
@@ -147,7 +194,7 @@ test('a step that nobody waited for to be refused does not take the work before 
   await page.reload();
   // Each bar has two corners besides itself.
   await expect(editor.handles).toHaveCount(11);
-  await expect(editor.notice).toContainText('virtual sites', { timeout: 60_000 });
+  await expect(editor.notice).toContainText('more than 8192 sites', { timeout: 60_000 });
   await expect(editor.handles).toHaveCount(5);
   await expect.poll(() => editor.told('left hand')).toEqual(told);
   await expect(page.getByRole('progressbar')).toBeHidden();

@@ -86,10 +86,10 @@ test('a handle is placed on the bent picture, which does not jump, and taken awa
   await page.keyboard.press('p');
   await page.mouse.click(belly.x, belly.y);
   await expect(editor.handles).toHaveCount(6);
-  await expect(editor.handle('handle 6')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('handle 1')).toHaveAttribute('aria-pressed', 'true');
 
   const away = async () => {
-    const added = await editor.place('handle 6');
+    const added = await editor.place('handle 1');
     return Math.abs(added.x - belly.x) + Math.abs(added.y - belly.y);
   };
   await expect.poll(away).toBeLessThan(3);
@@ -201,6 +201,60 @@ test('a number being typed stays while the rest of the editor is shown anew', as
   await expect(editor.field('x')).toHaveValue('540');
   await page.keyboard.press('ArrowRight');
   await expect(editor.field('x')).toHaveValue('541');
+});
+
+test('numbers may be written with a comma; arrow keys step each of several from where it is', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  await editor.field('x').fill('510,5');
+  await editor.field('x').press('Enter');
+  await expect(editor.field('x')).toHaveValue('510.5');
+  await editor.field('x').press('Shift+ArrowUp');
+  await expect(editor.field('x')).toHaveValue('520.5');
+  await editor.handle('left hand').click({ modifiers: ['Shift'] });
+  await expect(editor.field('x')).toHaveValue('');
+  await editor.field('x').press('ArrowUp');
+  await expect.poll(() => editor.told('head')).toMatchObject({ x: 522 });
+  await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 125 });
+  await editor.field('x').fill('x');
+  await editor.field('x').press('Enter');
+  await expect(editor.field('x')).toHaveValue('');
+});
+
+test('a release that nobody was told of ends the drag', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const hand = await editor.place('right hand');
+  await page.evaluate(() =>
+    addEventListener('pointerup', (event) => event.stopPropagation(), { capture: true, once: true }),
+  );
+  await editor.drag(hand, { x: -20, y: -40 });
+  const left = await editor.still(() => editor.told('right hand'));
+  await page.mouse.move(hand.x - 200, hand.y + 100, { steps: 3 });
+  expect(await editor.still(() => editor.told('right hand'))).toEqual(left);
+  await expect(editor.button('Undo: move right hand')).toBeEnabled();
+});
+
+test('handles are taken hold of where they are seen, in an editor that the page scales', async ({ page }) => {
+  const editor = await Editor.open(page);
+  for (const [property, value] of [
+    ['scale', '0.6'],
+    ['zoom', '1.5'],
+  ] as const) {
+    const styled = (value: string) =>
+      page
+        .locator('c2-warp')
+        .evaluate(
+          (element, [property, value]) => (element as HTMLElement).style.setProperty(property, value),
+          [property, value] as const,
+        );
+    await styled(value);
+    const before = await editor.still(() => editor.told('left foot'));
+    await editor.dragHandle('left foot', { x: 12, y: 0 });
+    await expect.poll(async () => (await editor.told('left foot')).x, property).toBeGreaterThan(before.x + 5);
+    await styled('');
+  }
 });
 
 test('numbers commit as one step each, and reset puts back one handle or all', async ({ page }) => {

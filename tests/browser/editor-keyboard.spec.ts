@@ -38,10 +38,10 @@ test('a handle is placed, selected and deleted by keys', async ({ page }) => {
   await page.keyboard.press('Shift+ArrowDown');
   await page.keyboard.press('Enter');
   await expect(editor.handles).toHaveCount(6);
-  await expect(editor.handle('handle 6')).toBeFocused();
+  await expect(editor.handle('handle 1')).toBeFocused();
   await page.keyboard.press('Delete');
   await expect(editor.handles).toHaveCount(5);
-  await expect(page.getByText('Delete handle 6')).toBeAttached();
+  await expect(page.getByText('Delete handle 1')).toBeAttached();
   // The focus was on what is gone; keys go on working.
   await page.keyboard.press('Control+z');
   await expect(editor.handles).toHaveCount(6);
@@ -92,6 +92,68 @@ test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async 
   await page.keyboard.up('Space');
   await expect.poll(async () => (await editor.place('left hand')).x).toBeCloseTo(after.x + 30, 0);
   await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('keys of the document work from a number field, which is committed before', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  await editor.field('x').fill('530');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
+  expect(download.suggestedFilename()).toContain('.c2warp.json');
+  await expect.poll(() => editor.told('head')).toMatchObject({ x: 530 });
+  await editor.field('x').focus();
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => editor.told('head')).toMatchObject({ x: 512 });
+});
+
+test('Escape is for a dialog around the editor once there is nothing to take back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const taken = (key: string) =>
+    page.evaluate(async (key) => {
+      const heard = new Promise<boolean>((done) =>
+        addEventListener('keydown', (event) => done(event.defaultPrevented), { once: true }),
+      );
+      const warp = document.querySelector('c2-warp')?.shadowRoot?.activeElement;
+      warp?.dispatchEvent(
+        new KeyboardEvent('keydown', { key, bubbles: true, composed: true, cancelable: true }),
+      );
+      return heard;
+    }, key);
+  await editor.handle('head').focus();
+  expect(await taken('Escape')).toBe(true);
+  expect(await taken('Escape')).toBe(false);
+});
+
+test('a menu that is closed by Escape gives the keys back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.keyboard.press('ArrowUp');
+  await editor.button('Overlays').focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('checkbox').first().focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => editor.told('head')).toMatchObject({ x: 512 });
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('the crosshair stays in view, is told, and goes with Escape or another tool', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const crosshair = page.locator('c2-warp .crosshair');
+  await editor.handle('head').focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('p');
+  for (let press = 0; press < 30; press++) await page.keyboard.press('Shift+ArrowUp');
+  await expect(crosshair).toBeVisible();
+  await expect(page.getByText(/^x \d+, y -?\d+$/)).toBeAttached();
+  for (let press = 0; press < 8; press++) await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(editor.handles).toHaveCount(6);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Shift+ArrowUp');
+  await expect(crosshair).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(crosshair).toBeHidden();
 });
 
 test('every control has a name', async ({ page }) => {

@@ -22,7 +22,7 @@ async function leg(editor: Editor): Promise<(x: number, y: number) => Place> {
   await editor.page.keyboard.press('b');
   await clicks(editor, [at(...ANKLE), at(...HIP)]);
   await editor.page.keyboard.press('Enter');
-  await expect(editor.handle('bar 6')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('bar 1')).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.status).toContainText('virtual handle');
   return at;
 }
@@ -39,28 +39,28 @@ test('a bar is drawn by clicks, and bent by one end; undo takes each step back',
   await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
   await page.mouse.dblclick(second.x, second.y);
   await expect(page.getByRole('group', { name: 'Drawing' })).toBeHidden();
-  await expect(editor.handle('bar 6')).toBeFocused();
-  expect(await editor.inProject('bar-6')).toMatchObject({ kind: 'bar', rotation: 'auto', scale: 1 });
+  await expect(editor.handle('bar 1')).toBeFocused();
+  expect(await editor.inProject('bar-1')).toMatchObject({ kind: 'bar', rotation: 'auto', scale: 1 });
 
   const goal = at(240, 980);
   const before = await editor.look(goal);
-  const end = await editor.middle(editor.corner(1, 'bar 6'));
+  const end = await editor.middle(editor.corner(1, 'bar 1'));
   await editor.drag(end, { x: goal.x - end.x, y: goal.y - end.y });
-  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBeGreaterThan(10);
-  const bent = await editor.inProject('bar-6');
+  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBeGreaterThan(10);
+  const bent = await editor.inProject('bar-1');
   if (bent?.kind !== 'bar') throw new Error('a bar stays one');
   expect(bent.posed[1]).toEqual(bent.rest[1]);
   // The picture is where the corners are.
   for (const k of [0, 1]) await settles(editor, bent.rest[k] ?? [0, 0], bent.posed[k] ?? [0, 0]);
   await expect.poll(async () => apart(before, await editor.look(goal))).toBeGreaterThan(10);
 
-  await editor.button('Undo: move a corner of bar 6').click();
-  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBe(0);
+  await editor.button('Undo: move a corner of bar 1').click();
+  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(0);
   await editor.button('Undo: add bar').click();
-  await expect(editor.handle('bar 6')).toBeHidden();
+  await expect(editor.handle('bar 1')).toBeHidden();
   await expect(editor.button('Undo')).toBeDisabled();
   await editor.button('Redo: add bar').click();
-  await expect(editor.handle('bar 6')).toBeVisible();
+  await expect(editor.handle('bar 1')).toBeVisible();
 });
 
 test('one press, drag and release draws a whole bar, with Shift at 45°', async ({ page }) => {
@@ -71,8 +71,8 @@ test('one press, drag and release draws a whole bar, with Shift at 45°', async 
   const [from, to] = [at(440, 700), at(570, 720)];
   await editor.drag(from, { x: to.x - from.x, y: to.y - from.y });
   await page.keyboard.up('Shift');
-  await expect(editor.handle('bar 6')).toBeVisible();
-  const bar = await editor.inProject('bar-6');
+  await expect(editor.handle('bar 1')).toBeVisible();
+  const bar = await editor.inProject('bar-1');
   if (bar?.kind !== 'bar') throw new Error('a bar was drawn');
   expect(bar.posed).toHaveLength(2);
   expect(bar.posed[1]?.[1]).toBeCloseTo(bar.posed[0]?.[1] ?? 0, 1);
@@ -84,18 +84,18 @@ test('a double click gives a bar a corner there, which bends it, and one on the 
   const editor = await Editor.open(page);
   const at = await leg(editor);
   await page.keyboard.press('v');
-  const corners = () => editor.inProject('bar-6').then((bar) => (bar?.kind === 'bar' ? bar.posed.length : 0));
+  const corners = () => editor.inProject('bar-1').then((bar) => (bar?.kind === 'bar' ? bar.posed.length : 0));
   const [knee, bent] = [at(380, 930), at(340, 930)];
   await page.mouse.dblclick(knee.x, knee.y);
-  await expect(editor.corner(2, 'bar 6')).toBeFocused();
+  await expect(editor.corner(2, 'bar 1')).toBeFocused();
   await editor.drag(knee, { x: bent.x - knee.x, y: 0 });
-  const bar = await editor.inProject('bar-6');
+  const bar = await editor.inProject('bar-1');
   if (bar?.kind !== 'bar' || bar.posed.length !== 3) throw new Error('the bar has a knee');
   for (const k of [0, 1, 2]) await settles(editor, bar.rest[k] ?? [0, 0], bar.posed[k] ?? [0, 0]);
   expect(bar.posed[1]?.[0]).toBeLessThan((bar.rest[1]?.[0] ?? 0) - 30);
 
   await page.mouse.dblclick(bent.x, bent.y);
-  await expect(editor.button('Undo: delete a corner of bar 6')).toBeEnabled();
+  await expect(editor.button('Undo: delete a corner of bar 1')).toBeEnabled();
   expect(await corners()).toBe(2);
   // The ends stay: a bar has two.
   const ankle = at(...ANKLE);
@@ -109,22 +109,22 @@ test('by keys a corner is added beside the one that has the focus, and deleted',
   const editor = await Editor.open(page);
   await leg(editor);
   await page.keyboard.press('v');
-  await editor.corner(2, 'bar 6').focus();
+  await editor.corner(2, 'bar 1').focus();
   await page.keyboard.press('c');
   // Behind an end there is no edge: it comes before.
-  await expect(editor.corner(2, 'bar 6')).toBeFocused();
-  await expect(editor.corner(3, 'bar 6')).toBeVisible();
+  await expect(editor.corner(2, 'bar 1')).toBeFocused();
+  await expect(editor.corner(3, 'bar 1')).toBeVisible();
   await page.keyboard.press('Shift+ArrowLeft');
-  await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+  await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
   await page.keyboard.press('x');
-  await expect(editor.corner(1, 'bar 6')).toBeFocused();
-  await expect(editor.corner(3, 'bar 6')).toBeHidden();
+  await expect(editor.corner(1, 'bar 1')).toBeFocused();
+  await expect(editor.corner(3, 'bar 1')).toBeHidden();
   // Two are needed.
   await page.keyboard.press('x');
-  await expect(editor.corner(2, 'bar 6')).toBeVisible();
+  await expect(editor.corner(2, 'bar 1')).toBeVisible();
   await editor.button('Add a corner').click();
-  await expect(editor.corner(2, 'bar 6')).toBeFocused();
-  await expect(editor.corner(3, 'bar 6')).toBeVisible();
+  await expect(editor.corner(2, 'bar 1')).toBeFocused();
+  await expect(editor.corner(3, 'bar 1')).toBeVisible();
 });
 
 test('a polygon closes on its first corner, and carries the picture inside it along', async ({ page }) => {
@@ -137,15 +137,15 @@ test('a polygon closes on its first corner, and carries the picture inside it al
   await page.mouse.move(first.x, first.y);
   await expect(page.locator('c2-warp .draft .hot')).toBeAttached();
   await page.mouse.click(first.x, first.y);
-  await expect(editor.handle('polygon 6')).toBeVisible();
+  await expect(editor.handle('polygon 1')).toBeVisible();
   await page.keyboard.press('v');
   // By its body, away from corners, ring and middle.
   const inside = at(480, 800);
   await editor.drag(inside, { x: 30, y: 20 });
   const [dx, dy] = [30, 20].map((by) => by / (at(1, 0).x - at(0, 0).x));
-  await expect.poll(async () => (await editor.told('polygon 6')).rotation).toBe(0);
+  await expect.poll(async () => (await editor.told('polygon 1')).rotation).toBe(0);
   await expect.poll(() => editor.away([512, 840], [512 + (dx ?? 0), 840 + (dy ?? 0)])).toBeLessThan(12);
-  await expect(editor.button('Undo: move polygon 6')).toBeEnabled();
+  await expect(editor.button('Undo: move polygon 1')).toBeEnabled();
 });
 
 test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing up', async ({ page }) => {
@@ -174,37 +174,37 @@ test('by keys alone: a bar is drawn, one end moved, the whole turned and deleted
   await page.keyboard.press('Enter');
   // Where no arrow has gone on, Enter finishes.
   await page.keyboard.press('Enter');
-  await expect(editor.handle('bar 6')).toBeFocused();
-  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBe(0);
+  await expect(editor.handle('bar 1')).toBeFocused();
+  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(0);
 
   await page.keyboard.press('Tab');
-  await expect(editor.corner(1, 'bar 6')).toBeFocused();
-  const before = await editor.told('bar 6');
+  await expect(editor.corner(1, 'bar 1')).toBeFocused();
+  const before = await editor.told('bar 1');
   for (let step = 0; step < 3; step++) await page.keyboard.press('Shift+ArrowRight');
-  await expect.poll(async () => (await editor.told('bar 6')).x).toBe(before.x + 15);
-  await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+  await expect.poll(async () => (await editor.told('bar 1')).x).toBe(before.x + 15);
+  await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
   await page.keyboard.press('Shift+Tab');
   await page.keyboard.press('Shift+ArrowLeft');
-  await expect.poll(async () => (await editor.told('bar 6')).x).toBe(before.x + 5);
-  const turned = await editor.still(() => editor.told('bar 6'));
+  await expect.poll(async () => (await editor.told('bar 1')).x).toBe(before.x + 5);
+  const turned = await editor.still(() => editor.told('bar 1'));
   await page.keyboard.press('Shift+Period');
-  await expect.poll(async () => (await editor.told('bar 6')).rotation).toBe(turned.rotation + 15);
+  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(turned.rotation + 15);
   await page.keyboard.press('Delete');
-  await expect(editor.handle('bar 6')).toBeHidden();
+  await expect(editor.handle('bar 1')).toBeHidden();
 });
 
 test('the panel moves, turns beyond half a turn, and resets a bar', async ({ page }) => {
   const editor = await Editor.open(page);
   await leg(editor);
-  const rest = await editor.inProject('bar-6');
+  const rest = await editor.inProject('bar-1');
   await editor.field('x').fill('360');
   await editor.field('x').press('Enter');
   await editor.field('rotation').fill('270');
   await editor.field('rotation').press('Enter');
-  await expect.poll(() => editor.told('bar 6')).toMatchObject({ x: 360, rotation: 270 });
+  await expect.poll(() => editor.told('bar 1')).toMatchObject({ x: 360, rotation: 270 });
   await expect(editor.button('Automatic turn')).toBeHidden();
   await editor.button('Reset to rest').click();
-  await expect.poll(() => editor.inProject('bar-6')).toEqual(rest);
+  await expect.poll(() => editor.inProject('bar-1')).toEqual(rest);
 });
 
 test('a box, Shift-click and arrows work on bars and points alike', async ({ page }) => {
@@ -215,9 +215,9 @@ test('a box, Shift-click and arrows work on bars and points alike', async ({ pag
   const [corner, opposite] = [at(250, 960), at(400, 1180)];
   await editor.drag(corner, { x: opposite.x - corner.x, y: opposite.y - corner.y });
   await expect(page.getByRole('heading', { name: '2 handles' })).toBeVisible();
-  const [bar, foot] = [await editor.told('bar 6'), await editor.told('left foot')];
+  const [bar, foot] = [await editor.told('bar 1'), await editor.told('left foot')];
   await page.keyboard.press('ArrowUp');
-  await expect.poll(async () => (await editor.told('bar 6')).y).toBe(bar.y - 1);
+  await expect.poll(async () => (await editor.told('bar 1')).y).toBe(bar.y - 1);
   await expect.poll(async () => (await editor.told('left foot')).y).toBe(foot.y - 1);
   await page.keyboard.down('Shift');
   const line = at(380, 930);
@@ -232,7 +232,7 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   await page.keyboard.press('b');
   await clicks(editor, [at(60, 900), at(160, 1000)]);
   await page.keyboard.press('Enter');
-  await expect(editor.notice).toContainText('bar-6');
+  await expect(editor.notice).toContainText('bar-1');
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Undo')).toBeDisabled();
@@ -240,8 +240,8 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   const leg = at(380, 950);
   await page.mouse.click(leg.x, leg.y);
   await page.keyboard.press('Enter');
-  await expect(editor.handle('bar 6')).toBeVisible();
-  await expect(page.getByText('Only the part of bar 6 on the picture bends it')).toBeVisible();
+  await expect(editor.handle('bar 1')).toBeVisible();
+  await expect(page.getByText('Only the part of bar 1 on the picture bends it')).toBeVisible();
 });
 
 test('the boundary is held at a switch, as one step', async ({ page }) => {
@@ -282,9 +282,9 @@ test.describe('under fingers', () => {
     const ankle = at(...ANKLE);
     await page.touchscreen.tap(ankle.x, ankle.y);
     await editor.button('Finish').tap();
-    await expect(editor.handle('bar 6')).toBeVisible();
-    const end = await editor.middle(editor.corner(1, 'bar 6'));
-    expect((await editor.corner(1, 'bar 6').boundingBox())?.width).toBeGreaterThanOrEqual(44);
+    await expect(editor.handle('bar 1')).toBeVisible();
+    const end = await editor.middle(editor.corner(1, 'bar 1'));
+    expect((await editor.corner(1, 'bar 1').boundingBox())?.width).toBeGreaterThanOrEqual(44);
     const session = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: Place[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
@@ -292,7 +292,7 @@ test.describe('under fingers', () => {
     await touch('touchMove', { x: end.x + 10, y: end.y - 10 });
     await touch('touchMove', { x: end.x + 20, y: end.y - 16 });
     await touch('touchEnd');
-    await expect(editor.button('Undo: move a corner of bar 6')).toBeEnabled();
+    await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
   });
 
   test('a double tap gives a bar a corner', async ({ page }) => {
@@ -303,7 +303,7 @@ test.describe('under fingers', () => {
     for (const place of [at(260, 560), at(480, 560)]) await page.touchscreen.tap(place.x, place.y);
     await editor.button('Finish').tap();
     await editor.button('Select and move').tap();
-    const knee = await editor.place('bar 6');
+    const knee = await editor.place('bar 1');
     const session = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: Place[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
@@ -314,7 +314,7 @@ test.describe('under fingers', () => {
       touch('touchStart', knee),
       touch('touchEnd'),
     ]);
-    await expect(editor.corner(3, 'bar 6')).toBeVisible();
+    await expect(editor.corner(3, 'bar 1')).toBeVisible();
   });
 
   test('how the picture bends can be chosen while nothing is selected', async ({ page }) => {

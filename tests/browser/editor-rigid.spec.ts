@@ -86,6 +86,28 @@ test('another way to bend is one click and one undo step', async ({ page }) => {
   await expect.poll(() => settings()).toEqual(['rigid', 200, 'smooth']);
 });
 
+test('how the picture bends is folded up while something is selected, and opens at a press or a key', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const smooth = page.getByRole('button', { name: 'Smooth', exact: true });
+  await expect(smooth).toBeVisible();
+  await editor.handle('head').click();
+  await expect(smooth).toBeHidden();
+  const line = page.locator('c2-warp summary').filter({ hasText: 'Bending' });
+  await expect(line).toContainText('rigid, medium');
+  await line.click();
+  await expect(smooth).toBeVisible();
+  await editor.handle('left hand').click();
+  await expect(smooth).toBeVisible();
+  await line.focus();
+  await page.keyboard.press('Enter');
+  await expect(smooth).toBeHidden();
+  await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
+  await editor.button('Draw a bar').click();
+  await expect(smooth).toBeVisible();
+});
+
 test('turns are kept rigid at a switch, as one step that solves nothing', async ({ page }) => {
   const editor = await Editor.open(page);
   const project = () =>

@@ -1,5 +1,6 @@
 /** The editor under fingers, on a phone. */
 import type { CDPSession, Page } from '@playwright/test';
+import type { C2Warp } from '../../web/src/element';
 import { Editor, type Place } from './editor';
 import { expect, test } from './fixtures';
 
@@ -20,12 +21,14 @@ async function touch(session: CDPSession, steps: readonly (readonly Place[])[]):
 const fingers = (page: Page) => page.context().newCDPSession(page);
 const beside = ({ x, y }: Place, dx: number, dy: number): Place => ({ x: x + dx, y: y + dy });
 
-test('one finger drags a hand, and the sheet tells its numbers', async ({ page }) => {
+test('one finger drags a hand, and the sheet tells its numbers at a press', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   await touch(await fingers(page), [[hand], [beside(hand, -10, -30)], [beside(hand, -20, -60)]]);
   await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(420);
   await expect(page.getByRole('heading', { name: 'Right hand' })).toBeVisible();
+  await expect(editor.field('y')).toBeHidden();
+  await editor.button('Numbers').tap();
   await expect(editor.field('y')).toBeVisible();
   await editor.button('Undo').tap();
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
@@ -56,14 +59,138 @@ test('a second finger takes back a handle that the first has just placed', async
   await expect(editor.handles).toHaveCount(6);
 });
 
+test('the sheet keeps clear of what is selected, and out of the way of a drag', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const sheet = page.getByRole('region', { name: 'Properties' });
+  const opaque = () => sheet.evaluate((element) => Number(getComputedStyle(element).opacity));
+  const covers = async (name: string) => {
+    const [handle, box] = [await editor.place(name), await sheet.boundingBox()];
+    return box !== null && handle.y + 20 > box.y && handle.y - 20 < box.y + box.height;
+  };
+  await editor.handle('head').tap();
+  for (const name of ['head', 'left hand', 'left foot']) expect(await covers(name), name).toBe(false);
+  await editor.button('Numbers').tap();
+  expect(await covers('head')).toBe(false);
+  await editor.button('Numbers').tap();
+  await editor.handle('left foot').tap();
+  await editor.button('Numbers').tap();
+  expect(await covers('left foot')).toBe(false);
+  const session = await fingers(page);
+  const foot = await editor.place('left foot');
+  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [foot] });
+  await session.send('Input.dispatchTouchEvent', {
+    type: 'touchMove',
+    touchPoints: [beside(foot, -20, -200)],
+  });
+  await expect.poll(opaque).toBe(0);
+  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await expect.poll(opaque).toBe(1);
+});
+
+test('how the picture bends can be chosen while a handle is selected', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').tap();
+  await editor.button('How the picture bends').tap();
+  await expect(editor.field('x')).toBeHidden();
+  await editor.switch('Hold the boundary').tap();
+  await expect(editor.switch('Hold the boundary')).toBeChecked();
+  await editor.handle('left hand').tap();
+  await expect(editor.switch('Hold the boundary')).toBeHidden();
+  await expect(page.getByRole('heading', { name: 'Left hand' })).toBeVisible();
+});
+
+test('a tap is for the stage alone, and not for what it brings up under the finger', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.evaluate(() => {
+    const clicks: string[] = [];
+    Object.assign(globalThis, { clicks });
+    document.addEventListener('click', (event) => clicks.push(String(event.composedPath()[0])), {
+      capture: true,
+    });
+  });
+  await editor.button('Add a point handle').tap();
+  await editor.button('Zoom in').tap();
+  await editor.button('Zoom in').tap();
+  const before = await page.evaluate(() => (Reflect.get(globalThis, 'clicks') as string[]).length);
+  // On a leg, where the bin will be.
+  await page.touchscreen.tap(353, 627);
+  await expect(editor.handles).toHaveCount(6);
+  expect(await page.evaluate(() => (Reflect.get(globalThis, 'clicks') as string[]).length)).toBe(before);
+});
+
+const small = async (page: Page): Promise<string[]> => {
+  const found: string[] = [];
+  for (const control of await page
+    .locator('c2-warp')
+    .locator('button, .field')
+    .filter({ visible: true })
+    .all()) {
+    const box = await control.boundingBox();
+    const name = (await control.getAttribute('aria-label')) ?? (await control.textContent()) ?? '';
+    if (Math.min(box?.width ?? 0, box?.height ?? 0) < 44) found.push(name.trim());
+  }
+  return found;
+};
+
 test('every control is a finger wide, and tools lie at the bottom', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
-  for (const control of await page.locator('c2-warp').locator('button:visible').all()) {
-    const box = await control.boundingBox();
-    const name = await control.getAttribute('aria-label');
-    expect(Math.min(box?.width ?? 0, box?.height ?? 0), name ?? '').toBeGreaterThanOrEqual(44);
-  }
+  await editor.button('Numbers').tap();
+  expect(await small(page)).toEqual([]);
   const tools = await page.getByRole('group', { name: 'Tools' }).boundingBox();
   expect(tools?.y).toBeGreaterThan(600);
+});
+
+test('on a phone held sideways every control is a finger wide too, and no field makes the browser zoom in', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 844, height: 390 });
+  const editor = await Editor.open(page);
+  await editor.handle('head').tap();
+  expect(await small(page)).toEqual([]);
+  await expect(editor.field('x')).toHaveCSS('font-size', '16px');
+});
+
+test('the sheet of a bar has its buttons in one row, the bin last, and room for every number', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate((element) => {
+    const ends = [
+      [420, 700],
+      [600, 860],
+    ] as const;
+    const warp = element as C2Warp;
+    warp.selection = [warp.addHandle({ kind: 'bar', rest: ends, posed: ends, depth: -10 })];
+  });
+  await editor.button('Numbers').tap();
+  const places = await Promise.all(
+    ['Add a corner', 'Numbers', 'Reset to rest', 'Delete'].map((name) => editor.middle(editor.button(name))),
+  );
+  expect(new Set(places.map(({ y }) => Math.round(y))).size).toBe(1);
+  expect(places.map(({ x }) => x)).toEqual(places.map(({ x }) => x).sort((a, b) => a - b));
+  for (const name of ['x', 'y', 'rotation', 'scale', 'depth'] as const) {
+    const spare = await editor.field(name).evaluate((input) => input.clientWidth - input.scrollWidth);
+    expect(spare, name).toBeGreaterThanOrEqual(0);
+  }
+});
+
+test('the keyboard on the glass moves nothing, and leaves the numbers in sight', async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  const editor = await Editor.open(page);
+  await editor.handle('head').tap();
+  await editor.button('Numbers').tap();
+  const zoom = await editor.zoom();
+  await editor.field('depth').tap();
+  await page.setViewportSize({ width: 360, height: 370 });
+  await editor.drawn();
+  for (const name of ['x', 'depth'] as const) await expect(editor.field(name)).toBeInViewport({ ratio: 1 });
+  expect(await editor.zoom()).toBe(zoom);
+  const before = await editor.place('head');
+  await page.keyboard.press('Escape');
+  await page.setViewportSize({ width: 360, height: 740 });
+  await editor.drawn();
+  expect(await editor.place('head')).toEqual(before);
+  expect(await editor.zoom()).toBe(zoom);
 });

@@ -160,8 +160,17 @@ export class Editor {
   async look(at: Place, radius = 24): Promise<Buffer> {
     await this.drawn();
     const clip = { x: at.x - radius, y: at.y - radius, width: 2 * radius, height: 2 * radius };
-    const style = 'c2-warp::part(handle) { opacity: 0 }';
-    return this.page.screenshot({ clip, style });
+    // Adopted, as the policy that the page is served under refuses a style element.
+    await this.page.evaluate(() => {
+      const bare = new CSSStyleSheet();
+      bare.replaceSync('c2-warp::part(handle) { opacity: 0 }');
+      document.adoptedStyleSheets = [bare];
+    });
+    const picture = await this.page.screenshot({ clip, caret: 'initial' });
+    await this.page.evaluate(() => {
+      document.adoptedStyleSheets = [];
+    });
+    return picture;
   }
 
   /** Chooses files for the next question that `ask` leads to. */

@@ -1,10 +1,35 @@
 /**
  * `<c2-warp>`: the editor as a custom element.
  *
- * Attributes: `src`, `project` (addresses), `tool`, `readonly`, `disabled`, `theme` (light, dark), `hint` and
- * `hint-for` (what a first visitor is told, and the handle it is about), `autosave` (a key of the browser's storage). Events: `ready`, `load`, `input` while dragging,
- * `change` once committed, `selectionchange`, `historychange`, `progress`, `error`. Several may live on one page; one that
- * is removed gives back its worker and its WebGL context, and has its document still when it comes back. Importing this
+ * | attribute | |
+ * |---|---|
+ * | `src` | the address of the picture; a new one is opened in place of what is open |
+ * | `project` | the address of the project file that goes with `src`: the two are opened together, and anew when either is set to another |
+ * | `tool` | `select`, `point`, `bar`, `polygon` or `hand`: taken up when it is set, when the element comes to a page, and when it is no longer readonly |
+ * | `readonly` | people look, pan and zoom, and change nothing; methods do |
+ * | `disabled` | people can do nothing |
+ * | `theme` | `light` or `dark`; left out: as the system has it |
+ * | `hint`, `hint-for` | what a first visitor is told, and the id of the handle that it is about |
+ * | `autosave` | a key of the browser's storage: what is open is kept there after every step, and comes back in place of the first `src` |
+ *
+ * | event | |
+ * |---|---|
+ * | `ready` | the element has come to a page, and what it begins with is open, or there is nothing, or it could not be opened or was given up |
+ * | `load` | a picture is open and solved: by `src`, by `load()`, kept by `autosave`, or again where the element was moved; not where a person opens one |
+ * | `input` | within a drag; `detail.project` is a copy of the project |
+ * | `change` | a step was done, undone or redone, by a person or by a method; `detail.project` likewise |
+ * | `selectionchange` | `detail.selection`: the ids |
+ * | `historychange` | `detail.undo`, `detail.redo`: what would be undone or redone, or null |
+ * | `progress` | `detail.label`: what the solver is at, null when it is done; for what takes longer than a person notices |
+ * | `error` | `detail`: the Error of what went wrong that no method was asked for |
+ *
+ * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `picture` (no picture, or
+ * none that can be opened), `project` (its message names the key), `image-size` (a project for a picture of another size), `engine`
+ * (the solver could not be started), or what the solver refuses, such as `handle-outside`.
+ *
+ * Setting `readonly` or `disabled` gives up the drag, the drawing or the number that a person is in the midst of. Several elements
+ * may live on one page; one that is removed gives back its worker and its WebGL context, and has its document still when
+ * it comes back. Properties may be set before the element is on a page, or known to it at all. Importing this
  * file where there is no DOM does nothing.
  */
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
@@ -12,26 +37,28 @@ import { handleById } from './document/document';
 import { addHandle, changeHandles, freeId, removeHandles } from './document/edits';
 import { checkedHandle } from './document/handle';
 import {
+  copied,
   type Handle,
   type HandleFile,
   type Project,
   type ProjectFile,
   posedHandle,
-  posedProject,
 } from './document/project';
+import { Beginning } from './element/beginning';
 import { Desk } from './element/desk';
 import type { ChangeKind } from './element/editing';
 import { Focusing } from './element/focusing';
-import { fits } from './element/picture';
 import { Receiving } from './element/receiving';
-import type { Kept } from './element/workbench';
+import type { Turn } from './element/turn';
 import type { Vec } from './geometry/vec';
 import { isToolName } from './tools/machine';
 import { chromeStyle } from './ui/chrome-style';
+import { forcedStyle } from './ui/forced-style';
 import { layout } from './ui/layout';
 import { shell } from './ui/shell';
 import { stageStyle } from './ui/stage-style';
 import { theme } from './ui/theme';
+import { touchStyle } from './ui/touch-style';
 
 /** A handle that may leave its name to the editor. */
 export type NewHandle<H = HandleFile> = H extends HandleFile
@@ -39,7 +66,7 @@ export type NewHandle<H = HandleFile> = H extends HandleFile
   : never;
 
 export class C2Warp extends LitElement {
-  static override styles = [theme, layout, stageStyle, chromeStyle];
+  static override styles = [theme, layout, stageStyle, chromeStyle, touchStyle, forcedStyle];
 
   static override properties = {
     src: {},
@@ -63,12 +90,12 @@ export class C2Warp extends LitElement {
   declare hintFor: string | null;
   declare autosave: string | null;
 
+  readonly #beginning: Beginning;
   #desk: Desk | null = null;
-  /** What was open when the element left the page. */
-  #left: Kept | null = null;
+  /** To open what the element begins with. Whatever is asked for from its arrival on comes after that. */
+  #turn: Turn | null = null;
   #receiving: Receiving | null = null;
   #focusing: Focusing | null = null;
-  #attached = false;
   #past: string | null = null;
   #future: string | null = null;
 
@@ -83,59 +110,89 @@ export class C2Warp extends LitElement {
     this.hint = null;
     this.hintFor = null;
     this.autosave = null;
-  }
-
-  /** The project as it is now. Setting one for the open picture is a step that can be undone. */
-  get project(): Project {
-    return this.#present.workbench.editing.project;
-  }
-
-  set project(given: ProjectFile) {
-    const { workbench } = this.#present;
-    const project = posedProject(given);
-    project.handles.forEach(checkedHandle);
-    if (!workbench.picture || !fits(workbench.picture, project)) {
-      throw new RangeError('the project is for a picture of another size: load both together');
-    }
-    workbench.adopt(project, 'Set project');
-  }
-
-  /** Ids of the selected handles. */
-  get selection(): readonly string[] {
-    return this.#present.workbench.editing.document.selection;
-  }
-
-  set selection(ids: readonly string[]) {
-    this.#present.workbench.editing.select(ids);
+    const element = this;
+    this.#beginning = new Beginning({
+      get src() {
+        return element.src;
+      },
+      get projectSource() {
+        return element.projectSource;
+      },
+      get desk() {
+        return element.#desk;
+      },
+      emit: (type) => this.#emit(type),
+    });
+    this.#adopt('project');
+    this.#adopt('selection');
   }
 
   /**
-   * Opens a picture, with a project for it or a new one. Done once it is solved.
-   * @throws Error with a code where it cannot be opened; what was open before stays. DOMException AbortError where another is
-   * opened, or the element removed, before that.
+   * A copy of the project as it is now. Setting one for the open picture is a step that can be undone; one that is set before there
+   * is a picture waits for it. A text is the address of a project file, as the attribute is.
+   * @throws RangeError that names what is wrong with it; Error when read while the element is on no page.
    */
-  async load(source: string | Blob, project?: string | ProjectFile): Promise<void> {
-    await this.#present.files.load(source, typeof project === 'object' ? posedProject(project) : project);
+  get project(): Project {
+    return copied(this.#present.workbench.editing.project);
+  }
+
+  set project(given: ProjectFile | string | null) {
+    this.#beginning.project = null;
+    if (given === null || typeof given !== 'object') this.projectSource = given ?? null;
+    else if (this.#desk?.workbench.isOpen) this.#desk.workbench.set(given);
+    else this.#beginning.project = copied(given);
+  }
+
+  /** Ids of the selected handles. Those set while the element is on no page wait for its picture. */
+  get selection(): readonly string[] {
+    return [...this.#present.workbench.editing.document.selection];
+  }
+
+  set selection(ids: readonly string[]) {
+    if (!Array.isArray(ids)) throw new TypeError('selection: expected a list of ids');
+    if (this.#desk) this.#desk.workbench.editing.select(ids);
+    else this.#beginning.selection = [...ids];
+  }
+
+  /**
+   * Opens a picture, with a project for it or a new one. Done once it is solved. The newest call wins.
+   * @throws Error with a code where it cannot be opened; what was open before stays. DOMException AbortError where another is
+   * opened, or the element removed, before that. TypeError for what is neither an address nor a Blob.
+   */
+  async load(source: string | URL | Blob, project?: string | URL | ProjectFile | null): Promise<void> {
+    const desk = this.#present;
+    const picture = source instanceof URL ? source.href : source;
+    if (typeof picture !== 'string' && !(picture instanceof Blob)) {
+      throw new TypeError('load: expected the address of a picture, or a Blob such as a File');
+    }
+    const given = project instanceof URL ? project.href : project;
+    await desk.files.load(picture, given ?? this.#beginning.taken());
+    if (desk !== this.#desk) return;
+    this.#beginning.settle(desk);
     this.#emit('load');
   }
 
   /**
    * Adds a handle; without an id it gets one. Returns the id.
-   * @throws RangeError for an id that is taken, and where a number is none or out of its range.
+   * @throws RangeError for an id that is taken, and for what no handle can be.
    */
   addHandle(handle: NewHandle): string {
     const { editing } = this.#present.workbench;
     const id = handle.id ?? freeId(editing.project);
     if (handleById(editing.document, id)) throw new RangeError(`there is a handle "${id}" already`);
-    const added = checkedHandle(posedHandle({ ...handle, id } as HandleFile));
+    const added = copied(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
     editing.step('Add handle', addHandle(editing.document, added));
     return id;
   }
 
-  /** @throws RangeError where there is no such handle, and where a number is none or out of its range. */
+  /** @throws RangeError where there is no such handle, for another id or kind, and for what no handle can be. */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     const { editing } = this.#present.workbench;
-    const changed = checkedHandle({ ...this.#handle(id), ...change } as Handle);
+    const handle = this.#handle(id);
+    const changed = copied(checkedHandle({ ...handle, ...change } as Handle));
+    for (const key of ['id', 'kind'] as const) {
+      if (changed[key] !== handle[key]) throw new RangeError(`handle "${id}", ${key}: cannot be changed`);
+    }
     editing.step(
       'Change handle',
       changeHandles(editing.document, [id], () => changed),
@@ -166,8 +223,11 @@ export class C2Warp extends LitElement {
     return this.#present.posing.map(point)?.rest ?? null;
   }
 
-  /** The warped picture as PNG with alpha, at `scale` times the source's size. */
-  toBlob(scale = 1): Promise<Blob> {
+  /**
+   * The warped picture as PNG with alpha, at `scale` times the source's size.
+   * @throws Error where there is no picture, or the element is on no page.
+   */
+  async toBlob(scale = 1): Promise<Blob> {
     return this.#present.workbench.png(scale);
   }
 
@@ -179,44 +239,41 @@ export class C2Warp extends LitElement {
   /** Leaves the page for good. */
   destroy(): void {
     this.remove();
-    this.#left = null;
+    this.#beginning.forget();
   }
 
   /** Keys go to the editor. */
   override focus(options?: FocusOptions): void {
-    this.renderRoot.querySelector<HTMLElement>('.shell')?.focus(options);
+    this.shadowRoot?.querySelector<HTMLElement>('.shell')?.focus(options);
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     const element = this;
-    this.#attached = false;
-    this.#desk = new Desk(
-      {
-        get root() {
-          return element.renderRoot as ShadowRoot;
-        },
-        get readonly() {
-          return element.readonly;
-        },
-        get disabled() {
-          return element.disabled;
-        },
-        get dark() {
-          return element.#dark;
-        },
-        get hint() {
-          return element.hint ? { text: element.hint, handle: element.hintFor } : null;
-        },
-        changed: () => this.requestUpdate(),
-        edited: (kind) => this.#edited(kind),
-        emit: (type, detail) => this.#emit(type, detail),
-        switchTheme: () => {
-          this.theme = this.#dark ? 'light' : 'dark';
-        },
+    this.#desk = new Desk({
+      get root() {
+        return element.renderRoot as ShadowRoot;
       },
-      this.autosave,
-    );
+      get readonly() {
+        return element.readonly;
+      },
+      get disabled() {
+        return element.disabled;
+      },
+      get dark() {
+        return element.#dark;
+      },
+      get hint() {
+        return element.hint ? { text: element.hint, handle: element.hintFor } : null;
+      },
+      changed: () => this.requestUpdate(),
+      edited: (kind) => this.#edited(kind),
+      emit: (type, detail) => this.#emit(type, detail),
+      switchTheme: () => {
+        this.theme = this.#dark ? 'light' : 'dark';
+      },
+    });
+    this.#turn = this.#desk.files.turn();
     this.#receiving = new Receiving(
       this,
       () => !this.readonly && !this.disabled,
@@ -230,9 +287,10 @@ export class C2Warp extends LitElement {
     super.disconnectedCallback();
     this.#receiving?.release();
     this.#focusing?.release();
-    this.#left = this.#desk?.workbench.kept ?? this.#left;
-    this.#desk?.dispose();
+    const desk = this.#desk;
     this.#desk = null;
+    this.#beginning.leave(desk?.workbench.kept ?? null);
+    desk?.dispose();
   }
 
   protected override render(): TemplateResult | null {
@@ -241,19 +299,38 @@ export class C2Warp extends LitElement {
     return shell({ ...desk.model, platform: navigator.platform }, desk.actions, desk.canvas);
   }
 
-  protected override updated(changes: PropertyValues): void {
+  protected override willUpdate(changes: PropertyValues<this>): void {
+    // What the first update finds is what the element begins with.
+    if (this.hasUpdated && this.#asks(changes)) this.#beginning.ask();
+  }
+
+  protected override updated(changes: PropertyValues<this>): void {
     const desk = this.#desk;
     if (!desk) return;
     this.#focusing?.repair();
-    if (isToolName(this.tool) && changes.has('tool')) desk.choose(this.tool);
-    if (!this.#attached) {
-      this.#attached = true;
+    const turn = this.#turn;
+    this.#turn = null;
+    const fresh = turn !== null;
+    if (fresh || changes.has('autosave')) desk.keepUnder(this.autosave);
+    if (this.readonly || this.disabled) {
+      if (changes.has('readonly') || changes.has('disabled')) desk.stop();
+    }
+    if (isToolName(this.tool) && (fresh || changes.has('tool') || changes.has('readonly'))) {
+      desk.choose(this.tool);
+    }
+    if (fresh) {
       const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
       if (stage) desk.attach(stage);
-      void this.#begin(desk);
-    } else if (changes.has('src') && this.src) {
-      void this.#open(desk, this.src);
+      void this.#beginning.begin(desk, turn);
+    } else if (this.#asks(changes)) {
+      void this.#beginning.open(desk);
     }
+  }
+
+  /** Whether the attributes now name something else to open. */
+  #asks(changes: PropertyValues<this>): boolean {
+    const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
+    return named && Boolean(this.src);
   }
 
   #handle(id: string): Handle {
@@ -263,7 +340,7 @@ export class C2Warp extends LitElement {
   }
 
   get #present(): Desk {
-    if (!this.#desk) throw new Error('<c2-warp> is not on a page');
+    if (!this.#desk) throw new Error('<c2-warp> is not on a page, and has no picture there');
     return this.#desk;
   }
 
@@ -272,36 +349,31 @@ export class C2Warp extends LitElement {
     return matchMedia('(prefers-color-scheme: dark)').matches;
   }
 
-  /** What was open before, what was kept, or what the attributes name. */
-  async #begin(desk: Desk): Promise<void> {
-    try {
-      if (this.#left) await desk.files.restore(this.#left);
-      else if (!(await desk.restore()) && this.src)
-        await desk.files.load(this.src, this.projectSource ?? undefined);
-      this.#emit('load');
-    } catch (error) {
-      if (desk !== this.#desk) return;
-      desk.talking.report(error);
-    }
-    this.#emit('ready');
-  }
-
-  async #open(desk: Desk, source: string): Promise<void> {
-    try {
-      await desk.files.load(source, this.projectSource ?? undefined);
-      this.#emit('load');
-    } catch (error) {
-      desk.talking.report(error);
-    }
-  }
-
   #edited(kind: ChangeKind): void {
+    const desk = this.#desk;
+    if (!desk) return;
+    const { project, undoLabel, redoLabel } = desk.workbench.editing;
     if (kind === 'selection') this.#emit('selectionchange', { selection: this.selection });
-    else if (kind !== 'open') this.#emit(kind, { project: this.project });
-    const { undoLabel, redoLabel } = this.#present.workbench.editing;
+    else if (kind !== 'open') {
+      // Copied for those who ask: a drag has many.
+      const detail = {
+        get project() {
+          return copied(project);
+        },
+      };
+      this.#emit(kind, detail);
+    }
     if (undoLabel === this.#past && redoLabel === this.#future) return;
     [this.#past, this.#future] = [undoLabel, redoLabel];
     this.#emit('historychange', { undo: undoLabel, redo: redoLabel });
+  }
+
+  /** What a page set before it knew this class hides the accessor of the same name. */
+  #adopt(name: 'project' | 'selection'): void {
+    if (!Reflect.getOwnPropertyDescriptor(this, name)) return;
+    const value = Reflect.get(this, name);
+    Reflect.deleteProperty(this, name);
+    Reflect.set(this, name, value);
   }
 
   #emit(type: string, detail?: unknown): void {

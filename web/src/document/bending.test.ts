@@ -11,7 +11,7 @@ const point = (id: string, rotation?: PointHandle['rotation']): PointHandle => (
   ...(rotation === undefined ? {} : { rotation }),
 });
 
-const fresh = newProject({ src: 'a.png', width: 8, height: 8 }, false);
+const fresh = newProject({ src: 'a.png', width: 8, height: 8 }, null);
 
 describe('how a picture bends', () => {
   it('is rigid in a new project, with smooth supports and 30 virtual sites', () => {

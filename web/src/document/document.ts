@@ -13,11 +13,13 @@ export const openDocument = (project: Project): Document => ({ project, selectio
 /**
  * A project without handles for a newly opened picture, with the editor's choices written out: it bends rigidly, so that
  * what is dragged keeps its shape and what is far from it stays.
+ *
+ * @param threshold the alpha from which on a picture with transparency is warped, `null` for one that is opaque.
  */
-export const newProject = (image: ImageRef, transparent: boolean): Project => ({
+export const newProject = (image: ImageRef, threshold: number | null): Project => ({
   format: 'c2warp/1',
   image,
-  domain: transparent ? { kind: 'alpha', threshold: 0.5 } : { kind: 'image' },
+  domain: threshold === null ? { kind: 'image' } : { kind: 'alpha', threshold },
   samples: 10000,
   weighting: { shape_factor: 1, degree: 5, filling: 'line', support: 'smooth' },
   pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },

@@ -7,7 +7,7 @@ import type { Project } from './project';
 
 const bar = straightBar(10);
 const holding = (...handles: Project['handles']): Project => ({
-  ...newProject({ src: '', width: 8, height: 8 }, false),
+  ...newProject({ src: '', width: 8, height: 8 }, null),
   handles,
 });
 

@@ -23,7 +23,7 @@ import { followedHandles, solveKey } from './solved';
 
 const handle = (id: string, x = 0): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
 const image = { src: 'a.png', width: 8, height: 8 };
-const empty = openDocument(newProject(image, true));
+const empty = openDocument(newProject(image, 0.5));
 const two: Document = addHandle(addHandle(empty, handle('left-hand')), handle('b', 5));
 
 describe('edits', () => {
@@ -50,7 +50,7 @@ describe('edits', () => {
   });
 
   it('finds free ids and reads ids as names', () => {
-    expect(freeId(two.project)).toBe('handle-3');
+    expect(freeId(two.project)).toBe('handle-1');
     expect(freeId(addHandle(empty, handle('handle-2')).project)).toBe('handle-3');
     expect(nameOf(handle('left-hand'))).toBe('left hand');
   });
@@ -125,7 +125,7 @@ describe('bars and polygons', () => {
   });
 
   it('get names of their own', () => {
-    expect(freeId(held.project, 'polygon')).toBe('polygon-2');
+    expect(freeId(held.project, 'polygon')).toBe('polygon-1');
   });
 });
 

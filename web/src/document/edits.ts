@@ -95,10 +95,10 @@ export function selectHandles(document: Document, ids: readonly string[]): Docum
   return { ...document, selection: [...new Set(ids)].filter((id) => known.has(id)) };
 }
 
-/** "handle-7": the first free number after the count, so that names rarely come back. */
+/** "bar-2": the first free number after the count of those with this word, so that names rarely come back. */
 export function freeId(project: Project, word = 'handle'): string {
   const taken = new Set(project.handles.map((handle) => handle.id));
-  let number = project.handles.length + 1;
+  let number = project.handles.filter(({ id }) => id.startsWith(`${word}-`)).length + 1;
   while (taken.has(`${word}-${number}`)) number++;
   return `${word}-${number}`;
 }

@@ -8,9 +8,12 @@ export type Turns = ReadonlyMap<string, number>;
 
 const NO_TURNS: Turns = new Map();
 
-/** Hundredths of a pixel and of a degree: what the file keeps and the panel shows. Numbers beyond all measure have none. */
+/** Numbers from here on are beyond all measure: they have no hundredths, and drawing them would overflow. */
+const BEYOND = 1e12;
+
+/** Hundredths of a pixel and of a degree: what the file keeps and the panel shows. */
 const rounded = (value: number): number =>
-  Math.abs(value) < 1e12 ? Math.round(value * 100) / 100 || 0 : value;
+  Math.abs(value) < BEYOND ? Math.round(value * 100) / 100 || 0 : value;
 const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 
 /** The corners of a handle at rest or posed; a point has one. */
@@ -95,28 +98,36 @@ export function cornerRemoved(handle: LineHandle, index: number): LineHandle {
   return { ...handle, rest: without(handle.rest), posed: without(handle.posed) };
 }
 
+const KEYS: readonly string[] = ['id', 'kind', 'rest', 'posed', 'rotation', 'scale', 'depth'];
+const KINDS: readonly string[] = ['point', 'bar', 'polygon'];
+
 /**
  * The same handle, if the solver can pose it.
  * @throws RangeError that names the handle and what is wrong with it.
  */
 export function checkedHandle(handle: Handle): Handle {
-  const { id, rotation = 0 } = handle;
+  const { id, rotation = 0, scale = 1, depth = 0 } = handle;
   const refuse = (what: string) => {
     throw new RangeError(`handle "${id}", ${what}`);
   };
+  const isNumber = (value: unknown) => typeof value === 'number' && Math.abs(value) < BEYOND;
+  if (typeof id !== 'string' || id === '') refuse('id: expected a name');
+  if (!KINDS.includes(handle.kind)) refuse('kind: expected "point", "bar" or "polygon"');
+  const unknown = Object.keys(handle).find((key) => !KEYS.includes(key));
+  if (unknown !== undefined) refuse(`${unknown}: unknown key; the keys here are ${KEYS.join(', ')}`);
   for (const key of ['rest', 'posed'] as const) {
     const needed = isLine(handle) ? CORNERS_NEEDED[handle.kind] : 1;
     const places: unknown = isLine(handle) ? handle[key] : [handle[key]];
-    const isPlace = (p: unknown) => Array.isArray(p) && p.length === 2 && p.every(Number.isFinite);
+    const isPlace = (p: unknown) => Array.isArray(p) && p.length === 2 && p.every(isNumber);
     if (!Array.isArray(places) || places.length < needed || !places.every(isPlace)) {
       refuse(`${key}: expected ${needed > 1 ? `${needed} points or more` : 'a point'} [x, y]`);
     }
   }
   if (corners(handle).length !== corners(handle, 'rest').length)
     refuse('posed: expected as many points as in rest');
-  if (rotation !== 'auto' && !Number.isFinite(rotation)) refuse('rotation: expected degrees or "auto"');
-  if (!(Number.isFinite(scaleOf(handle)) && scaleOf(handle) > 0)) refuse('scale: expected a number above 0');
-  if (!Number.isFinite(depthOf(handle))) refuse('depth: expected a number');
+  if (rotation !== 'auto' && !isNumber(rotation)) refuse('rotation: expected degrees or "auto"');
+  if (!(isNumber(scale) && scale > 0)) refuse(`scale: expected a number above 0 and below ${BEYOND}`);
+  if (!isNumber(depth)) refuse(`depth: expected a number, at most ${BEYOND} from 0`);
   return handle;
 }
 

@@ -5,7 +5,7 @@ import { projectText } from './project-text';
 describe('projectText', () => {
   it('is the project, laid out with a handle a line', () => {
     const project = {
-      ...newProject({ src: 'a "b".png', width: 2, height: 3 }, true),
+      ...newProject({ src: 'a "b".png', width: 2, height: 3 }, 0.5),
       handles: [
         { id: 'a', kind: 'point' as const, rest: [1, 2] as const, posed: [1.5, 2] as const, rotation: 15 },
         {
@@ -30,6 +30,6 @@ describe('projectText', () => {
   });
 
   it('writes an empty list of handles', () => {
-    expect(projectText(newProject({ src: '', width: 2, height: 3 }, false))).toContain('"handles": []\n}\n');
+    expect(projectText(newProject({ src: '', width: 2, height: 3 }, null))).toContain('"handles": []\n}\n');
   });
 });

@@ -25,9 +25,8 @@ export interface Project extends Omit<ProjectFile, 'handles'> {
 }
 
 /** Left out, the pose is the rest. */
-export const posedHandle = (handle: HandleFile): Handle => ({ posed: handle.rest, ...handle }) as Handle;
+export const posedHandle = (handle: HandleFile): Handle =>
+  ({ ...handle, posed: handle.posed ?? handle.rest }) as Handle;
 
-export const posedProject = (project: ProjectFile): Project => ({
-  ...project,
-  handles: project.handles.map(posedHandle),
-});
+/** A copy that shares nothing: a page may change it, and no step of the history with it. */
+export const copied = <T>(data: T): T => JSON.parse(JSON.stringify(data));

@@ -7,12 +7,14 @@
 import { blendOf } from '../document/bending';
 import { anchor, nameOf } from '../document/handle';
 import { deviceView } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
 import type { Effect } from '../tools/state';
 import type { CommandName } from '../ui/commands';
 import type { EditorActions, EditorModel, Hint, OverlayFlags } from '../ui/model';
+import { showSelected } from '../ui/panel';
 import { Drawing } from './drawing';
-import type { ChangeKind } from './editing';
+import type { ChangeKind, Editing } from './editing';
 import { Files } from './files';
 import { Guarding } from './guarding';
 import { Input } from './input';
@@ -22,6 +24,7 @@ import type { Picture } from './picture';
 import { Posing } from './posing';
 import { run } from './running';
 import { Talking } from './talking';
+import type { Turn } from './turn';
 import { Viewing } from './viewing';
 import { Workbench } from './workbench';
 
@@ -39,6 +42,9 @@ export interface DeskHost {
   switchTheme(): void;
 }
 
+/** What a few words beside a handle take, CSS pixels. */
+const HINT_WIDTH = 170;
+
 /** Nudges with a longer pause between them are undone one by one. */
 const SETTLE_MS = 800;
 
@@ -51,8 +57,8 @@ export class Desk {
   readonly guarding: Guarding;
   readonly canvas = document.createElement('canvas');
   readonly #host: DeskHost;
-  readonly #keeping: Keeping | null;
   readonly #noticing: Noticing;
+  #keeping: Keeping | null = null;
   #drawing: Drawing | null = null;
   #input: Input | null = null;
   #sizing: ResizeObserver | null = null;
@@ -61,11 +67,13 @@ export class Desk {
   #comparing = false;
   #overlays: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false };
   #settings = false;
+  #numbers = false;
   #touched = false;
+  /** The selection that the list has been scrolled to. */
+  #listed: readonly string[] = [];
 
-  constructor(host: DeskHost, autosave: string | null) {
+  constructor(host: DeskHost) {
     this.#host = host;
-    this.#keeping = autosave ? new Keeping(autosave) : null;
     const desk = this;
     this.talking = new Talking({
       changed: () => host.changed(),
@@ -116,7 +124,11 @@ export class Desk {
   attach(stage: HTMLElement): void {
     this.#sizing = new ResizeObserver(([entry]) => {
       if (!entry) return;
-      this.viewing.resize(entry.contentRect);
+      const { width, height } = entry.contentRect;
+      // No longer shown: a press in hand will hear of no more moves.
+      if (width === 0 || height === 0) this.#cancel();
+      const typing = this.#host.root.activeElement instanceof HTMLInputElement;
+      this.viewing.resize({ width, height }, typing && this.#input?.press === 'tap');
       this.#looked();
     });
     this.#sizing.observe(stage);
@@ -132,6 +144,8 @@ export class Desk {
       looked: () => this.#looked(),
       run: (command) => this.run(command),
       compare: (on) => this.#compare(on),
+      bail: () => !this.#host.disabled && this.#bail(),
+      say: (text) => this.talking.say(text),
       held: (id, corner) => this.#focus(id, corner),
     });
     try {
@@ -149,12 +163,18 @@ export class Desk {
     }
   }
 
-  /** What was kept under the `autosave` key. Returns whether there was anything that could be opened. */
-  async restore(): Promise<boolean> {
+  /** From now on, what is open is kept under this key; under none, no more. */
+  keepUnder(key: string | null): void {
+    this.#keeping = key ? new Keeping(key) : null;
+    this.#keep();
+  }
+
+  /** What was kept. Returns whether there was anything that could be opened. */
+  async restore(turn: Turn): Promise<boolean> {
     const kept = await this.#keeping?.restore();
     if (!kept) return false;
     try {
-      await this.files.restore(kept);
+      await this.files.restore(kept, turn);
     } catch (error) {
       // Without a solver nothing can be opened; anything else is a document that this version does not take.
       if (error instanceof Error && 'code' in error && error.code === 'engine') throw error;
@@ -173,7 +193,13 @@ export class Desk {
     this.#sizing?.disconnect();
     this.#input?.release();
     this.#drawing?.dispose();
+    this.files.dispose();
     this.workbench.dispose();
+  }
+
+  /** People change nothing from here on: what they are in the midst of is given up. */
+  stop(): void {
+    this.#input?.stop();
   }
 
   run(command: CommandName): void {
@@ -186,7 +212,8 @@ export class Desk {
       editable: this.#editable,
       choose: (tool) => this.choose(tool),
       flip: () => this.#compare(!this.#comparing),
-      bail: () => this.#bail(),
+      bail: () => void this.#bail(),
+      say: (text) => this.talking.say(text),
       addCorner: () => this.#input?.addCorner(),
       removeCorner: () => this.#input?.removeCorner(),
       settings: () => this.#openSettings(!this.#settings),
@@ -202,10 +229,11 @@ export class Desk {
     if (tool === 'bar' || tool === 'polygon') {
       editing.select([]);
       this.#settings = false;
-      const active = this.#host.root.activeElement;
-      if (active?.closest('.handles')) this.#focus(undefined);
     }
-    this.#looked();
+    // Enter is for what is placed now, and no longer for the handle that has the focus.
+    const places = tool !== 'select' && tool !== 'hand';
+    if (places && this.#host.root.activeElement?.closest('.handles')) this.#focus(undefined);
+    this.#aim(null);
   }
 
   get model(): Omit<EditorModel, 'platform'> {
@@ -222,6 +250,8 @@ export class Desk {
       camera: this.viewing.camera,
       stage: this.viewing.stage,
       grips: this.#input?.grips ?? { handle: 0, line: 0, ring: 0, band: 0, slop: 0 },
+      pressing: editing.machine.busy,
+      press: this.#input?.press ?? 'click',
       undo: editing.undoLabel,
       redo: editing.redoLabel,
       solved: solving.label,
@@ -237,6 +267,7 @@ export class Desk {
       guarded: this.guarding.on,
       holding: this.guarding.holding,
       settings: this.#settings,
+      numbers: this.#numbers,
       draft: editing.machine.draft,
       box: this.#box,
       crosshair: this.#input?.crosshair ?? null,
@@ -251,12 +282,12 @@ export class Desk {
       this.#overlays = { ...this.#overlays, [name]: on };
       this.#looked();
     },
-    field: (field, value) => this.workbench.editing.field(field, value),
-    automatic: (on) => this.workbench.editing.automatic(on),
-    bend: (mode) => this.workbench.editing.bend(mode),
-    detail: (detail) => this.workbench.editing.detail(detail),
-    blend: (blend) => this.workbench.editing.blend(blend),
-    holdBoundary: (held) => this.workbench.editing.holdBoundary(held),
+    field: (field, value) => this.#edit((editing) => editing.field(field, value)),
+    automatic: (on) => this.#edit((editing) => editing.automatic(on)),
+    bend: (mode) => this.#edit((editing) => editing.bend(mode)),
+    detail: (detail) => this.#edit((editing) => editing.detail(detail)),
+    blend: (blend) => this.#edit((editing) => editing.blend(blend)),
+    holdBoundary: (held) => this.#edit((editing) => editing.holdBoundary(held)),
     guard: (on) => {
       this.guarding.on = on;
       this.#host.changed();
@@ -264,13 +295,29 @@ export class Desk {
     finish: () => this.#input?.finish(),
     back: () => this.workbench.editing.apply(this.workbench.editing.machine.back()),
     settings: (on) => this.#openSettings(on),
+    numbers: (on) => {
+      this.#numbers = on;
+      this.#host.changed();
+    },
     select: (ids) => this.workbench.editing.select(ids),
     toggle: (id) => this.workbench.editing.toggle(id),
     hold: (id) => this.#focus(id),
+    // After a press too the focus goes to a handle: that one is in view, and stays under the finger.
+    reveal: (at) => {
+      if (!this.#host.root.host.classList.contains('keyed')) return;
+      this.viewing.reveal(at);
+      this.#looked();
+    },
     cancelSolve: () => this.workbench.cancelSolve(),
-    dismiss: () => this.talking.notify(null),
+    dismiss: () => this.talking.dismiss(),
     theme: () => this.#host.switchTheme(),
   };
+
+  /** What a control asks for that a person may no longer use has come too late. */
+  #edit(change: (editing: Editing) => void): void {
+    if (this.#editable) change(this.workbench.editing);
+    else this.#host.changed();
+  }
 
   get #editable(): boolean {
     return !this.#host.readonly && !this.#host.disabled && this.workbench.picture !== null;
@@ -284,19 +331,28 @@ export class Desk {
       editing.project.handles.find(({ id }) => id === hint?.handle) ?? editing.project.handles[0];
     if (!hint || !handle || this.#touched || readonly || !solving.current || editing.machine.draft)
       return null;
-    return { text: hint.text, at: anchor(handle) };
+    const at = anchor(handle);
+    if (!this.viewing.shows(at)) return null;
+    return { text: hint.text, at, above: !this.viewing.shows(at, HINT_WIDTH) };
   }
 
   #opened(picture: Picture | null): void {
     this.posing.forget();
-    this.talking.notify(null);
-    if (picture) this.#drawing?.setPicture(picture.bitmap);
+    this.talking.clear();
+    if (picture) {
+      this.talking.say(`${picture.name} is open`);
+      this.#drawing?.setPicture(picture.bitmap);
+    }
     this.viewing.show(picture);
     this.#looked();
   }
 
   #edited(kind: ChangeKind): void {
-    if (kind !== 'selection') {
+    const { selection } = this.workbench.editing.document;
+    if (selection !== this.#listed) requestAnimationFrame(() => showSelected(this.#host.root));
+    this.#listed = selection;
+    if (kind === 'selection') this.#settings = false;
+    else {
       this.#drawing?.pose();
       this.#noticing.posed();
       if (this.workbench.editing.undoLabel !== null) this.#touched = true;
@@ -328,14 +384,30 @@ export class Desk {
     }
   }
 
-  #bail(): void {
+  #cancel(): void {
     const { editing } = this.workbench;
+    editing.apply(editing.machine.cancel());
+  }
+
+  /** Takes back what is at hand. Returns whether there was anything. */
+  #bail(): boolean {
+    const { editing } = this.workbench;
+    const { notice } = this.talking;
     if (editing.machine.busy || editing.machine.draft) {
       editing.apply(editing.machine.bail());
       this.#looked();
-    } else if (this.#settings) this.#openSettings(false);
-    else if (this.talking.notice) this.talking.notify(null);
-    else editing.select([]);
+    } else if (this.#input?.crosshair) this.#aim(null);
+    else if (this.#settings) this.#openSettings(false);
+    else if (notice && !notice.action) this.talking.dismiss();
+    else if (editing.document.selection.length > 0) editing.select([]);
+    else if (notice) this.talking.dismiss();
+    else return false;
+    return true;
+  }
+
+  #aim(crosshair: Vec | null): void {
+    if (this.#input) this.#input.crosshair = crosshair;
+    this.#looked();
   }
 
   /** Once for each solve that finds other handles beyond the picture than the one before. */

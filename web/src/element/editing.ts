@@ -236,14 +236,16 @@ export class Editing {
     this.step(`Set detail to ${detail}`, { ...this.document, project: detailed(this.project, detail) });
   }
 
-  /** Sets one number of everything selected. */
-  field(field: Field, value: number): void {
+  /** Sets one number of everything selected, from what it is of each. */
+  field(field: Field, value: (now: number) => number): void {
+    const { turns } = this.#host;
+    const further = (now: number) => value(now) - now;
     const set: Readonly<Record<Field, (handle: Handle) => Handle>> = {
-      x: (handle) => moved(handle, [value - anchor(handle)[0], 0]),
-      y: (handle) => moved(handle, [0, value - anchor(handle)[1]]),
-      rotation: (handle) => turnedTo(handle, value),
-      scale: (handle) => scaledTo(handle, value),
-      depth: (handle) => atDepth(handle, value),
+      x: (handle) => moved(handle, [further(anchor(handle)[0]), 0]),
+      y: (handle) => moved(handle, [0, further(anchor(handle)[1])]),
+      rotation: (handle) => turnedTo(handle, value(rotationOf(handle, turns))),
+      scale: (handle) => scaledTo(handle, value(scaleOf(handle))),
+      depth: (handle) => atDepth(handle, value(depthOf(handle))),
     };
     const { selection } = this.document;
     const document = changeHandles(this.document, selection, set[field]);

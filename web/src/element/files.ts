@@ -1,8 +1,10 @@
 /** Opening and saving: by picker, drop, paste and address; what goes wrong is said, and nothing open is lost by it. */
-import type { Project } from '../document/project';
+import type { Project, ProjectFile } from '../document/project';
+import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
 import type { Notice } from '../ui/model';
-import { fileName, fits, readPicture, sortFiles, stem } from './picture';
+import { fits, type Picture, readPicture, sortFiles, stem } from './picture';
+import { type Turn, Turns } from './turn';
 import type { Kept, Workbench } from './workbench';
 
 export interface FilesHost {
@@ -14,6 +16,7 @@ export interface FilesHost {
 export class Files {
   readonly #workbench: Workbench;
   readonly #host: FilesHost;
+  readonly #turns = new Turns();
   /** A project that came without its picture. */
   #awaiting: { readonly name: string; readonly project: Project } | null = null;
 
@@ -35,18 +38,34 @@ export class Files {
     await this.#guarded(() => this.#receive(files));
   }
 
-  /** Opens from addresses or blobs. @throws Error, with what was open before still there. */
-  async load(source: string | Blob, project?: string | Project): Promise<void> {
-    const file = typeof source === 'string' ? await fetched(source) : source;
-    const name =
-      typeof source === 'string' ? fileName(source) : source instanceof File ? source.name : 'picture.png';
-    const text = typeof project === 'string' ? await (await fetched(project)).text() : undefined;
-    const given = text === undefined ? project : await this.#workbench.readProject(text);
-    await this.#openPicture(file, name, typeof given === 'string' ? undefined : given);
+  /** The turn to open something: what is being opened in the turn before is given up. */
+  turn(): Turn {
+    return this.#turns.take();
   }
 
-  async restore(kept: Kept): Promise<void> {
-    await this.#workbench.open(await readPicture(kept.file, kept.name), kept.record);
+  /**
+   * Opens from addresses or blobs, a project also from what a page made.
+   * @throws Error, with what was open before still there. DOMException `AbortError` once the turn is over.
+   */
+  async load(source: string | Blob, project?: string | ProjectFile, turn = this.turn()): Promise<void> {
+    // At once: a page may go on changing what it gave.
+    const made = typeof project === 'object' ? JSON.stringify(project) : undefined;
+    turn.check();
+    const file = typeof source === 'string' ? await turn.through(fetchFile(source, turn.signal)) : source;
+    const name =
+      typeof source === 'string' ? fileName(source) : source instanceof File ? source.name : 'picture.png';
+    const text = typeof project === 'string' ? await this.#fetchedText(project, turn) : made;
+    const given = text === undefined ? undefined : await turn.through(this.#workbench.readProject(text));
+    await this.#openPicture(file, name, turn, given);
+  }
+
+  async restore(kept: Kept, turn = this.turn()): Promise<void> {
+    await this.#workbench.open(await this.#picture(kept.file, kept.name, turn), kept.record);
+  }
+
+  /** Gives up what is being opened, and opens nothing more. */
+  dispose(): void {
+    this.#turns.close();
   }
 
   async save(): Promise<void> {
@@ -68,8 +87,10 @@ export class Files {
 
   async #receive(files: readonly File[]): Promise<void> {
     const { picture, project } = sortFiles(files);
+    // A project alone opens nothing: it is for the picture that is open.
+    const turn = picture && this.turn();
     const given = project && (await this.#readProject(project));
-    if (picture) await this.#openOther(picture, given?.project);
+    if (picture && turn) await this.#openOther(picture, turn, given?.project);
     else if (given) this.#openProject(given.name, given.project);
   }
 
@@ -77,7 +98,9 @@ export class Files {
     try {
       return { name: file.name, project: await this.#workbench.readProject(await file.text()) };
     } catch (error) {
-      if (error instanceof Error) error.message = `${file.name}: ${error.message}`;
+      // The message of a DOMException, such as that the editor is gone, cannot be set.
+      if (error instanceof Error && !(error instanceof DOMException))
+        error.message = `${file.name}: ${error.message}`;
       throw error;
     }
   }
@@ -99,10 +122,10 @@ export class Files {
   }
 
   /** Opens a picture over another, with a way back. */
-  async #openOther(file: File, project?: Project): Promise<void> {
+  async #openOther(file: File, turn: Turn, project?: Project): Promise<void> {
     const before = this.#workbench.kept;
     const edited = before !== null && before.record.past.length > 0;
-    await this.#openPicture(file, file.name || 'pasted.png', project);
+    await this.#openPicture(file, file.name || 'pasted.png', turn, project);
     if (!before || !edited) return;
     this.#host.notify({
       kind: 'info',
@@ -111,12 +134,13 @@ export class Files {
     });
   }
 
-  async #openPicture(file: Blob, name: string, given?: Project): Promise<void> {
-    const picture = await readPicture(file, name);
+  async #openPicture(file: Blob, name: string, turn: Turn, given?: Project): Promise<void> {
+    const picture = await this.#picture(file, name, turn);
     const awaited =
       this.#awaiting && fits(picture, this.#awaiting.project) ? this.#awaiting.project : undefined;
     const project = given ?? awaited;
     if (project && !fits(picture, project)) {
+      picture.bitmap.close();
       const { width, height } = project.image;
       const message = `The project is for a picture of ${width} × ${height} px; ${name} has ${picture.width} × ${picture.height} px.`;
       throw Object.assign(new Error(message), { code: 'image-size' });
@@ -126,6 +150,25 @@ export class Files {
     await this.#workbench.open(picture, present && { past: [], present, future: [] });
   }
 
+  async #picture(file: Blob, name: string, turn: Turn): Promise<Picture> {
+    turn.check();
+    const reading = readPicture(file, name);
+    try {
+      return await turn.through(reading);
+    } catch (error) {
+      reading.then(
+        ({ bitmap }) => bitmap.close(),
+        () => {},
+      );
+      throw error;
+    }
+  }
+
+  async #fetchedText(address: string, turn: Turn): Promise<string> {
+    const file = await turn.through(fetchFile(address, turn.signal));
+    return turn.through(file.text());
+  }
+
   async #guarded(work: () => Promise<void>): Promise<void> {
     try {
       await work();
@@ -133,16 +176,4 @@ export class Files {
       this.#host.report(error);
     }
   }
-}
-
-async function fetched(address: string): Promise<Blob> {
-  const response = await fetch(address).catch((cause: unknown) => {
-    throw new Error(
-      `${fileName(address)} could not be loaded: is the address right, and the network there?`,
-      { cause },
-    );
-  });
-  if (!response.ok)
-    throw new Error(`${fileName(address)} could not be loaded: the server answered ${response.status}.`);
-  return response.blob();
 }

@@ -14,14 +14,16 @@ export class Focusing {
     host.addEventListener('focusout', (event) => event.relatedTarget && this.#enter(false), { signal });
     const elsewhere = (event: Event) => !event.composedPath().includes(host) && this.#enter(false);
     host.addEventListener('mousedown', (event) => this.#press(event), { signal });
+    // A menu that closes leaves the focus with nobody.
+    host.shadowRoot?.addEventListener('toggle', () => this.repair(), { signal, capture: true });
     document.addEventListener('pointerdown', elsewhere, { signal, capture: true });
   }
 
   /** To be called after each change of what is shown. */
   repair(): void {
     this.#takeBack();
-    // Browsers notice a disabled control with the next frame only.
-    requestAnimationFrame(() => this.#takeBack());
+    // Browsers notice a disabled control at the end of the next frame only.
+    requestAnimationFrame(() => requestAnimationFrame(() => this.#takeBack()));
   }
 
   release(): void {

@@ -12,7 +12,7 @@ const foldsOf = ({ handles: [handle] }: Document['project']): number => {
 };
 
 const at = (x: number): Document =>
-  addHandle(openDocument(newProject({ src: '', width: 8, height: 8 }, false)), {
+  addHandle(openDocument(newProject({ src: '', width: 8, height: 8 }, null)), {
     id: 'a',
     kind: 'point',
     rest: [0, 0],

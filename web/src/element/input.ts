@@ -2,7 +2,7 @@
 import { handleById, selectedHandles } from '../document/document';
 import { isLine } from '../document/handle';
 import type { LineHandle } from '../document/project';
-import { type Camera, toImage } from '../geometry/camera';
+import { type Camera, toImage, toStage } from '../geometry/camera';
 import { edgesOf, type LinePlace, nearestPlace } from '../geometry/polyline';
 import { add, distance, scaled, type Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
@@ -24,6 +24,9 @@ export interface InputHost {
   looked(): void;
   run(command: CommandName): void;
   compare(on: boolean): void;
+  /** Takes back what is at hand. Returns whether there was anything. */
+  bail(): boolean;
+  say(text: string): void;
   /** A press has ended on this handle, or on one of its corners: it takes the focus. */
   held(id: string | undefined, corner?: number): void;
 }
@@ -74,6 +77,7 @@ export class Input {
     this.#keyboard = new Keyboard(root, {
       run: (command) => host.run(command),
       compare: (on) => host.compare(on),
+      bail: () => host.bail(),
       space: (held) => this.#holdSpace(held),
       arrow: (by) => this.#arrow(by),
       turn: (degrees) =>
@@ -93,6 +97,10 @@ export class Input {
       band: reach.band / scale,
       slop: reach.slop / scale,
     };
+  }
+
+  get press(): 'click' | 'tap' {
+    return this.#coarse ? 'tap' : 'click';
   }
 
   get scene(): Scene {
@@ -119,7 +127,8 @@ export class Input {
 
   /** What is being drawn is done. */
   finish(): void {
-    const { editing } = this.#host;
+    const { editing, editable } = this.#host;
+    if (!editable) return;
     this.crosshair = null;
     this.#apply(editing.machine.finish(this.scene));
     if (!editing.machine.draft) this.#host.held(editing.document.selection[0]);
@@ -143,6 +152,14 @@ export class Input {
     const corner = this.#focusedCorner;
     const handle = corner && handleById(this.#host.editing.document, corner.id);
     if (handle && isLine(handle)) this.#removeCorner(handle, corner.index);
+  }
+
+  /** Nothing more comes of what was begun: a drag, a drawing, a number being typed. */
+  stop(): void {
+    const { editing } = this.#host;
+    this.crosshair = null;
+    this.#finishField();
+    this.#apply(editing.machine.bail());
   }
 
   release(): void {
@@ -240,8 +257,11 @@ export class Input {
     else if (editable && editing.document.selection.length > 0 && !draft) editing.nudge(by);
     else if (editable && this.#places) {
       const step = ARROW_CROSSHAIR / viewing.camera.scale;
-      this.crosshair = add(this.crosshair ?? draft?.corners.at(-1) ?? this.#middle, scaled(by, step));
+      this.crosshair = this.#inView(
+        add(this.crosshair ?? draft?.corners.at(-1) ?? this.#middle, scaled(by, step)),
+      );
       editing.machine.hover(this.#pressAt(this.crosshair), this.scene);
+      this.#host.say(`x ${Math.round(this.crosshair[0])}, y ${Math.round(this.crosshair[1])}`);
       this.#host.looked();
     } else {
       const { camera } = viewing;
@@ -272,6 +292,14 @@ export class Input {
   get #places(): boolean {
     const { tool } = this.#host.editing.machine;
     return tool !== 'select' && tool !== 'hand';
+  }
+
+  /** The place on the stage that is nearest. */
+  #inView(at: Vec): Vec {
+    const { camera, stage } = this.#host.viewing;
+    const [x, y] = toStage(camera, at);
+    const within = (value: number, most: number) => Math.min(Math.max(value, 0), most);
+    return toImage(camera, [within(x, stage.width), within(y, stage.height)]);
   }
 
   #pressAt(at: Vec): Press {

@@ -1,9 +1,12 @@
-/** The keys of the editor, heard only while it has the focus. Fields keep theirs. */
+/** The keys of the editor, heard only while it has the focus. Fields keep theirs, but for those of the document. */
 import type { Vec } from '../geometry/vec';
 import { type CommandName, commandOfKey } from '../ui/commands';
+import { isTyped } from '../ui/untyped';
 
 export interface KeyboardHost {
   run(command: CommandName): void;
+  /** Escape. Returns whether there was anything to take back: if not, the key is the page's, for a dialog perhaps. */
+  bail(): boolean;
   compare(on: boolean): void;
   /** Space is held over the picture: the next press pans. */
   space(held: boolean): void;
@@ -21,6 +24,11 @@ const ARROWS: Readonly<Record<string, Vec>> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
+
+/** What they ask for is meant for the document, wherever the keys are. */
+const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export'];
+/** These are the field's as long as something is typed into it. */
+const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 
 /** By the key's place, since Shift changes what it types. */
 const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
@@ -49,7 +57,8 @@ export class Keyboard {
 
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
-    if (event.defaultPrevented || target.matches('input:not([type=checkbox])')) return;
+    if (event.defaultPrevented) return;
+    if (target.matches('input:not([type=checkbox])') && !this.#leavesField(event, target)) return;
     // An open menu closes by itself, as long as nobody takes its key.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
     const onStage = target.matches('.shell, .stage, .stage *');
@@ -59,9 +68,23 @@ export class Keyboard {
     }
     const command = commandOfKey(event);
     if (command === null) return;
+    if (command === 'bail') {
+      if (this.#host.bail()) event.preventDefault();
+      return;
+    }
     event.preventDefault();
     if (command !== 'compare') this.#host.run(command);
     else if (!event.repeat) this.#host.compare(true);
+  }
+
+  /** Whether a key in a field is for the document; what is typed there is committed before. */
+  #leavesField(event: KeyboardEvent, field: Element): boolean {
+    const command = event.ctrlKey || event.metaKey ? commandOfKey(event) : null;
+    if (command === null) return false;
+    if (OF_HISTORY.includes(command)) return !isTyped(field);
+    if (!OF_DOCUMENT.includes(command)) return false;
+    if (isTyped(field)) field.dispatchEvent(new Event('change'));
+    return true;
   }
 
   /** Keys that mean something over the picture only. Returns whether this was one. */

@@ -19,11 +19,6 @@ export async function readPicture(file: Blob, name: string): Promise<Picture> {
   }
 }
 
-export function isTransparent(rgba: Uint8Array): boolean {
-  for (let at = 3; at < rgba.length; at += 4) if (rgba[at] !== 255) return true;
-  return false;
-}
-
 export const fits = (picture: Picture | null, project: Project): boolean =>
   picture?.width === project.image.width && picture.height === project.image.height;
 
@@ -37,14 +32,3 @@ export function sortFiles(files: readonly File[]): { picture?: File; project?: F
 
 /** "cat.png" → "cat". */
 export const stem = (name: string): string => name.replace(/(\.c2warp)?\.[^.]+$/, '') || name;
-
-/** The last part of an address or path. */
-export function fileName(address: string): string {
-  const written = address.split(/[?#]/)[0]?.split('/').at(-1) ?? '';
-  try {
-    return decodeURIComponent(written) || 'picture';
-  } catch {
-    // A percent sign that begins no character.
-    return written;
-  }
-}

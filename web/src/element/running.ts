@@ -15,6 +15,7 @@ export interface RunningHost {
   /** Holds the original up until it is asked again. */
   flip(): void;
   bail(): void;
+  say(text: string): void;
   addCorner(): void;
   removeCorner(): void;
   /** Opens or closes what concerns the whole picture, where there is no room for it always. */
@@ -51,7 +52,11 @@ export function run(command: CommandName, host: RunningHost): void {
     forward: () => edit(() => editing.raise(1)),
     backward: () => edit(() => editing.raise(-1)),
     settings: () => host.settings(),
-    'select-all': () => editing.select(editing.project.handles.map((handle) => handle.id)),
+    'select-all': () => {
+      const ids = editing.project.handles.map((handle) => handle.id);
+      editing.select(ids);
+      host.say(`${ids.length} handles selected`);
+    },
     compare: () => host.flip(),
     fit: () => look(() => viewing.fit()),
     actual: () => look(() => viewing.actual()),

@@ -133,7 +133,9 @@ export class Solving {
     try {
       const engine = await this.engine();
       if (key !== this.#wanted) return;
-      const data = await engine.solve(project, (stage) => this.#expect(LABELS[stage]));
+      const data = await engine.solve(project, (stage) => {
+        if (key === this.#wanted) this.#expect(LABELS[stage]);
+      });
       const solved = { key, project, data, poser: engine.poser(data) };
       this.#keep(solved);
       if (key === this.#wanted) this.#show(solved);

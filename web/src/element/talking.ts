@@ -1,4 +1,7 @@
-/** What the editor says: notices that stay until they are answered, words for screen readers, progress. */
+/**
+ * What the editor says: notices that stay until they are answered, words for screen readers, progress. What passes by itself lies over
+ * what waits for an answer, and takes nothing of it away.
+ */
 import type { Notice, Progress } from '../ui/model';
 
 export interface TalkingHost {
@@ -13,17 +16,20 @@ const PASSING_MS = 6000;
 
 export class Talking {
   readonly #host: TalkingHost;
-  #notice: Notice | null = null;
+  /** What offers something, what went wrong, and what passes: the last that there is is shown. */
+  #offer: Notice | null = null;
+  #error: Notice | null = null;
+  #passing: Notice | null = null;
   #announcement = '';
   #progress: Progress | null = null;
-  #passing: ReturnType<typeof setTimeout> | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: TalkingHost) {
     this.#host = host;
   }
 
   get notice(): Notice | null {
-    return this.#notice;
+    return this.#passing ?? this.#error ?? this.#offer;
   }
 
   get announcement(): string {
@@ -34,20 +40,41 @@ export class Talking {
     return this.#progress;
   }
 
-  /** Shows a notice in place of the one before; answering it closes it, and what needs no answer passes. */
-  notify(notice: Notice | null): void {
-    clearTimeout(this.#passing);
-    const { action, ...plain } = notice ?? {};
-    const answer = action && {
-      label: action.label,
-      run: () => {
-        this.notify(null);
-        action.run();
-      },
+  /** Shows a notice; answering it closes it, and what needs no answer passes. */
+  notify({ action, ...plain }: Notice): void {
+    this.#pass();
+    const run = () => {
+      this.dismiss();
+      action?.run();
     };
-    this.#notice = notice && { ...(plain as Notice), ...(answer && { action: answer }) };
-    if (notice?.kind === 'info' && !action) this.#passing = setTimeout(() => this.notify(null), PASSING_MS);
+    if (action) this.#offer = { ...plain, action: { label: action.label, run } };
+    else if (plain.kind === 'error') this.#error = plain;
+    else {
+      this.#passing = plain;
+      this.#timer = setTimeout(() => this.dismiss(), PASSING_MS);
+    }
     this.#host.changed();
+  }
+
+  /** The notice that is shown goes. */
+  dismiss(): void {
+    if (this.#passing) this.#pass();
+    else if (this.#error) this.#error = null;
+    else this.#offer = null;
+    this.#host.changed();
+  }
+
+  /** All of them do. */
+  clear(): void {
+    this.#pass();
+    this.#error = null;
+    this.#offer = null;
+    this.#host.changed();
+  }
+
+  #pass(): void {
+    clearTimeout(this.#timer);
+    this.#passing = null;
   }
 
   /** An error as a notice, and as an event for the page. Work overtaken by newer work is no error. */
@@ -57,13 +84,14 @@ export class Talking {
     this.#host.emit('error', error);
   }
 
+  /** The same words twice are told apart by a space that is not heard: screen readers read what changes. */
   say(text: string): void {
-    this.#announcement = text;
+    this.#announcement = this.#announcement === text ? `${text}\u00a0` : text;
     this.#host.changed();
   }
 
   dispose(): void {
-    clearTimeout(this.#passing);
+    clearTimeout(this.#timer);
   }
 
   progressed(label: string | null): void {

@@ -4,13 +4,17 @@
  * What the solver refuses never stays: a picture or project that cannot be opened leaves the ones before it, an edit
  * that cannot be solved is taken back through the history, be it that of a document just opened. The host shows what comes of it.
  */
+import type { Engine } from '../compute/engine';
 import { type Document, newProject, openDocument } from '../document/document';
+import { checkedHandle } from '../document/handle';
 import type { HistoryRecord } from '../document/history';
-import type { Project } from '../document/project';
+import type { Project, ProjectFile } from '../document/project';
 import { projectText } from '../document/project-text';
+import { alphaThreshold } from '../io/alpha';
 import { encodePng } from '../io/encode';
+import { PictureError } from '../io/picture_error';
 import { Editing, type EditingHost } from './editing';
-import { isTransparent, type Picture, stem } from './picture';
+import { fits, type Picture, stem } from './picture';
 import { type Solved, Solving } from './solving';
 
 export interface WorkbenchHost extends EditingHost {
@@ -34,7 +38,7 @@ interface Opening {
   reject(error: Error): void;
 }
 
-const NOTHING = openDocument(newProject({ src: '', width: 1, height: 1 }, false));
+const NOTHING = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
 
 export class Workbench {
   readonly editing: Editing;
@@ -42,6 +46,8 @@ export class Workbench {
   readonly #host: WorkbenchHost;
   #picture: Picture | null = null;
   #opening: Opening | null = null;
+  /** Once it is there: what a page gives in one go is checked in one go. */
+  #engine: Engine | null = null;
 
   constructor(host: WorkbenchHost) {
     this.#host = host;
@@ -91,6 +97,12 @@ export class Workbench {
     return new Promise((resolve, reject) => {
       this.#opening = { before, resolve, reject };
       this.#put(picture, record ?? { past: [], present: this.#fresh(picture), future: [] });
+      this.solving.engine().then(
+        (engine) => {
+          this.#engine = engine;
+        },
+        () => {},
+      );
     });
   }
 
@@ -99,9 +111,27 @@ export class Workbench {
     this.editing.step(label, openDocument(project));
   }
 
+  /** There is a picture to set a project for. */
+  get isOpen(): boolean {
+    return this.#picture !== null && this.#engine !== null;
+  }
+
+  /**
+   * The same for what a page made, which it may go on changing.
+   * @throws RangeError that names the offending key, or where there is no picture of that size open.
+   */
+  set(given: ProjectFile): void {
+    if (!this.#engine || !this.#picture) throw new RangeError('there is no picture yet to set a project for');
+    const project = this.#made(this.#engine, given);
+    if (!fits(this.#picture, project)) {
+      throw new RangeError('the project is for a picture of another size: load both together');
+    }
+    this.adopt(project, 'Set project');
+  }
+
   /** Reads a project file. @throws Error with a code and a message that names the offending key. */
   async readProject(text: string): Promise<Project> {
-    return (await this.solving.engine()).checkProject(text);
+    return checked((await this.solving.engine()).checkProject(text));
   }
 
   /** The project file of what is open, named as the picture. */
@@ -114,6 +144,7 @@ export class Workbench {
 
   /** The warped picture as PNG, at `scale` times the source's size. */
   async png(scale = 1): Promise<Blob> {
+    if (!this.#picture) throw new PictureError('There is no picture yet.');
     const engine = await this.solving.engine();
     const { width, height, rgba } = await engine.warp(this.editing.project, scale);
     return encodePng(width, height, rgba);
@@ -133,13 +164,21 @@ export class Workbench {
     this.#picture?.bitmap.close();
   }
 
+  #made(engine: Engine, given: ProjectFile): Project {
+    try {
+      return checked(engine.checkProject(JSON.stringify(given)));
+    } catch (cause) {
+      throw cause instanceof RangeError ? cause : new RangeError((cause as Error).message, { cause });
+    }
+  }
+
   #snapshot(picture: Picture): NonNullable<Opening['before']> {
     return { picture, record: this.editing.record() };
   }
 
   #fresh(picture: Picture): Document {
-    const { name: src, width, height, rgba } = picture;
-    return openDocument(newProject({ src, width, height }, isTransparent(rgba)));
+    const { name: src, width, height } = picture;
+    return openDocument(newProject({ src, width, height }, alphaThreshold(picture)));
   }
 
   #put(picture: Picture, record: HistoryRecord<Document>): void {
@@ -182,5 +221,15 @@ export class Workbench {
     this.#opening = null;
     if (opening) opening.reject(error);
     else this.#host.report(error);
+  }
+}
+
+/** What the file format takes may still be beyond what can be drawn. */
+function checked(project: Project): Project {
+  try {
+    project.handles.forEach(checkedHandle);
+    return project;
+  } catch (error) {
+    throw Object.assign(error as Error, { code: 'project' });
   }
 }

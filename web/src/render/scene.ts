@@ -10,7 +10,7 @@ import { DrawingOrder } from '../geometry/drawing_order';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import lineFragment from './line.frag.glsl?raw';
-import { MOTION_SIZE, meshEdges, type WarpMesh, weightRows } from './mesh';
+import { MOTION_SIZE, meshEdges, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
 import { createPictureTexture, setMagnification } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import warpVertex from './warp.vert.glsl?raw';
@@ -35,6 +35,8 @@ export class Scene {
   readonly #lineProgram: twgl.ProgramInfo;
   #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
   #loaded: LoadedMesh | undefined;
+  /** The picture as it is, to compare with. */
+  #whole: LoadedMesh | undefined;
   #posed = false;
   #blend: Blend = 'linear';
 
@@ -49,11 +51,18 @@ export class Scene {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     const { width, height } = source;
     this.#picture = { texture: createPictureTexture(this.#gl, source), width, height };
+    this.#unload(this.#whole);
+    this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
   /** Replaces the mesh; it is drawn at rest until motions come. */
   setMesh(mesh: WarpMesh): void {
-    this.#unloadMesh();
+    this.#unload(this.#loaded);
+    this.#loaded = this.#load(mesh);
+    this.#posed = false;
+  }
+
+  #load(mesh: WarpMesh): LoadedMesh {
     const gl = this.#gl;
     const weights = createDataTexture(gl, 2, mesh.sites.length);
     const entries = new Float32Array(mesh.sites.length * 2);
@@ -62,7 +71,7 @@ export class Scene {
       entries[entry * 2 + 1] = mesh.weights[entry] ?? 0;
     }
     weights.update(entries);
-    this.#loaded = {
+    return {
       mesh,
       weights,
       motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_SIZE / 4)),
@@ -75,7 +84,6 @@ export class Scene {
       order: new DrawingOrder(mesh),
       drawn: mesh.triangles,
     };
-    this.#posed = false;
   }
 
   /** Sites × 12, or null to lay the mesh at rest. */
@@ -102,7 +110,7 @@ export class Scene {
     gl.viewport(0, 0, view.width, view.height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    const loaded = this.#loaded;
+    const loaded = view.compare ? this.#whole : this.#loaded;
     const picture = this.#picture;
     if (!loaded || !picture) return;
 
@@ -121,14 +129,13 @@ export class Scene {
       u_colour: MESH_COLOUR,
     };
     drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
-    if (view.overlays?.mesh) {
+    if (view.overlays?.mesh && !view.compare) {
       loaded.edges ??= edgeBuffer(gl, loaded);
       drawWith(gl, this.#lineProgram, loaded.edges, uniforms, gl.LINES);
     }
   }
 
-  #unloadMesh(): void {
-    const loaded = this.#loaded;
+  #unload(loaded: LoadedMesh | undefined): void {
     if (!loaded) return;
     loaded.weights.dispose();
     loaded.motions.dispose();
@@ -137,7 +144,6 @@ export class Scene {
       ...Object.values(info?.attribs ?? {}).map((attribute) => attribute.buffer),
     ]);
     for (const buffer of new Set(buffers)) this.#gl.deleteBuffer(buffer ?? null);
-    this.#loaded = undefined;
   }
 }
 

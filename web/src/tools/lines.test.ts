@@ -13,7 +13,7 @@ const image = { src: 'a.png', width: 400, height: 400 };
 /** The picture is shown 1000 px to the right of where it rests, everywhere. */
 class Bench {
   readonly machine = new ToolMachine();
-  document: Document = selectHandles(addHandle(openDocument(newProject(image, true)), arm), []);
+  document: Document = selectHandles(addHandle(openDocument(newProject(image, 0.5)), arm), []);
   drafted: (Draft | null)[] = [];
   drawn: Draft | null = null;
 
@@ -72,7 +72,7 @@ describe('drawing a bar', () => {
   it('takes clicks, and is done by a double click', () => {
     bench.click([200, 200], [260, 200], [260, 260], [261, 260]);
     expect(bench.added).toEqual({
-      id: 'bar-2',
+      id: 'bar-1',
       kind: 'bar',
       rest: [
         [-800, 200],
@@ -87,7 +87,7 @@ describe('drawing a bar', () => {
       rotation: 'auto',
       scale: 2,
     });
-    expect(bench.document.selection).toEqual(['bar-2']);
+    expect(bench.document.selection).toEqual(['bar-1']);
     expect(bench.machine.draft).toBeNull();
     expect(bench.drawn?.corners).toHaveLength(3);
   });
@@ -185,7 +185,7 @@ describe('drawing a polygon', () => {
 
   it('closes on its first corner', () => {
     bench.click([200, 200], [260, 200], [230, 260], [204, 203]);
-    expect(bench.added).toMatchObject({ id: 'polygon-2', kind: 'polygon' });
+    expect(bench.added).toMatchObject({ id: 'polygon-1', kind: 'polygon' });
     expect(bench.added?.posed).toHaveLength(3);
   });
 

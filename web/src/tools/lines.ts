@@ -1,20 +1,21 @@
 /**
  * The bar tool (B) and the polygon tool (G): presses on the picture draw. On a point handle, or on anything selected, a
- * press does what select does.
+ * press does what select does; a click on a ring draws.
  */
 import { handleById } from '../document/document';
 import { begun, type LineKind } from './drafting';
 import { hit } from './hit';
 import { pressed } from './pressing';
-import type { State } from './state';
+import type { Press, Scene, State } from './state';
 
 function lineTool(kind: LineKind): State {
+  const draws = (press: Press, scene: Scene) => begun(kind, press, scene, tool);
   const tool: State = {
     down: (press, scene) => {
       const target = hit(scene, press.at, false);
       const handle = target && handleById(scene.document, target.id);
       const taken = handle && (handle.kind === 'point' || scene.document.selection.includes(handle.id));
-      return target && taken ? pressed(target, press, scene, tool) : begun(kind, press, scene, tool);
+      return target && taken ? pressed(target, press, scene, tool, draws) : draws(press, scene);
     },
   };
   return tool;

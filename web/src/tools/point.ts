@@ -1,12 +1,14 @@
-/** The point tool (P): a press on the picture places a handle; on a handle or ring it does what select does. */
+/** The point tool (P): a press on the picture places a handle; on a handle it does what select does, and so does a drag of a ring. */
 import { hit } from './hit';
 import { placed } from './placing';
 import { pressed } from './pressing';
-import type { State } from './state';
+import type { Press, Scene, State } from './state';
+
+const places = (press: Press, scene: Scene) => placed(press, scene, point);
 
 export const point: State = {
   down: (press, scene) => {
     const target = hit(scene, press.at, false);
-    return target ? pressed(target, press, scene, point) : placed(press, scene, point);
+    return target ? pressed(target, press, scene, point, places) : places(press, scene);
   },
 };

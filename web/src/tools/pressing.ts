@@ -2,36 +2,68 @@
  * Holding a handle or a ring, not yet known whether for a click or a drag.
  *
  * A click selects (Shift: adds or takes away); a drag moves or, on the ring or with Alt, turns; on a corner it moves that
- * one alone.
+ * one alone. A click on a ring is for what lies beneath.
  */
 
 import { handleById } from '../document/document';
 import { anchor, nameOf } from '../document/handle';
 import { distance } from '../geometry/vec';
 import { cornering } from './cornering';
-import type { Hit } from './hit';
+import { type Hit, hit } from './hit';
 import { moving } from './moving';
 import { type Effect, type Outcome, outcome, type Press, type Scene, type State } from './state';
 import { turning } from './turning';
 
-/** The answer to a press on `target`: what is not selected becomes so at once, the rest waits for the release. */
-export function pressed(target: Hit, press: Press, scene: Scene, rest: State): Outcome {
+type Down = NonNullable<State['down']>;
+
+/**
+ * The answer to a press on `target`: what is not selected becomes so at once, the rest waits for the release.
+ *
+ * @param beneath what a click on a ring does, as if there were no rings: for most tools it selects.
+ */
+export function pressed(
+  target: Hit,
+  press: Press,
+  scene: Scene,
+  rest: State,
+  beneath: Down = selecting(rest),
+): Outcome {
   const { selection } = scene.document;
   const already = selection.includes(target.id);
   const effects: Effect[] = already
     ? []
     : [{ type: 'select', ids: press.shift ? [...selection, target.id] : [target.id] }];
-  return outcome(pressing(target, press, already, rest), ...effects);
+  return outcome(pressing(target, press, already, rest, beneath), ...effects);
 }
 
-const pressing = (target: Hit, from: Press, already: boolean, rest: State): State => {
+const selecting =
+  (rest: State): Down =>
+  ({ at, shift }, scene) => {
+    const target = hit(scene, at);
+    if (!target) return outcome(rest);
+    const more = shift ? scene.document.selection : [];
+    return outcome(rest, { type: 'select', ids: [...more, target.id] });
+  };
+
+/** What comes of a press that is over as soon as it has begun. */
+function atOnce(down: Down, press: Press, scene: Scene): Outcome {
+  const begun = down(press, scene);
+  const ended = begun.next.up?.(press, scene);
+  return ended ? outcome(ended.next, ...begun.effects, ...ended.effects) : begun;
+}
+
+const withoutRings = (scene: Scene): Scene => ({ ...scene, grips: { ...scene.grips, band: -1 } });
+
+const pressing = (target: Hit, from: Press, already: boolean, rest: State, beneath: Down): State => {
   const state: State = {
     move: (press, scene) => {
       if (distance(press.at, from.at) <= scene.grips.slop) return outcome(state);
       return dragged(target, from, press, scene, rest);
     },
-    up: (_, { document: { selection } }) => {
-      if (!already || target.part === 'ring') return outcome(rest);
+    up: (press, scene) => {
+      if (target.part === 'ring') return atOnce(beneath, press, withoutRings(scene));
+      if (!already) return outcome(rest);
+      const { selection } = scene.document;
       const ids = from.shift ? selection.filter((id) => id !== target.id) : [target.id];
       return outcome(rest, { type: 'select', ids });
     },

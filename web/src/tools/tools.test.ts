@@ -16,7 +16,7 @@ const image = { src: 'a.png', width: 200, height: 200 };
 class Bench {
   readonly machine = new ToolMachine();
   readonly history = new History(
-    addHandle(addHandle(openDocument(newProject(image, true)), handle('a', 0)), handle('b', 100)),
+    addHandle(addHandle(openDocument(newProject(image, 0.5)), handle('a', 0)), handle('b', 100)),
   );
   readonly others: Effect[] = [];
   turns: Turns = new Map();
@@ -186,9 +186,9 @@ describe('point', () => {
 
   it('places at once, posed where it was clicked, and free to turn', () => {
     bench.down([50, 60]);
-    const added = handleById(bench.history.present, 'handle-3');
+    const added = handleById(bench.history.present, 'handle-1');
     expect(added).toMatchObject({ rest: [7, 8], posed: [50, 60], rotation: 'auto', scale: 2 });
-    expect(bench.selection).toEqual(['handle-3']);
+    expect(bench.selection).toEqual(['handle-1']);
     bench.up([50, 60]);
     expect(bench.history.undo()).toBe('Add handle');
     expect(bench.history.present.project.handles).toHaveLength(2);
@@ -198,14 +198,25 @@ describe('point', () => {
     const { present } = bench.history;
     bench.history.update({ ...present, project: bent(present.project, 'harmonic') });
     bench.click([50, 60]);
-    expect(handleById(bench.history.present, 'handle-3')).toMatchObject({ rotation: 30, scale: 2 });
+    expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ rotation: 30, scale: 2 });
   });
 
   it('places and drags in one undo step', () => {
     bench.drag([50, 60], [70, 60]);
-    expect(bench.posed('handle-3')).toEqual([70, 60]);
+    expect(bench.posed('handle-1')).toEqual([70, 60]);
     bench.history.undo();
     expect(bench.history.present.project.handles).toHaveLength(2);
+  });
+
+  it('places within the ring of what is selected by a click, and turns that by a drag', () => {
+    bench.click([50, 60]);
+    bench.click([80, 60]);
+    expect(bench.history.present.project.handles).toHaveLength(4);
+    expect(bench.history.undo()).toBe('Add handle');
+    expect(bench.selection).toEqual(['handle-1']);
+    bench.drag([80, 60], [50, 90]);
+    expect(bench.rotation('handle-1')).not.toBe(0);
+    expect(bench.history.present.project.handles).toHaveLength(3);
   });
 
   it('misses where there is no picture', () => {

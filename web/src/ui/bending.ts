@@ -1,8 +1,9 @@
-/** How the picture bends: a choice of two, in words, how finely, and two switches. Shown while nothing is selected. */
+/** How the picture bends: a choice of two, in words, how finely, and switches. Folded up to one line beside what is selected. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import type { PoseMode } from '../document/project';
+import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
 
 const MODES = {
@@ -15,15 +16,23 @@ const DETAIL_WORDS = { coarse: 'Coarse', medium: 'Medium', fine: 'Fine' } as con
   string
 >;
 
-export function bending(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+export function bending(
+  model: EditorModel,
+  actions: EditorActions,
+  open: boolean,
+): TemplateResult | typeof nothing {
   if (!model.picture) return nothing;
   const { project } = model.document;
   const mode = modeOf(project);
   const detail = detailOf(project);
   const modes = Object.keys(MODES) as PoseMode[];
   const details = Object.keys(DETAILS) as Detail[];
-  return html`<section class="bending">
-    <h3>Bending</h3>
+  const chosen = mode === 'rigid' && detail ? [MODES.rigid.word, DETAIL_WORDS[detail]] : [MODES[mode].word];
+  return html`<details class="bending" ?open=${open}>
+    <summary>
+      <h3>Bending</h3>
+      <span class="faint">${chosen.join(', ').toLowerCase()}</span>${icon('unfold')}
+    </summary>
     <div class="segments" role="group" aria-label="Bending">
       ${modes.map((name) => segment(MODES[name].word, name === mode, model, () => actions.bend(name)))}
     </div>
@@ -41,7 +50,7 @@ export function bending(model: EditorModel, actions: EditorActions): TemplateRes
     ${toggle('Keep turns rigid', 'What lies between two turns does not shrink.', blendOf(project) === 'rigid', model, (on) => actions.blend(on ? 'rigid' : 'linear'))}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => actions.holdBoundary(on))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => actions.guard(on))}
-  </section>`;
+  </details>`;
 }
 
 const toggle = (

@@ -97,13 +97,45 @@ export const chromeStyle = css`
     border-radius: 6px;
   }
   .button.segment[aria-pressed='true'] {
-    background: var(--_surface);
+    background: light-dark(var(--_surface), color-mix(in srgb, var(--_raised), #fff 17%));
     color: var(--_text);
     box-shadow: 0 1px 2px light-dark(#0000002b, #0009);
   }
-  .bending .faint {
+  .bending p {
     margin-bottom: 10px;
     font-size: 12px;
+  }
+  .bending summary {
+    display: flex;
+    align-items: center;
+    gap: 6px;
+    margin: -4px -6px;
+    padding: 4px 6px;
+    border-radius: 6px;
+    list-style: none;
+    cursor: pointer;
+  }
+  .bending summary::-webkit-details-marker {
+    display: none;
+  }
+  .bending summary .faint {
+    flex: 1;
+    overflow: hidden;
+    font-size: 12px;
+    text-align: right;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .bending summary .icon {
+    width: 16px;
+    height: 16px;
+    color: var(--_faint);
+  }
+  .bending[open] summary .faint {
+    visibility: hidden;
+  }
+  .bending[open] summary .icon {
+    rotate: 180deg;
   }
   .switch {
     display: flex;
@@ -173,14 +205,24 @@ export const chromeStyle = css`
     flex: 1;
     font-size: 12px;
   }
-  .properties + .list,
+  .properties + :is(.bending, .list),
   .bending + .list {
     margin-top: 10px;
     padding-top: 12px;
     border-top: 1px solid var(--_line);
   }
+  /* A long list scrolls by itself: the numbers above it stay. */
+  .list {
+    display: flex;
+    flex-direction: column;
+  }
   .list ul {
     margin: 6px -6px -4px;
+    overflow: auto;
+  }
+  .panel > .list:has(li:nth-child(4)) {
+    flex: 0 1 auto;
+    min-height: 150px;
   }
   .list p {
     margin-top: 6px;
@@ -195,11 +237,20 @@ export const chromeStyle = css`
     border-radius: 6px;
     text-align: left;
   }
+  .item:focus-visible {
+    outline-offset: -2px;
+  }
   .item .name {
     display: inline-block;
+    min-width: 0;
+    overflow-wrap: anywhere;
   }
   .item .name::first-letter {
     text-transform: uppercase;
+  }
+  .item .dot,
+  .item .moved {
+    flex: none;
   }
   .item .dot {
     width: 9px;
@@ -261,10 +312,14 @@ export const chromeStyle = css`
   }
 
   .hint,
+  .draft-bar,
   .notice {
+    --_free: calc(100% - var(--_left) - var(--_right) - 16px);
     position: absolute;
     z-index: 2;
-    left: 50%;
+    left: calc((100% + var(--_left) - var(--_right)) / 2);
+    width: max-content;
+    max-width: var(--_free);
     translate: -50% 0;
   }
   .hint {
@@ -275,12 +330,15 @@ export const chromeStyle = css`
     color: light-dark(#fff, #1e1f22);
     font-size: 14px;
     font-weight: 550;
+    text-align: center;
     pointer-events: none;
-    white-space: nowrap;
     animation: appear 400ms 500ms backwards;
   }
+  /* It belongs to the picture: under the cards. */
   .bubble {
     bottom: auto;
+    z-index: auto;
+    white-space: nowrap;
     translate: 26px -50%;
   }
   .bubble::before {
@@ -292,21 +350,27 @@ export const chromeStyle = css`
     border-left: 0;
     border-right-color: light-dark(#26272bee, #ececeaee);
   }
+  .bubble.above {
+    translate: -75% calc(-100% - 28px);
+  }
+  .bubble.above::before {
+    inset: 100% auto auto calc(75% - 7px);
+    border: 7px solid transparent;
+    border-bottom: 0;
+    border-top-color: light-dark(#26272bee, #ececeaee);
+  }
   .draft-bar {
-    position: absolute;
-    z-index: 2;
-    left: 50%;
     bottom: 16px;
-    translate: -50% 0;
     display: flex;
     align-items: center;
     gap: 2px;
     padding: 4px 4px 4px 14px;
-    white-space: nowrap;
     animation: appear var(--_speed);
   }
   .draft-bar .words {
+    min-width: 0;
     margin-right: 10px;
+    line-height: 1.25;
     color: var(--_faint);
   }
   .button.finish {
@@ -327,21 +391,22 @@ export const chromeStyle = css`
     display: flex;
     align-items: center;
     gap: 8px;
-    width: max-content;
-    max-width: min(560px, calc(100% - 28px));
+    max-width: min(560px, var(--_free));
     padding: 8px 8px 8px 14px;
     border-left: 4px solid var(--_accent);
     overflow-wrap: anywhere;
     animation: appear var(--_speed);
-  }
-  .draft-bar ~ .notice {
-    bottom: 70px;
   }
   .notice.error {
     border-left-color: var(--_danger);
   }
   .notice p {
     flex: 1;
+  }
+  .notice .link {
+    min-width: 0;
+    white-space: normal;
+    text-align: left;
   }
 
   .bar {
@@ -380,6 +445,11 @@ export const chromeStyle = css`
       rotate: 1turn;
     }
   }
+  @container shell (width >= 640px) {
+    :is(.draft-bar, .hint:not(.bubble)) ~ .notice {
+      bottom: 70px;
+    }
+  }
   @container shell (width < 640px) {
     .hint:not(.bubble) {
       bottom: 84px;
@@ -391,59 +461,79 @@ export const chromeStyle = css`
       padding: 0 14px 0 10px;
     }
     .switch {
-      min-height: 44px;
       padding-top: 6px;
       margin-top: 6px;
     }
     .switch + .switch {
       margin-top: 2px;
     }
-    .segment {
-      height: 44px;
-    }
-    .bending .faint {
+    .bending p {
       margin-bottom: 6px;
     }
+    .bending summary {
+      pointer-events: none;
+    }
+    .bending summary .icon {
+      display: none;
+    }
     .notice {
-      inset: 12px auto auto 50%;
+      top: 12px;
+      bottom: auto;
     }
-    .notice .button.small {
-      min-width: 44px;
-      height: 44px;
+    /* Clear of the sheet, wherever it is, and of one another. */
+    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) {
+      top: 12px;
+      bottom: auto;
     }
-    .bubble {
-      translate: -75% calc(-100% - 28px);
+    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) ~ .notice {
+      top: 72px;
     }
-    .bubble::before {
-      inset: 100% auto auto calc(75% - 7px);
-      border: 7px solid transparent;
-      border-bottom: 0;
-      border-top-color: light-dark(#26272bee, #ececeaee);
+    .panel.high ~ .notice {
+      top: auto;
+      bottom: 84px;
+    }
+    .panel.high ~ .hint:not(.bubble) ~ .notice {
+      bottom: 134px;
     }
     .properties {
       display: grid;
-      grid-template: 'name row' auto 'fields fields' auto / 1fr auto;
+      grid-template: 'name corners row' auto 'fields fields fields' auto / 1fr auto auto;
       align-items: center;
     }
+    .row {
+      grid-area: row;
+      margin-left: 0;
+      padding: 0;
+    }
+    .row.corners {
+      grid-area: corners;
+      margin: 0;
+    }
+    /* As wide as their numbers ask for; where two do not fit on a line, one goes to the next. */
     .fields {
       grid-area: fields;
+      display: flex;
+      flex-wrap: wrap;
       margin: 4px 0 0;
     }
-    .fields {
-      grid-template-columns: repeat(6, 1fr);
-    }
     .fields > :nth-child(n) {
-      grid-column: span 2;
+      flex: 1 1 28%;
     }
-    .fields > .pair,
-    .fields > .turn {
-      grid-column: span 3;
-    }
-    .fields > .turn {
+    .fields > :nth-child(n).turn {
       order: 1;
+      flex-basis: 41%;
+      min-width: 132px;
     }
-    .fields > .depth {
+    .fields > :nth-child(n).depth {
       order: 2;
+      flex-basis: 51%;
+      min-width: 174px;
+    }
+    .field {
+      padding: 0 6px;
+    }
+    .field input {
+      padding: 0 0 0 3px;
     }
     .pair.turn {
       gap: 4px;
@@ -455,17 +545,8 @@ export const chromeStyle = css`
     .row .faint {
       display: none;
     }
-    .field input {
-      font-size: 16px;
-    }
-    .field {
-      height: 44px;
-    }
     .popover {
       min-width: 200px;
-    }
-    .check {
-      min-height: 44px;
     }
   }
 `;

@@ -2,6 +2,8 @@
  * The handles over the picture: a faint mark where each rests, a thread to where it is posed, the rotation ring of the
  * selected ones, and over them one focusable button per handle, and per corner of a bar or polygon. The buttons are for
  * keyboards and screen readers too; presses of a pointer go to the stage, which knows the tools.
+ *
+ * Styles are set as properties: a Content Security Policy may refuse what stands in an attribute.
  */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
@@ -101,8 +103,8 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
             aria-label=${handleLabel(handle, model.turns)}
             aria-pressed=${selected ? 'true' : 'false'}
             ?disabled=${model.disabled}
-            style="transform: translate(${x}px, ${y}px)"
-            @focus=${(event: FocusEvent) => focused(event, handle.id, model, actions)}
+            .style=${`transform: translate(${x}px, ${y}px)`}
+            @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, actions)}
             @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
           ></button>
           ${isLine(handle) ? cornerButtons(handle, selected, model, actions) : nothing}`;
@@ -130,15 +132,16 @@ const cornerButtons = (
       tabindex=${selected ? 0 : -1}
       aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
       ?disabled=${model.disabled}
-      style="transform: translate(${x}px, ${y}px)"
-      @focus=${(event: FocusEvent) => focused(event, handle.id, model, actions)}
+      .style=${`transform: translate(${x}px, ${y}px)`}
+      @focus=${(event: FocusEvent) => focused(event, handle.id, corner, model, actions)}
       @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
     ></button>`;
   });
 
-/** The keyboard selects as it goes from handle to handle; a pointer has its own way to select. */
-function focused(event: FocusEvent, id: string, model: EditorModel, actions: EditorActions): void {
+/** The keyboard selects as it goes from handle to handle, and takes the view along; a pointer has its own way to select. */
+function focused(event: FocusEvent, id: string, at: Vec, model: EditorModel, actions: EditorActions): void {
   const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
+  if (keyboard) actions.reveal(at);
   if (keyboard && !model.draft && !model.document.selection.includes(id)) actions.select([id]);
 }
 

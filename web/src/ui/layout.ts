@@ -6,10 +6,14 @@ export const layout = css`
     container: shell / size;
     position: absolute;
     inset: 0;
+    writing-mode: horizontal-tb;
     display: grid;
     grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
   }
+  /* What the cards at both sides take of the width: what floats over the picture stands in the middle of the rest. */
   .middle {
+    --_left: 84px;
+    --_right: 260px;
     position: relative;
     min-width: 0;
   }
@@ -64,6 +68,7 @@ export const layout = css`
     display: flex;
     flex-direction: column;
     gap: 2px;
+    max-height: calc(100% - 24px);
     padding: 4px;
   }
   .tools .button {
@@ -77,8 +82,13 @@ export const layout = css`
     top: 12px;
     width: 224px;
     max-height: calc(100% - 24px);
+    display: flex;
+    flex-direction: column;
     overflow: auto;
     padding: 12px;
+  }
+  .panel > * {
+    flex: none;
   }
   .status {
     z-index: 2;
@@ -126,7 +136,8 @@ export const layout = css`
     background: color-mix(in srgb, var(--_warning) 16%, transparent);
     color: var(--_warning);
   }
-  .sheet-switch {
+  .sheet-switch,
+  .unfold {
     display: none;
   }
   .percent {
@@ -149,14 +160,44 @@ export const layout = css`
     .button.worded {
       padding: 0 7px;
     }
+    .middle {
+      --_left: 72px;
+      --_right: 248px;
+    }
   }
 
-  /* A phone: tools within the thumb's reach, and everything 44 px. */
+  /* Low: the tools go side by side. */
+  @container shell (width >= 640px) and (height < 372px) {
+    .middle {
+      --_left: 134px;
+    }
+    .tools {
+      display: grid;
+      grid-template-columns: auto auto;
+    }
+    .sheet-switch {
+      display: none;
+    }
+  }
+  @container shell (width >= 640px) and (height < 290px) {
+    .middle {
+      --_left: 182px;
+    }
+    .tools {
+      grid-template-columns: auto auto auto;
+    }
+  }
+
+  /* A phone: tools within the thumb's reach, and the panel a sheet above them. */
   @container shell (width < 640px) {
+    .middle {
+      --_left: 0px;
+      --_right: 0px;
+    }
     .top {
       gap: 0;
+      justify-content: space-between;
       padding: 0 4px;
-      height: 52px;
     }
     .group,
     .group + .group {
@@ -173,14 +214,6 @@ export const layout = css`
     .top .theme {
       display: none;
     }
-    .top {
-      justify-content: space-between;
-    }
-    .button {
-      min-width: 44px;
-      height: 44px;
-      padding: 0;
-    }
     .tools {
       position: absolute;
       top: auto;
@@ -189,10 +222,13 @@ export const layout = css`
       translate: -50% 0;
       flex-direction: row;
       gap: 4px;
+      max-width: calc(100% - 16px);
     }
-    .tools .button {
-      width: 48px;
-      height: 46px;
+    .unfold {
+      display: inline-flex;
+    }
+    .panel:not(.numbers) .unfold .icon {
+      rotate: 180deg;
     }
     .sheet-switch {
       display: block;
@@ -207,6 +243,13 @@ export const layout = css`
     .status:has(.folded) .percent {
       display: none;
     }
+    .folded {
+      min-width: 0;
+    }
+    .folded span {
+      overflow: hidden;
+      text-overflow: ellipsis;
+    }
     .panel {
       display: none;
       top: auto;
@@ -220,35 +263,41 @@ export const layout = css`
     .panel.open {
       display: block;
     }
-    .panel .list {
+    .panel.high {
+      top: 8px;
+      bottom: auto;
+    }
+    .panel.away {
+      opacity: 0;
+      pointer-events: none;
+      transition: opacity var(--_speed) 100ms;
+    }
+    .panel .list,
+    .panel.settings .properties,
+    .panel:not(.numbers) :is(.fields, .corners),
+    .panel:not(.settings) .bending {
       display: none;
+    }
+    .panel.settings .bending {
+      margin: 0;
+      padding: 0;
+      border: 0;
     }
     .status {
       justify-content: center;
-      height: 46px;
       padding: 0 8px;
     }
-    .status .button {
-      min-width: 44px;
-      height: 44px;
-    }
-    .percent {
-      font-size: 14px;
-    }
   }
-  @media (pointer: coarse) {
-    .top .button,
-    .status .button,
-    .row .button,
-    .item {
-      min-width: 44px;
-      min-height: 44px;
+
+  /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
+  @container shell (width < 640px) and (height < 460px) {
+    .panel:has(.field :focus) {
+      top: auto;
+      bottom: 8px;
+      max-height: calc(100% - 16px);
     }
-    .status {
-      height: 46px;
-    }
-    .top {
-      height: 52px;
+    .tools:has(~ .panel .field :focus) {
+      visibility: hidden;
     }
   }
 `;

@@ -23,6 +23,10 @@ export interface EditorModel {
   /** CSS pixels. */
   readonly stage: Size;
   readonly grips: Grips;
+  /** A press on the stage goes on. */
+  readonly pressing: boolean;
+  /** What a short press is called: fingers tap. */
+  readonly press: 'click' | 'tap';
   readonly undo: string | null;
   readonly redo: string | null;
   readonly solved: SolvedLabel | null;
@@ -41,8 +45,9 @@ export interface EditorModel {
   /** The guard against folds is on; it holds something back now. */
   readonly guarded: boolean;
   readonly holding: boolean;
-  /** Settings of the whole picture are open where there is no room for them always. */
+  /** What is open where there is no room for it always: settings of the whole picture, numbers of the selected handles. */
   readonly settings: boolean;
+  readonly numbers: boolean;
   /** What is being drawn. */
   readonly draft: Draft | null;
   readonly box: Box | null;
@@ -58,6 +63,8 @@ export interface EditorModel {
 export interface Hint {
   readonly text: string;
   readonly at: Vec;
+  /** There is no room to the right of it. */
+  readonly above: boolean;
 }
 
 export interface PictureLabel extends Size {
@@ -90,7 +97,8 @@ export interface EditorActions {
   run(command: CommandName): void;
   compare(on: boolean): void;
   overlay(name: keyof OverlayFlags, on: boolean): void;
-  field(field: Field, value: number): void;
+  /** Sets a number of what is selected, from what it is of each. */
+  field(field: Field, value: (now: number) => number): void;
   automatic(on: boolean): void;
   bend(mode: PoseMode): void;
   detail(detail: Detail): void;
@@ -103,10 +111,13 @@ export interface EditorActions {
   finish(): void;
   back(): void;
   settings(on: boolean): void;
+  numbers(on: boolean): void;
   select(ids: readonly string[]): void;
   toggle(id: string): void;
   /** A handle takes the focus. */
   hold(id: string): void;
+  /** A place of the picture that the keys have gone to comes into view. */
+  reveal(at: Vec): void;
   cancelSolve(): void;
   dismiss(): void;
   theme(): void;

@@ -1,5 +1,11 @@
-/** The property panel: the numbers of what is selected, and the list of all handles. A sheet on a phone. */
+/**
+ * The property panel: the numbers of what is selected, how the picture bends, and the list of all handles.
+ *
+ * On a phone it is a sheet with one of the first two. Of what is selected it shows a line, and the numbers at a press; with them
+ * it keeps clear of what is selected and out of the way of what is dragged.
+ */
 import { html, nothing, type TemplateResult } from 'lit';
+import { classMap } from 'lit/directives/class-map.js';
 import { selectedHandles } from '../document/document';
 import {
   anchor,
@@ -14,7 +20,10 @@ import {
   type Turns,
 } from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
+import { toStage } from '../geometry/camera';
+import { centre } from '../geometry/polyline';
 import { bending } from './bending';
+import { icon } from './icons';
 import type { EditorActions, EditorModel, Field } from './model';
 import { commandButton } from './toolbar';
 import { untyped } from './untyped';
@@ -29,13 +38,33 @@ interface FieldLook {
   readonly digits: number;
   readonly least?: number;
   readonly most?: number;
+  /** Hardly ever below zero: the keyboards of some phones have digits alone, or a minus. */
+  readonly digitKeys?: boolean;
   readonly tip?: string;
   read(handle: Handle, turns: Turns): number;
 }
 
 const FIELDS: readonly FieldLook[] = [
-  { field: 'x', label: 'X', name: 'x', unit: 'px', step: 1, digits: 1, read: (handle) => anchor(handle)[0] },
-  { field: 'y', label: 'Y', name: 'y', unit: 'px', step: 1, digits: 1, read: (handle) => anchor(handle)[1] },
+  {
+    field: 'x',
+    label: 'X',
+    name: 'x',
+    unit: 'px',
+    step: 1,
+    digits: 1,
+    digitKeys: true,
+    read: (handle) => anchor(handle)[0],
+  },
+  {
+    field: 'y',
+    label: 'Y',
+    name: 'y',
+    unit: 'px',
+    step: 1,
+    digits: 1,
+    digitKeys: true,
+    read: (handle) => anchor(handle)[1],
+  },
   { field: 'rotation', label: 'Turn', name: 'rotation', unit: '°', step: 1, digits: 1, read: rotationOf },
   {
     field: 'scale',
@@ -46,6 +75,7 @@ const FIELDS: readonly FieldLook[] = [
     digits: 2,
     least: 0.01,
     most: 100,
+    digitKeys: true,
     read: scaleOf,
   },
   {
@@ -65,14 +95,25 @@ const MOST = 1e6;
 
 export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
   const selected = selectedHandles(model.document);
-  return html`<section
-    class="panel card ${selected.length > 0 || model.settings ? 'open' : ''}"
-    part="panel"
-    aria-label="Properties"
-  >
-    ${selected.length > 0 ? properties(selected, model, actions) : bending(model, actions)}
-    ${handleList(model, actions)}
+  const { settings, numbers, pressing } = model;
+  const looks = {
+    open: selected.length > 0 || settings,
+    settings,
+    numbers,
+    away: pressing && !settings,
+    high: numbers && !settings && isLow(selected, model),
+  };
+  return html`<section class="panel card ${classMap(looks)}" part="panel" aria-label="Properties">
+    ${selected.length > 0 ? properties(selected, model, actions) : nothing}
+    ${bending(model, actions, selected.length === 0 || settings)} ${handleList(model, actions)}
   </section>`;
+}
+
+/** Whether what is selected stands in the lower half of the stage, in the middle. */
+function isLow(selected: readonly Handle[], { camera, stage }: EditorModel): boolean {
+  if (selected.length === 0) return false;
+  const [, y] = toStage(camera, centre(selected.map((handle) => anchor(handle))));
+  return y > stage.height / 2;
 }
 
 function properties(selected: readonly Handle[], model: EditorModel, actions: EditorActions): TemplateResult {
@@ -91,6 +132,16 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
     ${selected.length === 1 && isLine(first) ? cornersRow(first, model, actions) : nothing}
     <div class="row">
       <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(', ')}` : ''}</span>
+      <button
+        type="button"
+        class="button unfold"
+        part="button"
+        aria-label="Numbers"
+        aria-expanded=${String(model.numbers)}
+        @click=${() => actions.numbers(!model.numbers)}
+      >
+        ${icon('unfold')}
+      </button>
       ${commandButton('reset', model, actions, { enabled: !model.readonly && moved, label: 'Reset to rest' })}
       ${commandButton('remove', model, actions, { enabled: !model.readonly })}
     </div>
@@ -98,11 +149,11 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
 }
 
 const cornersRow = ({ posed }: LineHandle, model: EditorModel, actions: EditorActions): TemplateResult =>
-  html`<div class="row">
+  html`<div class="row corners">
     <span
       class="faint"
-      title="Double-click the line for one more there, a corner to delete it"
-      >${posed.length} corners: double-click adds or deletes one</span
+      title="Double-${model.press} the line for one more there, a corner to delete it"
+      >${posed.length} corners: double-${model.press} adds or deletes one</span
     >
     ${commandButton('add-corner', model, actions, { enabled: !model.readonly })}
   </div>`;
@@ -126,7 +177,17 @@ function besides(
   </div>`;
 }
 
-/** Commits on Enter, on leaving the field and on its arrow keys; Escape puts the old number back. */
+/** A number as people write it, with a point or a comma. */
+const numberOf = (text: string): number =>
+  text.trim() === '' ? Number.NaN : Number(text.trim().replace(',', '.').replace('−', '-'));
+
+/** Arrow keys in a field: so many steps. */
+const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
+
+/**
+ * Commits on Enter and on leaving the field; arrow keys change each of what is selected by a step, with Shift by ten; Escape puts
+ * the old number back.
+ */
 function numberField(
   look: FieldLook,
   selected: readonly Handle[],
@@ -135,20 +196,26 @@ function numberField(
 ): TemplateResult {
   const values = selected.map((handle) => Number(look.read(handle, model.turns).toFixed(look.digits)));
   const shared = values.every((value) => value === values[0]) ? String(values[0]) : '';
+  const { least = -MOST, most = MOST } = look;
   const commit = (event: Event) => {
     event.stopPropagation();
     const input = event.target as HTMLInputElement;
-    const value = input.valueAsNumber;
-    const { least = -MOST, most = MOST } = look;
-    if (value >= least && value <= most) {
-      actions.field(look.field, value);
+    const value = numberOf(input.value);
+    if (input.value !== shared && value >= least && value <= most) {
+      actions.field(look.field, () => value);
     } else {
       input.value = shared;
     }
   };
   const onKey = (event: KeyboardEvent) => {
-    if (event.key !== 'Escape') return;
     const input = event.target as HTMLInputElement;
+    const by = (STEPS[event.key] ?? 0) * look.step * (event.shiftKey ? 10 : 1);
+    if (by !== 0) {
+      event.preventDefault();
+      input.dispatchEvent(new Event('change'));
+      actions.field(look.field, (now) => Math.min(Math.max(now + by, least), most));
+    }
+    if (event.key !== 'Escape') return;
     input.value = shared;
     const root = input.getRootNode() as ShadowRoot;
     root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });
@@ -156,9 +223,14 @@ function numberField(
   return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
     <span class="label">${look.label}</span>
     <input
-      type="number"
+      type="text"
+      role="spinbutton"
+      inputmode=${look.digitKeys ? 'decimal' : nothing}
+      autocomplete="off"
       name=${look.name}
-      step=${look.step}
+      aria-valuenow=${shared || nothing}
+      aria-valuemin=${look.least ?? nothing}
+      aria-valuemax=${look.most ?? nothing}
       aria-label="${look.name} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
       placeholder="mixed"
       .value=${untyped(shared)}
@@ -205,7 +277,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
     <h3>Handles <span class="faint">${project.handles.length}</span></h3>
     ${
       project.handles.length === 0
-        ? html`<p class="faint">None yet. Choose the point tool (P) and click the picture, or draw a bar (B) or a polygon (G).</p>`
+        ? html`<p class="faint">None yet. Choose the point tool (P) and ${model.press} the picture, or draw a bar (B) or a polygon (G).</p>`
         : html`<ul>
             ${project.handles.map(
               (handle) => html`<li>
@@ -225,4 +297,13 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
           </ul>`
     }
   </section>`;
+}
+
+/** Scrolls the list, and nothing else, as far as the first handle that is selected. */
+export function showSelected(root: ShadowRoot): void {
+  const list = root.querySelector('.list ul');
+  const item = list?.querySelector('[aria-pressed="true"]');
+  if (!list || !item) return;
+  const [frame, box] = [list.getBoundingClientRect(), item.getBoundingClientRect()];
+  list.scrollTop += Math.min(0, box.top - frame.top) + Math.max(0, box.bottom - frame.bottom);
 }

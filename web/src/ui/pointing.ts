@@ -2,7 +2,7 @@
  * From the pointers, wheel and space bar of a stage to presses of a tool and moves of the camera.
  *
  * One pointer works the tool; space, the middle button or a second finger make it navigate instead. A second finger
- * takes back what the first began: two fingers never edit.
+ * takes back what the first began: two fingers never edit. Places are the stage's own CSS pixels, however the page scales it.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
@@ -51,6 +51,8 @@ export class Pointing {
   readonly #listening = new AbortController();
   readonly #fingers = new Map<number, Vec>();
   #pressing: number | null = null;
+  /** Which of `PointerEvent.buttons` holds it. */
+  #button = 1;
   /** Where the press in hand began, and where and when the last that was no drag ended. */
   #begun: Vec | null = null;
   #clicked: Click | null = null;
@@ -65,6 +67,8 @@ export class Pointing {
     stage.addEventListener('pointermove', (event) => this.#move(event), { signal });
     stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
     stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
+    // Else a click follows, on whatever the press has brought up under the finger.
+    stage.addEventListener('touchend', (event) => this.#unclick(event), { signal, passive: false });
     stage.addEventListener('pointerleave', () => host.hover(null), { signal });
     stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
     stage.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
@@ -94,6 +98,7 @@ export class Pointing {
     }
     if (this.#pressing !== null) return;
     this.#pressing = event.pointerId;
+    this.#button = event.button === 1 ? 4 : 1;
     const pans = this.#space || event.button === 1;
     this.#begun = pans ? null : this.#place(event);
     this.#host.pressDown(this.#pointer(event), pans);
@@ -103,7 +108,9 @@ export class Pointing {
     if (this.#navigating && this.#fingers.has(event.pointerId)) {
       this.#navigate(event);
     } else if (event.pointerId === this.#pressing) {
-      this.#host.pressMove(this.#pointer(event));
+      // A release that nobody was told of, or one while another button is held.
+      if (event.pointerType === 'mouse' && !(event.buttons & this.#button)) this.#up(event);
+      else this.#host.pressMove(this.#pointer(event));
     } else if (event.pointerType !== 'touch') {
       this.#host.hover(this.#pointer(event));
     }
@@ -152,8 +159,19 @@ export class Pointing {
     else if (a && c) this.#host.look(panned(camera, subtract(c, a)));
   }
 
+  #unclick(event: TouchEvent): void {
+    const onButton = event.target instanceof Element && event.target.closest('.empty');
+    if (event.cancelable && !onButton) event.preventDefault();
+  }
+
   #wheel(event: WheelEvent): void {
     event.preventDefault();
+    this.#roll(event);
+    // What is dragged stays under the pointer.
+    if (this.#pressing !== null) this.#host.pressMove(this.#pointer(event));
+  }
+
+  #roll(event: WheelEvent): void {
     const { camera } = this.#host;
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
     const unit = lines ? LINE_PX : 1;
@@ -167,16 +185,20 @@ export class Pointing {
   }
 
   #place(event: MouseEvent): Vec {
-    const { left, top } = this.#stage.getBoundingClientRect();
-    return [event.clientX - left, event.clientY - top];
+    const { left, top, width, height } = this.#stage.getBoundingClientRect();
+    const { clientWidth, clientHeight } = this.#stage;
+    return [
+      ((event.clientX - left) * clientWidth) / (width || 1),
+      ((event.clientY - top) * clientHeight) / (height || 1),
+    ];
   }
 
-  #pointer(event: PointerEvent): StagePointer {
+  #pointer(event: PointerEvent | WheelEvent): StagePointer {
     return {
       stage: this.#place(event),
       shift: event.shiftKey,
       alt: event.altKey,
-      coarse: event.pointerType === 'touch',
+      coarse: 'pointerType' in event && event.pointerType === 'touch',
     };
   }
 }

@@ -8,6 +8,7 @@ import { icon } from './icons';
 import type { EditorActions, EditorModel, Hint } from './model';
 import { foldOverlay, siteOverlay } from './overlays';
 import { panel } from './panel';
+import { shortened } from './shortened';
 import { statusLine } from './status';
 import { toolStrip, topBar } from './toolbar';
 
@@ -18,7 +19,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
     <div class="middle">
       ${stage(model, actions, canvas)} ${toolStrip(model, actions)} ${panel(model, actions)}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
-      ${model.hint ? hint(model.hint, model.camera) : nothing}
+      ${model.hint && !model.comparing ? hint(model.hint, model.camera) : nothing}
       ${draftBar(model, actions)} ${drawingHint(model)}
       ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
@@ -35,7 +36,7 @@ function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasEle
     tabindex="0"
     role="group"
     aria-label=${model.picture ? `Picture ${model.picture.name}` : 'No picture'}
-    style="cursor: ${model.cursor}"
+    .style=${`cursor: ${model.cursor}`}
   >
     ${canvas}
     <svg class="marks" aria-hidden="true">
@@ -49,9 +50,9 @@ function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasEle
 }
 
 /** A bubble over the place it speaks of. */
-function hint({ text, at }: Hint, camera: Camera): TemplateResult {
+function hint({ text, at, above }: Hint, camera: Camera): TemplateResult {
   const [x, y] = toStage(camera, at);
-  return html`<p class="hint bubble" part="hint" style="left: ${x}px; top: ${y}px">${text}</p>`;
+  return html`<p class="hint bubble ${above ? 'above' : ''}" part="hint" .style=${`left: ${x}px; top: ${y}px`}>${text}</p>`;
 }
 
 function emptyStage(model: EditorModel, actions: EditorActions): TemplateResult {
@@ -66,8 +67,8 @@ function notice(model: EditorModel, actions: EditorActions): TemplateResult | ty
   if (!model.notice) return nothing;
   const { kind, text, action } = model.notice;
   return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : 'status'}>
-    <p>${text}</p>
-    ${action ? html`<button type="button" class="link" @click=${() => action.run()}>${action.label}</button>` : nothing}
+    <p title=${text}>${shortened(text)}</p>
+    ${action ? html`<button type="button" class="link" @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
     <button type="button" class="button small" aria-label="Dismiss" @click=${() => actions.dismiss()}>
       ${icon('close')}
     </button>

@@ -5,7 +5,8 @@ export const stageStyle = css`
   .stage {
     position: absolute;
     inset: 0;
-    overflow: hidden;
+    /* The focus scrolls what is hidden into view, and the picture away from its handles; clipped, nothing scrolls. */
+    overflow: clip;
     touch-action: none;
     user-select: none;
     -webkit-user-select: none;
@@ -36,6 +37,8 @@ export const stageStyle = css`
 
   .handle {
     position: absolute;
+    left: 0;
+    top: 0;
     width: 44px;
     height: 44px;
     margin: -22px 0 0 -22px;

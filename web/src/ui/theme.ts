@@ -25,11 +25,22 @@ export const theme = css`
     display: block;
     position: relative;
     min-height: 240px;
-    overflow: hidden;
+    overflow: clip;
     background: var(--_ground);
     color: var(--_text);
     font: 13px / 1.4 var(--c2-font, ui-sans-serif, system-ui, 'Segoe UI', Roboto, 'Noto Sans', sans-serif);
     font-variant-numeric: tabular-nums;
+    /* What the page says of its text is not meant for these words, nor for where things stand. */
+    direction: ltr;
+    text-align: left;
+    text-indent: 0;
+    text-transform: none;
+    text-shadow: none;
+    letter-spacing: normal;
+    word-spacing: normal;
+    word-break: normal;
+    overflow-wrap: normal;
+    white-space: normal;
     -webkit-tap-highlight-color: transparent;
   }
   :host([hidden]) {
@@ -177,6 +188,18 @@ export const theme = css`
       top: 50%;
       left: calc(100% + 9px);
       translate: 0 -50%;
+    }
+    /* At an edge they grow away from it. */
+    .brand + .group [data-tip]:hover::after,
+    .brand + .group [data-tip]:focus-visible::after {
+      left: 0;
+      translate: none;
+    }
+    .top > .theme[data-tip]:hover::after,
+    .top > .theme[data-tip]:focus-visible::after {
+      left: auto;
+      right: 0;
+      translate: none;
     }
     .status [data-tip]:hover::after,
     .status [data-tip]:focus-visible::after,

@@ -2,8 +2,13 @@
 import { noChange } from 'lit';
 import { Directive, directive, type PropertyPart } from 'lit/directive.js';
 
+/** Fields with something typed into them that is neither committed nor left. */
+const typed = new WeakSet<EventTarget>();
+
+export const isTyped = (field: EventTarget): boolean => typed.has(field);
+
 class Untyped extends Directive {
-  #typing: boolean | undefined;
+  #listening = false;
 
   override render(value: string): string {
     return value;
@@ -11,21 +16,19 @@ class Untyped extends Directive {
 
   override update({ element }: PropertyPart, [value]: [string]): string | typeof noChange {
     const input = element as HTMLInputElement;
-    if (this.#typing === undefined) this.#listen(input);
+    if (!this.#listening) this.#listen(input);
     // Set here: Lit compares with what it set last, not with what a person has put there since.
-    if (!this.#typing && input.value !== value) input.value = value;
+    if (!isTyped(input) && input.value !== value) input.value = value;
     return noChange;
   }
 
   /** Before the field's own listeners: what they change may be shown at once. */
   #listen(input: HTMLInputElement): void {
-    this.#typing = false;
-    const typing = (now: boolean) => () => {
-      this.#typing = now;
-    };
-    input.addEventListener('input', typing(true), { capture: true });
-    input.addEventListener('change', typing(false), { capture: true });
-    input.addEventListener('blur', typing(false), { capture: true });
+    this.#listening = true;
+    const over = () => typed.delete(input);
+    input.addEventListener('input', () => typed.add(input), { capture: true });
+    input.addEventListener('change', over, { capture: true });
+    input.addEventListener('blur', over, { capture: true });
   }
 }
 

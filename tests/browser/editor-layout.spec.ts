@@ -1,0 +1,154 @@
+/** Where things stand: in small frames, in pages with a style of their own, under a system's colours. */
+import type { Locator, Page } from '@playwright/test';
+import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+const box = async (shown: Locator) => {
+  const found = await shown.boundingBox();
+  if (!found) throw new Error(`${shown} is not shown`);
+  return { ...found, right: found.x + found.width, bottom: found.y + found.height };
+};
+
+/** How far the dots are from where the stage has their handles, CSS pixels. */
+const misplaced = (page: Page) =>
+  page.locator('c2-warp').evaluate((element) => {
+    const root = element.shadowRoot;
+    const stage = root?.querySelector('.stage')?.getBoundingClientRect();
+    const dots = [...(root?.querySelectorAll('.handle') ?? [])];
+    return dots.map((dot) => {
+      const [at, to] = [dot.getBoundingClientRect(), new DOMMatrix(getComputedStyle(dot).transform)];
+      const [x, y] = [at.x + at.width / 2 - (stage?.x ?? 0), at.y + at.height / 2 - (stage?.y ?? 0)];
+      return Math.round(Math.hypot(x - to.e, y - to.f));
+    });
+  });
+
+test('how the page sets its text moves no handle', async ({ page }) => {
+  await Editor.open(page);
+  for (const [property, value] of [
+    ['direction', 'rtl'],
+    ['text-align', 'right'],
+    ['text-indent', '40px'],
+    ['white-space', 'pre'],
+    ['letter-spacing', '0.3em'],
+    ['writing-mode', 'vertical-rl'],
+  ] as const) {
+    await page.evaluate(([name, value]) => document.body.style.setProperty(name, value), [
+      property,
+      value,
+    ] as const);
+    expect(await misplaced(page), property).toEqual([0, 0, 0, 0, 0]);
+    await page.evaluate((name) => document.body.style.removeProperty(name), property);
+  }
+});
+
+test('Tab to a handle out of sight brings it beside the cards, and scrolls nothing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.keyboard.press('1');
+  for (let notch = 0; notch < 3; notch++) await page.keyboard.press('+');
+  const [panel, stage] = [page.getByRole('region', { name: 'Properties' }), page.locator('c2-warp .stage')];
+  for (const name of ['left hand', 'right hand', 'left foot']) {
+    await page.keyboard.press('Tab');
+    await expect(editor.handle(name)).toBeFocused();
+    const at = await editor.still(() => editor.place(name));
+    const frame = await box(stage);
+    expect(at.x, name).toBeGreaterThan(frame.x);
+    expect(at.x, name).toBeLessThan((await box(panel)).x);
+    expect(at.y, name).toBeGreaterThan(frame.y);
+    expect(at.y, name).toBeLessThan(frame.bottom);
+    expect(await stage.evaluate(({ scrollLeft, scrollTop }) => [scrollLeft, scrollTop])).toEqual([0, 0]);
+  }
+});
+
+for (const [width, height] of [
+  [320, 480],
+  [640, 240],
+  [667, 331],
+] as const) {
+  test(`every button of the bars lies inside ${width} × ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await Editor.open(page);
+    const buttons = page.locator('c2-warp').locator('.top .button, .tools .button, .status .button');
+    for (const button of await buttons.filter({ visible: true }).all()) {
+      const name = (await button.getAttribute('aria-label')) ?? '';
+      const { x, y, right, bottom } = await box(button);
+      expect(Math.min(x, y, width - right, height - bottom), name).toBeGreaterThanOrEqual(0);
+    }
+    const [tools, status] = [page.locator('c2-warp .tools'), page.locator('c2-warp .status')];
+    expect((await box(tools)).bottom).toBeLessThanOrEqual((await box(status)).y);
+  });
+}
+
+test('what is drawn and what is said lie beside the cards', async ({ page }) => {
+  await page.setViewportSize({ width: 640, height: 400 });
+  const editor = await Editor.open(page);
+  const [tools, panel] = [page.locator('c2-warp .tools'), page.getByRole('region', { name: 'Properties' })];
+  const beside = async (card: Locator) => {
+    const { x, right } = await box(card);
+    expect(x).toBeGreaterThanOrEqual((await box(tools)).right);
+    expect(right).toBeLessThanOrEqual((await box(panel)).x);
+  };
+  await editor.button('Draw a polygon').click();
+  const head = await editor.place('head');
+  await page.mouse.click(head.x, head.y + 40);
+  await beside(page.getByRole('group', { name: 'Drawing' }));
+  await page.keyboard.press('Escape');
+  const name = `${'a-holiday-photograph-'.repeat(6)}7.c2warp.json`;
+  await editor.choose({ name, mimeType: 'application/json', buffer: Buffer.from('{"format": "c2warp/9"}') });
+  await expect(editor.notice).toContainText('….c2warp.json'.slice(1));
+  await expect(editor.notice).toContainText('…');
+  await beside(editor.notice);
+});
+
+test('the hint goes when its handle is out of sight', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const hint = page.getByText('Drag a hand');
+  await expect(hint).toBeVisible();
+  await page.keyboard.press('1');
+  await page.keyboard.press('+');
+  await expect(hint).toBeHidden();
+  await editor.button('Fit').click();
+  await expect(hint).toBeVisible();
+});
+
+test('a long list follows what is selected on the picture, beside the numbers; long names wrap', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate((element) => {
+    for (let k = 0; k < 20; k++) {
+      const at = [400 + 12 * k, 700] as const;
+      (element as C2Warp).addHandle({ kind: 'point', id: k === 3 ? 'x'.repeat(90) : `mark-${k}`, rest: at });
+    }
+  });
+  await expect(editor.handle('mark 19')).toBeVisible();
+  await editor.handle('mark 19').click();
+  const listed = page.locator('c2-warp .item').filter({ hasText: 'mark 19' });
+  await expect(listed).toBeInViewport({ ratio: 1 });
+  await expect(editor.field('x')).toBeInViewport({ ratio: 1 });
+  const list = page.locator('c2-warp .list ul');
+  expect(await list.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+});
+
+test('forced colours show what is chosen', async ({ page }) => {
+  await page.emulateMedia({ forcedColors: 'active', reducedMotion: 'reduce' });
+  await page.goto('/');
+  const editor = new Editor(page);
+  await editor.ready();
+  await editor.handle('head').click();
+  const ground = (shown: Locator) => shown.evaluate((element) => getComputedStyle(element).backgroundColor);
+  const chosen = await page.evaluate(() => {
+    document.body.style.backgroundColor = 'Highlight';
+    return getComputedStyle(document.body).backgroundColor;
+  });
+  expect(await ground(editor.button('Select and move'))).toBe(chosen);
+  expect(await ground(editor.button('Draw a bar'))).not.toBe(chosen);
+  expect(await ground(editor.button('Automatic turn'))).toBe(chosen);
+  expect(await ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
+  await page.locator('c2-warp summary').click();
+  expect(await ground(editor.button('Rigid'))).toBe(chosen);
+  expect(await ground(editor.button('Smooth'))).not.toBe(chosen);
+  await editor.switch('Stop at folds').click();
+  await expect.poll(() => ground(editor.switch('Stop at folds'))).toBe(chosen);
+});

@@ -1,0 +1,239 @@
+/** `<c2-warp>` in somebody's page: what is opened when several things are asked for, or the element comes and goes. */
+
+import type { Page } from '@playwright/test';
+import { encode } from 'fast-png';
+import type { C2Warp } from '../../web/src/element';
+import { expect, test } from './fixtures';
+
+const SIDES = { '/slow.png': 40, '/fast.png': 48 } as const;
+const DELAYS: Readonly<Record<string, number>> = { '/slow.png': 1500 };
+
+const square = (side: number) =>
+  Buffer.from(
+    encode({ width: side, height: side, data: new Uint8Array(side * side * 4).fill(255), channels: 4 }),
+  );
+
+const PROJECT = {
+  format: 'c2warp/1',
+  image: { src: 'fast.png', width: 48, height: 48 },
+  handles: [{ id: 'middle', kind: 'point', rest: [24, 24], posed: [30, 24] }],
+} as const;
+
+/** The editor's page with this body instead, where pictures come as late as `DELAYS` says and `heard` are the element's events. */
+async function open(page: Page, body: string): Promise<void> {
+  for (const [path, side] of Object.entries(SIDES)) {
+    await page.route(`**${path}`, async (route) => {
+      await new Promise((done) => setTimeout(done, DELAYS[path] ?? 0));
+      // Nobody may wait for it any more.
+      await route.fulfill({ body: square(side), contentType: 'image/png' }).catch(() => {});
+    });
+  }
+  await page.route('**/project.json', (route) => route.fulfill({ json: PROJECT }));
+  const built = await (await page.request.get('/')).text();
+  const html = built.replace(/<c2-warp[\s\S]*<\/c2-warp>/, () => body);
+  await page.route('**/page.html', (route) => route.fulfill({ body: html, contentType: 'text/html' }));
+  await page.addInitScript(() => {
+    const heard: string[] = [];
+    const hear = (event: Event) => {
+      if ((event.target as Element | null)?.localName === 'c2-warp') heard.push(event.type);
+    };
+    for (const type of ['ready', 'load', 'error']) document.addEventListener(type, hear, { capture: true });
+    Object.assign(globalThis, { heard });
+  });
+  await page.goto('/page.html');
+  await page.waitForFunction(() => customElements.get('c2-warp') !== undefined);
+}
+
+const warp = (page: Page) => page.locator('c2-warp');
+const picture = (page: Page) => warp(page).evaluate((element) => (element as C2Warp).project.image.src);
+const heard = (page: Page) => page.evaluate(() => Reflect.get(globalThis, 'heard') as string[]);
+
+/** Long enough for what was given up to have come. */
+const late = (page: Page) => page.waitForTimeout(2500);
+
+test('the newest load wins, and the one before it is told so', async ({ page }) => {
+  await open(page, `<c2-warp></c2-warp>`);
+  const ends = await warp(page).evaluate(async (element) => {
+    const load = (source: string) =>
+      (element as C2Warp).load(source).then(
+        () => source,
+        (error) => error.name,
+      );
+    return Promise.all([load('/slow.png'), load('/fast.png')]);
+  });
+  expect(ends).toEqual(['AbortError', '/fast.png']);
+  await late(page);
+  expect(await picture(page)).toBe('fast.png');
+});
+
+test('the newest src wins, and a load over the src that the element begins with', async ({ page }) => {
+  await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
+  await warp(page).evaluate((element) => element.setAttribute('src', '/fast.png'));
+  await late(page);
+  expect(await picture(page)).toBe('fast.png');
+  expect(await heard(page)).toEqual(expect.arrayContaining(['ready', 'load']));
+  expect((await heard(page)).filter((type) => type === 'load')).toHaveLength(1);
+
+  await warp(page).evaluate(async (element) => {
+    element.remove();
+    const other = document.createElement('c2-warp');
+    other.src = '/slow.png';
+    document.body.append(other);
+    await other.load('/fast.png');
+  });
+  await late(page);
+  expect(await picture(page)).toBe('fast.png');
+});
+
+test('what is being loaded ends with the element, whether it comes back or not', async ({ page }) => {
+  await open(page, `<c2-warp></c2-warp>`);
+  const ends = await warp(page).evaluate(async (element) => {
+    const ends: string[] = [];
+    for (const back of [true, false]) {
+      const loading = (element as C2Warp).load('/slow.png');
+      await new Promise((done) => setTimeout(done, 100));
+      element.remove();
+      if (back) document.body.append(element);
+      ends.push(
+        await loading.then(
+          () => 'open',
+          (error) => error.name,
+        ),
+      );
+    }
+    return ends;
+  });
+  expect(ends).toEqual(['AbortError', 'AbortError']);
+});
+
+test('a new src is opened also where the element is moved before it comes, or is on no page', async ({
+  page,
+}) => {
+  await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  await warp(page).evaluate(async (element) => {
+    element.setAttribute('src', '/slow.png');
+    await new Promise((done) => setTimeout(done, 200));
+    document.body.append(element);
+  });
+  await expect.poll(() => picture(page)).toBe('slow.png');
+  await warp(page).evaluate(async (element) => {
+    element.remove();
+    element.setAttribute('src', '/fast.png');
+    await new Promise((done) => setTimeout(done, 50));
+    document.body.append(element);
+  });
+  await expect.poll(() => picture(page)).toBe('fast.png');
+});
+
+test('moved without a new src, it keeps what is open', async ({ page }) => {
+  await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  await warp(page).evaluate(async (element) => {
+    await (element as C2Warp).load('/fast.png', '/project.json');
+    document.body.append(element);
+  });
+  await expect.poll(() => heard(page)).toEqual(['load', 'ready', 'load', 'load', 'ready']);
+  expect(await picture(page)).toBe('fast.png');
+});
+
+test('without a picture it is ready, tells of none, and has none to give', async ({ page }) => {
+  await open(page, `<c2-warp></c2-warp>`);
+  await expect.poll(() => heard(page)).toEqual(['ready']);
+  const refusals = await warp(page).evaluate(async (element) => {
+    const refusal = (warp: C2Warp) =>
+      warp.toBlob().then(
+        () => 'given',
+        (error) => error.message,
+      );
+    return [await refusal(element as C2Warp), await refusal(document.createElement('c2-warp'))];
+  });
+  expect(refusals[0]).toContain('no picture yet');
+  expect(refusals[1]).toContain('no picture');
+});
+
+test('a project that is set before the element is on a page, or known, is for its picture', async ({
+  page,
+}) => {
+  const json = JSON.stringify(PROJECT);
+  await open(
+    page,
+    `<c2-warp></c2-warp><script>
+      const early = document.querySelector('c2-warp');
+      early.src = '/fast.png'; early.project = ${json}; early.selection = ['middle']; early.tool = 'bar';
+    </script>`,
+  );
+  await expect.poll(() => heard(page)).toContain('load');
+  const told = (element: Element) => {
+    const { project, selection } = element as C2Warp;
+    return [project.handles.map(({ id, posed }) => [id, posed]), selection];
+  };
+  expect(await warp(page).evaluate(told)).toEqual([[['middle', [30, 24]]], ['middle']]);
+  await expect(page.locator('.tools [aria-pressed=true]')).toHaveAccessibleName(/bar/);
+
+  await page.evaluate(() => {
+    document.querySelector('c2-warp')?.remove();
+    const made = document.createElement('c2-warp');
+    Object.assign(made, { src: '/fast.png', project: '/project.json', selection: ['middle'] });
+    document.body.append(made);
+  });
+  await expect.poll(async () => (await heard(page)).filter((type) => type === 'load').length).toBe(2);
+  expect(await warp(page).evaluate(told)).toEqual([[['middle', [30, 24]]], ['middle']]);
+});
+
+test('what no project can be is refused with the key, and shows nothing of it', async ({ page }) => {
+  await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  const refusals = await warp(page).evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const load = (source: unknown, project?: unknown) =>
+      warp.load(source as string, project as string).then(
+        () => 'open',
+        (error) => `${error.code ?? error.name}: ${error.message}`,
+      );
+    const { project } = warp;
+    return [
+      await load('/fast.png', {}),
+      await load('/fast.png', { ...project, handles: [{ id: 'a', kind: 'circle' }] }),
+      await load('/slow.png', project),
+      await load(new ImageData(4, 4)),
+      warp.project.handles.map(({ id }) => id).join(),
+      await load(new URL('/fast.png', location.href), null),
+    ];
+  });
+  expect(refusals).toEqual([
+    'project: format: missing',
+    expect.stringContaining('project: handles[0].kind: expected'),
+    expect.stringContaining('image-size: The project is for a picture of 48 × 48 px'),
+    expect.stringContaining('TypeError: load: expected the address'),
+    'middle',
+    'open',
+  ]);
+});
+
+test('a picture in its address has no name of it', async ({ page }) => {
+  const address = `data:image/png;base64,${square(48).toString('base64')}`;
+  await open(page, `<c2-warp src="${address}"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  expect(await picture(page)).toBe('picture.png');
+});
+
+test('a key set later keeps what is open from then on', async ({ page }) => {
+  await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  await warp(page).evaluate((element) => {
+    element.setAttribute('autosave', 'late');
+    (element as C2Warp).updateHandle('middle', { posed: [20, 20] });
+  });
+  // What was done a moment ago is being written; nothing on the page tells when it is.
+  await page.waitForTimeout(500);
+  await page.evaluate(() => {
+    document.querySelector('c2-warp')?.remove();
+    const other = document.createElement('c2-warp');
+    other.setAttribute('autosave', 'late');
+    document.body.append(other);
+  });
+  await expect.poll(async () => (await heard(page)).filter((type) => type === 'load').length).toBe(2);
+  const posed = await warp(page).evaluate((element) => (element as C2Warp).project.handles[0]?.posed);
+  expect(posed).toEqual([20, 20]);
+});

@@ -1,0 +1,44 @@
+import { describe, expect, it } from 'vitest';
+import { straightBar } from './fixtures';
+import { checkedHandle } from './handle';
+import { copied, type Handle, posedHandle } from './project';
+
+const head = { id: 'head', kind: 'point', rest: [3, 4], posed: [5, 6] } as const;
+const refusal = (change: object) => () => checkedHandle({ ...head, ...change } as Handle);
+
+describe('a handle that is checked', () => {
+  it('is itself where the solver can pose it', () => {
+    expect(checkedHandle(head)).toBe(head);
+    expect(checkedHandle(straightBar(10))).toEqual(straightBar(10));
+    expect(checkedHandle({ ...head, rotation: 'auto', scale: 2, depth: -3 })).toBeTruthy();
+  });
+
+  it.each([
+    [{ id: 5 }, 'handle "5", id: expected a name'],
+    [{ id: '' }, 'id: expected a name'],
+    [{ kind: 'circle' }, 'kind: expected "point", "bar" or "polygon"'],
+    [{ kind: 'bar' }, 'rest: expected 2 points or more [x, y]'],
+    [{ posed: undefined }, 'posed: expected a point [x, y]'],
+    [{ posed: [1e300, 0] }, 'posed: expected a point [x, y]'],
+    [{ rotation: '12' }, 'rotation: expected degrees or "auto"'],
+    [{ scale: null }, 'scale: expected a number above 0'],
+    [{ depth: 1e300 }, 'depth: expected a number'],
+    [{ colour: 'red' }, 'colour: unknown key'],
+  ])('is refused with its name and key: %o', (change, message) => {
+    expect(refusal(change)).toThrow(RangeError);
+    expect(refusal(change)).toThrow(message);
+  });
+});
+
+describe('what a page gives', () => {
+  it('is at rest where it says nothing of a pose', () => {
+    expect(posedHandle({ id: 'head', kind: 'point', rest: [3, 4] })).toMatchObject({ posed: [3, 4] });
+  });
+
+  it('is shared with nobody once it is copied', () => {
+    const given = { place: [1, 2] };
+    const copy = copied(given);
+    given.place[0] = 7;
+    expect(copy).toEqual({ place: [1, 2] });
+  });
+});

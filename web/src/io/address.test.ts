@@ -1,0 +1,25 @@
+import { describe, expect, it } from 'vitest';
+import { fetchFile, fileName } from './address';
+
+describe('the name in an address', () => {
+  it('is its last part', () => {
+    expect(fileName('https://a.example/b/my%20cat.png?large#top')).toBe('my cat.png');
+    expect(fileName('100%.png')).toBe('100%.png');
+  });
+
+  it('is none of what an address holds itself', () => {
+    expect(fileName('data:image/png;base64,iVBO/Rw0K')).toBe('picture.png');
+    expect(fileName('blob:https://a.example/4fdb')).toBe('picture.png');
+  });
+});
+
+describe('a file by its address', () => {
+  it('is refused with a code where it cannot be had', async () => {
+    const { signal } = new AbortController();
+    await expect(fetchFile('data:,hello', signal).then((file) => file.text())).resolves.toBe('hello');
+    await expect(fetchFile('nowhere:/cat.png', signal)).rejects.toMatchObject({
+      code: 'address',
+      message: expect.stringContaining('cat.png could not be loaded'),
+    });
+  });
+});

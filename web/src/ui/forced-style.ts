@@ -1,0 +1,83 @@
+/**
+ * Under the colours that a system forces on pages, which take backgrounds and shadows away: what is chosen takes the system's
+ * colour for it. Handles lie on a picture, which no system colours: they keep their own.
+ */
+import { css } from 'lit';
+
+export const forcedStyle = css`
+  @media (forced-colors: active) {
+    .marks,
+    .handles {
+      forced-color-adjust: none;
+    }
+    .button[aria-pressed='true'],
+    .button[aria-pressed='mixed'],
+    .button.toggle[aria-pressed='true'],
+    .button.segment[aria-pressed='true'],
+    .button.finish:not(:disabled),
+    .status .folded[aria-pressed='true'],
+    .item[aria-pressed='true'] {
+      forced-color-adjust: none;
+      background: Highlight;
+      color: HighlightText;
+    }
+    .button[aria-pressed='mixed'] {
+      background: ButtonFace;
+      color: ButtonText;
+      outline: 1px dashed Highlight;
+    }
+    .item[aria-pressed='true'] .dot {
+      border-color: HighlightText;
+      background: HighlightText;
+    }
+    .item .moved {
+      background: CanvasText;
+    }
+    .item[aria-pressed='true'] .moved {
+      background: HighlightText;
+    }
+    .segments,
+    .hint,
+    .primary {
+      border: 1px solid ButtonText;
+    }
+    .button:disabled {
+      opacity: 1;
+      color: GrayText;
+    }
+    .switch input {
+      forced-color-adjust: none;
+      background: ButtonFace;
+      border: 1px solid ButtonText;
+    }
+    .switch input::before {
+      inset: 1px auto 1px 1px;
+      background: ButtonText;
+      box-shadow: none;
+    }
+    .switch input:checked {
+      background: Highlight;
+      border-color: Highlight;
+    }
+    .switch input:checked::before {
+      background: HighlightText;
+    }
+    .bar::before {
+      forced-color-adjust: none;
+      background: Highlight;
+    }
+    [data-tip]::after {
+      border: 1px solid CanvasText;
+    }
+    .bubble::before {
+      display: none;
+    }
+    :focus-visible {
+      outline-color: Highlight;
+    }
+    .button[aria-pressed='true']:focus-visible,
+    .item[aria-pressed='true']:focus-visible {
+      outline-color: CanvasText;
+    }
+  }
+`;

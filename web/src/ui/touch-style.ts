@@ -1,0 +1,81 @@
+/**
+ * What a finger needs, on a phone as on a tablet: targets of 44 px, and fields of 16 px type, as browsers zoom in on smaller ones.
+ *
+ * It hangs on the pointer, not on the width, and comes after the other sheets, which know sizes for a mouse alone.
+ */
+import { css } from 'lit';
+
+export const touchStyle = css`
+  @media (pointer: coarse) {
+    .top {
+      height: 52px;
+    }
+    .status {
+      height: 46px;
+    }
+    .button,
+    .button.small,
+    .status .button {
+      min-width: 44px;
+      height: 44px;
+    }
+    .tools .button {
+      width: 48px;
+      height: 46px;
+    }
+    .button.worded {
+      min-width: 44px;
+    }
+    .segment {
+      min-width: 0;
+      height: 44px;
+    }
+    .field {
+      height: 44px;
+    }
+    .field input {
+      font-size: 16px;
+    }
+    .field .unit {
+      display: none;
+    }
+    .item,
+    .check,
+    .switch,
+    .link,
+    .bending summary {
+      min-height: 44px;
+    }
+    .link {
+      padding: 0 10px;
+    }
+    .percent {
+      font-size: 14px;
+    }
+  }
+  /* Where eight do not fit beside each other they stay as tall, and share the width. */
+  @container shell (width < 360px) {
+    .top,
+    .top .group {
+      flex: 1 1 0;
+      gap: 0;
+    }
+    .top .group:has(:nth-child(3)) {
+      flex-grow: 1.5;
+    }
+    .top .group > *,
+    .top .menu .button {
+      flex: 1 1 0;
+      width: 100%;
+      min-width: 0;
+      padding: 0;
+    }
+    .tools {
+      gap: 0;
+    }
+    .tools .button {
+      flex: 0 1 48px;
+      min-width: 0;
+    }
+  }
+`;
