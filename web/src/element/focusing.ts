@@ -14,16 +14,16 @@ export class Focusing {
     host.addEventListener('focusout', (event) => event.relatedTarget && this.#enter(false), { signal });
     const elsewhere = (event: Event) => !event.composedPath().includes(host) && this.#enter(false);
     host.addEventListener('mousedown', (event) => this.#press(event), { signal });
-    // A menu that closes leaves the focus with nobody.
-    host.shadowRoot?.addEventListener('toggle', () => this.repair(), { signal, capture: true });
+    host.shadowRoot?.addEventListener('beforetoggle', (event) => this.#leave(event as ToggleEvent), {
+      signal,
+      capture: true,
+    });
     document.addEventListener('pointerdown', elsewhere, { signal, capture: true });
   }
 
   /** To be called after each change of what is shown. */
   repair(): void {
-    this.#takeBack();
-    // Browsers notice a disabled control at the end of the next frame only.
-    requestAnimationFrame(() => requestAnimationFrame(() => this.#takeBack()));
+    if (this.#inside && this.#isLost()) this.#host.focus({ preventScroll: true });
   }
 
   release(): void {
@@ -38,9 +38,18 @@ export class Focusing {
     if (!this.#inside) this.#host.focus({ preventScroll: true });
   }
 
-  #takeBack(): void {
-    const lost = document.activeElement === document.body && document.hasFocus();
-    if (this.#inside && lost) this.#host.focus({ preventScroll: true });
+  /** Whether nobody has the focus, or what has it can no longer hold it: browsers notice that a frame or two later, and lose keys. */
+  #isLost(): boolean {
+    const held = this.#host.shadowRoot?.activeElement;
+    if (held) return held.matches(':disabled') || !held.checkVisibility({ visibilityProperty: true });
+    return document.activeElement === document.body && document.hasFocus();
+  }
+
+  /** A menu that closes takes what has the focus with it. */
+  #leave({ target, newState }: ToggleEvent): void {
+    const held = this.#host.shadowRoot?.activeElement ?? null;
+    if (newState === 'closed' && (target as Element).contains(held))
+      this.#host.focus({ preventScroll: true });
   }
 
   #enter(inside: boolean): void {
