@@ -163,7 +163,8 @@ test('exports at any scale, in straight alpha', async ({ page }) => {
 });
 
 test('native code and WebAssembly give the same weights, bit for bit', async ({ page }) => {
-  test.setTimeout(300_000);
+  // The command is compiled first where it has not been.
+  test.setTimeout(1_200_000);
   const native = spawnSync(
     'cargo',
     ['run', '--quiet', '--package', 'c2warp-cli', '--', 'inspect', SAMPLE, '--json'],

@@ -335,6 +335,27 @@ fn a_bar_beside_the_outline_by_a_hair_is_cut_where_the_domain_ends() {
     }
 }
 
+/// As two, which keep clear of one another, the halves of the bar would ask for up to a thousand sites.
+#[test]
+fn a_bar_whose_corner_sticks_out_by_a_hair_is_one_body() {
+    let bent = |out: f64, by: DVec2| {
+        let rest = [(100.0, 150.0), (200.0, 20.0 - out), (250.0, 150.0)];
+        let mut project = square(Support::Smooth, vec![bar("bent", &rest, &rest.map(|(x, y)| (x + by.x, y + by.y)))]);
+        let beside = DVec2::new(150.0, 300.0);
+        project.handles.push(handle(0, beside, beside + by, 0.0));
+        posed(&project)
+    };
+    let by = DVec2::new(14.0, -9.0);
+    let within = bent(-1e-3, by).0.sites.len();
+    for out in [0.0, 1e-5, 1e-3, 0.01, 0.1, 0.3] {
+        let (solution, pose) = bent(out, by);
+        assert!(solution.sites.len() <= within + 5, "{out}: {} sites, {within} within", solution.sites.len());
+        for p in spread(500).filter(|p| p.min_element() > 20.0 && p.max_element() < 380.0) {
+            assert!(goes(&solution, &pose, p).distance(p + by) <= ON_BAR, "{out}: {p}");
+        }
+    }
+}
+
 /// Ends within the length that joins them, but not on one another: a move of all is that move, for their joint too.
 #[test]
 fn bars_that_nearly_touch_go_along_with_a_move_of_all() {

@@ -7,9 +7,9 @@ use crate::{distance::Navigation, domain::Domain, locate::ON_OUTLINE};
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
 const SHORTEST: f64 = ON_OUTLINE;
-/// An end this near to that of its piece stays joined with what the piece is joined with, though it may lie beside it: what sticks out
-/// by twice [`SHORTEST`] may seem inside up to its middle.
-const JOINED: f64 = 4.0 * SHORTEST;
+/// An end this near to that of its piece, in pixels, stays joined with what the piece is joined with, though it lies beside it: a bar
+/// whose corner sticks out by less than anyone sees is one body. As two, which keep clear of one another, it would cost hundreds of sites.
+const JOINED: f64 = 0.5;
 /// Halvings until the way to the outline is known to the last digits.
 const HALVINGS: usize = 60;
 
