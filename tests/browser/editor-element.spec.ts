@@ -1,8 +1,17 @@
 /** `<c2-warp>` in somebody's page: attributes, methods, events, and what it gives back when it goes. */
 import type { Page } from '@playwright/test';
+import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
 import { apart, Editor } from './editor';
 import { expect, test } from './fixtures';
+
+/** How much redder than blue a piece of what is drawn is, in 255ths. */
+function warmth(png: Buffer): number {
+  const { data, width, height, channels } = decode(png);
+  let sum = 0;
+  for (let at = 0; at < data.length; at += channels) sum += (data[at] ?? 0) - (data[at + 2] ?? 0);
+  return sum / (width * height);
+}
 
 test('it tells of input while dragging, of change once committed, of selection and history', async ({
   page,
@@ -143,6 +152,32 @@ test('removed, it gives back its context; put back, it has its document', async 
   await expect.poll(() => editor.told('right hand')).toEqual(told);
   await editor.button('Undo: move right hand').click();
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+});
+
+test('of many on a page each is drawn where it is in sight', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.evaluate(() => {
+    const project = (document.querySelector('c2-warp') as C2Warp).project;
+    document.body.replaceChildren(
+      ...Array.from({ length: 20 }, () => {
+        const warp = document.createElement('c2-warp') as C2Warp;
+        Object.assign(warp.style, { display: 'block', height: '600px' });
+        Object.assign(warp, { readonly: true, src: '/samples/gingerbread.png', project });
+        return warp;
+      }),
+    );
+    Object.assign(document.documentElement.style, { height: 'auto', overflow: 'auto' });
+    Object.assign(document.body.style, { height: 'auto', overflow: 'visible', display: 'block' });
+  });
+  const all = page.locator('c2-warp');
+  for (const at of [19, 0, 10, 19]) {
+    const warp = all.nth(at);
+    await warp.scrollIntoViewIfNeeded();
+    await expect(warp.locator('.solved')).toContainText('sample', { timeout: 60_000 });
+    const middle = await editor.middle(warp);
+    // What is baked is brown; without a context its place is grey.
+    await expect.poll(async () => warmth(await editor.look(middle, 4))).toBeGreaterThan(40);
+  }
 });
 
 test('a page may remove it when it tells of a change', async ({ page }) => {

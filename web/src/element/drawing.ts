@@ -2,6 +2,7 @@
 import type { SolutionData } from '../compute/solution';
 import type { Blend } from '../geometry/blend';
 import type { View } from '../geometry/view';
+import { contexts } from '../render/contexts';
 import { Renderer } from '../render/renderer';
 
 export interface DrawingHost {
@@ -10,9 +11,13 @@ export interface DrawingHost {
   blend(): Blend;
 }
 
+/** Drawings come back a little before they are in sight. */
+const AROUND = '25%';
+
 export class Drawing {
   readonly #host: DrawingHost;
   readonly #renderer: Renderer;
+  readonly #watching: IntersectionObserver;
   #frame = 0;
   #posed = true;
 
@@ -21,6 +26,13 @@ export class Drawing {
     this.#host = host;
     this.#renderer = new Renderer(canvas);
     this.#renderer.onrestore = () => this.pose();
+    contexts.add(this.#renderer);
+    const tell = (entries: readonly IntersectionObserverEntry[]) => {
+      if (entries.at(-1)?.isIntersecting) contexts.see(this.#renderer);
+      else contexts.lose(this.#renderer);
+    };
+    this.#watching = new IntersectionObserver(tell, { rootMargin: AROUND });
+    this.#watching.observe(canvas);
   }
 
   setPicture(bitmap: ImageBitmap): void {
@@ -47,6 +59,8 @@ export class Drawing {
   dispose(): void {
     cancelAnimationFrame(this.#frame);
     this.#frame = -1;
+    this.#watching.disconnect();
+    contexts.remove(this.#renderer);
     this.#renderer.dispose();
   }
 

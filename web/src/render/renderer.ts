@@ -12,7 +12,11 @@ import { Scene } from './scene';
 export class Renderer {
   readonly #canvas: HTMLCanvasElement;
   readonly #gl: WebGL2RenderingContext;
+  readonly #lending: WEBGL_lose_context | null;
   readonly #listening = new AbortController();
+  #asleep = false;
+  /** Whose the context is; the browser's from when it has said so, and only then it may be asked for. */
+  #context: 'ours' | 'given back' | "the browser's" = 'ours';
   #scene: Scene | undefined;
   #picture: ImageBitmap | undefined;
   #mesh: WarpMesh | null = null;
@@ -32,6 +36,8 @@ export class Renderer {
     }
     this.#canvas = canvas;
     this.#gl = gl;
+    // A lost context has no extensions.
+    this.#lending = gl.getExtension('WEBGL_lose_context');
     const { signal } = this.#listening;
     canvas.addEventListener('webglcontextlost', (event) => this.#lose(event), { signal });
     canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal });
@@ -89,21 +95,47 @@ export class Renderer {
     return flipped(pixels, width * 4);
   }
 
+  /** Gives the context back to the browser until `wake`. The canvas is empty meanwhile, and nothing is forgotten. */
+  sleep(): void {
+    this.#asleep = true;
+    if (this.lost) return;
+    this.#context = 'given back';
+    this.#lending?.loseContext();
+  }
+
+  wake(): void {
+    this.#asleep = false;
+    if (this.#context !== "the browser's") return;
+    this.#context = 'ours';
+    this.#lending?.restoreContext();
+  }
+
   /** Gives the context back to the browser. The canvas cannot be drawn on again. */
   dispose(): void {
     this.#listening.abort();
+    this.sleep();
     this.#scene = undefined;
-    this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
   #lose(event: Event): void {
     // Without this the browser never gives the context back.
     event.preventDefault();
     this.#scene = undefined;
+    if (this.#context === 'given back') setTimeout(() => this.#giveBack());
+  }
+
+  /** The browser has the context, and it was perhaps wanted again meanwhile. */
+  #giveBack(): void {
+    this.#context = "the browser's";
+    if (!this.#asleep) this.wake();
   }
 
   #restore(): void {
     this.#scene = new Scene(this.#gl);
+    if (this.#asleep) {
+      this.sleep();
+      return;
+    }
     this.#fill();
     this.#scene.setMotions(this.#motions, this.#blend);
     this.onrestore?.();
