@@ -8,6 +8,7 @@ use c2warp::{
 };
 use glam::DVec2;
 
+use crate::bars::{bar, polygon};
 use crate::scenes::{SIZE, handle, project, solved};
 
 const RED: [u8; 4] = [220, 30, 30, 255];
@@ -57,6 +58,29 @@ fn the_nearer_leg_covers_the_other_whole() {
     for depth in [1.0, 1e-3, 1e6] {
         assert_eq!(at_the_crossing(&crossing([0.0, depth, -depth])), [400, 0]);
         assert_eq!(at_the_crossing(&crossing([0.0, -depth, depth])), [0, 400]);
+    }
+}
+
+/// The upper arm of a C, red, is laid over the lower one, blue: on it nothing of the other shows, along all of either bar.
+#[test]
+fn one_bar_covers_another_whole() {
+    let c = [(60, 60), (340, 60), (340, 140), (90, 140), (90, 160), (340, 160), (340, 240), (60, 240)];
+    let c = c.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec();
+    for handle in [bar, polygon] {
+        let handle = |id, rest: &[(f64, f64)], posed: &[(f64, f64)]| handle(id, rest, posed);
+        let mut project = project(&[c.clone()], &[], Support::Smooth);
+        let (upper, lower) =
+            ([(120.0, 100.0), (220.0, 98.0), (320.0, 100.0)], [(120.0, 200.0), (220.0, 202.0), (320.0, 200.0)]);
+        let over = upper.map(|(x, y)| (x + 10.0, y + 100.0));
+        project.handles = vec![handle("upper", &upper, &over), handle("lower", &lower, &lower)];
+        let (solution, pose) = posed(&project);
+        let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at / SIZE < 150 { RED } else { BLUE }).collect();
+        let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
+        let posed = solution.posed_vertices(&pose);
+        let rgba = raster::warp(&picture, &solution.mesh.vertices, &posed, &solution.drawn_triangles(&pose), 1.0);
+        let along = (140..320).map(|x| ((200 * SIZE + x) * 4) as usize);
+        let colours: Vec<&[u8]> = along.map(|at| &rgba[at..at + 4]).collect();
+        assert!(colours.iter().all(|colour| *colour == colours[0]), "{colours:?}");
     }
 }
 

@@ -1,8 +1,14 @@
 //! The mesh that is drawn: the samples' mesh and the rim around it, in drawing order.
 
+use std::collections::HashMap;
+
 use glam::DVec2;
 
-use crate::{pose::HarmonicFields, sample::Samples};
+use crate::{
+    pose::HarmonicFields,
+    sample::Samples,
+    site::{Origin, Site},
+};
 
 /// Triangles to draw, later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,13 +20,13 @@ pub struct RenderMesh {
 }
 
 impl RenderMesh {
-    /// Orders triangles by the real site that leads their first corner, those of sites further down over others, and each site's
-    /// rim first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the
+    /// Orders triangles by the [part](leading_parts) that leads their first corner, those of parts further down over others, and each
+    /// part's rim first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the
     /// handles.
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
         let Samples { mesh, rim, .. } = samples;
         let layers = [&rim.triangles, &mesh.triangles];
-        // The first corner of every triangle is a sample. A counting sort, by site and then by layer.
+        // The first corner of every triangle is a sample. A counting sort, by part and then by layer.
         let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] * layers.len() as u32 + layer as u32;
         let mut keys: Vec<u32> = Vec::with_capacity(rim.triangles.len() + mesh.triangles.len());
         for (layer, triangles) in layers.iter().enumerate() {
@@ -46,13 +52,38 @@ impl RenderMesh {
     }
 }
 
-/// The real site that each sample goes with: of the sample's cell, the one that has the largest share.
-pub(crate) fn leading_sites(nearest: &[u32], harmonic: &HarmonicFields) -> Vec<u32> {
-    let leader: Vec<u32> = harmonic.rows.iter().map(|row| leading_site(row)).collect();
-    nearest.iter().map(|&site| leader.get(site as usize).copied().unwrap_or(0)).collect()
+/// The number of the part that each sample goes with: of the sample's cell, the one that has the largest share. A part is a point, a
+/// straight piece of a bar or polygon, or all of a held outline.
+pub(crate) fn leading_parts(nearest: &[u32], sites: &[Site], harmonic: &HarmonicFields) -> Vec<u32> {
+    let parts = parts(sites);
+    let mut sums = vec![0.0; sites.len()];
+    let mut leader = |shares: &[(u32, f64)]| {
+        let part = |site: u32| parts[site as usize];
+        shares.iter().for_each(|&(site, share)| sums[part(site) as usize] += share);
+        let most = |best: (u32, f64), &(site, _): &(u32, f64)| {
+            let sum = std::mem::take(&mut sums[part(site) as usize]);
+            if sum > best.1 { (part(site), sum) } else { best }
+        };
+        shares.iter().fold((0, 0.0), most).0
+    };
+    let leaders: Vec<u32> = harmonic.rows.iter().map(|row| leader(row)).collect();
+    nearest.iter().map(|&site| leaders.get(site as usize).copied().unwrap_or(0)).collect()
 }
 
-/// The real site that has the largest share of a site. Real sites come first, from top to bottom.
-fn leading_site(shares: &[(u32, f64)]) -> u32 {
-    shares.iter().fold((0, 0.0), |best, &(site, share)| if share > best.1 { (site, share) } else { best }).0
+/// The part of each real site. Parts are numbered by their first sites, which come from top to bottom; those of one handle follow one
+/// another.
+fn parts(sites: &[Site]) -> Vec<u32> {
+    let (mut of_handles, mut of_origins) = (HashMap::new(), HashMap::new());
+    let first = |(at, site): (usize, &Site)| {
+        let handle = match site.origin {
+            Origin::Point { handle } | Origin::Bone { handle, .. } => Some(handle),
+            Origin::Boundary | Origin::Virtual => None,
+        };
+        (*of_handles.entry(handle).or_insert(at), *of_origins.entry(site.origin).or_insert(at))
+    };
+    let firsts: Vec<(usize, usize)> = sites.iter().enumerate().map(first).collect();
+    let mut order = firsts.clone();
+    order.sort_unstable();
+    order.dedup();
+    firsts.iter().map(|first| order.partition_point(|other| other < first) as u32).collect()
 }

@@ -14,7 +14,7 @@ use crate::{
     picture::Picture,
     pose::{HarmonicFields, Poser, Quadrature},
     project::{DomainSpec, PoseMode, Project},
-    render_mesh::{RenderMesh, leading_sites},
+    render_mesh::{RenderMesh, leading_parts},
     request::{Request, Rest, check_size},
     sample::{Ground, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
@@ -191,7 +191,7 @@ impl Solver {
             .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
         let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode, quadrature);
         let count = samples.len();
-        let leading = leading_sites(&nearest, &harmonic);
+        let leading = leading_parts(&nearest, &sites, &harmonic);
         weights.extend_as(&samples.rim.owners);
         let mesh = RenderMesh::new(samples, &leading);
         Solution {

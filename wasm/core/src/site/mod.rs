@@ -34,7 +34,7 @@ const GRADING: f64 = 1.7;
 const INTO_NOOK: f64 = 1.1;
 
 /// What a site is there for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Origin {
     /// A point handle.
     Point {
