@@ -375,3 +375,125 @@ test('the colours chosen stay chosen', async ({ page }) => {
   await page.reload();
   await expect(editor.button('Light colours')).toBeVisible();
 });
+
+test('it tells of the selection whatever changes it', async ({ page }) => {
+  await Editor.open(page);
+  const heard = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const heard: string[] = [];
+    warp.addEventListener('selectionchange', (event) =>
+      heard.push((event as CustomEvent<{ selection: string[] }>).detail.selection.join(' ')),
+    );
+    warp.selection = ['head'];
+    warp.addHandle({ kind: 'point', rest: [512, 500], id: 'belly' });
+    warp.undo();
+    warp.redo();
+    warp.removeHandle('belly');
+    return heard;
+  });
+  expect(heard).toEqual(['head', 'belly', 'head', 'belly', '']);
+});
+
+test('what changes nothing is no step, and takes no redo away', async ({ page }) => {
+  await Editor.open(page);
+  const labels = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const labels: unknown[] = [];
+    warp.addEventListener('historychange', (event) => labels.push((event as CustomEvent).detail));
+    warp.updateHandle('head', { depth: 3 });
+    warp.undo();
+    labels.length = 0;
+    warp.updateHandle('head', { depth: 0 });
+    warp.reset();
+    return labels;
+  });
+  expect(labels).toEqual([]);
+  await expect(page.getByRole('button', { name: 'Redo: change handle' })).toBeEnabled();
+});
+
+test('a selection box goes with the picture that it was drawn on', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const box = page.locator('c2-warp rect.box');
+  const stage = (await page.locator('c2-warp .stage').boundingBox()) ?? { x: 0, y: 0 };
+  await page.mouse.move(stage.x + 80, stage.y + 90);
+  await page.mouse.down();
+  await page.mouse.move(stage.x + 200, stage.y + 200);
+  await expect(box).toBeAttached();
+  await page.locator('c2-warp').evaluate((element) => (element as C2Warp).load('/samples/gingerbread.png'));
+  await expect(editor.handles).toHaveCount(0);
+  await expect(box).not.toBeAttached();
+  await page.mouse.up();
+  await expect(box).not.toBeAttached();
+});
+
+test('disabled, it hears no key', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warp = page.locator('c2-warp');
+  await editor.handle('head').focus();
+  await page.keyboard.press('Escape');
+  await warp.evaluate((element) => {
+    (element as C2Warp).disabled = true;
+    (element as C2Warp).focus();
+  });
+  const before = await editor.place('head');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.down('o');
+  await editor.drawn();
+  expect(await editor.place('head')).toEqual(before);
+  await expect(page.locator('c2-warp .comparing')).not.toBeAttached();
+});
+
+test('without a picture there is nothing to put a handle on, and a selection waits', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const refused = await page.evaluate(() => {
+    const warp = document.createElement('c2-warp') as C2Warp;
+    warp.id = 'empty';
+    Object.assign(warp.style, { display: 'block', height: '300px' });
+    const sample = document.querySelector('c2-warp') as C2Warp;
+    const { project } = sample;
+    sample.replaceWith(warp);
+    Object.assign(warp, { src: '/samples/gingerbread.png', project, selection: ['head'] });
+    try {
+      return warp.addHandle({ kind: 'point', rest: [5, 5] });
+    } catch (error) {
+      return (error as Error).message;
+    }
+  });
+  expect(refused).toContain('no picture yet');
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('what was open stays where the solver dies of another picture', async ({ page }) => {
+  await page.addInitScript(() => {
+    const workers: Worker[] = [];
+    globalThis.Worker = class extends Worker {
+      constructor(url: string | URL, options?: WorkerOptions) {
+        super(url, options);
+        workers.push(this);
+      }
+    };
+    Object.assign(globalThis, { workers });
+  });
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  const told = await editor.still(() => editor.told('left hand'));
+  const code = await page.evaluate(async () => {
+    const warp = document.querySelector('c2-warp') as C2Warp;
+    const workers = Reflect.get(globalThis, 'workers') as Worker[];
+    let code: string | undefined;
+    const loading = warp.load('/samples/gingerbread.png').catch((error) => {
+      code = error.code;
+    });
+    const died = { data: { kind: 'died', message: 'unreachable' } };
+    while (code === undefined) {
+      workers.at(-1)?.dispatchEvent(new MessageEvent('message', died));
+      await new Promise(requestAnimationFrame);
+    }
+    await loading;
+    return code;
+  });
+  expect(code).toBe('engine');
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await editor.button('Undo: move left hand').click();
+  await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+});

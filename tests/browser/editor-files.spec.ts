@@ -276,3 +276,34 @@ for (const [title, file, message] of REFUSED) {
     await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
   });
 }
+
+test('an empty editor opens a picture by its button, by pointer and by keys', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.evaluate(() =>
+    document.querySelector('c2-warp')?.replaceWith(document.createElement('c2-warp')),
+  );
+  const open = page.getByRole('button', { name: 'Open a picture', exact: true });
+  for (const press of [() => open.click(), () => open.press('Enter'), () => open.press('Space')]) {
+    const asked = page.waitForEvent('filechooser');
+    await press();
+    await asked;
+  }
+  const asked = page.waitForEvent('filechooser');
+  await open.click();
+  await (await asked).setFiles(png('disc.png', disc(96)));
+  await expect(editor.status).toContainText('96 × 96 px');
+});
+
+test('a picture that was opened and not touched comes back too', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.choose(png('disc.png', disc(96)));
+  await expect(editor.status).toContainText('96 × 96 px');
+  await expect(page.locator('c2-warp .solved')).toContainText('sample');
+  await expect
+    .poll(async () => {
+      await page.reload();
+      await expect(page.locator('c2-warp .solved')).toContainText('sample');
+      return page.getByText('disc.png', { exact: true }).isVisible();
+    })
+    .toBe(true);
+});

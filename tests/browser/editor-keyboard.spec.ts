@@ -1,4 +1,5 @@
 /** The editor without a pointer, and what it says to those who do not see it. */
+import type { C2Warp } from '../../web/src/element';
 import { apart, Editor, SAME } from './editor';
 import { expect, test } from './fixtures';
 
@@ -172,4 +173,86 @@ test('every control has a name', async ({ page }) => {
   for (const control of await page.locator('c2-warp').locator('button:visible, input:visible').all()) {
     await expect(control).toHaveAccessibleName(/\w/);
   }
+});
+
+test('Escape in a field takes back what is typed, and is not for a dialog around the editor', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.evaluate(() => {
+    const dialog = document.createElement('dialog');
+    document.body.append(dialog);
+    Object.assign(dialog.style, { width: '90vw', height: '90vh' });
+    const warp = document.querySelector('c2-warp');
+    if (warp) dialog.append(warp);
+    dialog.showModal();
+  });
+  await editor.ready();
+  await editor.handle('head').click();
+  await editor.field('x').fill('77');
+  await page.keyboard.press('Escape');
+  await expect(editor.field('x')).toHaveValue('512');
+  await expect(page.locator('dialog')).toBeVisible();
+});
+
+test('letters of another script are commands by their places', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.keyboard.press('ArrowUp');
+  await expect(editor.button('Undo: move head')).toBeEnabled();
+  await page.locator('c2-warp .shell').evaluate((shell) =>
+    shell.dispatchEvent(
+      new KeyboardEvent('keydown', {
+        key: 'я',
+        code: 'KeyZ',
+        ctrlKey: true,
+        bubbles: true,
+        composed: true,
+      }),
+    ),
+  );
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('keys go on working within a closed shadow', async ({ page }) => {
+  await Editor.open(page);
+  await page.evaluate(() => {
+    const host = document.createElement('div');
+    const warp = document.querySelector('c2-warp') as C2Warp;
+    document.body.append(host);
+    Object.assign(warp.style, { display: 'block', height: '600px' });
+    host.attachShadow({ mode: 'closed' }).append(warp);
+    Object.assign(globalThis, { warp });
+  });
+  const moved = () =>
+    page.evaluate(() => (Reflect.get(globalThis, 'warp') as C2Warp).mapPoint([512, 260]) !== null);
+  await expect.poll(moved).toBe(true);
+  const press = async (what: string) => {
+    const at = await page.evaluate(async (what) => {
+      const warp = Reflect.get(globalThis, 'warp') as C2Warp;
+      await warp.updateComplete;
+      const box = warp.shadowRoot?.querySelector(what)?.getBoundingClientRect();
+      return box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: 0, y: 0 };
+    }, what);
+    await page.mouse.click(at.x, at.y);
+  };
+  const count = () => page.evaluate(() => (Reflect.get(globalThis, 'warp') as C2Warp).project.handles.length);
+  await press('[data-handle="head"]');
+  await press('.panel [data-command="remove"]');
+  await expect.poll(count).toBe(4);
+  await page.keyboard.press('Control+z');
+  await expect.poll(count).toBe(5);
+});
+
+test('what can only click, such as a screen reader, switches to the original and back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const compare = editor.button(/compare/i);
+  await compare.evaluate((button) => (button as HTMLElement).click());
+  await expect(compare).toHaveAttribute('aria-pressed', 'true');
+  await compare.evaluate((button) => (button as HTMLElement).click());
+  await expect(compare).toHaveAttribute('aria-pressed', 'false');
+  await compare.focus();
+  await page.keyboard.press('Enter');
+  await expect(compare).toHaveAttribute('aria-pressed', 'false');
 });

@@ -152,3 +152,38 @@ test('forced colours show what is chosen', async ({ page }) => {
   await editor.switch('Stop at folds').click();
   await expect.poll(() => ground(editor.switch('Stop at folds'))).toBe(chosen);
 });
+
+test('in another document it has its styles, made there or brought there', async ({ page }) => {
+  await Editor.open(page);
+  await page.evaluate(() => {
+    const frame = document.createElement('iframe');
+    Object.assign(frame.style, { position: 'fixed', inset: '0', width: '100%', height: '100%' });
+    document.body.append(frame);
+    const made = document.createElement('c2-warp');
+    made.id = 'made';
+    const brought = document.querySelector('c2-warp');
+    for (const warp of [brought, made]) {
+      if (!warp) continue;
+      Object.assign(warp.style, { display: 'block', height: '48vh' });
+      frame.contentDocument?.body.append(warp);
+    }
+  });
+  const frame = page.frameLocator('iframe');
+  await expect(frame.getByRole('button', { name: 'Handle left hand, ' })).toBeVisible();
+  for (const shell of await frame.locator('c2-warp .shell').all())
+    await expect(shell).toHaveCSS('display', /grid|flex/);
+  await expect(frame.locator('#made .shell')).toBeVisible();
+});
+
+test('readonly, nobody is invited to draw', async ({ page }) => {
+  const editor = await Editor.open(page);
+  // What a first visitor is told comes first.
+  await editor.dragHandle('left hand', { x: 10, y: -20 });
+  await page.keyboard.press('Escape');
+  const hint = page.getByText('Drag a bar, or click its corners');
+  await page.keyboard.press('b');
+  await expect(hint).toBeVisible();
+  await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
+  await expect(hint).toBeHidden();
+  await expect(page.locator('c2-warp .stage')).toHaveCSS('cursor', 'grab');
+});

@@ -18,7 +18,7 @@
  * | `load` | a picture is open and solved: by `src`, by `load()`, kept by `autosave`, or again where the element was moved; not where a person opens one |
  * | `input` | within a drag; `detail.project` is a copy of the project |
  * | `change` | a step was done, undone or redone, by a person or by a method; `detail.project` likewise |
- * | `selectionchange` | `detail.selection`: the ids |
+ * | `selectionchange` | `detail.selection`: the ids, whatever changed them |
  * | `historychange` | `detail.undo`, `detail.redo`: what would be undone or redone, or null |
  * | `progress` | `detail.label`: what the solver is at, null when it is done; for what takes longer than a person notices |
  * | `error` | `detail`: the Error of what went wrong that no method was asked for |
@@ -96,6 +96,8 @@ export class C2Warp extends LitElement {
   #turn: Turn | null = null;
   #receiving: Receiving | null = null;
   #focusing: Focusing | null = null;
+  /** What was last told of. */
+  #selected = '';
   #past: string | null = null;
   #future: string | null = null;
 
@@ -143,14 +145,14 @@ export class C2Warp extends LitElement {
     else this.#beginning.project = copied(given);
   }
 
-  /** Ids of the selected handles. Those set while the element is on no page wait for its picture. */
+  /** Ids of the selected handles. Those set before there is a picture wait for it. */
   get selection(): readonly string[] {
     return [...this.#present.workbench.editing.document.selection];
   }
 
   set selection(ids: readonly string[]) {
     if (!Array.isArray(ids)) throw new TypeError('selection: expected a list of ids');
-    if (this.#desk) this.#desk.workbench.editing.select(ids);
+    if (this.#desk?.workbench.picture) this.#desk.workbench.editing.select(ids);
     else this.#beginning.selection = [...ids];
   }
 
@@ -174,10 +176,11 @@ export class C2Warp extends LitElement {
 
   /**
    * Adds a handle; without an id it gets one. Returns the id.
-   * @throws RangeError for an id that is taken, and for what no handle can be.
+   * @throws RangeError for an id that is taken, for what no handle can be, and where there is no picture yet.
    */
   addHandle(handle: NewHandle): string {
-    const { editing } = this.#present.workbench;
+    const { editing, picture } = this.#present.workbench;
+    if (!picture) throw new RangeError('there is no picture yet to put a handle on');
     const id = handle.id ?? freeId(editing.project);
     if (handleById(editing.document, id)) throw new RangeError(`there is a handle "${id}" already`);
     const added = copied(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
@@ -283,6 +286,11 @@ export class C2Warp extends LitElement {
     this.requestUpdate();
   }
 
+  /** Moved to another document. */
+  adoptedCallback(): void {
+    if (this.shadowRoot) this.#dress(this.shadowRoot);
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#receiving?.release();
@@ -291,6 +299,13 @@ export class C2Warp extends LitElement {
     this.#desk = null;
     this.#beginning.leave(desk?.workbench.kept ?? null);
     desk?.dispose();
+  }
+
+  protected override createRenderRoot(): HTMLElement | DocumentFragment {
+    if (this.ownerDocument === document) return super.createRenderRoot();
+    const root = this.attachShadow(C2Warp.shadowRootOptions);
+    this.#dress(root);
+    return root;
   }
 
   protected override render(): TemplateResult | null {
@@ -327,6 +342,17 @@ export class C2Warp extends LitElement {
     }
   }
 
+  /** Style sheets are of one document: another than that of this file needs its own. */
+  #dress(root: ShadowRoot): void {
+    const view = this.ownerDocument.defaultView;
+    if (!view) return;
+    root.adoptedStyleSheets = C2Warp.elementStyles.map((style) => {
+      const sheet = new view.CSSStyleSheet();
+      sheet.replaceSync(String(style));
+      return sheet;
+    });
+  }
+
   /** Whether the attributes now name something else to open. */
   #asks(changes: PropertyValues<this>): boolean {
     const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
@@ -353,8 +379,12 @@ export class C2Warp extends LitElement {
     const desk = this.#desk;
     if (!desk) return;
     const { project, undoLabel, redoLabel } = desk.workbench.editing;
-    if (kind === 'selection') this.#emit('selectionchange', { selection: this.selection });
-    else if (kind !== 'open') {
+    const selection = this.selection.join('\n');
+    if (selection !== this.#selected) {
+      this.#selected = selection;
+      this.#emit('selectionchange', { selection: this.selection });
+    }
+    if (kind === 'input' || kind === 'change') {
       // Copied for those who ask: a drag has many.
       const detail = {
         get project() {

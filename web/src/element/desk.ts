@@ -69,6 +69,7 @@ export class Desk {
   #settings = false;
   #numbers = false;
   #touched = false;
+  #restoring = false;
   /** The selection that the list has been scrolled to. */
   #listed: readonly string[] = [];
 
@@ -96,10 +97,12 @@ export class Desk {
     });
     this.workbench = new Workbench({
       opened: (picture) => this.#opened(picture),
-      solved: ({ data }) => {
+      solved: ({ data }, opened) => {
         this.posing.forget();
         this.#drawing?.setSolution(data);
         this.#noticing.solved(data.report);
+        // What has just been restored is kept already, or something newer of another tab.
+        if (opened && !this.#restoring) this.#keep();
         this.#host.changed();
       },
       edited: (kind) => this.#edited(kind),
@@ -141,6 +144,9 @@ export class Desk {
       get editable() {
         return desk.#editable;
       },
+      get disabled() {
+        return desk.#host.disabled;
+      },
       looked: () => this.#looked(),
       run: (command) => this.run(command),
       compare: (on) => this.#compare(on),
@@ -173,12 +179,15 @@ export class Desk {
   async restore(turn: Turn): Promise<boolean> {
     const kept = await this.#keeping?.restore();
     if (!kept) return false;
+    this.#restoring = true;
     try {
       await this.files.restore(kept, turn);
     } catch (error) {
       // Without a solver nothing can be opened; anything else is a document that this version does not take.
       if (error instanceof Error && 'code' in error && error.code === 'engine') throw error;
       return false;
+    } finally {
+      this.#restoring = false;
     }
     this.#touched = kept.record.past.length > 0;
     // Where its last step was refused, what is kept ends before that.
@@ -200,6 +209,7 @@ export class Desk {
   /** People change nothing from here on: what they are in the midst of is given up. */
   stop(): void {
     this.#input?.stop();
+    this.#compare(false);
   }
 
   run(command: CommandName): void {
@@ -271,7 +281,7 @@ export class Desk {
       draft: editing.machine.draft,
       box: this.#box,
       crosshair: this.#input?.crosshair ?? null,
-      cursor: this.#input?.cursor ?? 'default',
+      cursor: this.workbench.picture ? (this.#input?.cursor ?? 'default') : 'default',
     };
   }
 
@@ -339,10 +349,8 @@ export class Desk {
   #opened(picture: Picture | null): void {
     this.posing.forget();
     this.talking.clear();
-    if (picture) {
-      this.talking.say(`${picture.name} is open`);
-      this.#drawing?.setPicture(picture.bitmap);
-    }
+    if (picture) this.talking.say(`${picture.name} is open`);
+    this.#drawing?.setPicture(picture?.bitmap ?? null);
     this.viewing.show(picture);
     this.#looked();
   }

@@ -35,7 +35,7 @@ export class Drawing {
     this.#watching.observe(canvas);
   }
 
-  setPicture(bitmap: ImageBitmap): void {
+  setPicture(bitmap: ImageBitmap | null): void {
     this.#renderer.setPicture(bitmap);
     this.look();
   }

@@ -92,7 +92,7 @@ export class Editing {
 
   /** Starts over with another document and its history. */
   open(record: HistoryRecord<Document>): void {
-    this.machine.bail();
+    this.#letGo(this.machine.bail());
     this.#drawn = null;
     this.#host.guarding.end();
     this.#history = History.from(record);
@@ -261,7 +261,7 @@ export class Editing {
 
   /** Takes back whatever needs the solution of this key, which is not to be had. Returns whether anything was left to go back to. */
   withdraw(key: string): boolean {
-    this.machine.cancel();
+    this.#letGo(this.machine.cancel());
     this.#host.guarding.end();
     const drawn = this.#drawn?.key === key ? this.#drawn.draft : null;
     const left = this.#history.withdraw((document) => solveKey(document.project) !== key);
@@ -270,6 +270,11 @@ export class Editing {
     this.#drawn = null;
     if (left) this.#host.edited('change');
     return left;
+  }
+
+  /** What a press in hand did to the document goes with it; what it shows does not go by itself. */
+  #letGo(effects: readonly Effect[]): void {
+    this.apply(effects.filter(({ type }) => type === 'box'));
   }
 
   /** The same as a step, as far as the guard lets it go; what became of it is said. */
@@ -284,8 +289,9 @@ export class Editing {
     this.#sayPlace();
   }
 
-  /** Steps of one key in a row are one undo step. */
+  /** Steps of one key in a row are one undo step; one that changes nothing is none. */
   #step(label: string, document: Document, key: string | null): void {
+    if (JSON.stringify(document) === JSON.stringify(this.document)) return;
     this.#history.step(label, document, key);
     // A press in hand knows nothing of this step: what it did so far is a step before it, and it is over.
     if (this.machine.busy) this.apply(this.machine.cancel());

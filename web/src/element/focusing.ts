@@ -18,7 +18,9 @@ export class Focusing {
       signal,
       capture: true,
     });
-    document.addEventListener('pointerdown', elsewhere, { signal, capture: true });
+    host.ownerDocument.addEventListener('pointerdown', elsewhere, { signal, capture: true });
+    // The path of an event does not tell a document what lies in a closed shadow.
+    host.addEventListener('pointerdown', () => this.#enter(true), { signal, capture: true });
   }
 
   /** To be called after each change of what is shown. */
@@ -42,6 +44,7 @@ export class Focusing {
   #isLost(): boolean {
     const held = this.#host.shadowRoot?.activeElement;
     if (held) return held.matches(':disabled') || !held.checkVisibility({ visibilityProperty: true });
+    const { ownerDocument: document } = this.#host;
     return document.activeElement === document.body && document.hasFocus();
   }
 

@@ -20,6 +20,7 @@ export interface InputHost {
   readonly viewing: Viewing;
   readonly posing: Posing;
   readonly editable: boolean;
+  readonly disabled: boolean;
   /** Camera, cursor or crosshair changed. */
   looked(): void;
   run(command: CommandName): void;
@@ -75,6 +76,9 @@ export class Input {
       hover: (pointer) => this.#hover(pointer),
     });
     this.#keyboard = new Keyboard(root, {
+      get disabled() {
+        return host.disabled;
+      },
       run: (command) => host.run(command),
       compare: (on) => host.compare(on),
       bail: () => host.bail(),
@@ -115,11 +119,12 @@ export class Input {
   }
 
   get cursor(): string {
-    const { machine } = this.#host.editing;
-    if (this.#space || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
+    const { editable, editing } = this.#host;
+    const { machine } = editing;
+    if (!editable || this.#space || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
     if (machine.draft) return machine.draft.finishing ? 'pointer' : 'crosshair';
     const places = machine.tool !== 'select';
-    const under = this.#hovered && this.#host.editable ? hit(this.scene, this.#hovered, !places) : null;
+    const under = this.#hovered ? hit(this.scene, this.#hovered, !places) : null;
     if (under?.part === 'ring') return TURN_CURSOR;
     if (under) return machine.busy ? 'grabbing' : 'move';
     return places ? 'crosshair' : 'default';

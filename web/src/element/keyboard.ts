@@ -4,6 +4,8 @@ import { type CommandName, commandOfKey } from '../ui/commands';
 import { isTyped } from '../ui/untyped';
 
 export interface KeyboardHost {
+  /** People can do nothing. */
+  readonly disabled: boolean;
   run(command: CommandName): void;
   /** Escape. Returns whether there was anything to take back: if not, the key is the page's, for a dialog perhaps. */
   bail(): boolean;
@@ -24,6 +26,9 @@ const ARROWS: Readonly<Record<string, Vec>> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
+
+/** The picture, and what lies on it, but for the button where there is none. */
+const ON_STAGE = '.shell, .stage, .stage *:not(.empty *)';
 
 /** What they ask for is meant for the document, wherever the keys are. */
 const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export'];
@@ -57,12 +62,11 @@ export class Keyboard {
 
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
-    if (event.defaultPrevented) return;
+    if (event.defaultPrevented || this.#host.disabled) return;
     if (target.matches('input:not([type=checkbox])') && !this.#leavesField(event, target)) return;
     // An open menu closes by itself, as long as nobody takes its key.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
-    const onStage = target.matches('.shell, .stage, .stage *');
-    if (onStage && this.#stageKey(event, target)) {
+    if (target.matches(ON_STAGE) && this.#stageKey(event, target)) {
       event.preventDefault();
       return;
     }
@@ -105,7 +109,7 @@ export class Keyboard {
     if (event.key === ' ') {
       this.#host.space(false);
       // A button with the focus would take the release for a click.
-      if ((event.target as Element).closest('.stage')) event.preventDefault();
+      if ((event.target as Element).matches(ON_STAGE)) event.preventDefault();
     }
     if (event.key.toUpperCase() === 'O') this.#host.compare(false);
   }

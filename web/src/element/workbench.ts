@@ -20,7 +20,8 @@ import { type Solved, Solving } from './solving';
 export interface WorkbenchHost extends EditingHost {
   /** Another picture is open, or none. */
   opened(picture: Picture | null): void;
-  solved(solved: Solved): void;
+  /** @param opened it is the first of what has just been opened. */
+  solved(solved: Solved, opened: boolean): void;
   progressed(label: string | null): void;
   report(error: Error): void;
 }
@@ -182,16 +183,22 @@ export class Workbench {
   }
 
   #put(picture: Picture, record: HistoryRecord<Document>): void {
-    this.#picture = picture;
+    this.#show(picture);
     this.solving.setPicture(picture);
-    this.#host.opened(picture);
     this.editing.open(record);
+  }
+
+  #show(picture: Picture | null): void {
+    const last = this.#picture;
+    this.#picture = picture;
+    this.#host.opened(picture);
+    if (last !== picture && last !== this.#opening?.before?.picture) last?.bitmap.close();
   }
 
   #solved(solved: Solved): void {
     const opening = this.#opening;
     this.#opening = null;
-    this.#host.solved(solved);
+    this.#host.solved(solved, opening !== null);
     if (!opening) return;
     opening.before?.picture.bitmap.close();
     opening.resolve();
@@ -210,8 +217,7 @@ export class Workbench {
     else if (this.#picture && this.editing.project.handles.length > 0) {
       this.#put(this.#picture, { past: [], present: this.#fresh(this.#picture), future: [] });
     } else {
-      this.#picture = null;
-      this.#host.opened(null);
+      this.#show(null);
     }
     opening.reject(error);
   }
@@ -219,6 +225,7 @@ export class Workbench {
   #failed(error: Error): void {
     const opening = this.#opening;
     this.#opening = null;
+    if (opening?.before) this.#put(opening.before.picture, opening.before.record);
     if (opening) opening.reject(error);
     else this.#host.report(error);
   }

@@ -18,7 +18,7 @@ export class Renderer {
   /** Whose the context is; the browser's from when it has said so, and only then it may be asked for. */
   #context: 'ours' | 'given back' | "the browser's" = 'ours';
   #scene: Scene | undefined;
-  #picture: ImageBitmap | undefined;
+  #picture: ImageBitmap | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
   #blend: Blend = 'linear';
@@ -49,11 +49,12 @@ export class Renderer {
     return this.#scene === undefined || this.#gl.isContextLost();
   }
 
-  /** Shows another picture, unwarped. The bitmap is premultiplied, and stays open as long as it is shown. */
-  setPicture(source: ImageBitmap): void {
+  /** Shows another picture, unwarped, or none. The bitmap is premultiplied, and stays open as long as it is shown. */
+  setPicture(source: ImageBitmap | null): void {
     this.#picture = source;
     this.#mesh = null;
     this.#motions = null;
+    if (!source) this.#scene?.clear();
     this.#fill();
   }
 

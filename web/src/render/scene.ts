@@ -55,6 +55,14 @@ export class Scene {
     this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
+  /** Shows nothing until there is another picture. */
+  clear(): void {
+    if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
+    this.#unload(this.#whole);
+    this.#unload(this.#loaded);
+    [this.#picture, this.#whole, this.#loaded] = [undefined, undefined, undefined];
+  }
+
   /** Replaces the mesh; it is drawn at rest until motions come. */
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);

@@ -3,6 +3,7 @@ import { ariaKeys, COMMANDS, commandOfKey, type KeyPress, keyHint } from './comm
 
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
   key,
+  code: '',
   ctrlKey: false,
   metaKey: false,
   altKey: false,
@@ -21,6 +22,19 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press('z', { ctrlKey: true }))).toBe('undo');
     expect(commandOfKey(press('Z', { metaKey: true, shiftKey: true }))).toBe('redo');
     expect(commandOfKey(press('y', { ctrlKey: true }))).toBe('redo');
+  });
+
+  it('takes a letter of another script by its place', () => {
+    expect(commandOfKey(press('я', { code: 'KeyZ', ctrlKey: true }))).toBe('undo');
+    expect(commandOfKey(press('Φ', { code: 'KeyV', shiftKey: true }))).toBe('select');
+    expect(commandOfKey(press('é', { code: 'Digit2' }))).toBeNull();
+    // Of Latin letters what they say counts: on a French keyboard A is where others have Q.
+    expect(commandOfKey(press('a', { code: 'KeyQ', ctrlKey: true }))).toBe('select-all');
+  });
+
+  it('knows brackets that take Alt to be typed', () => {
+    expect(commandOfKey(press('[', { altKey: true, ctrlKey: true }))).toBe('backward');
+    expect(commandOfKey(press(']', { altKey: true }))).toBe('forward');
   });
 
   it('leaves alone what it does not know', () => {

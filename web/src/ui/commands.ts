@@ -41,17 +41,26 @@ export type CommandName = keyof typeof COMMANDS;
 
 const NAMES = Object.keys(COMMANDS) as CommandName[];
 
-/** Which command a key asks for. Shift counts only where the table writes it, since "+" may need it to be typed. */
+/** Signs that some keyboards type only with Alt, or with Ctrl and Alt. */
+const SIGNS = ['[', ']'];
+const LETTER_PLACE = /^Key([A-Z])$/;
+
+/**
+ * Which command a key asks for. Shift counts only where the table writes it, since "+" may need it to be typed. A letter of another script
+ * is the Latin one of the same key.
+ */
 export function commandOfKey(event: KeyPress): CommandName | null {
-  const mod = event.ctrlKey || event.metaKey;
-  if (event.altKey) return null;
-  const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
+  const types = event.altKey && SIGNS.includes(event.key);
+  if (event.altKey && !types) return null;
+  const mod = (event.ctrlKey || event.metaKey) && !types;
+  const latin = event.key > '\x7f' ? LETTER_PLACE.exec(event.code)?.[1] : undefined;
+  const key = latin ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
   const written = `${mod ? 'Mod+' : ''}${mod && event.shiftKey ? 'Shift+' : ''}${key}`;
   return NAMES.find((name) => (COMMANDS[name].keys as readonly string[]).includes(written)) ?? null;
 }
 
 /** What of a KeyboardEvent counts. */
-export type KeyPress = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>;
+export type KeyPress = Pick<KeyboardEvent, 'key' | 'code' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>;
 
 const MAC = /Mac|iPhone|iPad/;
 const SYMBOLS: Readonly<Record<string, string>> = { Delete: 'Del', Escape: 'Esc', '-': '−' };

@@ -63,7 +63,8 @@ export function draftBar(model: EditorModel, actions: EditorActions): TemplateRe
 /** What the tool in hand is for, until something is drawn with it. */
 export function drawingHint(model: EditorModel): TemplateResult | typeof nothing {
   const { tool, draft, document, press } = model;
-  const idle = draft === null && document.selection.length === 0 && !model.notice && !model.hint;
+  const idle =
+    !model.readonly && draft === null && document.selection.length === 0 && !model.notice && !model.hint;
   if (!idle || model.picture === null || (tool !== 'bar' && tool !== 'polygon')) return nothing;
   const words =
     tool === 'bar' ? `Drag a bar, or ${press} its corners` : `Draw a polygon: ${press} its corners`;

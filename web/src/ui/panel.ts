@@ -216,6 +216,7 @@ function numberField(
       actions.field(look.field, (now) => Math.min(Math.max(now + by, least), most));
     }
     if (event.key !== 'Escape') return;
+    event.preventDefault();
     input.value = shared;
     const root = input.getRootNode() as ShadowRoot;
     root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });

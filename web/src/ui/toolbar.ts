@@ -84,12 +84,14 @@ export function toolStrip(model: EditorModel, actions: EditorActions): TemplateR
   </div>`;
 }
 
-/** Shows the original for as long as it is held, by pointer or key. */
+/** Shows the original for as long as it is held, by pointer or key; what can only click, such as a screen reader, switches. */
 function compareButton(model: EditorModel, actions: EditorActions): TemplateResult {
   const hold = () => actions.compare(true);
   const release = () => actions.compare(false);
   const onKey = (event: KeyboardEvent, act: () => void) => {
-    if (event.key === ' ' || event.key === 'Enter') act();
+    if (event.key !== ' ' && event.key !== 'Enter') return;
+    event.preventDefault();
+    act();
   };
   return html`<button
     type="button"
@@ -109,6 +111,7 @@ function compareButton(model: EditorModel, actions: EditorActions): TemplateResu
     @keydown=${(event: KeyboardEvent) => onKey(event, hold)}
     @keyup=${(event: KeyboardEvent) => onKey(event, release)}
     @blur=${release}
+    @click=${(event: MouseEvent) => event.detail === 0 && actions.run('compare')}
     @contextmenu=${(event: Event) => event.preventDefault()}
   >
     ${icon('compare')}
