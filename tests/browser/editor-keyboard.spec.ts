@@ -154,6 +154,7 @@ test('the crosshair stays in view, is told, and goes with Escape or another tool
   await editor.handle('head').focus();
   await page.keyboard.press('Escape');
   await page.keyboard.press('p');
+  await expect(page.getByRole('status').getByText('Add a point handle')).toBeAttached();
   for (let press = 0; press < 30; press++) await page.keyboard.press('Shift+ArrowUp');
   await expect(crosshair).toBeVisible();
   await expect(page.getByText(/^x \d+, y -?\d+$/)).toBeAttached();

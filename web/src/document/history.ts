@@ -52,11 +52,6 @@ export class History<T> {
     return this.#future.at(-1)?.label ?? null;
   }
 
-  /** A step is open: a drag is under way. */
-  get isOpen(): boolean {
-    return this.#open !== null;
-  }
-
   /** Opens a step; one already open is committed first. */
   begin(label: string): void {
     this.commit();

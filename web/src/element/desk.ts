@@ -6,7 +6,7 @@
  */
 import { blendOf } from '../document/bending';
 import { anchor, nameOf } from '../document/handle';
-import { deviceView } from '../geometry/camera';
+import { deviceView, panned } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
 import type { Effect } from '../tools/state';
@@ -382,8 +382,7 @@ export class Desk {
   #carryOut(effect: Effect): void {
     if (effect.type === 'box') this.#box = effect.box;
     else if (effect.type === 'pan') {
-      const { camera } = this.viewing;
-      this.viewing.look({ ...camera, x: camera.x + effect.by[0], y: camera.y + effect.by[1] });
+      this.viewing.look(panned(this.viewing.camera, effect.by));
     } else if (effect.type === 'miss') {
       this.talking.notify({
         kind: 'info',

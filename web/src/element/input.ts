@@ -2,7 +2,7 @@
 import { handleById, selectedHandles } from '../document/document';
 import { isLine } from '../document/handle';
 import type { LineHandle } from '../document/project';
-import { type Camera, toImage, toStage } from '../geometry/camera';
+import { type Camera, panned, toImage, toStage } from '../geometry/camera';
 import { edgesOf, type LinePlace, nearestPlace } from '../geometry/polyline';
 import { add, distance, scaled, type Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
@@ -269,8 +269,7 @@ export class Input {
       this.#host.say(`x ${Math.round(this.crosshair[0])}, y ${Math.round(this.crosshair[1])}`);
       this.#host.looked();
     } else {
-      const { camera } = viewing;
-      this.#look({ ...camera, x: camera.x - ARROW_PAN * by[0], y: camera.y - ARROW_PAN * by[1] });
+      this.#look(panned(viewing.camera, scaled(by, -ARROW_PAN)));
     }
   }
 

@@ -1,6 +1,6 @@
 /** What each command does, as far as the editor is in a state to do it. */
 import type { ToolName } from '../tools/machine';
-import type { CommandName } from '../ui/commands';
+import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Editing } from './editing';
 import type { Files } from './files';
 import type { Viewing } from './viewing';
@@ -30,15 +30,19 @@ export function run(command: CommandName, host: RunningHost): void {
     change();
     host.looked();
   };
+  const take = (tool: ToolName) => {
+    host.choose(tool);
+    if (editing.machine.tool === tool) host.say(COMMANDS[tool].label);
+  };
   // In the middle of a drawing what is taken back is its last corner.
   const drawing = () => editing.machine.draft !== null;
   const back = () => editing.apply(editing.machine.back());
   const commands: Readonly<Record<CommandName, () => void>> = {
-    select: () => host.choose('select'),
-    point: () => host.choose('point'),
-    bar: () => host.choose('bar'),
-    polygon: () => host.choose('polygon'),
-    hand: () => host.choose('hand'),
+    select: () => take('select'),
+    point: () => take('point'),
+    bar: () => take('bar'),
+    polygon: () => take('polygon'),
+    hand: () => take('hand'),
     open: () => !host.readonly && void files.choose(),
     save: () => void files.save(),
     export: () => void files.export(),
