@@ -16,21 +16,12 @@ pub struct Solution {
     site_rest: Vec<f64>,
     site_handle: Vec<i32>,
     site_edges: Vec<u32>,
-    cells: Vec<u32>,
-    rings: Vec<f32>,
-    ring_offsets: Vec<u32>,
     poser: Vec<u8>,
     report: String,
 }
 
 impl Solution {
     pub(crate) fn new(solution: &c2warp::Solution, report: String) -> Self {
-        let rings = solution.rings();
-        let mut ring_offsets = vec![0];
-        ring_offsets.extend(rings.iter().scan(0, |sum, ring| {
-            *sum += ring.len() as u32;
-            Some(*sum)
-        }));
         Self {
             positions: flat(solution.mesh.vertices.iter().map(DVec2::to_array)),
             triangles: solution.mesh.triangles.concat(),
@@ -40,9 +31,6 @@ impl Solution {
             site_rest: solution.sites.iter().flat_map(|site| site.rest.to_array()).collect(),
             site_handle: solution.sites.iter().map(|site| handle_of(site.origin)).collect(),
             site_edges: solution.graph.links.concat(),
-            cells: solution.nearest.clone(),
-            rings: flat(rings.iter().flatten().map(DVec2::to_array)),
-            ring_offsets,
             poser: solution.poser().to_bytes(),
             report,
         }
@@ -109,24 +97,6 @@ impl Solution {
     #[wasm_bindgen(getter)]
     pub fn site_edges(&self) -> Vec<u32> {
         self.site_edges.clone()
-    }
-
-    /// Samples: the nearest site, 2³² − 1 for none.
-    #[wasm_bindgen(getter)]
-    pub fn cells(&self) -> Vec<u32> {
-        self.cells.clone()
-    }
-
-    /// Points of the outline × 2, ring after ring.
-    #[wasm_bindgen(getter)]
-    pub fn rings(&self) -> Vec<f32> {
-        self.rings.clone()
-    }
-
-    /// Rings + 1: where each ring's points begin.
-    #[wasm_bindgen(getter)]
-    pub fn ring_offsets(&self) -> Vec<u32> {
-        self.ring_offsets.clone()
     }
 
     /// Bytes for a [`Poser`](crate::Poser).

@@ -5,6 +5,7 @@
  * before it, and the page itself never waits at all.
  */
 import type { Project } from '../document/project';
+import { superseded } from './errors';
 import { Link } from './link';
 import { checkedProject, createPoser, loadModule, type Poser } from './module';
 import type { Pixels, SolutionData, Stage } from './solution';
@@ -42,7 +43,7 @@ export class Engine {
     const turn = ++this.#newestSolve;
     this.#link.abandon('solve');
     await this.#picture;
-    if (turn !== this.#newestSolve) throw new DOMException('superseded', 'AbortError');
+    if (turn !== this.#newestSolve) throw superseded();
     return this.#link.send('solve', { project: JSON.stringify(project) }, onProgress);
   }
 

@@ -16,12 +16,6 @@ export interface SolutionData {
   readonly siteHandle: Int32Array<ArrayBuffer>;
   /** Edges × 2: the cell graph, between sites. */
   readonly siteEdges: Uint32Array<ArrayBuffer>;
-  /** Vertices: the nearest site, 0xffffffff where there is none. */
-  readonly cells: Uint32Array<ArrayBuffer>;
-  /** Outline points × 2, ring after ring. */
-  readonly rings: Float32Array<ArrayBuffer>;
-  /** Rings + 1: ring r has the points `ringOffsets[r]` to `ringOffsets[r + 1]`. */
-  readonly ringOffsets: Uint32Array<ArrayBuffer>;
   /** What the page's `Poser` is made from; opaque. */
   readonly poser: Uint8Array<ArrayBuffer>;
   readonly report: Report;

@@ -5,11 +5,13 @@ import type { Vec } from './vec';
 export interface Skin {
   /** Vertices × 2, rest positions in image pixels. */
   readonly positions: Float32Array;
-  /** Triangles × 3, drawn in order: the later covers the earlier, where all sites are equally deep. */
+  /** Triangles × 3: vertices; the later covers the earlier, where all sites are equally deep. */
   readonly triangles: Uint32Array;
-  /** Vertices + 1: rows of `sites` and `weights`. An empty row stays at rest. */
+  /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array;
+  /** Entries: index of a site. */
   readonly sites: Uint32Array;
+  /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without any stays at rest. */
   readonly weights: Float32Array;
 }
 

@@ -2,11 +2,6 @@
 import { type FileWithHandle, fileOpen, fileSave } from 'browser-fs-access';
 
 const KINDS = {
-  picture: {
-    description: 'Pictures',
-    mimeTypes: ['image/*'],
-    extensions: ['.png', '.jpg', '.jpeg', '.webp', '.avif', '.gif', '.bmp'],
-  },
   project: { description: 'c2warp projects', mimeTypes: ['application/json'], extensions: ['.json'] },
   any: {
     description: 'Pictures and c2warp projects',
@@ -16,24 +11,19 @@ const KINDS = {
   png: { description: 'PNG pictures', mimeTypes: ['image/png'], extensions: ['.png'] },
 };
 
+type Kind = keyof typeof KINDS;
+
 /** Asks for a file to open; undefined where the person thinks better of it. */
-export function openFile(kind: 'picture' | 'project' | 'any'): Promise<FileWithHandle | undefined> {
+export function openFile(kind: Kind): Promise<FileWithHandle | undefined> {
   return unlessCancelled(fileOpen({ ...KINDS[kind], multiple: false, id: kind }));
 }
 
 /**
- * Asks where to save a file of this name; false where the person thinks better of it. A blob that takes time to make is
- * given as a promise, since the browser only asks while the click that led here is fresh.
+ * Asks where to save a file of this name; nothing is saved where the person thinks better of it. A blob that takes time to
+ * make is given as a promise, since the browser only asks while the click that led here is fresh.
  */
-export async function saveFile(
-  blob: Blob | Promise<Blob>,
-  fileName: string,
-  kind: 'project' | 'png',
-): Promise<boolean> {
-  const saved = await unlessCancelled(
-    fileSave(blob, { ...KINDS[kind], fileName, id: kind }).then(() => true),
-  );
-  return saved ?? false;
+export async function saveFile(blob: Blob | Promise<Blob>, fileName: string, kind: Kind): Promise<void> {
+  await unlessCancelled(fileSave(blob, { ...KINDS[kind], fileName, id: kind }));
 }
 
 async function unlessCancelled<T>(choice: Promise<T>): Promise<T | undefined> {

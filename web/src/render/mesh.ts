@@ -1,21 +1,10 @@
-/** A picture's mesh with sparse weights, as flat arrays. */
-export interface WarpMesh {
-  /** Vertices × 2: where each vertex rests, image pixels. */
-  readonly positions: Float32Array;
-  /** Triangles × 3: vertices; drawn in this order, later over earlier, as long as all sites are equally deep. */
-  readonly triangles: Uint32Array;
-  /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
-  readonly offsets: Uint32Array;
-  /** Entries: index of a site. */
-  readonly sites: Uint32Array;
-  /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without any stays at rest. */
-  readonly weights: Float32Array;
+import type { Skin } from '../geometry/skin';
+
+/** What is drawn: a skin, and how many sites move it. */
+export interface WarpMesh extends Skin {
   /** Sites × 2; only how many there are matters here. */
   readonly siteRest: ArrayLike<number>;
 }
-
-/** Numbers that describe a site's motion: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half of it. */
-export const MOTION_SIZE = 12;
 
 /** The whole picture as two triangles at rest: what is drawn while nothing is solved. */
 export function unwarpedMesh(width: number, height: number): WarpMesh {

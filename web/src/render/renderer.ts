@@ -5,8 +5,9 @@
  * browser took away is filled again once it comes back.
  */
 import type { Blend } from '../geometry/blend';
+import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
-import { MOTION_SIZE, unwarpedMesh, type WarpMesh } from './mesh';
+import { unwarpedMesh, type WarpMesh } from './mesh';
 import { Scene } from './scene';
 
 export class Renderer {
@@ -66,13 +67,13 @@ export class Renderer {
   }
 
   /**
-   * Sites × 12, see {@link MOTION_SIZE}, and how they are blended; null lays the mesh at rest.
+   * Sites × 12, see {@link MOTION_STRIDE}, and how they are blended; null lays the mesh at rest.
    * @throws RangeError where there is not one motion for each site of the mesh.
    */
   setMotions(motions: Float32Array | null, blend: Blend = 'linear'): void {
     const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
-    if (motions && motions.length !== sites * MOTION_SIZE) {
-      throw new RangeError(`${motions.length / MOTION_SIZE} motions for ${sites} sites`);
+    if (motions && motions.length !== sites * MOTION_STRIDE) {
+      throw new RangeError(`${motions.length / MOTION_STRIDE} motions for ${sites} sites`);
     }
     this.#motions = motions;
     this.#blend = blend;

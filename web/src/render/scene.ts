@@ -7,10 +7,11 @@
 import * as twgl from 'twgl.js';
 import type { Blend } from '../geometry/blend';
 import { DrawingOrder } from '../geometry/drawing_order';
+import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import lineFragment from './line.frag.glsl?raw';
-import { MOTION_SIZE, meshEdges, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
+import { meshEdges, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
 import { createPictureTexture, setMagnification } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import warpVertex from './warp.vert.glsl?raw';
@@ -82,7 +83,7 @@ export class Scene {
     return {
       mesh,
       weights,
-      motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_SIZE / 4)),
+      motions: createDataTexture(gl, 4, (mesh.siteRest.length / 2) * (MOTION_STRIDE / 4)),
       triangles: twgl.createBufferInfoFromArrays(gl, {
         a_rest: { numComponents: 2, data: mesh.positions },
         a_row: { numComponents: 2, data: weightRows(mesh.offsets) },

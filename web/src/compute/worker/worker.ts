@@ -97,9 +97,6 @@ function copiedOut(solution: Solution): SolutionData {
     siteRest: solution.site_rest,
     siteHandle: solution.site_handle,
     siteEdges: solution.site_edges,
-    cells: solution.cells,
-    rings: solution.rings,
-    ringOffsets: solution.ring_offsets,
     poser: solution.poser,
     report: JSON.parse(solution.report) as Report,
   };
