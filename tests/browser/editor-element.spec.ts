@@ -2,6 +2,7 @@
 import type { Page } from '@playwright/test';
 import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
+import { Answers } from './answers';
 import { apart, Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -321,11 +322,11 @@ test('hidden in the midst of a drag, it takes it back and keeps its view', async
   await page.mouse.up();
   await show('');
   expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
-  expect(await editor.place('right hand')).toEqual({ x, y });
+  await expect.poll(() => editor.place('right hand')).toEqual({ x, y });
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
 
-/** Asks for so many samples that the solve is noticed. */
+/** Asks for so many samples that the solver is at work for long. */
 const ponder = (page: Page) =>
   page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -333,18 +334,23 @@ const ponder = (page: Page) =>
   });
 
 test('dragging does not wait for a solve', async ({ page }) => {
+  const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   const goal = { x: hand.x, y: hand.y - 70 };
   const before = await editor.look(goal);
+  await answers.hold();
   await ponder(page);
+  await expect(page.getByRole('progressbar')).toBeVisible();
   await editor.dragHandle('right hand', { x: 0, y: -70 });
   await expect.poll(async () => apart(before, await editor.look(goal))).toBeGreaterThan(10);
   await expect(page.getByRole('progressbar')).toBeVisible();
 });
 
 test('a long solve shows progress, and can be cancelled', async ({ page }) => {
+  const answers = await Answers.of(page);
   const editor = await Editor.open(page);
+  await answers.hold();
   await ponder(page);
   await expect(page.getByRole('progressbar')).toBeVisible();
   await editor.button('Cancel').click();

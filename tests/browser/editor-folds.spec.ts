@@ -105,7 +105,7 @@ test('a picture with depths is solved and drawn', async ({ page }) => {
   const [head, hand] = [await editor.place('head'), await editor.place('right hand')];
   await editor.dragHandle('right hand', { x: head.x - hand.x, y: head.y + 40 - hand.y });
   await page.keyboard.press('p');
-  await page.mouse.click(head.x, head.y + 180);
+  await editor.solves(() => page.mouse.click(head.x, head.y + 180));
   await expect(editor.handle('handle 1')).toBeVisible();
   await expect(editor.notice).toBeHidden();
   expect((await editor.inProject('right-hand'))?.depth).toBe(5);

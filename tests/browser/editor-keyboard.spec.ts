@@ -61,7 +61,12 @@ test('O shows the original for as long as it is held', async ({ page }) => {
   const hand = await editor.place('right hand');
   const before = await editor.look(hand, 16);
   await editor.dragHandle('right hand', { x: 0, y: -90 });
-  const bent = await editor.look(hand, 16);
+  let bent = before;
+  const bend = async () => {
+    bent = await editor.look(hand, 16);
+    return apart(before, bent);
+  };
+  await expect.poll(bend).toBeGreaterThan(10);
   await page.keyboard.down('o');
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
   await expect.poll(async () => apart(before, await editor.look(hand, 16))).toBeLessThan(SAME);

@@ -137,20 +137,21 @@ test('forced colours show what is chosen', async ({ page }) => {
   const editor = new Editor(page);
   await editor.ready();
   await editor.handle('head').click();
-  const ground = (shown: Locator) => shown.evaluate((element) => getComputedStyle(element).backgroundColor);
+  const ground = (shown: Locator) => () =>
+    shown.evaluate((element) => getComputedStyle(element).backgroundColor);
   const chosen = await page.evaluate(() => {
     document.body.style.backgroundColor = 'Highlight';
     return getComputedStyle(document.body).backgroundColor;
   });
-  expect(await ground(editor.button('Select and move'))).toBe(chosen);
-  expect(await ground(editor.button('Draw a bar'))).not.toBe(chosen);
-  expect(await ground(editor.button('Automatic turn'))).toBe(chosen);
-  expect(await ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
+  await expect.poll(ground(editor.button('Select and move'))).toBe(chosen);
+  await expect.poll(ground(editor.button('Draw a bar'))).not.toBe(chosen);
+  await expect.poll(ground(editor.button('Automatic turn'))).toBe(chosen);
+  await expect.poll(ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
   await page.locator('c2-warp summary').click();
-  expect(await ground(editor.button('Rigid'))).toBe(chosen);
-  expect(await ground(editor.button('Smooth'))).not.toBe(chosen);
+  await expect.poll(ground(editor.button('Rigid'))).toBe(chosen);
+  await expect.poll(ground(editor.button('Smooth'))).not.toBe(chosen);
   await editor.switch('Stop at folds').click();
-  await expect.poll(() => ground(editor.switch('Stop at folds'))).toBe(chosen);
+  await expect.poll(ground(editor.switch('Stop at folds'))).toBe(chosen);
 });
 
 test('in another document it has its styles, made there or brought there', async ({ page }) => {

@@ -1,17 +1,57 @@
 /** `<c2-warp>` in somebody's page: what is opened when several things are asked for, or the element comes and goes. */
 
-import type { Page } from '@playwright/test';
+import type { Page, Route } from '@playwright/test';
 import { encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
 const SIDES = { '/slow.png': 40, '/fast.png': 48 } as const;
-const DELAYS: Readonly<Record<string, number>> = { '/slow.png': 1500 };
+
+/** The picture that comes late: when a test lets it come, and at once from then on. */
+class Slow {
+  readonly #page: Page;
+  readonly #answered: Promise<void>[] = [];
+  #time = Promise.resolve();
+  #come = () => {};
+
+  constructor(page: Page) {
+    this.#page = page;
+    this.stays();
+  }
+
+  /** Whoever asks for it from now on waits for it. */
+  stays(): void {
+    this.#time = new Promise((come) => {
+      this.#come = come;
+    });
+  }
+
+  asked(route: Route): void {
+    // Nobody may wait for it any more.
+    const answered = this.#time.then(() => route.fulfill(file(SIDES['/slow.png']))).catch(() => {});
+    this.#answered.push(answered);
+  }
+
+  /** Lets it come, and gives whoever still waits for it the time to open it: some more than it takes to do the same. */
+  async comes(): Promise<void> {
+    this.#come();
+    await Promise.all(this.#answered);
+    await this.#page.evaluate(async () => {
+      for (let turn = 0; turn < 4; turn++) {
+        await createImageBitmap(await (await fetch('/fast.png')).blob());
+        await new Promise((done) => requestAnimationFrame(done));
+      }
+    });
+  }
+}
 
 const square = (side: number) =>
   Buffer.from(
     encode({ width: side, height: side, data: new Uint8Array(side * side * 4).fill(255), channels: 4 }),
   );
+
+const file = (side: number) => ({ body: square(side), contentType: 'image/png' });
 
 const PROJECT = {
   format: 'c2warp/1',
@@ -19,15 +59,11 @@ const PROJECT = {
   handles: [{ id: 'middle', kind: 'point', rest: [24, 24], posed: [30, 24] }],
 } as const;
 
-/** The editor's page with this body instead, where pictures come as late as `DELAYS` says and `heard` are the element's events. */
-async function open(page: Page, body: string): Promise<void> {
-  for (const [path, side] of Object.entries(SIDES)) {
-    await page.route(`**${path}`, async (route) => {
-      await new Promise((done) => setTimeout(done, DELAYS[path] ?? 0));
-      // Nobody may wait for it any more.
-      await route.fulfill({ body: square(side), contentType: 'image/png' }).catch(() => {});
-    });
-  }
+/** The editor's page with this body instead, where `heard` are the element's events, and one picture comes when it is told to. */
+async function open(page: Page, body: string): Promise<Slow> {
+  const slow = new Slow(page);
+  await page.route('**/fast.png', (route) => route.fulfill(file(SIDES['/fast.png'])));
+  await page.route('**/slow.png', (route) => slow.asked(route));
   await page.route('**/project.json', (route) => route.fulfill({ json: PROJECT }));
   const built = await (await page.request.get('/')).text();
   const html = built.replace(/<c2-warp[\s\S]*<\/c2-warp>/, () => body);
@@ -42,17 +78,15 @@ async function open(page: Page, body: string): Promise<void> {
   });
   await page.goto('/page.html');
   await page.waitForFunction(() => customElements.get('c2-warp') !== undefined);
+  return slow;
 }
 
 const warp = (page: Page) => page.locator('c2-warp');
 const picture = (page: Page) => warp(page).evaluate((element) => (element as C2Warp).project.image.src);
 const heard = (page: Page) => page.evaluate(() => Reflect.get(globalThis, 'heard') as string[]);
 
-/** Long enough for what was given up to have come. */
-const late = (page: Page) => page.waitForTimeout(2500);
-
 test('the newest load wins, and the one before it is told so', async ({ page }) => {
-  await open(page, `<c2-warp></c2-warp>`);
+  const slow = await open(page, `<c2-warp></c2-warp>`);
   const ends = await warp(page).evaluate(async (element) => {
     const load = (source: string) =>
       (element as C2Warp).load(source).then(
@@ -62,18 +96,19 @@ test('the newest load wins, and the one before it is told so', async ({ page }) 
     return Promise.all([load('/slow.png'), load('/fast.png')]);
   });
   expect(ends).toEqual(['AbortError', '/fast.png']);
-  await late(page);
+  await slow.comes();
   expect(await picture(page)).toBe('fast.png');
 });
 
 test('the newest src wins, and a load over the src that the element begins with', async ({ page }) => {
-  await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
+  const slow = await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
   await warp(page).evaluate((element) => element.setAttribute('src', '/fast.png'));
-  await late(page);
+  await expect.poll(() => heard(page)).toEqual(expect.arrayContaining(['ready', 'load']));
+  await slow.comes();
   expect(await picture(page)).toBe('fast.png');
-  expect(await heard(page)).toEqual(expect.arrayContaining(['ready', 'load']));
   expect((await heard(page)).filter((type) => type === 'load')).toHaveLength(1);
 
+  slow.stays();
   await warp(page).evaluate(async (element) => {
     element.remove();
     const other = document.createElement('c2-warp');
@@ -81,7 +116,7 @@ test('the newest src wins, and a load over the src that the element begins with'
     document.body.append(other);
     await other.load('/fast.png');
   });
-  await late(page);
+  await slow.comes();
   expect(await picture(page)).toBe('fast.png');
 });
 
@@ -109,13 +144,14 @@ test('what is being loaded ends with the element, whether it comes back or not',
 test('a new src is opened also where the element is moved before it comes, or is on no page', async ({
   page,
 }) => {
-  await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
+  const slow = await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   await warp(page).evaluate(async (element) => {
     element.setAttribute('src', '/slow.png');
     await new Promise((done) => setTimeout(done, 200));
     document.body.append(element);
   });
+  await slow.comes();
   await expect.poll(() => picture(page)).toBe('slow.png');
   await warp(page).evaluate(async (element) => {
     element.remove();
@@ -127,7 +163,8 @@ test('a new src is opened also where the element is moved before it comes, or is
 });
 
 test('moved without a new src, it keeps what is open', async ({ page }) => {
-  await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
+  const slow = await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
+  await slow.comes();
   await expect.poll(() => heard(page)).toContain('load');
   await warp(page).evaluate(async (element) => {
     await (element as C2Warp).load('/fast.png', '/project.json');
@@ -182,7 +219,8 @@ test('a project that is set before the element is on a page, or known, is for it
 });
 
 test('what no project can be is refused with the key, and shows nothing of it', async ({ page }) => {
-  await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
+  const slow = await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
+  await slow.comes();
   await expect.poll(() => heard(page)).toContain('load');
   const refusals = await warp(page).evaluate(async (element) => {
     const warp = element as C2Warp;
@@ -225,8 +263,8 @@ test('a key set later keeps what is open from then on', async ({ page }) => {
     element.setAttribute('autosave', 'late');
     (element as C2Warp).updateHandle('middle', { posed: [20, 20] });
   });
-  // What was done a moment ago is being written; nothing on the page tells when it is.
-  await page.waitForTimeout(500);
+  const work = { picture: 'fast.png', handles: [expect.objectContaining({ posed: [20, 20] })] };
+  await expect.poll(() => new Editor(page).kept('late')).toMatchObject(work);
   await page.evaluate(() => {
     document.querySelector('c2-warp')?.remove();
     const other = document.createElement('c2-warp');

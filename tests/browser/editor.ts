@@ -15,14 +15,27 @@ export interface Told extends Place {
   readonly rotation: number;
 }
 
+/** What the browser keeps of what is open, as a reload would bring it back. */
+export interface KeptWork {
+  /** Its name. */
+  readonly picture: string;
+  /** What undo would take back. */
+  readonly step: string | null;
+  readonly handles: readonly Handle[];
+  readonly selection: readonly string[];
+}
+
 export class Editor {
   readonly page: Page;
   readonly status: Locator;
+  /** What the status line tells of the solution, or of the solve under way. */
+  readonly solved: Locator;
   readonly notice: Locator;
 
   constructor(page: Page) {
     this.page = page;
     this.status = page.getByRole('group', { name: 'Status' });
+    this.solved = page.locator('c2-warp .solved');
     this.notice = page.getByRole('alert');
   }
 
@@ -37,7 +50,18 @@ export class Editor {
 
   async ready(): Promise<void> {
     await expect(this.handle('left hand')).toBeVisible();
-    await expect(this.page.locator('c2-warp .solved')).toContainText('sample');
+    await expect(this.solved).toContainText('sample');
+  }
+
+  /** Carries out what asks for another solve, and waits for that one: with another handle or density it tells of other numbers. */
+  async solves(step: () => Promise<void>): Promise<void> {
+    const before = await this.solved.textContent();
+    await step();
+    const anew = async () => {
+      const told = await this.solved.textContent();
+      return told !== before && /sample/.test(told ?? '');
+    };
+    await expect.poll(anew, 'another solution').toBe(true);
   }
 
   handle(name: string): Locator {
@@ -113,6 +137,31 @@ export class Editor {
     return this.page
       .locator('c2-warp')
       .evaluate((element, id) => (element as C2Warp).project.handles.find((handle) => handle.id === id), id);
+  }
+
+  /** What is kept under this key now; empty where nothing is. Nothing on the page tells when something has been written. */
+  kept(key = 'editor'): Promise<Partial<KeptWork>> {
+    return this.page.evaluate(async (key): Promise<Partial<KeptWork>> => {
+      const opening = indexedDB.open('c2warp');
+      // The database is the editor's to make: an empty one that is made here would be in its way.
+      opening.onupgradeneeded = () => opening.transaction?.abort();
+      const answer = <T>(request: IDBRequest<T>) =>
+        new Promise<T | null>((done) => {
+          request.onsuccess = () => done(request.result);
+          request.onerror = () => done(null);
+        });
+      const database = await answer(opening);
+      if (!database) return {};
+      const store = database.transaction('kept').objectStore('kept');
+      const [picture, document] = await Promise.all(
+        ['picture', 'document'].map((part) => answer(store.get(`${key}/${part}`))),
+      );
+      database.close();
+      if (!picture || picture.mark !== document?.mark) return {};
+      const { past, present } = document.record;
+      const { project, selection } = present;
+      return { picture: picture.name, step: past.at(-1)?.label ?? null, handles: project.handles, selection };
+    }, key);
   }
 
   /** CSS pixels per image pixel. */
