@@ -20,7 +20,7 @@
  * | `change` | a step was done, undone or redone, by a person or by a method; `detail.project` likewise |
  * | `selectionchange` | `detail.selection`: the ids, whatever changed them |
  * | `historychange` | `detail.undo`, `detail.redo`: what would be undone or redone, or null |
- * | `progress` | `detail.label`: what the solver is at, null when it is done; for what takes longer than a person notices |
+ * | `progress` | `detail.label`: what the solver is at, or that a PNG is being exported; null when it is done; for what takes longer than a person notices |
  * | `error` | `detail`: the Error of what went wrong that no method was asked for |
  *
  * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `picture` (no picture, or
