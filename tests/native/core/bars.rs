@@ -553,6 +553,13 @@ fn a_bar_in_a_wrong_place_is_refused_by_name() {
             &["bar", "h7"],
         ),
         (vec![at_rest("far", &[(5.0, 5.0), (15.0, 15.0)])], false, "handle-outside", &["far"]),
+        // Each pair of pieces would be looked at before the sites that they need are counted.
+        (
+            vec![at_rest("few", &[(50.0, 50.0), (90.0, 50.0)]), at_rest("long", &winding(200_000))],
+            false,
+            "too-many-corners",
+            &["long"],
+        ),
         (vec![at_rest("edge", &[(20.5, 50.0), (20.5, 90.0)])], true, "on-held-boundary", &["edge"]),
         (vec![point(20.5, 90.0)], true, "on-held-boundary", &["h7"]),
     ] {
@@ -560,9 +567,50 @@ fn a_bar_in_a_wrong_place_is_refused_by_name() {
         assert_eq!(found, code, "{message}");
         assert!(names.iter().all(|name| message.contains(&format!("“{name}”"))), "{message}");
     }
-    // A pose for other handles than were solved.
-    let (solution, _) = posed(&square(Support::Paper, vec![at_rest("bar", &[(50.0, 50.0), (90.0, 50.0)])]));
-    assert!(matches!(solution.poser().pose(&[point(50.0, 50.0)], Blend::Linear), Err(Error::PoseMismatch { .. })));
+}
+
+/// Corners on a way that winds inwards.
+fn winding(corners: u32) -> Vec<(f64, f64)> {
+    let at = |i: u32| {
+        let share = f64::from(i) / f64::from(corners);
+        DVec2::splat(200.0) + (100.0 - 80.0 * share) * DVec2::from_angle(20.0 * share)
+    };
+    (0..corners).map(|i| at(i).into()).collect()
+}
+
+#[test]
+fn a_pose_for_other_handles_than_were_solved_is_refused_by_name() {
+    let at_rest = |id: &str, corners: &[(f64, f64)]| bar(id, corners, corners);
+    let point = |x: f64, y: f64| handle(1, DVec2::new(x, y), DVec2::new(x, y), 0.0);
+    let corners = [(50.0, 50.0), (90.0, 50.0), (90.0, 90.0)];
+    let (solution, _) = posed(&square(Support::Paper, vec![at_rest("bar", &corners), point(150.0, 150.0)]));
+    let refused = |handles: &[Handle]| match solution.poser().pose(handles, Blend::Linear) {
+        Err(error) => error.to_string(),
+        Ok(_) => panic!("{handles:?} are not what was solved"),
+    };
+    let dot = point(150.0, 150.0);
+    assert_eq!(refused(std::slice::from_ref(&dot)), "the pose names 1 handles, but 2 were solved");
+    assert_eq!(
+        refused(&[at_rest("bar", &corners[..2]), dot.clone()]),
+        "handle “bar” is posed as a bar of 2 corners, but was solved as a bar of 3 corners"
+    );
+    let mut uneven = at_rest("bar", &corners);
+    let Shape::Bar { posed, .. } = &mut uneven.shape else { unreachable!("a bar") };
+    posed.push(DVec2::splat(100.0));
+    assert_eq!(
+        refused(&[uneven, dot.clone()]),
+        "handle “bar” is posed as a bar of 4 corners, but was solved as a bar of 3 corners"
+    );
+    let mut closed = at_rest("bar", &corners);
+    closed.shape = Shape::Polygon { rest: corners.map(DVec2::from).to_vec(), posed: corners.map(DVec2::from).to_vec() };
+    assert_eq!(
+        refused(&[closed, dot.clone()]),
+        "handle “bar” is posed as a polygon of 3 corners, but was solved as a bar of 3 corners"
+    );
+    assert_eq!(
+        refused(&[at_rest("bar", &corners), at_rest("h1", &corners)]),
+        "handle “h1” is posed as a bar of 3 corners, but was solved as a point"
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Everything that can be refused, in one enum: what was wrong, where, and what to do about it.
 
-use crate::project::ProjectError;
+use crate::{pose::Form, project::ProjectError};
 
 /// Why a picture, a domain, a project or a handle was refused.
 ///
@@ -151,11 +151,20 @@ pub enum Error {
         /// Index of the other edge's first point.
         other_point: usize,
     },
-    /// An outline with more corners than can be solved in reasonable time.
-    #[error("the outline has {corners} corners, more than {max}: raise domain.threshold or smooth the picture's alpha",
-        max = crate::domain::MAX_CORNERS)]
+    /// An opaque part with more corners than can be solved in reasonable time.
+    #[error(
+        "the outline has {corners} corners or more, of which there may be {max}: raise domain.threshold or smooth the picture's alpha",
+        max = crate::domain::MAX_CORNERS
+    )]
     OutlineTooFine {
-        /// Number of corners after simplification.
+        /// Number of corners after simplification, or the least that there must be.
+        corners: usize,
+    },
+    /// Rings with more corners than can be solved in reasonable time.
+    #[error("domain.rings have {corners} points, of which there may be {max}: draw the rings with fewer",
+        max = crate::domain::MAX_CORNERS)]
+    RingsTooFine {
+        /// Number of points of all rings.
         corners: usize,
     },
     /// A handle outside the domain.
@@ -176,7 +185,7 @@ pub enum Error {
         first: String,
         /// Id of the other.
         second: String,
-        /// Their intrinsic distance in pixels.
+        /// Their straight distance in pixels.
         distance: f64,
     },
     /// Two corners of a bar or polygon on one spot.
@@ -213,6 +222,19 @@ pub enum Error {
         /// Id of the first handle beyond the limit.
         id: String,
     },
+    /// Bars and polygons with more straight pieces than can be solved.
+    #[error(
+        "the bars and polygons have {segments} straight pieces, of which there may be {max}: draw handle “{id}”, of {corners} corners, with fewer",
+        max = crate::site::MAX_SITES
+    )]
+    TooManyCorners {
+        /// Id of the handle that has most of them.
+        id: String,
+        /// Number of its corners.
+        corners: usize,
+        /// Number of the straight pieces of all handles.
+        segments: usize,
+    },
     /// A kind of handle, or a setting, that this version does not solve.
     #[error("{path}: {feature} cannot be solved by this version")]
     Unsupported {
@@ -221,13 +243,23 @@ pub enum Error {
         /// What is asked for.
         feature: String,
     },
-    /// The handles passed to a pose are not those that were solved.
+    /// More handles are passed to a pose, or fewer, than were solved.
     #[error("the pose names {found} handles, but {expected} were solved")]
     PoseMismatch {
         /// Handles solved.
         expected: usize,
         /// Handles posed.
         found: usize,
+    },
+    /// A handle passed to a pose is not what was solved.
+    #[error("handle “{id}” is posed as {posed}, but was solved as {solved}")]
+    PoseShape {
+        /// Id of the handle as posed.
+        id: String,
+        /// What was solved.
+        solved: Form,
+        /// What is posed.
+        posed: Form,
     },
     /// A pose whose numbers overflow.
     #[error("handle “{id}” is posed beyond what can be computed")]
@@ -243,9 +275,12 @@ pub enum Error {
         /// The point.
         y: f64,
     },
-    /// The insertion of virtual sites would not end within its budget.
-    #[error("the handles ask for more than {max} sites: move the closest handles apart",
-        max = crate::site::MAX_SITES)]
+    /// More sites are needed than there may be: for handles close to one another or to a held boundary, for bars and polygons, or as
+    /// asked for by the density.
+    #[error(
+        "the scene needs more than {max} sites: move close handles apart, use fewer or shorter bars and polygons, or lower pose.density",
+        max = crate::site::MAX_SITES
+    )]
     TooManySites,
     /// A triangle mesh that is no mesh.
     #[error("triangle {triangle} of the mesh is not a triangle of its {vertices} vertices")]
@@ -254,6 +289,13 @@ pub enum Error {
         triangle: usize,
         /// Number of vertices.
         vertices: usize,
+    },
+    /// A mesh whose boundary turns more often than can be solved in reasonable time.
+    #[error("the boundary of the mesh has {corners} corners, of which there may be {max}: use a mesh with a simpler one",
+        max = crate::domain::MAX_CORNERS)]
+    MeshTooFine {
+        /// Number of vertices at which the boundary turns.
+        corners: usize,
     },
     /// A triangle mesh without triangles.
     #[error("the mesh has no triangle")]
@@ -357,18 +399,21 @@ impl Error {
             | Self::RingDuplicate { .. }
             | Self::RingFlat { .. }
             | Self::RingsCross { .. }
-            | Self::OutlineTooFine { .. } => "domain",
+            | Self::OutlineTooFine { .. }
+            | Self::RingsTooFine { .. } => "domain",
             Self::HandleOutside { .. } => "handle-outside",
             Self::HandlesTooClose { .. } => "handles-too-close",
             Self::BarTooShort { .. } => "bar-too-short",
             Self::BarsOverlap { .. } => "bars-overlap",
             Self::OnHeldBoundary { .. } => "on-held-boundary",
             Self::TooManyHandles { .. } => "too-many-handles",
+            Self::TooManyCorners { .. } => "too-many-corners",
             Self::Unsupported { .. } => "unsupported",
-            Self::PoseMismatch { .. } | Self::PoseNotFinite { .. } => "pose",
+            Self::PoseMismatch { .. } | Self::PoseShape { .. } | Self::PoseNotFinite { .. } => "pose",
             Self::PointOutside { .. } => "point-outside",
             Self::TooManySites => "too-many-sites",
             Self::MeshTriangle { .. }
+            | Self::MeshTooFine { .. }
             | Self::MeshEmpty
             | Self::MeshVertex { .. }
             | Self::MeshVertexLoose { .. }

@@ -7,9 +7,10 @@ use crate::{
     distance::{Navigation, Place},
     error::Error,
     picture::Picture,
+    pose::Form,
     project::{PoseMode, Project, Shape, Weighting},
     report::Outside,
-    site::{MAX_HANDLES, MIN_SEPARATION},
+    site::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
     solver::Outline,
 };
 
@@ -21,8 +22,8 @@ pub(crate) struct Request {
     pub(crate) mode: PoseMode,
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
-    /// Number of handles of all kinds.
-    pub(crate) handles: usize,
+    /// What handles of all kinds are made of.
+    pub(crate) forms: Vec<Form>,
     points: Vec<PointHandle>,
     lines: Vec<Line>,
 }
@@ -58,6 +59,9 @@ impl Rest {
 }
 
 impl Request {
+    /// # Errors
+    /// [`Error::TooManyHandles`]; [`Error::TooManyCorners`] where bars and polygons have more straight pieces than there may be sites,
+    /// of which each needs one.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
             return Err(Error::TooManyHandles { count: project.handles.len(), id: handle.id.clone() });
@@ -73,13 +77,24 @@ impl Request {
                 Shape::Polygon { rest, .. } => lines.push(line(rest, true)),
             }
         }
+        // Projects that are read have no such line.
+        if let Some(line) = lines.iter().find(|line| line.corners.len() < 2) {
+            return Err(Error::BarTooShort { id: line.id.clone(), corner: 0 });
+        }
+        let segments: usize = lines.iter().map(Line::segments).sum();
+        if segments > MAX_SITES {
+            let longest =
+                lines.iter().reduce(|longest, line| if line.segments() > longest.segments() { line } else { longest });
+            let Line { id, corners, .. } = longest.expect("segments are pieces of lines");
+            return Err(Error::TooManyCorners { id: id.clone(), corners: corners.len(), segments });
+        }
         Ok(Self {
             samples: project.samples as usize,
             density: project.pose.density as usize,
             mode: project.pose.mode,
             weighting: project.weighting.clone(),
             fix_boundary: project.fix_boundary,
-            handles: project.handles.len(),
+            forms: project.handles.iter().map(|handle| Form::of(&handle.shape)[0]).collect(),
             points,
             lines,
         })

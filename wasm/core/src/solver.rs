@@ -96,7 +96,7 @@ impl Solver {
     /// Runs the domain's stage up to the check of what the project asks for.
     ///
     /// # Errors
-    /// [`Error::PictureMismatch`], [`Error::Unsupported`], [`Error::TooManyHandles`], or an error of [`Domain::new`].
+    /// [`Error::PictureMismatch`], [`Error::TooManyHandles`], [`Error::TooManyCorners`], or an error of [`Domain::new`].
     pub fn begin(&mut self, project: &Project, picture: &Picture) -> Result<(), Error> {
         self.work = None;
         check_size(project, picture)?;
@@ -182,6 +182,7 @@ impl Solver {
                 site.field = self.propagation.field(navigation, site.place, site.rest, bound);
             }
         }
+        let kinds = request.kinds();
         let basis = Basis::new(weighting.degree, weighting.filling);
         let functions = Weights::new(navigation, &sites, &skeleton, basis);
         let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(&sites, &samples);
@@ -189,7 +190,7 @@ impl Solver {
         let harmonic = HarmonicFields::new(&sites, &graph);
         let quadrature = (request.mode == PoseMode::Rigid)
             .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
-        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode, quadrature);
+        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.forms, request.mode, quadrature);
         let count = samples.len();
         let leading = leading_parts(&nearest, &sites, &harmonic);
         weights.extend_as(&samples.rim.owners);
@@ -205,7 +206,7 @@ impl Solver {
             nearest,
             phi_sums,
             scores,
-            kinds: request.kinds(),
+            kinds,
             outside,
             functions,
             outline,

@@ -8,7 +8,7 @@ use super::{PointCloud, regions::Regions};
 use crate::{
     bone::Skeleton,
     error::Error,
-    pose::{HarmonicFields, Pose, Poser},
+    pose::{Form, HarmonicFields, Pose, Poser},
     project::{PoseMode, Weighting},
     site::{Origin, Site, SiteGraph},
     weight::{Basis, SparseWeights, support_radii},
@@ -67,7 +67,8 @@ impl CloudSolution {
         }
         let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), handles.len(), mode, None);
+        let forms = vec![Form::Point; handles.len()];
+        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), forms, mode, None);
         Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, given, cloud, poser })
     }
 

@@ -6,6 +6,7 @@ mod descent;
 mod distortion;
 mod dual;
 mod elimination;
+mod form;
 mod harmonic;
 mod laplacian;
 mod motion;
@@ -17,6 +18,7 @@ mod strain;
 mod unwrap;
 
 pub use blend::{Mapped, Pose};
+pub use form::Form;
 pub use harmonic::HarmonicFields;
 pub use motion::Motion;
 pub use poser::Poser;

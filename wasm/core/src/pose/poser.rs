@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{HarmonicFields, Motion, Pose, Quadrature, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles};
+use super::{Form, HarmonicFields, Motion, Pose, Quadrature, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles};
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
@@ -21,7 +21,8 @@ pub struct Poser {
     rest: Arc<[DVec2]>,
     origin: Vec<Origin>,
     skeleton: Skeleton,
-    handles: usize,
+    /// What each handle was solved as.
+    forms: Vec<Form>,
     /// ϖ: for each site its real sites and their shares.
     shares: Vec<Vec<(u32, f64)>>,
     /// Pairs of real sites that are neighbours, one of them a point handle, and how strongly: the edges that turn automatic
@@ -37,7 +38,7 @@ impl Poser {
         graph: &SiteGraph,
         harmonic: &HarmonicFields,
         skeleton: Skeleton,
-        handles: usize,
+        forms: Vec<Form>,
         mode: PoseMode,
         quadrature: Option<Quadrature>,
     ) -> Self {
@@ -60,7 +61,7 @@ impl Poser {
             rest: sites.iter().map(|site| site.rest).collect(),
             origin: sites.iter().map(|site| site.origin).collect(),
             skeleton,
-            handles,
+            forms,
             shares: harmonic.rows.clone(),
             edges,
             rigid,
@@ -71,11 +72,21 @@ impl Poser {
     /// play no part, but for the turn of bars and polygons.
     ///
     /// # Errors
-    /// [`Error::PoseMismatch`] for other handles than were solved; [`Error::PoseNotFinite`] for numbers that overflow, and scales that are
+    /// [`Error::PoseMismatch`] for more or fewer handles than were solved, [`Error::PoseShape`] for one of another kind or with other
+    /// corners; [`Error::PoseNotFinite`] for numbers that overflow, and scales that are
     /// not above 0.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
-        if handles.len() != self.handles || !self.fits(handles) {
-            return Err(Error::PoseMismatch { expected: self.handles, found: handles.len() });
+        if handles.len() != self.forms.len() {
+            return Err(Error::PoseMismatch { expected: self.forms.len(), found: handles.len() });
+        }
+        for (handle, &solved) in handles.iter().zip(&self.forms) {
+            if let Some(posed) = Form::of(&handle.shape).into_iter().find(|&form| form != solved) {
+                return Err(Error::PoseShape { id: handle.id.clone(), solved, posed });
+            }
+        }
+        if !self.skeleton.fits(handles) {
+            // A skeleton that is made is made of the handles' corners; one that was read need not be.
+            return Err(Error::PoserBytes);
         }
         if let Some(flat) = handles.iter().find(|handle| handle.scale.is_nan() || handle.scale <= 0.0) {
             return Err(Error::PoseNotFinite { id: flat.id.clone() });
@@ -113,15 +124,6 @@ impl Poser {
             unwrap_angles(&mut motions, &is_free, rigid.links());
         }
         Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
-    }
-
-    /// Whether handles are of the kinds, and have the corners, that were solved.
-    fn fits(&self, handles: &[Handle]) -> bool {
-        let mut points = self.origin.iter().filter_map(|origin| match origin {
-            Origin::Point { handle } => Some(&handles[*handle as usize]),
-            _ => None,
-        });
-        points.all(|handle| matches!(handle.shape, Shape::Point { .. })) && self.skeleton.fits(handles)
     }
 
     /// The motions of the real sites, but for automatic rotations; none of the virtual ones yet.
@@ -190,9 +192,9 @@ impl Poser {
         let sites = poser.rest.len();
         let real = |site: u32| poser.origin.get(site as usize).is_some_and(|origin| origin.is_real());
         let known = |origin: &Origin| match *origin {
-            Origin::Point { handle } => (handle as usize) < poser.handles,
+            Origin::Point { handle } => poser.forms.get(handle as usize) == Some(&Form::Point),
             Origin::Bone { handle, bone } => {
-                (handle as usize) < poser.handles && (bone as usize) < poser.skeleton.bones.len()
+                (handle as usize) < poser.forms.len() && (bone as usize) < poser.skeleton.bones.len()
             }
             Origin::Boundary | Origin::Virtual => true,
         };
@@ -201,7 +203,7 @@ impl Poser {
             && poser.shares.iter().flatten().all(|&(site, _)| real(site))
             && poser.edges.iter().all(|&(i, j, _)| real(i) && real(j))
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
-            && poser.skeleton.is_whole(poser.handles)
+            && poser.skeleton.is_whole(poser.forms.len())
             && poser.origin.iter().all(known);
         if whole { Ok(poser) } else { Err(Error::PoserBytes) }
     }

@@ -1,0 +1,45 @@
+//! What a handle is made of: its kind, and how many corners it has.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::project::Shape;
+
+/// The kind of a handle, and the number of its corners. Where they are plays no part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Form {
+    /// A point.
+    Point,
+    /// A bar.
+    Bar {
+        /// Two or more.
+        corners: usize,
+    },
+    /// A polygon.
+    Polygon {
+        /// Three or more.
+        corners: usize,
+    },
+}
+
+impl Form {
+    /// The forms of a handle at rest and posed. Of one that was read from a project they are the same.
+    pub(crate) fn of(shape: &Shape) -> [Self; 2] {
+        match shape {
+            Shape::Point { .. } => [Self::Point; 2],
+            Shape::Bar { rest, posed } => [rest, posed].map(|places| Self::Bar { corners: places.len() }),
+            Shape::Polygon { rest, posed } => [rest, posed].map(|places| Self::Polygon { corners: places.len() }),
+        }
+    }
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Point => f.write_str("a point"),
+            Self::Bar { corners } => write!(f, "a bar of {corners} corners"),
+            Self::Polygon { corners } => write!(f, "a polygon of {corners} corners"),
+        }
+    }
+}
