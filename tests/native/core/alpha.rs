@@ -175,3 +175,21 @@ fn rings_that_are_none_are_refused_by_name() {
         "domain.rings[0] at point 3 crosses domain.rings[0] at point 0"
     );
 }
+
+#[test]
+fn outlines_too_fine_are_refused_with_what_there_is_to_do() {
+    let ring: Vec<DVec2> =
+        (0..20_001).map(|i| DVec2::splat(50.0) + 40.0 * DVec2::from_angle(f64::from(i) * 3e-4)).collect();
+    let error = Domain::from_polygon(&[ring], 100, 100).expect_err("too many points");
+    assert_eq!(error, Error::RingsTooFine { corners: 20_001 });
+    assert!(!error.to_string().contains("threshold"), "{error}");
+    // Squares of 3 px in a chequered pattern: too many before any is looked at closely.
+    let side = 600;
+    let rgba: Vec<u8> = (0..side * side)
+        .flat_map(|i| [0, 0, 0, if (i % side) % 5 < 3 && (i / side) % 5 < 3 { 255 } else { 0 }])
+        .collect();
+    let error = Domain::from_alpha(&Picture::new(side, side, &rgba).expect("a valid picture"), 0.5);
+    let error = error.expect_err("too many squares");
+    assert_eq!(error, Error::OutlineTooFine { corners: 3 * 120 * 120 });
+    assert!(error.to_string().contains("domain.threshold"), "{error}");
+}

@@ -219,7 +219,7 @@ fn an_outline_too_fine_is_refused_and_a_straight_one_is_not() {
     let ring = |i: u32| [at(i), at(i) * 0.5 + 500.0];
     let vertices: Vec<(f64, f64)> = (0..n).flat_map(ring).map(|p| (p.x, p.y)).collect();
     let strip: Vec<[u32; 3]> = (0..2 * n).map(|i| [i, (i + 1) % (2 * n), (i + 2) % (2 * n)]).collect();
-    assert_eq!(refusal(&vertices, &strip), Error::OutlineTooFine { corners: 22_000 });
+    assert_eq!(refusal(&vertices, &strip), Error::MeshTooFine { corners: 22_000 });
     let (vertices, triangles) = grid(n, 2, 1.0);
     let solution = solved_on((vertices, triangles), &[(1.0, 0.5).into(), (9000.0, 0.5).into()]);
     assert_eq!(solution.rings()[0].len(), 4);

@@ -3,12 +3,12 @@
 
 use c2warp::{
     Error, Picture,
-    project::{DomainSpec, ImageRef, Project},
+    project::{DomainSpec, ImageRef, Project, Support},
     solve,
 };
 use glam::DVec2;
 
-use crate::scenes::handle;
+use crate::scenes::{handle, project, solved};
 
 /// Numbers that look random (splitmix64).
 pub(crate) struct Random(pub(crate) u64);
@@ -84,4 +84,34 @@ fn noise_of_every_grain_is_solved_or_refused() {
     }
     eprintln!("{solved} solved, {refused} refused");
     assert!(solved > 60 && refused > 10);
+}
+
+/// Corners next to edges and to other corners, and needles: by rounding, and by more and more than that.
+#[test]
+fn rings_a_hair_apart_are_solved_or_refused() {
+    let mut random = Random(23);
+    let (mut solved_ones, mut refused) = (0, 0);
+    for case in 0..300 {
+        let hair = 10.0_f64.powi(-(random.below(17) as i32)) * [1.0, -1.0, 0.0][case % 3];
+        let mut near = |low: f64, high: f64| low + (high - low) * random.unit();
+        // The edge from a to b is the upper side of a ring.
+        let (a, b) =
+            (DVec2::new(near(20.0, 90.0), near(80.0, 160.0)), DVec2::new(near(300.0, 380.0), near(80.0, 160.0)));
+        let ring = vec![a, b, DVec2::new(380.0, 390.0), DVec2::new(20.0, 390.0)];
+        let apex = a.lerp(b, near(0.1, 0.9)) + DVec2::new(0.0, hair);
+        let rings = match case / 3 % 3 {
+            0 => vec![ring, vec![apex, DVec2::new(260.0, 20.0), DVec2::new(140.0, 20.0)]],
+            1 => vec![vec![a, b, apex, ring[2], ring[3]]],
+            _ => vec![vec![a, apex, b, ring[2], ring[3], a + DVec2::new(hair, hair)]],
+        };
+        let project = project(&rings, &[DVec2::new(200.0, 300.0)], Support::Paper);
+        match solved(&project) {
+            Ok(_) => solved_ones += 1,
+            Err(error) => {
+                assert_eq!(error.code(), "domain", "case {case}: {error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(solved_ones > 50 && refused > 50, "{solved_ones} solved, {refused} refused");
 }

@@ -64,7 +64,7 @@ impl GivenMesh {
     /// The mesh may have several parts, and holes, in each of which may be further parts. No part may touch another.
     ///
     /// # Errors
-    /// One of the `Mesh…` errors, naming triangle or vertex; [`Error::OutlineTooFine`].
+    /// One of the `Mesh…` errors, naming triangle or vertex.
     pub fn new(vertices: Vec<DVec2>, mut triangles: Vec<[u32; 3]>) -> Result<Self, Error> {
         if triangles.is_empty() {
             return Err(Error::MeshEmpty);
@@ -173,6 +173,7 @@ fn in_terms_of(error: Error, corners: &[Vec<u32>]) -> Error {
         | Error::RingsCross { ring, point, other_ring, other_point } => {
             Error::MeshCrosses { vertex: vertex(ring, point), other: vertex(other_ring, other_point) }
         }
+        Error::RingsTooFine { corners } => Error::MeshTooFine { corners },
         Error::RingFlat { ring } => Error::MeshCovered { vertex: vertex(ring, 0) },
         other => other,
     }

@@ -4,7 +4,7 @@
 //! opaque side on the right hand in the y-down image: outer contours have positive area, holes negative. At saddles the
 //! mean of the four nodes decides, so that a stroke one pixel wide on the diagonal holds together.
 //!
-//! Cost: one look at each pixel, and one byte of memory for it.
+//! Cost: one look at each pixel, and one byte of memory for it, besides the contour under way.
 
 use glam::DVec2;
 
@@ -18,21 +18,16 @@ const NODE_CLEARANCE: f64 = 1.0 / 64.0;
 /// mirror image are mirrored to the last bit.
 const GRAIN: f64 = 1.0 / 65_536.0;
 
-/// Contours of `alpha ≥ threshold`, with the threshold in (0, 1].
-pub(super) fn alpha_contours(picture: &Picture, threshold: f64) -> Vec<Ring> {
+/// Contours of `alpha ≥ threshold`, with the threshold in (0, 1], one by one.
+pub(super) fn alpha_contours<'a>(picture: &'a Picture<'a>, threshold: f64) -> impl Iterator<Item = Ring> + 'a {
     let field = Alpha { picture, threshold };
     let (width, height) = (i64::from(picture.width), i64::from(picture.height));
     let mut seen = vec![false; (width * height) as usize];
-    let mut rings = Vec::new();
-    for y in 0..height {
-        for x in 0..width {
-            // Every contour passes some node whose left neighbour is outside.
-            if field.inside(x, y) && !field.inside(x - 1, y) && !seen[(y * width + x) as usize] {
-                rings.push(field.trace(x, y, |x, y| seen[(y * width + x) as usize] = true));
-            }
-        }
-    }
-    rings
+    (0..height).flat_map(move |y| (0..width).map(move |x| (x, y))).filter_map(move |(x, y)| {
+        // Every contour passes some node whose left neighbour is outside.
+        let is_new = field.inside(x, y) && !field.inside(x - 1, y) && !seen[(y * width + x) as usize];
+        is_new.then(|| field.trace(x, y, |x, y| seen[(y * width + x) as usize] = true))
+    })
 }
 
 /// A cell of four nodes, named by its top left one.

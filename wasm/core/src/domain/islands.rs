@@ -18,12 +18,16 @@ pub(super) struct Kept {
 /// Drops small islands, with the holes in them, and small holes.
 ///
 /// `contours` are oriented: outer ones with positive area. `picture_area` is in square pixels.
-pub(super) fn without_specks(contours: Vec<Ring>, picture_area: f64) -> Kept {
+pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area: f64) -> Kept {
     let least = SPECK_AREA.max(SPECK_SHARE * picture_area);
-    let count = contours.len();
-    // A hole is larger than a speck only if the island around it is, so no hole is left without its island.
-    let rings: Vec<Ring> = contours.into_iter().filter(|ring| signed_area(ring).abs() >= least).collect();
-    let specks = count - rings.len();
+    let mut specks = 0;
+    let is_kept = |ring: &Ring| {
+        // A hole is larger than a speck only if the island around it is, so no hole is left without its island.
+        let is_kept = signed_area(ring).abs() >= least;
+        specks += usize::from(!is_kept);
+        is_kept
+    };
+    let rings = contours.filter(is_kept).collect();
     Kept { rings, specks }
 }
 

@@ -40,7 +40,7 @@ impl Domain {
             Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width, picture.height)),
             Some(DomainSpec::Alpha { threshold }) => Self::from_alpha(picture, *threshold),
             Some(DomainSpec::Polygon { rings }) => Self::from_polygon(rings, picture.width, picture.height),
-            None if picture.has_transparency() => Self::from_alpha(picture, DEFAULT_THRESHOLD),
+            None if picture.has_transparency() => Self::from_alpha(picture, DomainSpec::THRESHOLD),
             None => Ok(Self::rectangle(picture.width, picture.height)),
         }
     }
@@ -50,7 +50,7 @@ impl Domain {
     pub fn rectangle(width: u32, height: u32) -> Self {
         let (w, h) = (f64::from(width), f64::from(height));
         let ring = vec![DVec2::ZERO, DVec2::new(w, 0.0), DVec2::new(w, h), DVec2::new(0.0, h)];
-        Self { rings: vec![ring], islands: 1, specks: 0 }
+        Self::of_oriented(vec![ring], 0)
     }
 
     /// Where the picture's alpha reaches `threshold` (in (0, 1]), by sub-pixel contours.
@@ -58,56 +58,48 @@ impl Domain {
     /// # Errors
     /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`].
     pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
-        let contours = contour::alpha_contours(picture, threshold);
-        if contours.is_empty() {
-            return Err(Error::NothingOpaque { threshold });
-        }
         let area = f64::from(picture.width) * f64::from(picture.height);
-        let kept = islands::without_specks(contours, area);
+        let kept = islands::without_specks(contour::alpha_contours(picture, threshold), area);
         if kept.rings.is_empty() {
-            return Err(Error::OnlySpecks { threshold, specks: kept.specks });
+            return Err(match kept.specks {
+                0 => Error::NothingOpaque { threshold },
+                specks => Error::OnlySpecks { threshold, specks },
+            });
         }
+        // Each ring keeps three.
+        let check = |corners| if corners > MAX_CORNERS { Err(Error::OutlineTooFine { corners }) } else { Ok(()) };
+        check(3 * kept.rings.len())?;
         let rings = simplify::simplified(&kept.rings);
-        let corners = rings.iter().map(Vec::len).sum();
-        if corners > MAX_CORNERS {
-            return Err(Error::OutlineTooFine { corners });
-        }
-        let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
-        Ok(Self { rings, islands, specks: kept.specks })
+        check(corners(&rings))?;
+        Ok(Self::of_oriented(rings, kept.specks))
     }
 
     /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
     ///
     /// # Errors
-    /// One of the `Ring…` errors, naming ring and point; [`Error::OutlineTooFine`].
+    /// One of the `Ring…` errors, naming ring and point; [`Error::RingsTooFine`].
     pub fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
-        let corners = rings.iter().map(Vec::len).sum();
-        if corners > MAX_CORNERS {
-            return Err(Error::OutlineTooFine { corners });
-        }
+        check_fineness(rings)?;
         polygon::check(rings, width, height)?;
-        let rings = islands::oriented(rings);
-        let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
-        Ok(Self { rings, islands, specks: 0 })
+        Ok(Self::of_oriented(islands::oriented(rings), 0))
     }
 
     /// The region on the right hand of rings of finite points.
     ///
     /// # Errors
-    /// [`Error::OutlineTooFine`], [`Error::RingDuplicate`], [`Error::RingsCross`]; [`Error::RingFlat`] for a ring that is an
+    /// [`Error::RingsTooFine`], [`Error::RingDuplicate`], [`Error::RingsCross`]; [`Error::RingFlat`] for a ring that is an
     /// island within an island, or a hole outside of all.
     pub(crate) fn from_oriented(rings: Vec<Ring>) -> Result<Self, Error> {
-        let corners = rings.iter().map(Vec::len).sum();
-        if corners > MAX_CORNERS {
-            return Err(Error::OutlineTooFine { corners });
-        }
+        check_fineness(&rings)?;
         polygon::check_simple(&rings)?;
         let turned = rings.iter().zip(islands::oriented(&rings)).position(|(ring, oriented)| *ring != oriented);
-        if let Some(ring) = turned {
-            return Err(Error::RingFlat { ring });
-        }
+        turned.map_or_else(|| Ok(Self::of_oriented(rings, 0)), |ring| Err(Error::RingFlat { ring }))
+    }
+
+    /// Checked rings, each with the domain on its right hand.
+    fn of_oriented(rings: Vec<Ring>, specks: usize) -> Self {
         let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
-        Ok(Self { rings, islands, specks: 0 })
+        Self { rings, islands, specks }
     }
 
     /// Outer rings and holes.
@@ -148,8 +140,16 @@ impl Domain {
     }
 }
 
-/// Threshold where the project names none (the project file's default).
-const DEFAULT_THRESHOLD: f64 = 0.5;
+fn corners(rings: &[Ring]) -> usize {
+    rings.iter().map(Vec::len).sum()
+}
+
+/// # Errors
+/// [`Error::RingsTooFine`].
+fn check_fineness(rings: &[Ring]) -> Result<(), Error> {
+    let corners = corners(rings);
+    if corners > MAX_CORNERS { Err(Error::RingsTooFine { corners }) } else { Ok(()) }
+}
 
 /// Signed area of a ring: positive for an outer ring, negative for a hole.
 #[must_use]

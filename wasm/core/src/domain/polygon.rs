@@ -1,14 +1,21 @@
 //! Checks of the rings that a project draws: finite, inside the picture, simple and disjoint.
 //!
+//! Sides are told exactly, as the triangulation tells them. Besides, rings are to be clear of themselves and of one another by
+//! [`CLEARANCE`], so that the same holds of the samples along their edges, whose places are rounded.
+//!
 //! Cost: a sweep over the edges sorted by their left ends; quadratic only where very many edges overlap in x.
 
 use glam::DVec2;
+use robust::{Coord, orient2d};
 
 use super::{Ring, edges, signed_area};
-use crate::error::Error;
+use crate::{error::Error, segment::segment_distance};
 
 /// Rings that enclose less, in square pixels, enclose nothing.
 const LEAST_AREA: f64 = 1e-6;
+/// Points this near to one another, in pixels, stand on one spot, and edges touch; neighbours whose angle has so small a sine lie on one
+/// another. Twice what rounding moves samples by where coordinates are largest, a million pixels in a mesh that is given.
+const CLEARANCE: f64 = 1e-9;
 
 /// # Errors
 /// The first ring, or pair of rings, that breaks the rules.
@@ -45,14 +52,15 @@ fn check_distinct(rings: &[Ring]) -> Result<(), Error> {
         points.extend(ring_points.iter().enumerate().map(|(point, &p)| (p, ring, point)));
     }
     points.sort_by(|(a, ..), (b, ..)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    match points.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        Some(pair) => {
-            let ((_, a_ring, a_point), (_, b_ring, b_point)) = (pair[0], pair[1]);
-            let (first, second) = ((a_ring, a_point).min((b_ring, b_point)), (a_ring, a_point).max((b_ring, b_point)));
-            Err(Error::RingDuplicate { ring: second.0, point: second.1, other_ring: first.0, other_point: first.1 })
+    for (at, &(p, ring, point)) in points.iter().enumerate() {
+        let mut beside = points[at + 1..].iter().take_while(|(q, ..)| q.x - p.x < CLEARANCE);
+        if let Some(&(_, other_ring, other_point)) = beside.find(|(q, ..)| p.distance(*q) < CLEARANCE) {
+            let ((other_ring, other_point), (ring, point)) =
+                ((ring, point).min((other_ring, other_point)), (ring, point).max((other_ring, other_point)));
+            return Err(Error::RingDuplicate { ring, point, other_ring, other_point });
         }
-        None => Ok(()),
     }
+    Ok(())
 }
 
 /// An edge from point `point` of ring `ring` to the next of `points`.
@@ -78,7 +86,7 @@ fn check_crossings(rings: &[Ring]) -> Result<(), Error> {
     }
     all.sort_by(|a, b| a.from.x.min(a.to.x).total_cmp(&b.from.x.min(b.to.x)));
     for (at, edge) in all.iter().enumerate() {
-        let right = edge.from.x.max(edge.to.x);
+        let right = edge.from.x.max(edge.to.x) + CLEARANCE;
         for other in all[at + 1..].iter().take_while(|other| other.from.x.min(other.to.x) <= right) {
             if conflict(edge, other) {
                 let (second, first) =
@@ -95,7 +103,7 @@ fn check_crossings(rings: &[Ring]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether two edges meet anywhere but in the point that neighbours share.
+/// Whether two edges, whose boxes overlap in x, meet anywhere but in the point that neighbours share, or nearly so.
 fn conflict(a: &Edge, b: &Edge) -> bool {
     if a.follows(b) {
         return folds_back(b.from, a.from, a.to);
@@ -103,14 +111,69 @@ fn conflict(a: &Edge, b: &Edge) -> bool {
     if b.follows(a) {
         return folds_back(a.from, b.from, b.to);
     }
-    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
+    let (a_low, a_high) = (a.from.y.min(a.to.y), a.from.y.max(a.to.y));
+    let (b_low, b_high) = (b.from.y.min(b.to.y), b.from.y.max(b.to.y));
+    if a_low - b_high > CLEARANCE || b_low - a_high > CLEARANCE {
+        return false;
+    }
     let (a1, a2) = (side(a.from, a.to, b.from), side(a.from, a.to, b.to));
     let (b1, b2) = (side(b.from, b.to, a.from), side(b.from, b.to, a.to));
-    let boxes_overlap = a.from.y.min(a.to.y) <= b.from.y.max(b.to.y) && b.from.y.min(b.to.y) <= a.from.y.max(a.to.y);
-    boxes_overlap && a1 * a2 <= 0.0 && b1 * b2 <= 0.0
+    let crosses = a1 * a2 < 0.0 && b1 * b2 < 0.0;
+    crosses
+        || [b.from, b.to].iter().any(|&end| segment_distance(end, a.from, a.to) < CLEARANCE)
+        || [a.from, a.to].iter().any(|&end| segment_distance(end, b.from, b.to) < CLEARANCE)
+}
+
+/// On which side of the line from p through q a point is: 1, 0 or −1, without rounding. Areas themselves may be so small that their
+/// product is 0.
+fn side(p: DVec2, q: DVec2, r: DVec2) -> f64 {
+    let [p, q, r] = [p, q, r].map(|DVec2 { x, y }| Coord { x, y });
+    let area = orient2d(p, q, r);
+    if area == 0.0 { 0.0 } else { area.signum() }
 }
 
 /// Whether the chain p → q → r returns onto itself.
 fn folds_back(p: DVec2, q: DVec2, r: DVec2) -> bool {
-    (q - p).perp_dot(r - q) == 0.0 && (q - p).dot(r - q) < 0.0
+    let (before, after) = (q - p, r - q);
+    before.dot(after) < 0.0 && before.perp_dot(after).abs() <= CLEARANCE * (before.length() * after.length())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(rings: &[&[[f64; 2]]]) -> Option<Error> {
+        let rings: Vec<Ring> = rings.iter().map(|ring| ring.iter().map(|&p| p.into()).collect()).collect();
+        check(&rings, 100, 100).err()
+    }
+
+    #[test]
+    fn an_apex_beyond_an_edge_by_rounding_crosses_it() {
+        let edge = [[8.676_470_058_428_729, 20.407_480_568_925_045], [76.093_982_495_697_9, 41.446_550_677_428_22]];
+        let ring = [edge[0], edge[1], [90.0, 90.0], [10.0, 90.0]];
+        let apex = [45.146_904_038_154_07, 31.788_855_966_021_476];
+        // The edge to the apex from the left is the first to meet the other.
+        let crossing = Some(Error::RingsCross { ring: 1, point: 2, other_ring: 0, other_point: 0 });
+        assert_eq!(refused(&[&ring, &[apex, [60.0, 5.0], [40.0, 5.0]]]), crossing);
+        // Nor may it be beside the edge by as little: samples along this are rounded, too.
+        let beside = |by: f64| refused(&[&ring, &[[apex[0], apex[1] - by], [60.0, 5.0], [40.0, 5.0]]]);
+        assert_eq!(beside(1e-13), crossing);
+        assert_eq!(beside(1e-8), None);
+    }
+
+    #[test]
+    fn points_on_one_spot_but_for_rounding_are_on_one_spot() {
+        for hair in [1e-10, 1e-50, 1e-200] {
+            let duplicate = Some(Error::RingDuplicate { ring: 0, point: 3, other_ring: 0, other_point: 0 });
+            assert_eq!(refused(&[&[[3.0, 0.0], [10.0, 5.0], [0.0, 5.0], [3.0, hair]]]), duplicate);
+        }
+        assert_eq!(refused(&[&[[3.0, 0.0], [10.0, 5.0], [0.0, 5.0], [3.0, 1e-8]]]), None);
+    }
+
+    #[test]
+    fn a_needle_without_width_folds_back() {
+        let needle = |width: f64| refused(&[&[[10.0, 10.0], [90.0, 10.0], [50.0, 10.0 + width], [50.0, 50.0]]]);
+        assert_eq!(needle(1e-10), Some(Error::RingsCross { ring: 0, point: 1, other_ring: 0, other_point: 0 }));
+        assert_eq!(needle(1e-6), None);
+    }
 }

@@ -7,11 +7,14 @@
 //! Of two points that cost the same, the one nearer to its ring's middle goes first, and those as near go in one round. So what is
 //! symmetric stays symmetric, wherever a ring begins and whichever way it runs.
 //!
-//! Cost: O(n log n) for n contour points, with a grid over the points.
+//! Cost: O(n log n) for n contour points, as a rule, with a grid over the points: each step looks at the original points under its chord,
+//! at the ends alone of what is exactly straight, and at the cells that its triangle touches. A contour that is nowhere straight and
+//! yet within the tolerance of a chord over thousands of points takes that many looks for each.
 
 use std::collections::BinaryHeap;
 
 use glam::DVec2;
+use robust::{Coord, orient2d};
 
 use super::Ring;
 use crate::{least::Least, segment::segment_distance};
@@ -27,17 +30,22 @@ const GRAIN: f64 = 1.0 / (1_u64 << 30) as f64;
 pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
     let mut chains = Chains::new(rings);
     let mut queue: BinaryHeap<Candidate> = (0..chains.points.len()).filter_map(|at| chains.candidate(at)).collect();
+    let mut rounds = 0;
     while let Some(first) = queue.pop() {
         let is_tied = |other: &Candidate| other.key == first.key && other.item.0 == first.item.0;
         let mut round = vec![first];
         while queue.peek().is_some_and(is_tied) {
             round.extend(queue.pop());
         }
+        rounds += 1;
         round.retain(|candidate| chains.is_current(candidate));
+        for &Candidate { item: (_, at, stamp), .. } in &round {
+            chains.tied[at] = (rounds, stamp);
+        }
         let mut around = Vec::new();
         for candidate in &round {
             if chains.is_current(candidate) {
-                around.extend(chains.drop_with_twin(candidate, &round));
+                around.extend(chains.drop_with_twin(candidate, rounds));
             }
         }
         queue.extend(around.into_iter().flatten().filter_map(|at| chains.candidate(at)));
@@ -61,8 +69,12 @@ struct Chains {
     alive: Vec<bool>,
     /// Counts the changes around a point, so that outdated candidates are known.
     stamp: Vec<u32>,
+    /// The last round that each point was in, and its stamp then.
+    tied: Vec<(u32, u32)>,
     left: Vec<usize>,
     remoteness: Vec<Remoteness>,
+    /// How many original points farther on the ring goes on exactly straight from each point: 1 or more.
+    straight: Vec<usize>,
     grid: PointGrid,
 }
 
@@ -70,6 +82,7 @@ impl Chains {
     fn new(rings: &[Ring]) -> Self {
         let points: Vec<DVec2> = rings.iter().flatten().copied().collect();
         let (mut ring, mut prev, mut next, mut remoteness) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut straight = Vec::with_capacity(points.len());
         let mut start = 0;
         for points in rings {
             let n = points.len();
@@ -78,6 +91,7 @@ impl Chains {
             next.extend((0..n).map(|i| start + (i + 1) % n));
             let middle = middle(points);
             remoteness.extend(points.iter().map(|p| p.distance_squared(middle).to_bits()));
+            straight.extend(straight_runs(points));
             start += n;
         }
         let n = points.len();
@@ -87,7 +101,8 @@ impl Chains {
         for &(start, len) in &ring {
             left[start] = len;
         }
-        Self { points, ring, prev, next, alive: vec![true; n], stamp: vec![0; n], left, remoteness, grid }
+        let (alive, stamp, tied) = (vec![true; n], vec![0; n], vec![(0, 0); n]);
+        Self { points, ring, prev, next, alive, stamp, tied, left, remoteness, straight, grid }
     }
 
     /// The cost of dropping a point, if it is there and that stays within the tolerance.
@@ -103,9 +118,9 @@ impl Chains {
 
     /// Drops a point if nothing is in the way, and with it a neighbour that is tied, as on both sides of an axis: those stay or go
     /// together, and more than two in a row stay. Gives the points on both sides of what is gone.
-    fn drop_with_twin(&mut self, candidate: &Candidate, round: &[Candidate]) -> Option<[usize; 2]> {
+    fn drop_with_twin(&mut self, candidate: &Candidate, round: u32) -> Option<[usize; 2]> {
         let (_, at, _) = candidate.item;
-        let is_tied = |other: usize| round.iter().any(|tied| tied.item.1 == other && self.is_current(tied));
+        let is_tied = |other: usize| self.alive[other] && self.tied[other] == (round, self.stamp[other]);
         let mut dropped = vec![at];
         let (mut from, mut to) = (self.prev[at], self.next[at]);
         while dropped.len() < 3 && is_tied(from) {
@@ -121,8 +136,10 @@ impl Chains {
         }
         self.cost(from, to, dropped.len())?;
         let is_clear = dropped.iter().zip(dropped.iter().skip(1).chain([&to])).all(|(&at, &next)| {
+            let triangle = [from, at, next].map(|i| self.points[i]);
             let counts = |other: usize| self.alive[other] && other != from && other != to && !dropped.contains(&other);
-            !self.grid.any_in_triangle([from, at, next].map(|i| self.points[i]), counts, &self.points)
+            // On a straight way the outline stays where it is.
+            is_straight(triangle) || !self.grid.any_in_triangle(triangle, counts, &self.points)
         });
         if !is_clear {
             return None;
@@ -142,16 +159,16 @@ impl Chains {
         }
         let (a, b) = (self.points[from], self.points[to]);
         let mut cost = 0.0_f64;
-        let mut i = from;
-        loop {
-            i = start + (i - start + 1) % len;
-            if i == to {
-                break;
-            }
+        let last = (to + len - from) % len - 1;
+        let mut steps = 1;
+        while steps <= last {
+            let i = start + (from - start + steps) % len;
             cost = cost.max((segment_distance(self.points[i], a, b) / GRAIN).round() * GRAIN);
             if cost > TOLERANCE {
                 return None;
             }
+            // Of points on a straight way none is farther off than both its ends.
+            steps = if steps < last { (steps + self.straight[i]).min(last) } else { steps + 1 };
         }
         Some(cost)
     }
@@ -178,6 +195,24 @@ impl Chains {
     }
 }
 
+/// For each point of a ring the number of points from it, along the ring, to the end of the straight way that begins there.
+fn straight_runs(ring: &[DVec2]) -> Vec<usize> {
+    let n = ring.len();
+    let mut runs = vec![1; n];
+    // Twice around, as the straight way at the last points may go on at the first.
+    for i in (0..2 * n).rev() {
+        let [a, b, c] = [i, i + 1, i + 2].map(|i| i % n);
+        runs[a] = if is_straight([a, b, c].map(|i| ring[i])) { (runs[b] + 1).min(n) } else { 1 };
+    }
+    runs
+}
+
+/// Whether the way by three points goes straight on, without rounding.
+fn is_straight([a, b, c]: [DVec2; 3]) -> bool {
+    let [p, q, r] = [a, b, c].map(|DVec2 { x, y }| Coord { x, y });
+    (b - a).dot(c - b) > 0.0 && orient2d(p, q, r) == 0.0
+}
+
 /// The middle of the box around a ring.
 fn middle(ring: &[DVec2]) -> DVec2 {
     let (low, high) =
@@ -194,7 +229,8 @@ struct PointGrid {
 }
 
 const CELL: f64 = 4.0;
-/// Points this near to a triangle, in pixels, count as touching it: far above rounding, far below the tolerance.
+/// Points this near to the box around a triangle, in pixels, touch it if they are also on the inner side of each edge's line, or beyond
+/// by so little: in square pixels, their distance from the line times the edge's length. Far above rounding, far below the tolerance.
 const TOUCHING: f64 = 1e-6;
 const END: u32 = u32::MAX;
 
@@ -277,6 +313,38 @@ mod tests {
         let mut ring: Ring = (0..200).map(|i| DVec2::new(f64::from(i), f64::from(i) / 2.0)).collect();
         ring.push(DVec2::new(0.0, 100.0));
         assert_eq!(simplified(&[ring])[0].len(), 3);
+    }
+
+    #[test]
+    fn straight_ways_are_known_by_their_ends_wherever_the_ring_begins() {
+        let square = |i: i32| match i.rem_euclid(40) {
+            i @ 0..10 => DVec2::new(f64::from(i), 0.0),
+            i @ 10..20 => DVec2::new(10.0, f64::from(i - 10)),
+            i @ 20..30 => DVec2::new(f64::from(30 - i), 10.0),
+            i => DVec2::new(0.0, f64::from(40 - i)),
+        };
+        for first in [0, 3, 19] {
+            let ring: Ring = (first..first + 40).map(square).collect();
+            let expected: Vec<usize> = (first..first + 40).map(|i| 10 - i as usize % 10).collect();
+            assert_eq!(straight_runs(&ring), expected);
+            assert_eq!(simplified(&[ring])[0].len(), 4);
+        }
+        assert_eq!(straight_runs(&[DVec2::ZERO, DVec2::X, 3.0 * DVec2::X]), [2, 1, 1]);
+    }
+
+    #[test]
+    fn very_many_equal_rings_and_very_long_edges_take_no_time() {
+        // Looking each point up among all that are tied, or at each point of an edge for each that is dropped, would take minutes.
+        let diamond = |i: i32| -> Ring {
+            let middle = DVec2::new(f64::from(i % 100), f64::from(i / 100)) * 20.0;
+            let side = |from: DVec2, to: DVec2| (0..6).map(move |k| middle + from.lerp(to, f64::from(k) / 6.0) * 8.0);
+            let corners = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y];
+            (0..4).flat_map(|k| side(corners[k], corners[(k + 1) % 4])).collect()
+        };
+        let rings: Vec<Ring> = (0..10_000).map(diamond).collect();
+        assert!(simplified(&rings).iter().all(|ring| ring.len() == 4));
+        let edge: Ring = (0..60_000).map(|i| DVec2::new(f64::from(i), 0.0)).chain([DVec2::new(0.0, 50.0)]).collect();
+        assert_eq!(simplified(&[edge])[0].len(), 3);
     }
 
     #[test]

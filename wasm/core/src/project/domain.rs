@@ -31,6 +31,9 @@ pub enum DomainSpec {
 }
 
 impl DomainSpec {
+    /// The threshold where none is named.
+    pub(crate) const THRESHOLD: f64 = 0.5;
+
     pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
         #[derive(Clone, Copy)]
         enum Kind {
@@ -51,7 +54,7 @@ impl DomainSpec {
             }
             Kind::Alpha => {
                 domain.only(&["kind", "threshold"])?;
-                Ok(Self::Alpha { threshold: domain.or("threshold", default_threshold(), threshold)? })
+                Ok(Self::Alpha { threshold: domain.or("threshold", Self::THRESHOLD, threshold)? })
             }
             Kind::Polygon => {
                 domain.only(&["kind", "rings"])?;
@@ -62,7 +65,7 @@ impl DomainSpec {
 }
 
 fn default_threshold() -> f64 {
-    0.5
+    DomainSpec::THRESHOLD
 }
 
 fn threshold(place: Place<'_>) -> Result<f64, ProjectError> {

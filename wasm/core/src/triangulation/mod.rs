@@ -2,6 +2,8 @@
 
 mod insertion;
 
+use std::collections::HashSet;
+
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitigate_underflow};
 
@@ -27,19 +29,27 @@ pub struct Triangulation {
 impl Triangulation {
     /// The constrained Delaunay triangulation of the region that closed chains of `segments` bound, by the even-odd rule.
     ///
-    /// Vertices keep their indices. Vertices must be distinct and finite, and segments must not cross.
+    /// Vertices keep their indices, and must be finite. Vertices should be distinct, and segments should not cross: of vertices on one
+    /// spot only the first is in triangles, and edges are missing where segments cross.
     #[must_use]
-    pub fn constrained_delaunay(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
-        let points = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
-        let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, segments)
-            .expect("vertices of a checked domain are finite and far from the limits of f64");
-        let inside = is_inside(&cdt);
+    pub fn constrained_delaunay(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>) -> Self {
+        let points: Vec<_> = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
+        segments.retain(|&[a, b]| points[a] != points[b]);
+        let ends: Vec<[Point2<f64>; 2]> = segments.iter().map(|ends| ends.map(|end| points[end])).collect();
+        let mut crossings = 0;
+        let cdt =
+            ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(points, segments, |_| crossings += 1)
+                .expect("vertices of a checked domain are finite and far from the limits of f64");
+        // Spade drops vertices on the spot of earlier ones, and moves the later ones up.
+        let known = (cdt.num_vertices() < vertices.len()).then(|| first_on_spot(&vertices));
+        let index = |vertex: usize| known.as_ref().map_or(vertex as u32, |known| known[vertex]);
+        let inside = if crossings == 0 { is_inside(&cdt) } else { is_within(&cdt, &ends) };
         let kept: Vec<_> = cdt.inner_faces().filter(|face| inside[face.fix().index()]).collect();
         let mut number = vec![NONE; cdt.num_all_faces()];
         for (face, at) in kept.iter().zip(0..) {
             number[face.fix().index()] = at;
         }
-        let corners = kept.iter().map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect();
+        let corners = kept.iter().map(|face| face.vertices().map(|vertex| index(vertex.fix().index()))).collect();
         let across = kept.iter().map(|face| face.adjacent_edges().map(|edge| number[edge.rev().face().fix().index()]));
         Self { vertices, triangles: corners, neighbours: across.collect() }
     }
@@ -125,9 +135,78 @@ fn is_inside(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<bool> {
     parity.into_iter().map(|parity| parity == Some(true)).collect()
 }
 
+/// The vertices that are the first on their spot.
+fn first_on_spot(vertices: &[DVec2]) -> Vec<u32> {
+    let mut seen = HashSet::with_capacity(vertices.len());
+    let spot = |p: &DVec2| {
+        let Point2 { x, y } = mitigate_underflow(Point2::new(p.x, p.y));
+        // The two zeros are one spot.
+        [x + 0.0, y + 0.0].map(f64::to_bits)
+    };
+    (0..).zip(vertices).filter(|(_, p)| seen.insert(spot(p))).map(|(at, _)| at).collect()
+}
+
+/// For each face (0 being the outer one) whether its middle lies inside the segments. Where some of these could not be made edges, as
+/// others cross them, no way from face to face tells.
+///
+/// Cost: a look at each segment for each face.
+fn is_within(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, segments: &[[Point2<f64>; 2]]) -> Vec<bool> {
+    let mut inside = vec![false; cdt.num_all_faces()];
+    for face in cdt.inner_faces() {
+        let p = face.center();
+        let beyond = |&&[a, b]: &&[Point2<f64>; 2]| {
+            (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+        };
+        inside[face.fix().index()] = segments.iter().filter(beyond).count() % 2 == 1;
+    }
+    inside
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The triangles of chains through the vertices, each of so many of them.
+    fn chained(vertices: &[[f64; 2]], chains: &[usize]) -> (Triangulation, f64) {
+        let mut segments = Vec::new();
+        for &n in chains {
+            let start = segments.len();
+            segments.extend((0..n).map(|i| [start + i, start + (i + 1) % n]));
+        }
+        let mesh = Triangulation::constrained_delaunay(vertices.iter().map(|&p| p.into()).collect(), segments);
+        let area = |t: usize| {
+            let [a, b, c] = mesh.corners(t);
+            (b - a).perp_dot(c - a) / 2.0
+        };
+        let area = (0..mesh.triangles.len()).map(area).sum();
+        (mesh, area)
+    }
+
+    #[test]
+    fn vertices_on_one_spot_leave_the_others_their_indices() {
+        for hair in [0.0, -0.0, 1e-50] {
+            let (mesh, area) = chained(&[[3.0, 0.0], [3.0, hair], [10.0, 5.0], [10.0, 5.0], [0.0, 5.0]], &[5]);
+            assert_eq!(mesh.vertices.len(), 5);
+            assert_eq!(mesh.triangles.len(), 1);
+            let mut corners = mesh.triangles[0];
+            corners.sort_unstable();
+            assert_eq!(corners, [0, 2, 4]);
+            assert!((area - 25.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn segments_that_cross_are_no_panic() {
+        let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+        for depth in [1.0, 1e-15] {
+            let (mesh, _) = chained(&[&square[..], &[[5.0, depth], [8.0, -9.0], [2.0, -9.0]]].concat(), &[4, 3]);
+            assert!(!mesh.triangles.is_empty());
+        }
+        let (mesh, _) = chained(&[[0.0, 0.0], [10.0, 10.0], [10.0, 0.0], [0.0, 10.0]], &[4]);
+        assert!(!mesh.triangles.is_empty());
+        let (mesh, _) = chained(&[[0.0, 0.0], [5.0, 5.0], [10.0, 10.0]], &[3]);
+        assert!(mesh.triangles.is_empty());
+    }
 
     #[test]
     fn a_square_with_a_hole_has_the_area_between() {
