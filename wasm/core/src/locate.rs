@@ -1,6 +1,7 @@
 //! Which triangle a point lies in: triangles in a uniform grid.
 //!
-//! Cost: a handful of triangles a look-up; building it costs about one visit of each triangle for each cell it touches.
+//! Cost: a handful of triangles a look-up. Building it takes a look at each cell of the box around each triangle, and four bytes for each
+//! that the triangle may touch; a long triangle across the grid has a box of up to as many cells as there are triangles.
 
 use glam::DVec2;
 

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul};
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-/// Logarithm of the least factor that a length may be stretched by.
+/// The least factor that a length may be stretched by: its logarithm must be finite.
 const LEAST: f64 = 1e-9;
 
 /// The logarithm of a stretch: a symmetric matrix, [xx xy; xy yy], by its three numbers.

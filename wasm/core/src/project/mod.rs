@@ -40,6 +40,11 @@ use self::layout::Layout;
 use self::place::Place;
 use self::value::Value;
 
+/// Fewer samples would tell little of where cells are.
+const LEAST_SAMPLES: u32 = 100;
+/// With more, a browser tab has no room for mesh and weights.
+const MOST_SAMPLES: u32 = 2_000_000;
+
 /// A warp: a picture, the part of it that bends, and the handles that bend it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -53,7 +58,7 @@ pub struct Project {
     #[schemars(with = "DomainSpec", default, transform = left_out)]
     pub domain: Option<DomainSpec>,
     /// How many samples the domain gets, about.
-    #[schemars(default = "default_samples", range(min = 100, max = 2_000_000))]
+    #[schemars(default = "default_samples", range(min = LEAST_SAMPLES, max = MOST_SAMPLES))]
     pub samples: u32,
     /// How far a handle reaches and how its weight falls off.
     #[schemars(default)]
@@ -118,7 +123,8 @@ impl Project {
             format,
             image: project.required("image").and_then(ImageRef::read)?,
             domain: project.optional("domain").map(DomainSpec::read).transpose()?,
-            samples: project.or("samples", default_samples(), |place| place.whole_number(100..=2_000_000))?,
+            samples: project
+                .or("samples", default_samples(), |place| place.whole_number(LEAST_SAMPLES..=MOST_SAMPLES))?,
             weighting: project.or("weighting", Weighting::default(), Weighting::read)?,
             pose: project.or("pose", PoseSpec::default(), PoseSpec::read)?,
             fix_boundary: project.or("fix_boundary", false, |place| place.bool())?,

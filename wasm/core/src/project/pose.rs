@@ -31,7 +31,8 @@ pub enum PoseMode {
     /// Harmonic fields on the cell graph, as the paper does (equation 4).
     #[default]
     Harmonic,
-    /// As rigid as possible on the cell graph: needs no rotations from the person.
+    /// As rigid as possible on the cell graph, and then with as little stretch of the blended picture as may be (its symmetric
+    /// Dirichlet energy): needs no rotations from the person.
     Rigid,
 }
 

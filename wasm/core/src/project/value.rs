@@ -1,7 +1,7 @@
 //! A JSON document as a tree that keeps the order of its keys and refuses a key given twice, which
 //! `serde_json::Value` silently lets the last one win.
 
-use std::fmt;
+use std::{collections::HashSet, fmt};
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -105,9 +105,9 @@ impl<'de> Visitor<'de> for ValueVisitor {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut object: A) -> Result<Value, A::Error> {
-        let mut entries: Vec<(String, Value)> = Vec::new();
+        let (mut entries, mut known) = (Vec::new(), HashSet::new());
         while let Some(key) = object.next_key::<String>()? {
-            if entries.iter().any(|(known, _)| *known == key) {
+            if !known.insert(key.clone()) {
                 return Err(A::Error::custom(format_args!("the key {key:?} is given twice")));
             }
             let value = object.next_value()?;
@@ -126,6 +126,14 @@ mod tests {
         let error = Value::parse(r#"{"a": [{"b": 1, "b": 2}]}"#).unwrap_err();
         assert!(error.message.contains(r#"the key "b" is given twice"#), "{error}");
         assert!(error.path.starts_with("a[0]"), "{error}");
+    }
+
+    #[test]
+    fn a_key_given_twice_is_found_among_very_many() {
+        // Each key beside each other one would be minutes.
+        let keys: Vec<String> = (0..300_000).map(|i| format!("\"k{i}\":0")).collect();
+        let error = Value::parse(&format!("{{{},\"k7\":0}}", keys.join(","))).unwrap_err();
+        assert!(error.message.contains(r#"the key "k7" is given twice"#), "{error}");
     }
 
     #[test]

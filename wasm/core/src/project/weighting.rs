@@ -6,15 +6,24 @@ use serde::Serialize;
 use super::ProjectError;
 use super::place::Place;
 
+/// α of supports as small as they may be.
+const LEAST_FACTOR: u32 = 0;
+/// α of supports as wide as they may be.
+const MOST_FACTOR: u32 = 1;
+/// The least n for which φ is C² (paper, section V-A).
+const LEAST_DEGREE: u32 = 5;
+/// Far beyond what changes the picture.
+const MOST_DEGREE: u32 = 32;
+
 /// The parameters of the weights.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Weighting {
     /// α, from 0 (supports as small as they may be) to 1 (as wide as they may be).
-    #[schemars(default = "default_shape_factor", range(min = 0, max = 1))]
+    #[schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR))]
     pub shape_factor: f64,
     /// The degree n of the Bézier polynomial φ; 5 is the least that is C².
-    #[schemars(default = "default_degree", range(min = 5, max = 32))]
+    #[schemars(default = "default_degree", range(min = LEAST_DEGREE, max = MOST_DEGREE))]
     pub degree: u32,
     /// Where the control points of φ lie that continuity leaves free.
     #[schemars(default)]
@@ -52,7 +61,7 @@ fn default_shape_factor() -> f64 {
 }
 
 fn default_degree() -> u32 {
-    5
+    LEAST_DEGREE
 }
 
 impl Default for Weighting {
@@ -73,7 +82,7 @@ impl Weighting {
         let default = Self::default();
         Ok(Self {
             shape_factor: weighting.or("shape_factor", default.shape_factor, shape_factor)?,
-            degree: weighting.or("degree", default.degree, |place| place.whole_number(5..=32))?,
+            degree: weighting.or("degree", default.degree, |place| place.whole_number(LEAST_DEGREE..=MOST_DEGREE))?,
             filling: weighting.or("filling", default.filling, |place| {
                 place.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
             })?,
@@ -86,9 +95,9 @@ impl Weighting {
 
 fn shape_factor(place: Place<'_>) -> Result<f64, ProjectError> {
     let shape_factor = place.number()?;
-    if (0.0..=1.0).contains(&shape_factor) {
+    if (f64::from(LEAST_FACTOR)..=f64::from(MOST_FACTOR)).contains(&shape_factor) {
         Ok(shape_factor)
     } else {
-        place.refuse(format_args!("expected a number from 0 to 1, found {shape_factor}"))
+        place.refuse(format_args!("expected a number from {LEAST_FACTOR} to {MOST_FACTOR}, found {shape_factor}"))
     }
 }

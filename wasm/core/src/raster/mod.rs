@@ -10,7 +10,7 @@
 //! the same picture comes out on every machine.
 //!
 //! Cost: linear in the pixels drawn; 12 megapixels take about a second. Besides the result it needs a third of the
-//! picture's pixels at 8 bytes (only where something shrinks) and a band of 16 rows.
+//! picture's pixels at 8 bytes (only where something shrinks), some 110 bytes a triangle, and a band of 16 rows.
 //!
 //! Limits: minification is isotropic, so what shrinks in one direction only is blurred in both; a triangle with a corner more than a
 //! million pixels out is left out; pixels without opacity come out as transparent black, whatever colour lay hidden there.
