@@ -1,6 +1,6 @@
 //! Bars and polygons: what is on them moves by them alone (paper, section V-D).
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, f64::consts::TAU};
 
 use c2warp::{
     Error, Solution,
@@ -354,6 +354,18 @@ fn a_bar_whose_corner_sticks_out_by_a_hair_is_one_body() {
             assert!(goes(&solution, &pose, p).distance(p + by) <= ON_BAR, "{out}: {p}");
         }
     }
+}
+
+/// Each of its pieces crosses nearly all others: there are more parts between crossings than there may be sites.
+#[test]
+fn a_star_of_too_many_crossings_is_refused_before_it_is_cut() {
+    let corner = |i: u32| {
+        let angle = f64::from(i * 250) / 501.0 * TAU;
+        (200.0 + 150.0 * angle.cos(), 200.0 + 150.0 * angle.sin())
+    };
+    let star: Vec<(f64, f64)> = (0..501).map(corner).collect();
+    let refused = solved(&square(Support::Smooth, vec![bar("star", &star, &star)])).map(|_| ());
+    assert!(matches!(refused, Err(Error::TooManySites)), "{refused:?}");
 }
 
 /// Ends within the length that joins them, but not on one another: a move of all is that move, for their joint too.

@@ -6,7 +6,7 @@ use super::{Anchor, Line};
 use crate::{
     error::Error,
     segment::{nearest_on_segment, segment_distance},
-    site::MIN_SEPARATION,
+    site::{MAX_SITES, MIN_SEPARATION},
 };
 
 /// Two touches of the same two pieces this far apart, in pixels, are an overlap: they run along each other.
@@ -46,7 +46,7 @@ struct Segment<'a> {
 
 impl Cuts {
     /// # Errors
-    /// [`Error::BarTooShort`], [`Error::BarsOverlap`].
+    /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::TooManySites`] for more pieces than there may be sites.
     pub(super) fn new(lines: &[&Line]) -> Result<Self, Error> {
         let mut nodes = Nodes::default();
         let mut segments: Vec<Segment> = Vec::new();
@@ -67,6 +67,7 @@ impl Cuts {
                 segments.push(Segment { line, number, a, b, stops: vec![(0.0, first + number), (1.0, end)] });
             }
         }
+        let mut count = segments.len();
         for i in 0..segments.len() {
             for j in i + 1..segments.len() {
                 let (before, after) = segments.split_at_mut(j);
@@ -74,8 +75,13 @@ impl Cuts {
                 match meeting(s, t) {
                     Meeting::Apart => {}
                     Meeting::At(p) => {
+                        let before = s.stops.len() + t.stops.len();
                         let (on_s, on_t) = (s.stop(p, &mut nodes), t.stop(p, &mut nodes));
                         nodes.join(on_s, on_t);
+                        count += s.stops.len() + t.stops.len() - before;
+                        if count > MAX_SITES {
+                            return Err(Error::TooManySites);
+                        }
                     }
                     Meeting::Along => {
                         let [mut first, mut second] = [&s.line.id, &t.line.id].map(Clone::clone);
