@@ -3,13 +3,15 @@
 use glam::DVec2;
 
 use super::HELD_CLEARANCE;
-use crate::{distance::Navigation, domain::Domain, locate::ON_OUTLINE};
+use crate::{MAX_SIDE, distance::Navigation, domain::Domain, locate::ON_OUTLINE};
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
 const SHORTEST: f64 = ON_OUTLINE;
 /// An end this near to that of its piece, in pixels, stays joined with what the piece is joined with, though it lies beside it: a bar
 /// whose corner sticks out by less than anyone sees is one body. As two, which keep clear of one another, it would cost hundreds of sites.
 const JOINED: f64 = 0.5;
+/// Steps along a segment at most: as many as the diagonal of the largest picture takes at a held outline's clearance.
+const MOST_STEPS: f64 = std::f64::consts::SQRT_2 * MAX_SIDE as f64 / HELD_CLEARANCE;
 /// Halvings until the way to the outline is known to the last digits.
 const HALVINGS: usize = 60;
 
@@ -97,8 +99,8 @@ fn last(holds: impl Fn(f64) -> bool, mut holding: f64, mut failing: f64) -> f64 
 /// The parts of a segment in the domain that are no nearer to the outline than `clearance`.
 fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<[f64; 2]> {
     let is_clear = |share: f64| domain.distance_to_outline(a.lerp(b, share)) >= clearance;
-    // Steps no longer than the clearance: what is nearer between two of them alone does not come much nearer.
-    let steps = (a.distance(b) / clearance).ceil().clamp(2.0, 4096.0) as u32;
+    // Steps no longer than the clearance, in any picture: what is nearer between two of them alone does not come much nearer.
+    let steps = (a.distance(b) / clearance).ceil().clamp(2.0, MOST_STEPS) as u32;
     let at = |step: u32| f64::from(step) / f64::from(steps);
     let mut runs: Vec<[u32; 2]> = Vec::new();
     for step in (0..=steps).filter(|&step| is_clear(at(step))) {
@@ -113,4 +115,22 @@ fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<
         [enter, leave]
     };
     runs.into_iter().filter(|[first, last]| first < last).map(part).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_held_outline_that_comes_near_for_a_pixel_cuts_the_longest_bar() {
+        let (width, tip) = (16_000.0, 9_001.3);
+        let ring =
+            [(0.0, 0.0), (width, 0.0), (width, 40.0), (tip + 0.6, 40.0), (tip, 20.4), (tip - 0.6, 40.0), (0.0, 40.0)];
+        let domain = Domain::from_polygon(&[ring.map(DVec2::from).to_vec()], 16_000, 40).expect("a notched strip");
+        let [a, b] = [DVec2::new(10.0, 20.0), DVec2::new(width - 10.0, 20.0)];
+        let parts = clear_of_outline(&domain, a, b, HELD_CLEARANCE);
+        let [[_, before], [after, _]] = parts[..] else { panic!("two parts: {parts:?}") };
+        let near = [before, after].map(|share| a.lerp(b, share).x);
+        assert!(near[0] < tip && tip < near[1] && near[1] - near[0] < 3.0, "{near:?}");
+    }
 }
