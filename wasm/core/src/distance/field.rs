@@ -104,7 +104,7 @@ impl Foot {
 
 /// Exact intrinsic distances from one source, up to a bound. Made by [`Propagation::field`](super::Propagation::field).
 ///
-/// 72 bytes a window; a window for each pseudo-source and triangle of the outline that it may be nearest in.
+/// 64 bytes a window; a window for each pseudo-source and triangle of the outline that it may be nearest in.
 #[derive(Debug, Clone)]
 pub struct DistanceField {
     pub(crate) source: DVec2,
@@ -237,12 +237,6 @@ impl DistanceField {
     fn windows_of(&self, at: usize) -> Range<u32> {
         let end = self.triangles.get(at + 1).map_or(self.windows.len() as u32, |&(_, start)| start);
         self.triangles[at].1..end
-    }
-
-    /// Bytes held on the heap.
-    #[must_use]
-    pub fn heap_bytes(&self) -> usize {
-        self.triangles.capacity() * size_of::<(u32, u32)>() + self.windows.capacity() * size_of::<Window>()
     }
 }
 

@@ -62,7 +62,8 @@ impl Ground {
     /// The samples with every site among them, and finer lattices where sites are close to one another. `sites` must lie in the
     /// domain, be distinct, and come in an order that does not depend on what came before.
     ///
-    /// Cost: a copy, and a microsecond a vertex.
+    /// Cost: a copy, and a walk from a triangle nearby for each vertex that is added. Each patch looks at all vertices, and each of its
+    /// nodes at those near: half a second for 250 sites, all closer to others than 10,000 samples resolve.
     pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
         let Samples { mesh, places, outline, rim, spacing, .. } = &self.samples;
         let mut samples = Samples {

@@ -10,6 +10,9 @@ pub(super) const CLEARANCE: f64 = 0.47;
 /// Height of a lattice row over the spacing: √3 / 2.
 pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
 
+/// A difference below this share of its terms has lost three digits.
+const CANCELLED: f64 = 1e-3;
+
 /// The spacing at which lattice and outline together have about `count` points.
 pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     let area = domain.area();
@@ -18,8 +21,15 @@ pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     let corners: usize = domain.rings().iter().map(Vec::len).sum();
     let wanted = (count as f64 - corners as f64).max(count as f64 / 4.0);
     // With u = 1 / spacing: the lattice has (area − CLEARANCE · perimeter / u) · u² / ROW points, the outline perimeter · u.
-    let (quadratic, linear) = (area / ROW, perimeter * (1.0 - CLEARANCE / ROW));
-    2.0 * quadratic / ((linear * linear + 4.0 * quadratic * wanted).sqrt() - linear)
+    positive_root(area / ROW, perimeter * (1.0 - CLEARANCE / ROW), wanted)
+}
+
+/// The positive x with `quadratic / x² + linear / x = wanted`, of positive numbers.
+fn positive_root(quadratic: f64, linear: f64, wanted: f64) -> f64 {
+    let root = (linear * linear + 4.0 * quadratic * wanted).sqrt();
+    let apart = root - linear;
+    // Two ways to write the same. In a domain that is nearly all outline the difference would have no digits.
+    if apart > CANCELLED * root { 2.0 * quadratic / apart } else { (root + linear) / (2.0 * wanted) }
 }
 
 /// Lattice points inside the domain and clear of the outline's `segments` and of the bones.
@@ -137,6 +147,15 @@ fn range(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
 mod tests {
     use super::*;
     use crate::domain::contains;
+
+    #[test]
+    fn the_spacing_is_right_however_thin_a_domain_is() {
+        for area in [1e6, 1.0, 1e-6, 1e-12, 1e-18] {
+            let x = positive_root(area, 2000.0, 10_000.0);
+            let found = area / (x * x) + 2000.0 / x;
+            assert!((found - 10_000.0).abs() < 1e-6, "{found} of an area of {area}");
+        }
+    }
 
     #[test]
     fn every_node_that_is_inside_and_clear_of_the_outline_is_there_beside_the_narrowest_hole() {

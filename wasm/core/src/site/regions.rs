@@ -104,25 +104,7 @@ impl<'a> Regions<'a> {
         let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.scouts.longest_edge));
         let field = self.field(rest, place, bound);
         let body = self.body(origin);
-        let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
-        for at in 0..self.sites.len() {
-            if !self.is_obstacle(at, island, body) {
-                continue;
-            }
-            let site = &mut self.sites[at];
-            let straight = site.rest.distance(rest);
-            if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
-                let d = site.field.distance(place, rest);
-                site.separation = site.separation.min(d);
-                separation = separation.min(d);
-                if origin.is_real() {
-                    site.clearance = site.clearance.min(d);
-                }
-                if site.origin.is_real() {
-                    clearance = clearance.min(d);
-                }
-            }
-        }
+        let (mut separation, mut clearance) = self.separate(rest, place, origin);
         clearance = self.distance_to_bones(&field, island, body, clearance);
         if let Some(held) = self.obstacles.held.filter(|_| body != Some(BOUNDARY)) {
             clearance = clearance.min(held.distance_to_outline(rest));
@@ -149,8 +131,41 @@ impl<'a> Regions<'a> {
         let mut pieces = std::mem::take(&mut self.pieces);
         pieces.insert(self);
         self.pieces = pieces;
-        // Cells only shrink: a farthest point that stays in its cell stays the farthest, and a later one is no farther.
-        let field = &self.sites[self.sites.len() - 1].field;
+        self.keep_far_points();
+        self.far.push(Far::Within(radius.map_or(f64::INFINITY, |radius| radius + self.scouts.longest_edge)));
+        self.home.push(home as u32);
+    }
+
+    /// Lets all sites know of one that is to come. Returns how far the nearest that is in its way is, and the nearest real one.
+    fn separate(&mut self, rest: DVec2, place: Place, origin: Origin) -> (f64, f64) {
+        let (island, body) = (self.navigation.island_of(place), self.body(origin));
+        let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
+        for at in 0..self.sites.len() {
+            if !self.is_obstacle(at, island, body) {
+                continue;
+            }
+            let site = &mut self.sites[at];
+            let straight = site.rest.distance(rest);
+            if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
+                let d = site.field.distance(place, rest);
+                site.separation = site.separation.min(d);
+                separation = separation.min(d);
+                if origin.is_real() {
+                    site.clearance = site.clearance.min(d);
+                }
+                if site.origin.is_real() {
+                    clearance = clearance.min(d);
+                }
+            }
+        }
+        (separation, clearance)
+    }
+
+    /// Forgets the farthest points that the last site has taken over.
+    ///
+    /// Cells only shrink: a farthest point that stays in its cell stays the farthest, and a later one is no farther.
+    fn keep_far_points(&mut self) {
+        let Some(Site { rest, field, .. }) = self.sites.last() else { return };
         let kept = |point: &FarPoint| {
             rest.distance(point.at) >= point.distance || field.distance(point.place, point.at) >= point.distance
         };
@@ -163,8 +178,6 @@ impl<'a> Regions<'a> {
                 }
             }
         }
-        self.far.push(Far::Within(radius.map_or(f64::INFINITY, |radius| radius + self.scouts.longest_edge)));
-        self.home.push(home as u32);
     }
 
     /// Whether a site is in the way of others of an island and a body.
