@@ -385,6 +385,27 @@ fn bars_that_nearly_touch_go_along_with_a_move_of_all() {
     }
 }
 
+/// All corners are as far from its middle, and their cells meet there.
+#[test]
+fn a_round_polygon_and_a_long_zigzag_are_solved_like_others() {
+    let corner = |i: i32| DVec2::splat(200.0) + 120.0 * DVec2::from_angle(f64::from(i).to_radians() * 4.0);
+    let round: Vec<(f64, f64)> = (0..90).map(|i| corner(i).into()).collect();
+    let zigzag: Vec<(f64, f64)> =
+        (0..120).map(|i| (40.0 + 2.5 * f64::from(i), if i % 2 == 0 { 150.0 } else { 260.0 })).collect();
+    for (rest, closed) in [(round, true), (zigzag, false)] {
+        let posed: Vec<(f64, f64)> = rest.iter().map(|&(x, y)| (1.02 * x - 0.1 * y, y + 0.05 * x)).collect();
+        let handle = if closed { polygon("round", &rest, &posed) } else { bar("zigzag", &rest, &posed) };
+        let project = square(Support::Smooth, vec![handle]);
+        let (solution, pose) = self::posed(&project);
+        check_lines(&project, &solution, &pose);
+        let bones: Vec<_> = solution.sites.iter().filter(|site| site.origin.is_real()).collect();
+        assert!(bones.len() < 2 * rest.len(), "{} sites on {} corners", bones.len(), rest.len());
+        if closed {
+            assert!(bones.iter().all(|site| site.cell_radius > 119.9), "a cell ends before the middle");
+        }
+    }
+}
+
 #[test]
 fn a_held_boundary_stays() {
     for (support, mode, density) in [(Support::Paper, PoseMode::Harmonic, 0), (Support::Smooth, PoseMode::Rigid, 40)] {

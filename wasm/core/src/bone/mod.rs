@@ -80,17 +80,17 @@ impl Skeleton {
         let cuts = cut::Cuts::new(&lines)?;
         let mut skeleton = Self { bones: Vec::new(), joints: cuts.joints };
         let mut outside = Vec::new();
-        for line in lines {
+        // Pieces come line by line, and every line has some.
+        for (line, pieces) in lines.into_iter().zip(cuts.pieces.chunk_by(|one, next| one.handle == next.handle)) {
             let bones = skeleton.bones.len();
-            let pieces = || cuts.pieces.iter().filter(|piece| piece.handle == line.handle);
-            for piece in pieces() {
+            for piece in pieces {
                 let parts = clip::kept(domain, navigation, piece.ends(line), held);
                 skeleton.lay(line, piece, &parts, &mut outside);
             }
             if skeleton.bones.len() == bones {
                 let (id, DVec2 { x, y }) = (line.id.clone(), line.corners[0]);
                 let is_inside = |piece: &Piece| !clip::kept(domain, navigation, piece.ends(line), false).is_empty();
-                let on_boundary = pieces().any(is_inside);
+                let on_boundary = pieces.iter().any(is_inside);
                 return Err(if on_boundary { Error::OnHeldBoundary { id } } else { Error::HandleOutside { id, x, y } });
             }
         }
@@ -135,9 +135,12 @@ impl Skeleton {
         self.joints.len() as u32 - 1
     }
 
+    /// Numbers the bodies in the order of their first bones.
     fn number_bodies(&mut self) {
-        for bone in &mut self.bones {
+        let mut ending: Vec<Vec<usize>> = vec![Vec::new(); self.joints.len()];
+        for (at, bone) in self.bones.iter_mut().enumerate() {
             bone.body = u32::MAX;
+            bone.joints.iter().for_each(|&joint| ending[joint as usize].push(at));
         }
         let mut bodies = 0;
         for seed in 0..self.bones.len() {
@@ -147,8 +150,10 @@ impl Skeleton {
             let mut stack = vec![seed];
             while let Some(at) = stack.pop() {
                 self.bones[at].body = bodies;
-                let meets = |bone: &Bone| bone.body == u32::MAX && bone.meets(&self.bones[at]);
-                stack.extend((0..self.bones.len()).filter(|&other| meets(&self.bones[other])));
+                // Once a joint has been passed, all its bones are known.
+                let meeting =
+                    self.bones[at].joints.iter().flat_map(|&joint| std::mem::take(&mut ending[joint as usize]));
+                stack.extend(meeting.filter(|&other| self.bones[other].body == u32::MAX));
             }
             bodies += 1;
         }
@@ -164,10 +169,11 @@ impl Skeleton {
         }) && self.joints.iter().flatten().all(anchor)
     }
 
-    /// Whether several bones of a body share out what it weighs.
-    pub(crate) fn is_jointed(&self, bone: usize) -> bool {
-        let body = self.bones[bone].body;
-        self.bones.iter().enumerate().any(|(other, known)| other != bone && known.body == body)
+    /// For each bone, whether several bones of its body share out what that weighs.
+    pub(crate) fn jointed(&self) -> Vec<bool> {
+        let mut of_body = vec![0_u32; self.bones.len()];
+        self.bones.iter().for_each(|bone| of_body[bone.body as usize] += 1);
+        self.bones.iter().map(|bone| of_body[bone.body as usize] > 1).collect()
     }
 
     /// Whether the straight way between two places crosses a bone that neither lies on. Its ends count.
@@ -175,6 +181,10 @@ impl Skeleton {
         self.bones.iter().any(|bone| {
             let [a, b] = bone.rest;
             let (along, way) = (b - a, q - p);
+            // Most bones have both on one side.
+            if (along.perp_dot(p - a) > 0.0) == (along.perp_dot(q - a) > 0.0) {
+                return false;
+            }
             // Distances from the line of the bone, and of its ends from the way.
             let [side_p, side_q] = [p, q].map(|place| along.perp_dot(place - a) / along.length());
             let [side_a, side_b] = [a, b].map(|end| way.perp_dot(end - p) / way.length());
@@ -221,5 +231,31 @@ impl Bone {
         let value = across.length_squared() + beyond * beyond * beyond / sum;
         let slope = beyond * beyond * (2.0 * beyond + 3.0 * length) / (sum * sum);
         (value, 2.0 * across + slope * outwards)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Picture;
+
+    #[test]
+    fn bones_that_meet_by_way_of_others_are_one_body_and_share_what_it_weighs() {
+        let domain = Domain::new(None, &Picture::new(100, 100, &[255; 40_000]).unwrap()).unwrap();
+        let line = |handle: u32, corners: &[(f64, f64)]| {
+            let corners = corners.iter().map(|&corner| corner.into()).collect();
+            Line { handle, id: handle.to_string(), corners, closed: false }
+        };
+        let lines = [
+            line(0, &[(10.0, 95.0), (90.0, 95.0)]),
+            line(1, &[(10.0, 10.0), (50.0, 10.0), (50.0, 40.0)]),
+            line(2, &[(20.0, 70.0), (80.0, 20.0)]),
+            line(3, &[(20.0, 65.0), (50.0, 40.0)]),
+        ];
+        let (skeleton, _) = Skeleton::new(&lines, &domain, &Navigation::new(&domain), false).unwrap();
+        // From top to bottom: the line with a corner and the one that ends there, the one beside them, the lowest.
+        let bodies = skeleton.bones.iter().map(|bone| [bone.handle, bone.body]).collect::<Vec<_>>();
+        assert_eq!(bodies, [[1, 0], [1, 0], [2, 1], [3, 0], [0, 2]]);
+        assert_eq!(skeleton.jointed(), [true, true, false, true, false]);
     }
 }

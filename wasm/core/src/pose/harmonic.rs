@@ -4,7 +4,7 @@
 //! times"; here it is factorised once for all fields, in a way that adds and multiplies positive numbers only. So every
 //! share is right to the last digits, however small, none is negative, and they sum to 1.
 //!
-//! Cost: see [`Elimination`](super::elimination); one solution for each handle.
+//! Cost: see [`Elimination`](super::elimination); one solution for each real site that is linked to virtual ones.
 
 use super::laplacian::Laplacian;
 use crate::site::{Site, SiteGraph};
@@ -20,16 +20,19 @@ impl HarmonicFields {
     pub(crate) fn new(sites: &[Site], graph: &SiteGraph) -> Self {
         let is_real: Vec<bool> = sites.iter().map(|site| site.origin.is_real()).collect();
         let laplacian = Laplacian::new(&is_real, graph.iter());
-        let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); sites.len()];
-        for (real, _) in sites.iter().enumerate().filter(|(_, site)| site.origin.is_real()) {
-            rows[real].push((real as u32, 1.0));
+        let alone = |(site, real): (u32, &bool)| if *real { vec![(site, 1.0)] } else { Vec::new() };
+        let mut rows: Vec<Vec<(u32, f64)>> = (0..).zip(&is_real).map(alone).collect();
+        let mut links = laplacian.boundary.clone();
+        links.sort_by_key(|&(real, ..)| real);
+        for of_real in links.chunk_by(|(one, ..), (other, ..)| one == other) {
+            let real = of_real[0].0;
             let mut field = vec![0.0; laplacian.free.len()];
-            for &(_, row, weight) in laplacian.boundary.iter().filter(|&&(from, ..)| from as usize == real) {
+            for &(_, row, weight) in of_real {
                 field[row as usize] += weight;
             }
             laplacian.inverse.solve(&mut field);
             for (site, value) in field.into_iter().enumerate().filter(|&(_, value)| value > 0.0) {
-                rows[laplacian.free[site] as usize].push((real as u32, value));
+                rows[laplacian.free[site] as usize].push((real, value));
             }
         }
         for row in &mut rows {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::lattice::CLEARANCE;
+use super::{grid::PointGrid, lattice::CLEARANCE};
 use crate::{domain::Domain, locate::ON_OUTLINE};
 
 /// Samples along a bone are nearer to one another than those beside it to the bone: the circle over two of them is then empty,
@@ -15,19 +15,61 @@ const APART: f64 = 0.3;
 /// its edges.
 pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing: f64, domain: &Domain) -> Vec<DVec2> {
     let mut on_outline: Vec<DVec2> = Vec::new();
+    if bones.is_empty() {
+        return on_outline;
+    }
+    let outline = PointGrid::new(spacing, vertices);
+    let mut known = PointGrid::new(APART * spacing, vertices);
     for &[a, b] in bones {
         let pieces = (a.distance(b) / (ALONG * spacing)).ceil().max(1.0);
         let along = (0..=pieces as u32).map(|i| a.lerp(b, f64::from(i) / pieces));
-        let first = vertices.len();
         for p in along {
-            let (others, own) = vertices.split_at(first);
-            let is_near = |q: &DVec2| q.distance(p) < APART * spacing;
             // A bone shorter than the spacing keeps its first end alone.
-            if !others.iter().chain(own).chain(&on_outline).any(is_near) {
-                let is_within = domain.distance_to_outline(p) > ON_OUTLINE;
-                if is_within { &mut *vertices } else { &mut on_outline }.push(p);
+            if known.around(p, APART * spacing).any(|q| q.distance(p) < APART * spacing) {
+                continue;
             }
+            known.insert(p);
+            // What is on the outline is between two samples of it.
+            let may_be_on_it = outline.around(p, spacing).next().is_some();
+            let is_on_it = may_be_on_it && domain.distance_to_outline(p) <= ON_OUTLINE;
+            if is_on_it { &mut on_outline } else { &mut *vertices }.push(p);
         }
     }
     on_outline
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::outline::Outline;
+
+    #[test]
+    fn samples_of_bones_are_apart_and_none_is_missing() {
+        let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)].map(DVec2::from).to_vec();
+        let domain = Domain::from_polygon(&[ring], 100, 80).expect("a rectangle");
+        let spacing = 2.0;
+        let outline = Outline::new(&domain, spacing).vertices;
+        // Close together, across one another, short, along the outline and up to it.
+        let mut bones: Vec<[DVec2; 2]> = (0..60)
+            .map(|i| f64::from(i) * 0.7)
+            .map(|y| [DVec2::new(10.0, 20.0 + y), DVec2::new(90.0, 20.0 + 0.9 * y)])
+            .collect();
+        bones.extend([[(30.0, 5.0), (40.0, 78.0)], [(50.0, 9.0), (50.1, 9.2)]].map(|ends| ends.map(DVec2::from)));
+        bones.extend([[(20.0, 0.0), (60.0, 0.0)], [(70.0, 40.0), (100.0, 40.5)]].map(|ends| ends.map(DVec2::from)));
+        let mut found = outline.clone();
+        let on_outline = add_bones(&mut found, &bones, spacing, &domain);
+        // The same by comparing each with all.
+        let (mut inner, mut outer) = (outline, Vec::new());
+        for [a, b] in bones {
+            let pieces = (a.distance(b) / (ALONG * spacing)).ceil().max(1.0);
+            for p in (0..=pieces as u32).map(|i| a.lerp(b, f64::from(i) / pieces)) {
+                if inner.iter().chain(&outer).all(|q: &DVec2| q.distance(p) >= APART * spacing) {
+                    let is_within = domain.distance_to_outline(p) > ON_OUTLINE;
+                    if is_within { &mut inner } else { &mut outer }.push(p);
+                }
+            }
+        }
+        assert!(outer.len() > 5 && inner.len() > 1000, "{} and {}", outer.len(), inner.len());
+        assert_eq!((found, on_outline), (inner, outer));
+    }
 }

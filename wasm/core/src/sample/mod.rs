@@ -4,6 +4,7 @@
 //! those are evaluated.
 
 mod bones;
+mod grid;
 mod ground;
 mod lattice;
 mod outline;
@@ -32,7 +33,7 @@ pub struct Samples {
     pub places: Vec<Place>,
     /// Chains of samples along the outline, as closed rings in the order of the domain's rings.
     pub outline: Vec<Vec<u32>>,
-    /// The sample at each real site; empty where the samples were there before the sites.
+    /// The sample at each point handle; empty where the samples were there before the handles.
     pub at_sites: Vec<u32>,
     /// The skirt around the mesh.
     pub rim: Rim,

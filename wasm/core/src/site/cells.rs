@@ -76,7 +76,7 @@ impl Cells {
         for &loser in &losers {
             first = self.release(loser, site, first);
         }
-        if losers.is_empty() {
+        if losers.is_empty() && farthest != NONE {
             // The first site of an island: no list to take scouts from.
             first = self.collect(site);
         }

@@ -129,20 +129,37 @@ const ALONG: f64 = 1e-5;
 const SAME_STEP: f64 = 1e-6;
 const SAME_GAIN: f64 = 1e-12;
 
+/// Conditions are met within this share of the reach.
+const SLACK: f64 = 1e-12;
+/// Normals that span less are as good as parallel.
+const LEAST_AREA: f64 = 1e-9;
+/// With more sides, those that decide are found before pairs are tried. As pieces with more sites are divided, there are only so many where
+/// as many sites are on one circle.
+const MANY: usize = 32;
+
 /// The step that goes farthest in a direction under all conditions: the best of the corners that two of them make. Also tells
-/// whether another goes as far.
+/// whether another goes as far. The last three sides are those of a triangle.
 fn farthest_step(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
-    let slack = 1e-12 * reach;
+    if sides.len() > MANY {
+        best_corner(direction, &deciding(direction, sides, reach)?, reach, fork)
+    } else {
+        best_corner(direction, sides, reach, fork)
+    }
+}
+
+/// The best corner, found by trying all pairs. Cost: their number, and for those that may be the best a look at every side.
+fn best_corner(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
+    let slack = SLACK * reach;
     let mut best: Option<(f64, DVec2, bool)> = None;
     for (i, a) in sides.iter().enumerate() {
         for b in &sides[i + 1..] {
             let area = a.normal.perp_dot(b.normal);
             // A corner is the best where the direction lies between the normals of its sides.
             let (right, left) = if area > 0.0 { (a, b) } else { (b, a) };
-            if area.abs() < 1e-9 || right.turn > ALONG || left.turn < -ALONG {
+            if area.abs() < LEAST_AREA || right.turn > ALONG || left.turn < -ALONG {
                 continue;
             }
-            let step = (a.limit * -b.normal.perp() + b.limit * a.normal.perp()) / area;
+            let step = corner(a, b);
             let gain = direction.dot(step);
             let tie = SAME_GAIN * reach;
             let worse = best.is_some_and(|(known, ..)| gain < known - tie);
@@ -161,6 +178,60 @@ fn farthest_step(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Op
     best.map(|(_, step, forked)| (step, forked))
 }
 
+/// Where two sides meet.
+fn corner(a: &Side, b: &Side) -> DVec2 {
+    (a.limit * -b.normal.perp() + b.limit * a.normal.perp()) / a.normal.perp_dot(b.normal)
+}
+
+/// Of many sides, in their order, those that the best corner is made of and those that end its two edges, with some more: as good as all.
+/// None where no step meets all conditions.
+///
+/// A linear programme: from the best corner of the triangle, the side that it is beyond most is added until it is beyond none. Cost: a look
+/// at every side for each that is added, a handful as a rule.
+fn deciding(direction: DVec2, sides: &[Side], reach: f64) -> Option<Vec<Side>> {
+    let slack = SLACK * reach;
+    let (first, gain) = (sides.len() - 3, |&[i, j]: &[usize; 2]| direction.dot(corner(&sides[i], &sides[j])));
+    let mut chosen: Vec<usize> = (first..sides.len()).collect();
+    let of_triangle = [[first, first + 1], [first + 1, first + 2], [first, first + 2]];
+    let mut best = of_triangle.into_iter().max_by(|one, other| gain(one).total_cmp(&gain(other)))?;
+    loop {
+        let step = corner(&sides[best[0]], &sides[best[1]]);
+        let beyond = |&at: &usize| sides[at].normal.dot(step) - sides[at].limit;
+        let worst = (0..sides.len()).max_by(|one, other| beyond(one).total_cmp(&beyond(other)))?;
+        if beyond(&worst) <= slack || chosen.contains(&worst) {
+            break;
+        }
+        // The best corner of more sides is on the one that was missing.
+        let [low, high] = edge(sides, worst, chosen.iter().copied(), slack)?;
+        best = [worst, if direction.dot(sides[worst].normal.perp()) > 0.0 { high } else { low }];
+        chosen.push(worst);
+    }
+    for side in best {
+        chosen.extend(edge(sides, side, 0..sides.len(), slack).into_iter().flatten());
+    }
+    chosen.sort_unstable();
+    chosen.dedup();
+    Some(chosen.into_iter().map(|at| sides[at]).collect())
+}
+
+/// The two of `others` that end the edge on a side, first the one on the right of its normal. None where no point of the side meets the
+/// conditions of all others.
+fn edge(sides: &[Side], side: usize, others: impl Iterator<Item = usize>, slack: f64) -> Option<[usize; 2]> {
+    let Side { normal, limit, .. } = sides[side];
+    let (from, along) = (normal * (limit / normal.length_squared()), normal.perp());
+    let (mut low, mut high) = ((f64::NEG_INFINITY, None), (f64::INFINITY, None));
+    for at in others {
+        let rise = sides[at].normal.dot(along);
+        let end = (sides[at].limit + slack - sides[at].normal.dot(from)) / rise;
+        if rise >= LEAST_AREA && end < high.0 {
+            high = (end, Some(at));
+        } else if rise <= -LEAST_AREA && end > low.0 {
+            low = (end, Some(at));
+        }
+    }
+    if low.0 <= high.0 { Some([low.1?, high.1?]) } else { None }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,6 +248,11 @@ mod tests {
         Cone { apex: DVec2::new(x, y), offset }
     }
 
+    fn unit(angle: f64) -> DVec2 {
+        let (sin, cos) = libm::sincos(angle);
+        DVec2::new(cos, sin)
+    }
+
     #[test]
     fn three_sources_meet_at_the_centre_of_their_circle() {
         let centre = DVec2::new(3.0, 4.0);
@@ -187,6 +263,52 @@ mod tests {
             let found = tops([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
             assert!(found.len() == 1 && found[0].distance(centre) < 1e-12, "{found:?}");
         }
+    }
+
+    #[test]
+    fn hundreds_of_sources_on_one_circle_meet_in_its_centre() {
+        let centre = DVec2::new(3.0, 4.0);
+        let around = |i: i32| Cone { apex: centre + 50.0 * unit(f64::from(i).to_radians()), offset: 0.0 };
+        let mut cones: Vec<Cone> = (0..360).map(around).collect();
+        for _ in 0..3 {
+            cones.rotate_left(95);
+            let found = tops([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
+            assert!(!found.is_empty() && found.iter().all(|top| top.distance(centre) < 1e-9), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn few_sides_decide_and_the_best_corner_is_that_of_all() {
+        let mut seed = 1_u32;
+        let mut share = move || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed >> 8) / f64::from(1 << 24)
+        };
+        let mut most = 0;
+        for round in 0..200 {
+            let direction = unit(7.0 * share());
+            // Every other round all are nearly of one circle, with the step at its centre; every fourth one is level.
+            let spread = if round % 2 == 0 { 1.0 } else { 1e-13 };
+            let mut sides: Vec<Side> = (0..60)
+                .map(|_| Side::new(direction, direction - unit(7.0 * share()), spread * share() + 0.05))
+                .collect();
+            if round % 4 == 0 {
+                sides[7] = Side::new(direction, direction, 0.06);
+            }
+            for corner in [(1.0, 0.2), (-0.5, 0.9), (-0.5, -0.9)] {
+                sides.push(Side::new(direction, DVec2::from(corner).normalize(), 1.0));
+            }
+            let few = deciding(direction, &sides, 3.0).expect("all limits are above 0");
+            most = most.max(few.len());
+            for fork in [Fork::First, Fork::Last] {
+                let [all, found] =
+                    [&sides, &few].map(|sides| best_corner(direction, sides, 3.0, fork).expect("a step"));
+                let [gain, same] = [all, found].map(|(step, _)| direction.dot(step));
+                assert!((gain - same).abs() < 1e-11, "{all:?} and {found:?} in round {round}");
+                assert!(round % 2 == 1 || all.0.distance(found.0) < 1e-9 && all.1 == found.1, "round {round}");
+            }
+        }
+        assert!(most <= 16, "{most} sides are kept");
     }
 
     #[test]

@@ -35,12 +35,12 @@ impl SiteGraph {
         for (i, a) in sites.iter().enumerate() {
             for (j, b) in sites.iter().enumerate().skip(i + 1) {
                 let limit = ROOM * (a.cell_radius + b.cell_radius);
-                if a.island != b.island || a.rest.distance(b.rest) >= limit || skeleton.is_between(a.rest, b.rest) {
+                if a.island != b.island || a.rest.distance(b.rest) >= limit {
                     continue;
                 }
                 let (larger, smaller) = if a.cell_radius >= b.cell_radius { (a, b) } else { (b, a) };
                 let x = larger.field.distance(smaller.place, smaller.rest) / limit;
-                if x < 1.0 {
+                if x < 1.0 && !skeleton.is_between(a.rest, b.rest) {
                     let falling = 1.0 - x * x;
                     graph.links.push([i as u32, j as u32]);
                     graph.weights.push(falling * falling);

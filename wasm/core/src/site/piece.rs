@@ -290,9 +290,12 @@ impl Piece {
         for &at in &self.sites {
             let feet = regions.sites[at as usize].field.feet(place, p).filter(|foot| foot.distance <= limit);
             let list = if at == site as u32 { &mut cones.own } else { &mut cones.others };
+            let first = list.len();
             for foot in feet {
                 let cone = Cone { apex: foot.pseudo_source, offset: foot.offset };
-                if !list.contains(&cone) {
+                // Cones of two sites may be the same behind a corner of the outline alone.
+                let alike = if cone.offset > 0.0 { &list[..] } else { &list[first..] };
+                if !alike.contains(&cone) {
                     list.push(cone);
                 }
             }

@@ -90,7 +90,7 @@ impl Weights {
             sum_gradient += gradient;
             influences.push(Influence { site: *site as usize, weight: phi, gradient });
         }
-        self.sharing.share_out(p, &mut influences);
+        self.sharing.share_out(p, &mut influences, &mut Vec::new());
         for influence in &mut influences {
             influence.weight /= sum;
             influence.gradient = (influence.gradient - influence.weight * sum_gradient) / sum;

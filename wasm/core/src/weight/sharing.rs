@@ -21,17 +21,21 @@ pub(super) struct Sharing {
     bone: Vec<Option<u32>>,
 }
 
-/// A bone near a point.
-struct Near {
+/// An influence of a bone that has to share.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sharer {
+    body: u32,
+    /// Of the influences, the one it is.
+    influence: usize,
     bone: u32,
-    /// How far off it is, and the gradient.
+    /// How far off the bone the point is, and the gradient.
     offset: f64,
     gradient: DVec2,
 }
 
 impl Sharing {
     pub(super) fn new(sites: &[Site], skeleton: &Skeleton) -> Self {
-        let jointed: Vec<bool> = (0..skeleton.bones.len()).map(|bone| skeleton.is_jointed(bone)).collect();
+        let jointed = skeleton.jointed();
         if !jointed.contains(&true) {
             return Self::default();
         }
@@ -42,34 +46,32 @@ impl Sharing {
         Self { bones: skeleton.bones.clone(), bone: sites.iter().map(bone).collect() }
     }
 
-    /// Shares out `influences` at a point, whose weights and gradients are those of φ up to a factor.
-    pub(super) fn share_out(&self, p: DVec2, influences: &mut [Influence]) {
-        let bone_of = |influence: &Influence| self.bone.get(influence.site).copied().flatten();
-        let body_of = |bone: u32| self.bones[bone as usize].body;
-        let mut done: Vec<u32> = Vec::new();
-        for start in 0..influences.len() {
-            let Some(first) = bone_of(&influences[start]) else { continue };
-            let body = body_of(first);
-            if done.contains(&body) {
-                continue;
-            }
-            done.push(body);
-            let mut near: Vec<Near> = Vec::new();
-            for influence in &influences[start..] {
-                if let Some(bone) = bone_of(influence)
-                    && body_of(bone) == body
-                    && near.iter().all(|known| known.bone != bone)
-                {
+    /// Shares out `influences` at a point, whose weights and gradients are those of φ up to a factor. `sharers` is room to work in.
+    ///
+    /// Cost: O(n log n) for n influences, however many bones there are.
+    pub(super) fn share_out(&self, p: DVec2, influences: &mut [Influence], sharers: &mut Vec<Sharer>) {
+        if self.bone.is_empty() {
+            return;
+        }
+        sharers.clear();
+        for (at, influence) in influences.iter().enumerate() {
+            let Some(bone) = self.bone[influence.site] else { continue };
+            let sharer = match sharers.last() {
+                // Sites that follow one another are often of one bone.
+                Some(last) if last.bone == bone => Sharer { influence: at, ..*last },
+                _ => {
+                    let Bone { body, .. } = self.bones[bone as usize];
                     let (offset, gradient) = self.bones[bone as usize].offset(p);
-                    near.push(Near { bone, offset, gradient });
+                    Sharer { body, influence: at, bone, offset, gradient }
                 }
-            }
-            if near.len() > 1 {
-                let near_of = |influence: &Influence| {
-                    let bone = bone_of(influence)?;
-                    near.iter().find(|known| known.bone == bone)
-                };
-                share_among(influences, near_of);
+            };
+            sharers.push(sharer);
+        }
+        // Rounding depends on the order within a body, which must be that of the influences.
+        sharers.sort_by_key(|sharer| sharer.body);
+        for of_body in sharers.chunk_by(|one, other| one.body == other.body) {
+            if of_body.iter().any(|sharer| sharer.bone != of_body[0].bone) {
+                share_among(influences, of_body);
             }
         }
     }
@@ -79,12 +81,12 @@ impl Sharing {
         if self.bone.is_empty() {
             return;
         }
-        let mut row: Vec<Influence> = Vec::new();
+        let (mut row, mut sharers): (Vec<Influence>, Vec<Sharer>) = Default::default();
         for (point, &p) in points.iter().enumerate() {
             row.clear();
             let plain = |(site, weight)| Influence { site, weight, gradient: DVec2::ZERO };
             row.extend(weights.row(point).map(plain));
-            self.share_out(p, &mut row);
+            self.share_out(p, &mut row, &mut sharers);
             for (weight, shared) in weights.row_mut(point).iter_mut().zip(&row) {
                 *weight = shared.weight;
             }
@@ -92,16 +94,14 @@ impl Sharing {
     }
 }
 
-/// Shares out the weights of the sites of one body, those that `near_of` knows the bone of.
-fn share_among<'a>(influences: &mut [Influence], near_of: impl Fn(&Influence) -> Option<&'a Near>) {
-    let of_body = |influence: &Influence| near_of(influence).map(|near| (near.offset, near.gradient));
-    let offsets = influences.iter().filter_map(|influence| of_body(influence).map(|(offset, _)| offset));
+/// Shares out the weights of the sites of one body.
+fn share_among(influences: &mut [Influence], sharers: &[Sharer]) {
     // A common factor of all q, which cancels.
-    let least = offsets.fold(f64::INFINITY, f64::min);
+    let least = sharers.iter().map(|sharer| sharer.offset).fold(f64::INFINITY, f64::min);
     let (mut total, mut total_gradient) = (0.0, DVec2::ZERO);
     let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
-    for influence in influences.iter_mut() {
-        let Some((offset, gradient)) = of_body(influence) else { continue };
+    for &Sharer { influence, offset, gradient, .. } in sharers {
+        let influence = &mut influences[influence];
         total += influence.weight;
         total_gradient += influence.gradient;
         // On a bone its own sites share what there is, as they did; φ / q has no gradient but φ's, q being level there.
@@ -115,7 +115,8 @@ fn share_among<'a>(influences: &mut [Influence], near_of: impl Fn(&Influence) ->
         sum += influence.weight;
         sum_gradient += influence.gradient;
     }
-    for influence in influences.iter_mut().filter(|influence| of_body(influence).is_some()) {
+    for sharer in sharers {
+        let influence = &mut influences[sharer.influence];
         let share = influence.weight / sum;
         influence.gradient = total_gradient * share + total * (influence.gradient - share * sum_gradient) / sum;
         influence.weight = total * share;
