@@ -68,7 +68,7 @@ fn one_bar_covers_another_whole() {
     let c = c.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec();
     for handle in [bar, polygon] {
         let handle = |id, rest: &[(f64, f64)], posed: &[(f64, f64)]| handle(id, rest, posed);
-        let mut project = project(&[c.clone()], &[], Support::Smooth);
+        let mut project = project(std::slice::from_ref(&c), &[], Support::Smooth);
         let (upper, lower) =
             ([(120.0, 100.0), (220.0, 98.0), (320.0, 100.0)], [(120.0, 200.0), (220.0, 202.0), (320.0, 200.0)]);
         let over = upper.map(|(x, y)| (x + 10.0, y + 100.0));
