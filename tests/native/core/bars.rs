@@ -335,6 +335,30 @@ fn a_bar_beside_the_outline_by_a_hair_is_cut_where_the_domain_ends() {
     }
 }
 
+/// Along the floor of a notch and out of it by less than rounding at first, to a wall whose edge it is on.
+#[test]
+fn a_bar_that_rises_from_the_floor_of_a_notch_is_cut_where_the_floor_ends() {
+    let ring = points(&[
+        (20.0, 20.0),
+        (100.0, 20.0),
+        (100.0, 60.0),
+        (104.0, 60.0),
+        (104.0, 20.0),
+        (380.0, 20.0),
+        (200.0, 380.0),
+    ]);
+    for beside in [0.9e-6, 1.1e-6, 1.3e-6, 1.7e-6, 2.1e-6] {
+        for samples in [300, 1000, 3000] {
+            let bent = [(300.0, 150.0), (104.0, 60.0), (100.0, 60.0 - beside)];
+            let mut project = project(std::slice::from_ref(&ring), &[], Support::Smooth);
+            project.samples = samples;
+            project.handles = vec![bar("bent", &bent, &bent)];
+            project.handles.push(handle(0, DVec2::new(102.0, 62.0), DVec2::new(102.0, 62.0), 0.0));
+            solved(&project).expect("cut, and no panic");
+        }
+    }
+}
+
 /// As two, which keep clear of one another, the halves of the bar would ask for up to a thousand sites.
 #[test]
 fn a_bar_whose_corner_sticks_out_by_a_hair_is_one_body() {
@@ -353,6 +377,22 @@ fn a_bar_whose_corner_sticks_out_by_a_hair_is_one_body() {
         for p in spread(500).filter(|p| p.min_element() > 20.0 && p.max_element() < 380.0) {
             assert!(goes(&solution, &pose, p).distance(p + by) <= ON_BAR, "{out}: {p}");
         }
+    }
+}
+
+/// A piece shorter than what sticks out unseen is joined at both its ends, and asks for no sites.
+#[test]
+fn a_bar_with_a_short_piece_is_one_body() {
+    let sites = |short: f64| {
+        let rest = [(140.0 - short, 210.0), (140.0, 210.0), (200.0, 130.0)];
+        let mut project = square(Support::Smooth, vec![bar("bent", &rest, &rest)]);
+        let beside = DVec2::new(150.0, 300.0);
+        project.handles.push(handle(0, beside, beside, 0.0));
+        solved(&project).expect("a valid scene").sites.len()
+    };
+    let long = sites(3.0);
+    for short in [0.02, 0.1, 0.3, 0.49, 0.6] {
+        assert!(sites(short) <= long + 5, "{short}: {} sites, {long} at three pixels", sites(short));
     }
 }
 

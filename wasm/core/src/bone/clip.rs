@@ -7,6 +7,8 @@ use crate::{MAX_SIDE, distance::Navigation, domain::Domain, locate::ON_OUTLINE};
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
 const SHORTEST: f64 = ON_OUTLINE;
+/// So many of [`SHORTEST`] before an end it is seen whether the way there is inside: past what a corner at the end allows for.
+const AT_END: f64 = 8.0;
 /// An end this near to that of its piece, in pixels, stays joined with what the piece is joined with, though it lies beside it: a bar
 /// whose corner sticks out by less than anyone sees is one body. As two, which keep clear of one another, it would cost hundreds of sites.
 const JOINED: f64 = 0.5;
@@ -33,11 +35,7 @@ pub(super) fn kept(domain: &Domain, navigation: &Navigation, [a, b]: [DVec2; 2],
         shares = shares.into_iter().flat_map(clear).collect();
     }
     let joined = JOINED / a.distance(b);
-    let share = |share: f64| match share {
-        share if share <= joined => 0.0,
-        share if share >= 1.0 - joined => 1.0,
-        share => share,
-    };
+    let share = |share: f64| if share.min(1.0 - share) <= joined { share.round() } else { share };
     shares.into_iter().map(|part| Part { shares: part.map(share), ends: part.map(|share| a.lerp(b, share)) }).collect()
 }
 
@@ -61,9 +59,15 @@ fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[
     let is_inside = |share: f64| navigation.place(a.lerp(b, share)).is_some();
     for pair in stops.windows(2) {
         let [from, to] = [pair[0], pair[1]];
-        if to - from <= shortest || !is_inside(f64::midpoint(from, to)) {
+        let middle = f64::midpoint(from, to);
+        if to - from <= shortest || !is_inside(middle) {
             continue;
         }
+        // What rounding allows for in the middle it may not nearer to an end, which can be inside by another edge again.
+        let [from, to] = [from, to].map(|end| {
+            let before = end + (middle - end) * (AT_END * shortest / (middle - end).abs()).min(1.0);
+            if is_inside(before) { end } else { last(is_inside, middle, before) }
+        });
         match parts.last_mut() {
             Some(last) if from - last[1] <= shortest => last[1] = to,
             _ => parts.push([from, to]),
