@@ -27,9 +27,6 @@ const ARROWS: Readonly<Record<string, Vec>> = {
   ArrowDown: [0, 1],
 };
 
-/** The picture, and what lies on it, but for the button where there is none. */
-const ON_STAGE = '.shell, .stage, .stage *:not(.empty *)';
-
 /** What they ask for is meant for the document, wherever the keys are. */
 const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export'];
 /** These are the field's as long as something is typed into it. */
@@ -66,7 +63,8 @@ export class Keyboard {
     if (target.matches('input:not([type=checkbox])') && !this.#leavesField(event, target)) return;
     // An open menu closes by itself, as long as nobody takes its key.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
-    if (target.matches(ON_STAGE) && this.#stageKey(event, target)) {
+    const onStage = target.matches('.shell, .stage, .stage *');
+    if (onStage && this.#stageKey(event, target)) {
       event.preventDefault();
       return;
     }
@@ -109,7 +107,7 @@ export class Keyboard {
     if (event.key === ' ') {
       this.#host.space(false);
       // A button with the focus would take the release for a click.
-      if ((event.target as Element).matches(ON_STAGE)) event.preventDefault();
+      if ((event.target as Element).closest('.stage')) event.preventDefault();
     }
     if (event.key.toUpperCase() === 'O') this.#host.compare(false);
   }

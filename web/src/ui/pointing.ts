@@ -84,7 +84,7 @@ export class Pointing {
   }
 
   #down(event: PointerEvent): void {
-    if (event.button > 1 || isOfEmpty(event)) return;
+    if (event.button > 1) return;
     // A handle's button would otherwise start a selection or take the focus away from where the editor puts it.
     event.preventDefault();
     this.#stage.setPointerCapture(event.pointerId);
@@ -160,7 +160,7 @@ export class Pointing {
   }
 
   #unclick(event: TouchEvent): void {
-    if (event.cancelable && !isOfEmpty(event)) event.preventDefault();
+    if (event.cancelable) event.preventDefault();
   }
 
   #wheel(event: WheelEvent): void {
@@ -201,7 +201,3 @@ export class Pointing {
     };
   }
 }
-
-/** Whether it is for what an empty stage says, which has a button. */
-const isOfEmpty = ({ target }: Event): boolean =>
-  target instanceof Element && target.closest('.empty') !== null;

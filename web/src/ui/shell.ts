@@ -17,7 +17,8 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
   return html`<div class="shell" tabindex="-1">
     ${topBar(model, actions)}
     <div class="middle">
-      ${stage(model, actions, canvas)} ${toolStrip(model, actions)} ${panel(model, actions)}
+      ${stage(model, actions, canvas)} ${model.picture ? nothing : emptyStage(model, actions)}
+      ${toolStrip(model, actions)} ${panel(model, actions)}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint && !model.comparing ? hint(model.hint, model.camera) : nothing}
       ${draftBar(model, actions)} ${drawingHint(model)}
@@ -45,7 +46,6 @@ function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasEle
       ${crosshair(model)}
     </svg>
     ${handleButtons(model, actions)}
-    ${model.picture ? nothing : emptyStage(model, actions)}
   </div>`;
 }
 
