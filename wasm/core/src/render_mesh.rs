@@ -27,23 +27,22 @@ impl RenderMesh {
         let Samples { mesh, rim, .. } = samples;
         let layers = [&rim.triangles, &mesh.triangles];
         // The first corner of every triangle is a sample. A counting sort, by part and then by layer.
-        let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] * layers.len() as u32 + layer as u32;
-        let mut keys: Vec<u32> = Vec::with_capacity(rim.triangles.len() + mesh.triangles.len());
+        let parts = leading.iter().max().map_or(0, |&last| last as usize + 1);
+        let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
+        let mut start = vec![0_usize; parts * layers.len() + 1];
         for (layer, triangles) in layers.iter().enumerate() {
-            keys.extend(triangles.iter().map(|t| key(layer, t)));
-        }
-        let mut start = vec![0_usize; keys.iter().max().map_or(0, |&last| last as usize + 1) + 1];
-        for &key in &keys {
-            start[key as usize + 1] += 1;
+            triangles.iter().for_each(|t| start[key(layer, t) + 1] += 1);
         }
         for i in 1..start.len() {
             start[i] += start[i - 1];
         }
-        let mut triangles = vec![[0; 3]; keys.len()];
-        for (&key, t) in keys.iter().zip(layers.into_iter().flatten()) {
-            let at = &mut start[key as usize];
-            triangles[*at] = *t;
-            *at += 1;
+        let mut triangles = vec![[0; 3]; rim.triangles.len() + mesh.triangles.len()];
+        for (layer, unordered) in layers.into_iter().enumerate() {
+            for t in unordered {
+                let at = &mut start[key(layer, t)];
+                triangles[*at] = *t;
+                *at += 1;
+            }
         }
         let mut vertices = mesh.vertices;
         vertices.reserve_exact(rim.vertices.len());

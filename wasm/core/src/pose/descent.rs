@@ -32,8 +32,10 @@ pub(super) trait Landscape {
     fn face(&mut self, by: &[DVec2]);
     /// What is seen in that direction at a length of it.
     fn look(&self, length: f64) -> View;
-    /// Goes there, and writes the gradient there; a descent begins by going nowhere, before it has turned to any direction.
-    fn go(&mut self, length: f64, gradient: &mut [DVec2]);
+    /// Goes there.
+    fn go(&mut self, length: f64);
+    /// Writes down the gradient there.
+    fn gradient(&mut self, gradient: &mut [DVec2]);
 }
 
 /// Energy, and its first two derivatives by the length.
@@ -77,22 +79,23 @@ pub(super) fn descend(landscape: &mut impl Landscape, places: usize, solve: impl
     let mut by = vec![DVec2::ZERO; places];
     let (mut gradient, mut next_gradient) = (by.clone(), by.clone());
     let mut steps = VecDeque::with_capacity(MEMORY);
-    landscape.go(0.0, &mut gradient);
-    for _ in 0..limits.turns {
+    landscape.gradient(&mut gradient);
+    for turn in 1..=limits.turns {
         direction(&steps, &solve, &gradient, &mut by);
         landscape.face(&by);
         let Some((length, [before, after])) = search(landscape, limits.level) else { return };
-        landscape.go(length, &mut next_gradient);
+        landscape.go(length);
+        let farthest = by.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
+        if turn == limits.turns || farthest <= limits.settled || before - after <= limits.gain * after {
+            return;
+        }
+        landscape.gradient(&mut next_gradient);
         let mut step = if steps.len() < MEMORY { Step::new() } else { steps.pop_front().unwrap_or_else(Step::new) };
         step.set(length, &by, &gradient, &next_gradient);
         if step.curvature > 0.0 {
             steps.push_back(step);
         }
         std::mem::swap(&mut gradient, &mut next_gradient);
-        let farthest = by.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
-        if farthest <= limits.settled || before - after <= limits.gain * after {
-            return;
-        }
     }
 }
 
@@ -211,10 +214,15 @@ mod tests {
             view
         }
 
-        fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
+        fn go(&mut self, length: f64) {
             self.heights.push(self.look(length).height);
-            for ((at, by), gradient) in self.at.iter_mut().zip(&self.by).zip(gradient) {
+            for (at, by) in self.at.iter_mut().zip(&self.by) {
                 *at += length * by;
+            }
+        }
+
+        fn gradient(&mut self, gradient: &mut [DVec2]) {
+            for (at, gradient) in self.at.iter().zip(gradient) {
                 *gradient = DVec2::new((at.x * at.x - 1.0) * at.x, 2.0 * at.y);
             }
         }

@@ -124,8 +124,9 @@ impl Rigid {
             forces: vec![DVec2::ZERO; rest.len()],
             is_free,
         };
-        // Torques at the start.
+        // To the rotations that fit the places at the start.
         bending.face(&vec![DVec2::ZERO; free.len()]);
+        bending.go(0.0);
         let solve = |values: &mut [DVec2]| laplacian.inverse.solve(values);
         descend(&mut bending, free.len(), solve, Limits { turns: TURNS, settled, gain: 0.0, level: LEVEL });
         for (site, motion) in motions.iter_mut().enumerate() {
@@ -198,13 +199,16 @@ impl Landscape for Bending<'_> {
         View { height: view.height / 2.0, slope: view.slope / 2.0, curvature: view.curvature / 2.0 }
     }
 
-    fn go(&mut self, length: f64, gradient: &mut [DVec2]) {
+    fn go(&mut self, length: f64) {
         for (posed, by) in self.posed.iter_mut().zip(&self.by) {
             *posed += length * by;
         }
         for ((turn, &[torque, change]), &is_free) in self.turns.iter_mut().zip(&self.torques).zip(self.is_free) {
             *turn = turned(*turn, torque + length * change, is_free);
         }
+    }
+
+    fn gradient(&mut self, gradient: &mut [DVec2]) {
         self.forces.fill(DVec2::ZERO);
         for &Edge { sites: [i, j], weight, rest } in &self.edges {
             let turned = (self.turns[i].rotate(rest[0]) + self.turns[j].rotate(rest[1])) / 2.0;

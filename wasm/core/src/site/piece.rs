@@ -190,18 +190,19 @@ impl Piece {
         });
         let leaders = leaders(&self.feet);
         let is_kept = |feet: &Feet| {
+            if !may_enter(feet, &nearest, longest) {
+                return false;
+            }
             let of_another = |rival: &Feet, bend: f64| (0..3).all(|k| distance(rival, k) + bend < distance(feet, k));
             // Between the corners a cone sags by so much at most; that of another site does not rise.
             let bend = apex(feet).map_or(f64::INFINITY, |apex| self.bend(apex));
             let is_behind =
                 |leader: &Feet| is_same_way(leader, feet) && of_another(leader, 2.0 * TIE * distance(feet, 0));
-            may_enter(feet, &nearest, longest)
-                && !rivals.iter().flatten().any(|rival| of_another(rival, bend))
-                && !leaders.iter().any(is_behind)
+            !rivals.iter().flatten().any(|rival| of_another(rival, bend)) && !leaders.iter().any(is_behind)
         };
-        let kept: Vec<usize> = (0..self.feet.len()).filter(|&at| is_kept(&self.feet[at])).collect();
-        self.sites = kept.iter().map(|&at| self.sites[at]).collect();
-        self.feet = kept.iter().map(|&at| self.feet[at]).collect();
+        let kept: Vec<bool> = self.feet.iter().map(is_kept).collect();
+        keep(&mut self.sites, &kept);
+        keep(&mut self.feet, &kept);
         let cones = self.feet.iter().filter(|feet| apex(feet).is_some());
         self.limits = self.walls + 2 * self.feet.len() - cones.clone().count();
         self.nearest = nearest;
@@ -321,6 +322,12 @@ impl Piece {
 pub(super) fn feet(field: &DistanceField, points: &[DVec2; 3], places: &[Place; 3]) -> Feet {
     let mut field = field.in_turn();
     [0, 1, 2].map(|k| field.foot(places[k], points[k]))
+}
+
+/// Drops what is not to be kept of a list.
+fn keep<T>(list: &mut Vec<T>, kept: &[bool]) {
+    let mut kept = kept.iter();
+    list.retain(|_| kept.next().is_some_and(|&is_kept| is_kept));
 }
 
 /// Lengths of the edges from each corner to the next.

@@ -81,7 +81,7 @@ impl<'a> Relaxing<'a> {
         for (at, node) in relaxation.nodes.iter().enumerate() {
             lines[at / LANES].area[at % LANES] = node.area;
         }
-        Self {
+        let mut relaxing = Self {
             relaxation,
             distortion: Distortion::new(SOFT),
             is_free,
@@ -92,12 +92,22 @@ impl<'a> Relaxing<'a> {
             slopes: vec![Slopes { by_det: [0.0; LANES], by_square: [0.0; LANES] }; count],
             parts,
             held: [0.0; 3],
-        }
+        };
+        relaxing.stand();
+        relaxing
     }
 
     /// Sets how soft the distortion is.
     pub(super) fn soften(&mut self, softness: f64) {
         self.distortion = Distortion::new(softness);
+    }
+
+    /// Puts down what nodes see where the pose is.
+    fn stand(&mut self) {
+        for (at, sight) in self.sights.iter().enumerate() {
+            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
+            (lines.det[0][lane], lines.square[0][lane]) = (sight.derivative.determinant(), square(sight.derivative));
+        }
     }
 
     /// The unknowns, counted from where they began.
@@ -155,16 +165,18 @@ impl Landscape for Relaxing<'_> {
         }
     }
 
-    fn go(&mut self, length: f64, forces: &mut [DVec2]) {
-        let relaxation = self.relaxation;
+    fn go(&mut self, length: f64) {
         for (unknown, by) in self.unknown.iter_mut().zip(&self.by) {
             *unknown += length * by;
         }
-        for (at, sight) in self.sights.iter_mut().enumerate() {
+        for sight in &mut self.sights {
             sight.derivative += length * sight.along;
-            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
-            (lines.det[0][lane], lines.square[0][lane]) = (sight.derivative.determinant(), square(sight.derivative));
         }
+        self.stand();
+    }
+
+    fn gradient(&mut self, forces: &mut [DVec2]) {
+        let relaxation = self.relaxation;
         for (lines, slopes) in self.lines.iter().zip(&mut self.slopes) {
             for lane in 0..LANES {
                 let seen = self.distortion.of(lines.det[0][lane], lines.square[0][lane]);
