@@ -39,7 +39,7 @@ fn inspect(scene: &Scene) -> Result<Inspection, CliError> {
     }
     let solution = solver.solution();
     start = Instant::now();
-    let pose = solution.poser().pose(&scene.project.handles, scene.project.pose.blend).map_err(refused)?;
+    let pose = scene.pose(solution)?;
     ms.pose = lap_ms(&mut start);
     Ok(Inspection { report: solution.report(&pose), ms })
 }

@@ -26,10 +26,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let scene = Scene::open(&arguments.files)?;
     let output = Output::create(&arguments.output)?;
     let solution = scene.solve()?;
-    let pose = solution
-        .poser()
-        .pose(&scene.project.handles, scene.project.pose.blend)
-        .map_err(|reason| scene.refused(reason))?;
+    let pose = scene.pose(&solution)?;
     output.finish(|writer| {
         let mut table = csv::Writer::from_writer(writer);
         table.write_record(["x", "y", "posed_x", "posed_y", "det"])?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use c2warp::Picture;
 use c2warp::Solution;
+use c2warp::pose::Pose;
 use c2warp::project::Project;
 use image::RgbaImage;
 
@@ -55,6 +56,12 @@ impl Scene {
     /// Solves the whole.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
         c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))
+    }
+
+    /// The project's pose of its solution.
+    pub(crate) fn pose(&self, solution: &Solution) -> Result<Pose, CliError> {
+        let Project { handles, pose, .. } = &self.project;
+        solution.poser().pose(handles, pose.blend).map_err(|reason| self.refused(reason))
     }
 
     /// A refusal of what the project asks for.

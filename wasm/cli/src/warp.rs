@@ -32,10 +32,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let output = Output::create(&arguments.output)?;
 
     let solution = scene.solve()?;
-    let pose = solution
-        .poser()
-        .pose(&scene.project.handles, scene.project.pose.blend)
-        .map_err(|reason| scene.refused(reason))?;
+    let pose = scene.pose(&solution)?;
     let rgba = raster::warp(
         &picture,
         &solution.mesh.vertices,

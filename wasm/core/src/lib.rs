@@ -53,6 +53,7 @@ pub mod raster;
 mod render_mesh;
 mod report;
 mod request;
+mod rows;
 pub mod sample;
 mod segment;
 pub mod site;

@@ -3,9 +3,11 @@
 //! Cost: a handful of triangles a look-up. Building it takes a look at each cell of the box around each triangle, and four bytes for each
 //! that the triangle may touch; a long triangle across the grid has a box of up to as many cells as there are triangles.
 
+use std::iter;
+
 use glam::DVec2;
 
-use crate::triangulation::Triangulation;
+use crate::{rows::Rows, triangulation::Triangulation};
 
 /// Points this far outside every triangle, in pixels, still count as inside: the rounding of a point computed to lie on
 /// the outline, with room to spare, and far below what anyone sees.
@@ -18,8 +20,8 @@ pub(crate) struct Locator {
     cell: f64,
     columns: usize,
     rows: usize,
-    start: Vec<u32>,
-    triangles: Vec<u32>,
+    /// The triangles that each cell may touch.
+    cells: Rows<u32>,
 }
 
 impl Locator {
@@ -30,33 +32,20 @@ impl Locator {
         let wanted = mesh.triangles.len().clamp(1, 1 << 18) as f64;
         let cell = (size.x * size.y / wanted).sqrt().max(size.max_element() / 4096.0);
         let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
-        let mut grid = Self { low, cell, columns, rows, start: vec![0; columns * rows + 1], triangles: Vec::new() };
+        let mut grid = Self { low, cell, columns, rows, cells: Rows::sorted(0, iter::empty) };
         let mut entries = Vec::with_capacity(mesh.triangles.len() * 3);
         for t in 0..mesh.triangles.len() {
-            grid.for_cells(mesh.corners(t), |cell| entries.push((cell as u32, t as u32)));
+            grid.for_cells(mesh.corners(t), |cell| entries.push((cell, t as u32)));
         }
-        for &(cell, _) in &entries {
-            grid.start[cell as usize + 1] += 1;
-        }
-        for i in 1..grid.start.len() {
-            grid.start[i] += grid.start[i - 1];
-        }
-        let mut fill = grid.start.clone();
-        grid.triangles = vec![0; entries.len()];
-        for (cell, triangle) in entries {
-            let at = &mut fill[cell as usize];
-            grid.triangles[*at as usize] = triangle;
-            *at += 1;
-        }
+        grid.cells = Rows::sorted(columns * rows, || entries.iter().copied());
         grid
     }
 
     /// The triangle that holds a point, allowing [`ON_OUTLINE`].
     pub(crate) fn locate(&self, mesh: &Triangulation, p: DVec2) -> Option<usize> {
         let (x, y) = self.cell_of(p)?;
-        let cell = y * self.columns + x;
         let mut best = (-ON_OUTLINE, None);
-        for &t in &self.triangles[self.start[cell] as usize..self.start[cell + 1] as usize] {
+        for &t in self.cells.row(y * self.columns + x) {
             let depth = depth_in(mesh.corners(t as usize), p);
             if depth >= 0.0 {
                 return Some(t as usize);
@@ -73,8 +62,8 @@ impl Locator {
         let cell = ((p - self.low) / self.cell).max(DVec2::ZERO);
         let (x, y) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
         // A cell outside the mesh has none of its own: then that of a later cell.
-        let at = (self.start[y * self.columns + x] as usize).min(self.triangles.len() - 1);
-        self.triangles[at] as usize
+        let (triangles, at) = (self.cells.items(), self.cells.range(y * self.columns + x).start);
+        triangles[at.min(triangles.len() - 1)] as usize
     }
 
     fn cell_of(&self, p: DVec2) -> Option<(usize, usize)> {

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use crate::{
     pose::HarmonicFields,
+    rows::Rows,
     sample::Samples,
     site::{Origin, Site},
 };
@@ -26,24 +27,11 @@ impl RenderMesh {
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
         let Samples { mesh, rim, .. } = samples;
         let layers = [&rim.triangles, &mesh.triangles];
-        // The first corner of every triangle is a sample. A counting sort, by part and then by layer.
+        // The first corner of every triangle is a sample. By part and then by layer.
         let parts = leading.iter().max().map_or(0, |&last| last as usize + 1);
-        let key = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
-        let mut start = vec![0_usize; parts * layers.len() + 1];
-        for (layer, triangles) in layers.iter().enumerate() {
-            triangles.iter().for_each(|t| start[key(layer, t) + 1] += 1);
-        }
-        for i in 1..start.len() {
-            start[i] += start[i - 1];
-        }
-        let mut triangles = vec![[0; 3]; rim.triangles.len() + mesh.triangles.len()];
-        for (layer, unordered) in layers.into_iter().enumerate() {
-            for t in unordered {
-                let at = &mut start[key(layer, t)];
-                triangles[*at] = *t;
-                *at += 1;
-            }
-        }
+        let row = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
+        let of_layer = |layer: usize| layers[layer].iter().map(move |t| (row(layer, t), *t));
+        let triangles = Rows::sorted(parts * layers.len(), || (0..layers.len()).flat_map(of_layer)).into_items();
         let mut vertices = mesh.vertices;
         vertices.reserve_exact(rim.vertices.len());
         vertices.extend_from_slice(&rim.vertices);

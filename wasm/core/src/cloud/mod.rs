@@ -83,7 +83,7 @@ impl PointCloud {
     fn linked(points: Vec<DVec2>, mut edges: Vec<(u32, u32)>, neighbours: usize, tree: Tree) -> Self {
         edges.sort_unstable();
         edges.dedup();
-        let graph = Graph::from_edges(points.len(), edges.into_iter());
+        let graph = Graph::of_edges(points.len(), || edges.iter().copied());
         let part = parts(&graph, points.len());
         Self { points, graph, part, neighbours, tree }
     }

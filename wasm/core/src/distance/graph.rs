@@ -7,55 +7,40 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 
 use glam::DVec2;
 
-use crate::triangulation::{NONE, Triangulation};
+use crate::{
+    rows::Rows,
+    triangulation::{NONE, Triangulation},
+};
 
-/// An undirected graph over points, as compressed rows of neighbours.
-#[derive(Debug, Clone, Default)]
+/// An undirected graph over points.
+#[derive(Debug, Clone)]
 pub struct Graph {
-    /// Nodes + 1: start of each node's neighbours.
-    pub start: Vec<u32>,
-    /// Neighbours of all nodes, one node after another.
-    pub neighbours: Vec<u32>,
+    neighbours: Rows<u32>,
 }
 
 impl Graph {
-    /// The graph of a list of edges, each given once in either direction or both.
-    #[must_use]
-    pub fn from_edges(nodes: usize, edges: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
-        let mut start = vec![0_u32; nodes + 1];
-        for (a, b) in edges.clone() {
-            start[a as usize + 1] += 1;
-            start[b as usize + 1] += 1;
-        }
-        for i in 1..start.len() {
-            start[i] += start[i - 1];
-        }
-        let mut fill = start.clone();
-        let mut neighbours = vec![0; start[nodes] as usize];
-        for (a, b) in edges {
-            for (from, to) in [(a, b), (b, a)] {
-                neighbours[fill[from as usize] as usize] = to;
-                fill[from as usize] += 1;
-            }
-        }
-        Self { start, neighbours }
+    /// The graph of edges between so many nodes, each told once, in either direction.
+    pub(crate) fn of_edges<I: Iterator<Item = (u32, u32)>>(nodes: usize, edges: impl Fn() -> I) -> Self {
+        let both_ways = |(a, b): (u32, u32)| [(a as usize, b), (b as usize, a)];
+        Self { neighbours: Rows::sorted(nodes, || edges().flat_map(both_ways)) }
     }
 
     /// The edges of a mesh.
     #[must_use]
     pub fn of_mesh(mesh: &Triangulation) -> Self {
-        let edges = mesh.triangles.iter().zip(&mesh.neighbours).enumerate().flat_map(|(t, (corners, neighbours))| {
-            // Each inner edge once: from the triangle of lower number.
-            let once = move |&k: &usize| neighbours[k] == NONE || t < neighbours[k] as usize;
-            (0..3).filter(once).map(move |k| (corners[k], corners[(k + 1) % 3]))
-        });
-        Self::from_edges(mesh.vertices.len(), edges)
+        Self::of_edges(mesh.vertices.len(), || {
+            mesh.triangles.iter().zip(&mesh.neighbours).enumerate().flat_map(|(t, (corners, neighbours))| {
+                // Each inner edge once: from the triangle of lower number.
+                let once = move |&k: &usize| neighbours[k] == NONE || t < neighbours[k] as usize;
+                (0..3).filter(once).map(move |k| (corners[k], corners[(k + 1) % 3]))
+            })
+        })
     }
 
     /// Neighbours of a node.
     #[must_use]
     pub fn of(&self, node: usize) -> &[u32] {
-        &self.neighbours[self.start[node] as usize..self.start[node + 1] as usize]
+        self.neighbours.row(node)
     }
 
     /// Lengths of the shortest paths along edges from `source` to every node, infinite where none leads.

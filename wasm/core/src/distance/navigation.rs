@@ -6,6 +6,7 @@ use super::field::WINDOW_SLACK;
 use crate::{
     domain::Domain,
     locate::{Locator, depth_in},
+    rows::Rows,
     segment::nearest_on_segment,
     triangulation::{NONE, Triangulation},
 };
@@ -32,8 +33,7 @@ pub struct Navigation {
     pub(crate) island: Vec<u32>,
     pub(crate) corners: Vec<Corner>,
     /// Triangles around each corner in the sense of positive angles, from its wall `next` to its wall `prev`.
-    fan: Vec<(u32, u8)>,
-    fan_start: Vec<u32>,
+    fans: Rows<(u32, u8)>,
     locator: Locator,
 }
 
@@ -62,10 +62,10 @@ impl Navigation {
             vertices.extend_from_slice(ring);
         }
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
-        let (fan_start, fan) = fans(&mesh);
+        let fans = fans(&mesh);
         let island = islands(&mesh);
         let locator = Locator::new(&mesh);
-        Self { mesh, island, corners, fan, fan_start, locator }
+        Self { mesh, island, corners, fans, locator }
     }
 
     /// The place of a point, or `None` outside the domain; on the outline, a millionth of a pixel is allowed for rounding.
@@ -130,11 +130,11 @@ impl Navigation {
 
     /// Triangles around a corner, each with the number of the corner in it.
     pub(crate) fn fan(&self, corner: usize) -> &[(u32, u8)] {
-        &self.fan[self.fan_start[corner] as usize..self.fan_start[corner + 1] as usize]
+        self.fans.row(corner)
     }
 }
 
-fn fans(mesh: &Triangulation) -> (Vec<u32>, Vec<(u32, u8)>) {
+fn fans(mesh: &Triangulation) -> Rows<(u32, u8)> {
     // The triangle in which the edge from the corner to its next one along the outline lies.
     let mut first = vec![(NONE, 0_u8); mesh.vertices.len()];
     for (t, (corners, neighbours)) in mesh.triangles.iter().zip(&mesh.neighbours).enumerate() {
@@ -144,19 +144,18 @@ fn fans(mesh: &Triangulation) -> (Vec<u32>, Vec<(u32, u8)>) {
             }
         }
     }
-    let (mut start, mut fan) = (vec![0], Vec::with_capacity(mesh.triangles.len() * 3));
-    for (corner, &(mut t, mut k)) in first.iter().enumerate() {
-        while t != NONE {
-            fan.push((t, k));
-            t = mesh.neighbours[t as usize][usize::from(k + 2) % 3];
-            if t != NONE {
-                let at = mesh.triangles[t as usize].iter().position(|&v| v as usize == corner);
-                k = at.expect("neighbours around a corner share it") as u8;
-            }
-        }
-        start.push(fan.len() as u32);
-    }
-    (start, fan)
+    let around = |corner: usize| {
+        let next = move |&(t, k): &(u32, u8)| {
+            let neighbour = mesh.neighbours[t as usize][usize::from(k + 2) % 3];
+            (neighbour != NONE).then(|| {
+                let at = mesh.triangles[neighbour as usize].iter().position(|&v| v as usize == corner);
+                (neighbour, at.expect("neighbours around a corner share it") as u8)
+            })
+        };
+        let fan = std::iter::successors(Some(first[corner]).filter(|&(t, _)| t != NONE), next);
+        fan.map(move |at| (corner, at))
+    };
+    Rows::sorted(first.len(), || (0..first.len()).flat_map(around))
 }
 
 fn islands(mesh: &Triangulation) -> Vec<u32> {

@@ -12,6 +12,7 @@ use crate::{
     distance::{Navigation, Place, graph::Graph},
     domain::Domain,
     locate::Locator,
+    rows::Rows,
     triangulation::Triangulation,
 };
 
@@ -34,9 +35,8 @@ pub(crate) struct Scouts {
     pub(crate) places: Vec<Place>,
     /// Edges of the mesh.
     pub(crate) graph: Graph,
-    /// Triangles around each scout, one scout after another.
-    fan: Vec<u32>,
-    fan_start: Vec<u32>,
+    /// Triangles around each scout.
+    fans: Rows<u32>,
     /// Length of the longest edge at each scout, in pixels.
     pub(crate) reach: Vec<f64>,
     /// Length of the longest edge of all.
@@ -56,14 +56,14 @@ impl Scouts {
         };
         let reach: Vec<f64> = (0..mesh.vertices.len()).map(longest).collect();
         let longest_edge = reach.iter().copied().fold(0.0, f64::max);
-        let (fan_start, fan) = fans(&mesh);
+        let fans = fans(&mesh);
         let locator = Arc::clone(&ground.locator);
-        Self { mesh, places, graph, fan, fan_start, reach, longest_edge, locator }
+        Self { mesh, places, graph, fans, reach, longest_edge, locator }
     }
 
     /// The triangles around a scout.
     pub(crate) fn fan(&self, scout: usize) -> &[u32] {
-        &self.fan[self.fan_start[scout] as usize..self.fan_start[scout + 1] as usize]
+        self.fans.row(scout)
     }
 
     /// The triangle that holds a point of the domain.
@@ -77,21 +77,7 @@ impl Scouts {
     }
 }
 
-fn fans(mesh: &Triangulation) -> (Vec<u32>, Vec<u32>) {
-    let mut start = vec![0_u32; mesh.vertices.len() + 1];
-    for &corner in mesh.triangles.iter().flatten() {
-        start[corner as usize + 1] += 1;
-    }
-    for i in 1..start.len() {
-        start[i] += start[i - 1];
-    }
-    let (mut fill, mut fan) = (start.clone(), vec![0; mesh.triangles.len() * 3]);
-    for (triangle, corners) in (0..).zip(&mesh.triangles) {
-        for &corner in corners {
-            let at = &mut fill[corner as usize];
-            fan[*at as usize] = triangle;
-            *at += 1;
-        }
-    }
-    (start, fan)
+fn fans(mesh: &Triangulation) -> Rows<u32> {
+    let corners = |(triangle, corners): (u32, &[u32; 3])| corners.map(|corner| (corner as usize, triangle));
+    Rows::sorted(mesh.vertices.len(), || (0..).zip(&mesh.triangles).flat_map(corners))
 }

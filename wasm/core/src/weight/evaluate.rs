@@ -12,6 +12,7 @@ use super::{
 use crate::{
     bone::Skeleton,
     distance::{Navigation, Place},
+    rows::Rows,
     sample::Samples,
     site::Site,
 };
@@ -32,9 +33,8 @@ pub struct Influence {
 pub struct Weights {
     basis: Basis,
     sharing: Sharing,
-    /// The supports that reach into each triangle of the navigation mesh, ascending by site, as compressed rows.
-    reaching_start: Vec<u32>,
-    reaching: Vec<Reaching>,
+    /// The supports that reach into each triangle of the navigation mesh, ascending by site.
+    reaching: Rows<Reaching>,
 }
 
 /// A support that reaches into a triangle.
@@ -48,24 +48,14 @@ struct Reaching {
 impl Weights {
     /// Prepares the weights of sites whose support radii are set and whose fields reach as far.
     pub(crate) fn new(navigation: &Navigation, sites: &[Site], skeleton: &Skeleton, basis: Basis) -> Self {
-        let mut reaching_start = vec![0_u32; navigation.mesh.triangles.len() + 1];
-        for (triangle, _) in sites.iter().flat_map(|site| site.field.windows_within(site.support_radius)) {
-            reaching_start[triangle as usize + 1] += 1;
-        }
-        for i in 1..reaching_start.len() {
-            reaching_start[i] += reaching_start[i - 1];
-        }
-        let mut fill = reaching_start.clone();
-        let mut reaching = vec![Reaching::default(); reaching_start[reaching_start.len() - 1] as usize];
-        for (site, at) in sites.iter().zip(0..) {
-            for (triangle, windows) in site.field.windows_within(site.support_radius) {
-                let next = &mut fill[triangle as usize];
-                reaching[*next as usize] = Reaching { site: at, windows };
-                *next += 1;
-            }
-        }
-        let sharing = Sharing::new(sites, skeleton);
-        Self { basis, sharing, reaching_start, reaching }
+        let supports = || {
+            (0..).zip(sites).flat_map(|(number, site)| {
+                let triangles = site.field.windows_within(site.support_radius);
+                triangles.map(move |(triangle, windows)| (triangle as usize, Reaching { site: number, windows }))
+            })
+        };
+        let reaching = Rows::sorted(navigation.mesh.triangles.len(), supports);
+        Self { basis, sharing: Sharing::new(sites, skeleton), reaching }
     }
 
     /// The weights at a point and their gradients, ascending by site. Empty where no site reaches.
@@ -132,7 +122,6 @@ impl Weights {
     }
 
     fn reaching_in(&self, place: Place) -> &[Reaching] {
-        let triangle = place.0 as usize;
-        &self.reaching[self.reaching_start[triangle] as usize..self.reaching_start[triangle + 1] as usize]
+        self.reaching.row(place.0 as usize)
     }
 }
