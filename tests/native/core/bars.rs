@@ -382,6 +382,50 @@ fn a_bar_whose_corner_sticks_out_by_a_hair_is_one_body() {
 
 /// A piece shorter than what sticks out unseen is joined at both its ends, and asks for no sites.
 #[test]
+fn a_bar_whose_corner_sticks_out_by_a_hair_lands_on_its_line_turned_and_stretched() {
+    let turned = |by: f64| move |p: DVec2| DVec2::new(200.0, 200.0) + DVec2::from_angle(by).rotate(p - 200.0);
+    let stretched = |p: DVec2| DVec2::new(200.0 + 4.0 * (p.x - 200.0), p.y);
+    let poses: [&dyn Fn(DVec2) -> DVec2; 3] = [&turned(TAU / 2.0), &turned(-TAU / 5.0), &stretched];
+    for out in [1e-9, 0.01, 0.3, 0.49, 0.51, 4.0] {
+        let beyond = 380.0 + out;
+        for corners in [&[(200.0, 200.0), (beyond, 200.0)][..], &[(100.0, 20.0 - out), (90.0, 250.0), (beyond, 300.0)]]
+        {
+            for posed_at in poses {
+                let rest = points(corners);
+                let posed_corners: Vec<DVec2> = rest.iter().map(|&p| posed_at(p)).collect();
+                let shape = Shape::Bar { rest: rest.clone(), posed: posed_corners.clone() };
+                let (solution, pose) = posed(&square(Support::Smooth, vec![line("bar", shape)]));
+                for (i, share) in (1..rest.len()).flat_map(|i| shares().map(move |share| (i, share))) {
+                    let at = rest[i - 1].lerp(rest[i], share);
+                    if at.x < 380.0 && at.y > 20.0 {
+                        let expected = posed_corners[i - 1].lerp(posed_corners[i], share);
+                        let off = goes(&solution, &pose, at).distance(expected);
+                        assert!(off <= ON_BAR, "{off} off at {share} of piece {i} with {out} px outside");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn where_handles_rest_plays_no_part_in_a_pose_of_what_was_solved() {
+    let mut project = square(Support::Smooth, all_kinds());
+    let (solution, pose) = posed(&project);
+    for handle in &mut project.handles {
+        match &mut handle.shape {
+            Shape::Point { rest, .. } => *rest += 10.0,
+            Shape::Bar { rest, .. } | Shape::Polygon { rest, .. } => rest.iter_mut().for_each(|corner| *corner += 10.0),
+        }
+    }
+    let again = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+    for (before, after) in pose.motions().iter().zip(again.motions()) {
+        let by = (before.translation - after.translation).length() + (before.angle - after.angle).abs();
+        assert!(by < 1e-9, "{before:?} and {after:?}");
+    }
+}
+
+#[test]
 fn a_bar_with_a_short_piece_is_one_body() {
     let sites = |short: f64| {
         let rest = [(140.0 - short, 210.0), (140.0, 210.0), (200.0, 130.0)];

@@ -17,11 +17,13 @@ const MOST_STEPS: f64 = std::f64::consts::SQRT_2 * MAX_SIDE as f64 / HELD_CLEARA
 /// Halvings until the way to the outline is known to the last digits.
 const HALVINGS: usize = 60;
 
-/// A part of a segment: its ends as shares of it, 0 or 1 where it is joined with the next, and where they are.
+/// A part of a piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
+    /// Its ends, as shares of the piece.
     pub(super) shares: [f64; 2],
-    pub(super) ends: [DVec2; 2],
+    /// Whether the part is joined there with what the piece is joined with.
+    pub(super) joined: [bool; 2],
 }
 
 /// The parts of a segment in the domain, and clear of its outline where that is `held`, ascending.
@@ -34,9 +36,9 @@ pub(super) fn kept(domain: &Domain, navigation: &Navigation, [a, b]: [DVec2; 2],
         };
         shares = shares.into_iter().flat_map(clear).collect();
     }
-    let joined = JOINED / a.distance(b);
-    let share = |share: f64| if share.min(1.0 - share) <= joined { share.round() } else { share };
-    shares.into_iter().map(|part| Part { shares: part.map(share), ends: part.map(|share| a.lerp(b, share)) }).collect()
+    let near = JOINED / a.distance(b);
+    let part = |shares: [f64; 2]| Part { shares, joined: [shares[0] <= near, shares[1] >= 1.0 - near] };
+    shares.into_iter().map(part).collect()
 }
 
 /// The parts of the segment from `a` to `b` inside the domain, as shares of it.

@@ -13,7 +13,7 @@ mod lines;
 mod motion;
 mod track;
 
-use std::cmp::Ordering;
+use std::{cmp::Ordering, collections::HashMap};
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -46,10 +46,16 @@ pub(crate) struct Anchor {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Bone {
     pub(crate) handle: u32,
+    /// The piece of the handle that it is of, between corners `segment` and `segment + 1`.
+    segment: u32,
     pub(crate) rest: [DVec2; 2],
     /// Whether it is a side of a polygon.
     pub(crate) of_loop: bool,
     joints: [u32; 2],
+    /// From each joint to where the handle itself passes there: bones of one joint may end beside one another, and do so when posed.
+    off_joints: [DVec2; 2],
+    /// From there to the end, as a share of the piece: the outline may cut off a little that leaves the bone joined.
+    beyond: [f64; 2],
     /// Number of the connected bones that it is one of.
     pub(crate) body: u32,
 }
@@ -78,6 +84,8 @@ impl Skeleton {
         let mut lines: Vec<&Line> = lines.iter().collect();
         lines.sort_by(|a, b| lexical(a.coordinates(), b.coordinates()));
         let cuts = cut::Cuts::new(&lines)?;
+        let corners: HashMap<u32, &[DVec2]> = lines.iter().map(|line| (line.handle, &line.corners[..])).collect();
+        let places: Vec<DVec2> = cuts.joints.iter().map(|anchors| place(anchors, |handle| corners[&handle])).collect();
         let mut skeleton = Self { bones: Vec::new(), joints: cuts.joints };
         let mut outside = Vec::new();
         // Pieces come line by line, and every line has some.
@@ -85,7 +93,7 @@ impl Skeleton {
             let bones = skeleton.bones.len();
             for piece in pieces {
                 let parts = clip::kept(domain, navigation, piece.ends(line), held);
-                skeleton.lay(line, piece, &parts, &mut outside);
+                skeleton.lay(line, piece, &parts, &places, &mut outside);
             }
             if skeleton.bones.len() == bones {
                 let (id, DVec2 { x, y }) = (line.id.clone(), line.corners[0]);
@@ -105,9 +113,10 @@ impl Skeleton {
         Ok((skeleton, outside))
     }
 
-    /// Adds the bones of a piece, of which `parts` are kept.
-    fn lay(&mut self, line: &Line, piece: &Piece, parts: &[Part], outside: &mut Vec<Outside>) {
+    /// Adds the bones of a piece, of which `parts` are kept; `places` are those of the joints between pieces.
+    fn lay(&mut self, line: &Line, piece: &Piece, parts: &[Part], places: &[DVec2], outside: &mut Vec<Outside>) {
         let [a, b] = piece.ends(line);
+        let [from, to] = piece.shares;
         let mut leave_out = |from: f64, to: f64| {
             if from < to {
                 let [from, to] = [from, to].map(|share| a.lerp(b, share).into());
@@ -115,24 +124,28 @@ impl Skeleton {
             }
         };
         let mut end = 0.0;
-        for &Part { shares, ends: rest } in parts {
-            leave_out(end, shares[0]);
-            let joints = shares.map(|share| self.joint(piece, share));
-            self.bones.push(Bone { handle: piece.handle, rest, of_loop: line.closed, joints, body: 0 });
-            end = shares[1];
+        for part in parts {
+            let mut bone = Bone {
+                handle: piece.handle,
+                segment: piece.segment,
+                rest: part.shares.map(|share| a.lerp(b, share)),
+                of_loop: line.closed,
+                joints: piece.joints,
+                off_joints: [0, 1].map(|k| [a, b][k] - places[piece.joints[k] as usize]),
+                beyond: [part.shares[0] * (to - from), (part.shares[1] - 1.0) * (to - from)],
+                body: 0,
+            };
+            for k in (0..2).filter(|&k| !part.joined[k]) {
+                let share = from + part.shares[k] * (to - from);
+                self.joints.push(vec![Anchor { handle: piece.handle, segment: piece.segment, share }]);
+                bone.joints[k] = self.joints.len() as u32 - 1;
+                (bone.off_joints[k], bone.beyond[k]) = (DVec2::ZERO, 0.0);
+            }
+            self.bones.push(bone);
+            leave_out(end, if part.joined[0] { 0.0 } else { part.shares[0] });
+            end = if part.joined[1] { 1.0 } else { part.shares[1] };
         }
         leave_out(end, 1.0);
-    }
-
-    /// The joint at a place of a piece: that of its end, or a new one.
-    fn joint(&mut self, piece: &Piece, share: f64) -> u32 {
-        if share == 0.0 || share == 1.0 {
-            return piece.joints[usize::from(share == 1.0)];
-        }
-        let [from, to] = piece.shares;
-        let share = from + share * (to - from);
-        self.joints.push(vec![Anchor { handle: piece.handle, segment: piece.segment, share }]);
-        self.joints.len() as u32 - 1
     }
 
     /// Numbers the bodies in the order of their first bones.
@@ -192,6 +205,23 @@ impl Skeleton {
             across(side_p, side_q, ON_BONE) && across(side_a, side_b, -ON_BONE)
         })
     }
+}
+
+/// The mean of the places of anchors on the corners of their handles, the same in any order.
+fn place<'a>(anchors: &[Anchor], corners: impl Fn(u32) -> &'a [DVec2]) -> DVec2 {
+    let place = |anchor: &Anchor| {
+        let [from, to] = ends(corners(anchor.handle), anchor.segment);
+        from.lerp(to, anchor.share)
+    };
+    let mut places: Vec<DVec2> = anchors.iter().map(place).collect();
+    places.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    places.iter().sum::<DVec2>() / places.len() as f64
+}
+
+/// The corners between which a piece of a handle is.
+fn ends(corners: &[DVec2], segment: u32) -> [DVec2; 2] {
+    let segment = segment as usize;
+    [corners[segment], corners[(segment + 1) % corners.len()]]
 }
 
 fn lexical(a: impl Iterator<Item = f64>, b: impl Iterator<Item = f64>) -> Ordering {

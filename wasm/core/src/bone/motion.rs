@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use super::{Anchor, Bone, Skeleton};
+use super::{Bone, Skeleton, ends, place};
 use crate::project::{Handle, Rotation, Shape};
 
 /// What is posed to less than this, in pixels, has no length: its direction would be rounding.
@@ -28,16 +28,14 @@ pub(crate) struct BoneMotion {
 impl Skeleton {
     /// The maps of all bones. Handles must have the corners that were solved.
     pub(crate) fn motions(&self, handles: &[Handle]) -> Vec<BoneMotion> {
-        let joints: Vec<[DVec2; 2]> = self.joints.iter().map(|anchors| joint(anchors, handles)).collect();
+        let joints: Vec<DVec2> =
+            self.joints.iter().map(|anchors| place(anchors, |handle| corners(&handles[handle as usize]))).collect();
         let turns: Vec<f64> = handles.iter().map(whole_turn).collect();
         let motion = |bone: &Bone| {
             let [a, b] = bone.rest;
-            // Bones of one joint may end beside one another, and do so when posed.
-            let posed = |end: DVec2, joint: u32| {
-                let [rest, posed] = joints[joint as usize];
-                posed + (end - rest)
-            };
-            let (c, d) = (posed(a, bone.joints[0]), posed(b, bone.joints[1]));
+            let [from, to] = ends(corners(&handles[bone.handle as usize]), bone.segment);
+            let [c, d] =
+                [0, 1].map(|k| joints[bone.joints[k] as usize] + bone.off_joints[k] + bone.beyond[k] * (to - from));
             let before = b - a;
             let after = if c.distance(d) < NO_LENGTH { DVec2::ZERO } else { d - c };
             // A bone without length has the direction of its handle.
@@ -56,38 +54,22 @@ impl Skeleton {
         self.bones.iter().map(motion).collect()
     }
 
-    /// Whether handles have the corners that anchors name.
+    /// Whether handles have the corners that bones and anchors name.
     pub(crate) fn fits(&self, handles: &[Handle]) -> bool {
-        let fits = |anchor: &Anchor| {
-            let corners = corners(&handles[anchor.handle as usize]);
-            let is_point = matches!(handles[anchor.handle as usize].shape, Shape::Point { .. });
-            !is_point && corners.iter().all(|corners| (anchor.segment as usize) < corners.len())
+        let has = |handle: u32, segment: u32| match &handles[handle as usize].shape {
+            Shape::Point { .. } => false,
+            Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => (segment as usize) < posed.len(),
         };
-        self.joints.iter().flatten().all(fits)
+        self.joints.iter().flatten().all(|anchor| has(anchor.handle, anchor.segment))
+            && self.bones.iter().all(|bone| has(bone.handle, bone.segment))
     }
 }
 
-/// The mean of where the anchors rest, and of what they ask for, the same in any order.
-fn joint(anchors: &[Anchor], handles: &[Handle]) -> [DVec2; 2] {
-    let [mut rest, mut posed] = [0, 1].map(|of| {
-        let place = |anchor: &Anchor| {
-            let corners = corners(&handles[anchor.handle as usize])[of];
-            let (from, to) = (anchor.segment as usize, (anchor.segment as usize + 1) % corners.len());
-            corners[from].lerp(corners[to], anchor.share)
-        };
-        anchors.iter().map(place).collect::<Vec<DVec2>>()
-    });
-    [&mut rest, &mut posed].map(|places| {
-        places.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
-        places.iter().sum::<DVec2>() / places.len() as f64
-    })
-}
-
-/// Where the corners rest, and where they are posed.
-fn corners(handle: &Handle) -> [&[DVec2]; 2] {
+/// Where the corners are posed.
+fn corners(handle: &Handle) -> &[DVec2] {
     match &handle.shape {
-        Shape::Point { rest, posed } => [rest, posed].map(std::slice::from_ref),
-        Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => [rest, posed],
+        Shape::Point { posed, .. } => std::slice::from_ref(posed),
+        Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => posed,
     }
 }
 
