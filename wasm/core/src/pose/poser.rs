@@ -1,6 +1,6 @@
 //! Motions of all sites from the handles: what is computed anew in every frame of a drag.
 
-use std::sync::Arc;
+use std::{collections::BTreeSet, f64::consts::TAU, sync::Arc};
 
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
@@ -28,6 +28,8 @@ pub struct Poser {
     /// Pairs of real sites that are neighbours, one of them a point handle, and how strongly: the edges that turn automatic
     /// rotations.
     edges: Vec<(u32, u32, f64)>,
+    /// Pairs of handles that share out what is between them with no third one.
+    meeting: Vec<[u32; 2]>,
     /// In the rigid mode.
     rigid: Option<Rigid>,
 }
@@ -64,6 +66,7 @@ impl Poser {
             forms,
             shares: harmonic.rows.clone(),
             edges,
+            meeting: meeting(sites, graph, harmonic),
             rigid,
         }
     }
@@ -98,6 +101,7 @@ impl Poser {
             }
         }
         self.turn_automatic(handles, &mut motions);
+        self.turn_alike(handles, &mut motions);
         // What stays adds nothing: a held outline, and most handles as a rule.
         let passed_on = |motion: &Motion| {
             let passed_on = motion.passed_on();
@@ -121,7 +125,9 @@ impl Poser {
             };
             let is_free: Vec<bool> = self.origin.iter().map(is_free).collect();
             rigid.settle(&self.rest, &mut motions, &is_free, &self.scales(handles));
-            unwrap_angles(&mut motions, &is_free, rigid.links());
+            let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
+            unwrap_angles(&mut angles, &is_free, rigid.links().map(|(i, j, _)| (i, j)));
+            motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
         }
         Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
     }
@@ -144,6 +150,27 @@ impl Poser {
                 && handles[handle as usize].rotation == Rotation::Auto
             {
                 motions[site].angle = self.turn_of_edges(site, motions);
+            }
+        }
+    }
+
+    /// Takes automatic rotations of neighbours to angles that go on from one to the other. Where one was set, the way around to it is the
+    /// person's: the automatic ones beside it do not follow it by whole turns.
+    fn turn_alike(&self, handles: &[Handle], motions: &mut [Motion]) {
+        let mut found = vec![0.0; handles.len()];
+        for (origin, motion) in self.origin.iter().zip(&*motions) {
+            if let Some(handle) = origin.handle() {
+                found[handle] = motion.angle;
+            }
+        }
+        let is_auto = |&handle: &u32| handles[handle as usize].rotation == Rotation::Auto;
+        let links = self.meeting.iter().filter(|pair| pair.iter().all(is_auto));
+        let mut angles = found.clone();
+        let is_free = vec![true; handles.len()];
+        unwrap_angles(&mut angles, &is_free, links.map(|&[a, b]| (a as usize, b as usize)));
+        for (origin, motion) in self.origin.iter().zip(motions) {
+            if let Some(handle) = origin.handle().filter(|&handle| angles[handle] != found[handle]) {
+                motion.angle += TAU * libm::round((angles[handle] - found[handle]) / TAU);
             }
         }
     }
@@ -202,6 +229,7 @@ impl Poser {
             && poser.shares.len() == sites
             && poser.shares.iter().flatten().all(|&(site, _)| real(site))
             && poser.edges.iter().all(|&(i, j, _)| real(i) && real(j))
+            && poser.meeting.iter().flatten().all(|&handle| (handle as usize) < poser.forms.len())
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
             && poser.skeleton.is_whole(poser.forms.len())
             && poser.origin.iter().all(known);
@@ -222,6 +250,20 @@ fn of_point(rest: DVec2, handle: &Handle) -> Motion {
 fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
     let motion = Motion::of_bone(bone.angle, bone.along, bone.stretch, bone.across, DVec2::ZERO, depth);
     Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }
+}
+
+/// Pairs of handles between whose parts of the cell graph there are links: each site is of the part that has the largest share in it.
+fn meeting(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<[u32; 2]> {
+    let leader = |row: &Vec<(u32, f64)>| {
+        let (real, _) = row.iter().copied().reduce(|most, one| if one.1 > most.1 { one } else { most })?;
+        sites[real as usize].origin.handle()
+    };
+    let leaders: Vec<Option<usize>> = harmonic.rows.iter().map(leader).collect();
+    let pair = |(i, j, _): (usize, usize, f64)| {
+        let (a, b) = (leaders[i]? as u32, leaders[j]? as u32);
+        (a != b).then(|| [a.min(b), a.max(b)])
+    };
+    graph.iter().filter_map(pair).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
 /// The cell graph seen from its real sites alone: a link's weight is what flows between two handles, directly and by way of

@@ -1,10 +1,11 @@
-//! Angles that go on from site to site.
+//! Angles that go on from neighbour to neighbour.
 //!
-//! The rigid mode knows rotations, which have an angle up to whole turns. Between neighbours the least difference is meant: what
-//! is rolled up by three turns unrolls by angles up to three turns. The rigid blend takes the mean of angles, so it needs them so.
+//! Rotations that are found have an angle up to whole turns. Between neighbours the least difference is meant: what
+//! is rolled up by three turns unrolls by angles up to three turns, and what is turned as one by half a turn is so everywhere, and not by
+//! half a turn back in places. Where motions blend their angles do, so they are needed so.
 //!
-//! From the sites whose turn the person set, or else from the one that is turned least, each site takes the angle nearest to that of the
-//! neighbour it is reached from: over the links across which angles differ least, whatever the order of the sites. Around a hole the last
+//! From those that the person set, or else from the one that is turned least, each takes the angle nearest to that of the
+//! neighbour it is reached from: over the links across which angles differ least, whatever the order. Around a hole the last
 //! neighbours may still be a whole turn apart. Cost: a look at every link, and a heap of them where a turn is missing somewhere.
 
 use std::{
@@ -12,24 +13,19 @@ use std::{
     f64::consts::{PI, TAU},
 };
 
-use super::Motion;
 use crate::least::Least;
 
-/// Shifts the angles of free sites by whole turns.
-pub(super) fn unwrap_angles(
-    motions: &mut [Motion],
-    is_free: &[bool],
-    links: impl Iterator<Item = (usize, usize, f64)> + Clone,
-) {
-    if links.clone().all(|(i, j, _)| (motions[i].angle - motions[j].angle).abs() < PI) {
+/// Shifts the angles that are free by whole turns.
+pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl Iterator<Item = (usize, usize)> + Clone) {
+    if links.clone().all(|(i, j)| (angles[i] - angles[j]).abs() < PI) {
         return;
     }
-    let mut unwrapping = Unwrapping::new(motions, links);
+    let mut unwrapping = Unwrapping::new(angles, links);
     (0..is_free.len()).filter(|&site| !is_free[site]).for_each(|site| unwrapping.know(site));
     unwrapping.spread();
     // Then from the least turned of each part that nothing set is in.
     let mut seeds: Vec<usize> = (0..is_free.len()).filter(|&site| !unwrapping.is_known[site]).collect();
-    seeds.sort_by(|&a, &b| unwrapping.motions[a].angle.abs().total_cmp(&unwrapping.motions[b].angle.abs()));
+    seeds.sort_by(|&a, &b| unwrapping.angles[a].abs().total_cmp(&unwrapping.angles[b].abs()));
     for seed in seeds {
         if !unwrapping.is_known[seed] {
             unwrapping.know(seed);
@@ -39,41 +35,40 @@ pub(super) fn unwrap_angles(
 }
 
 struct Unwrapping<'a> {
-    motions: &'a mut [Motion],
+    angles: &'a mut [f64],
     neighbours: Vec<Vec<usize>>,
     /// Whose angle is final.
     is_known: Vec<bool>,
-    /// Links from known sites, by how far angles differ: to which site, and from which.
+    /// Links from known ones, by how far angles differ: to which, and from which.
     queue: BinaryHeap<Least<(usize, usize)>>,
 }
 
 impl<'a> Unwrapping<'a> {
-    fn new(motions: &'a mut [Motion], links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
-        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); motions.len()];
-        for (i, j, _) in links {
+    fn new(angles: &'a mut [f64], links: impl Iterator<Item = (usize, usize)>) -> Self {
+        let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); angles.len()];
+        for (i, j) in links {
             neighbours[i].push(j);
             neighbours[j].push(i);
         }
-        let is_known = vec![false; motions.len()];
-        Self { motions, neighbours, is_known, queue: BinaryHeap::new() }
+        let is_known = vec![false; angles.len()];
+        Self { angles, neighbours, is_known, queue: BinaryHeap::new() }
     }
 
-    fn know(&mut self, site: usize) {
-        self.is_known[site] = true;
-        let angle = |site: usize| self.motions[site].angle;
-        let unknown = self.neighbours[site].iter().filter(|&&next| !self.is_known[next]);
+    fn know(&mut self, at: usize) {
+        self.is_known[at] = true;
+        let unknown = self.neighbours[at].iter().filter(|&&next| !self.is_known[next]);
         self.queue.extend(unknown.map(|&next| {
-            let apart = angle(next) - angle(site);
-            Least { key: (apart - TAU * libm::round(apart / TAU)).abs(), item: (next, site) }
+            let apart = self.angles[next] - self.angles[at];
+            Least { key: (apart - TAU * libm::round(apart / TAU)).abs(), item: (next, at) }
         }));
     }
 
     fn spread(&mut self) {
-        while let Some(Least { item: (site, from), .. }) = self.queue.pop() {
-            if !self.is_known[site] {
-                let turns = libm::round((self.motions[from].angle - self.motions[site].angle) / TAU);
-                self.motions[site].angle += TAU * turns;
-                self.know(site);
+        while let Some(Least { item: (at, from), .. }) = self.queue.pop() {
+            if !self.is_known[at] {
+                let turns = libm::round((self.angles[from] - self.angles[at]) / TAU);
+                self.angles[at] += TAU * turns;
+                self.know(at);
             }
         }
     }
@@ -84,9 +79,9 @@ mod tests {
     use super::*;
 
     fn chain(angles: &[f64], free: &[bool]) -> Vec<f64> {
-        let mut motions: Vec<Motion> = angles.iter().map(|&angle| Motion { angle, ..Motion::default() }).collect();
-        unwrap_angles(&mut motions, free, (1..angles.len()).map(|j| (j - 1, j, 1.0)));
-        motions.iter().map(|motion| motion.angle).collect()
+        let mut found = angles.to_vec();
+        unwrap_angles(&mut found, free, (1..angles.len()).map(|j| (j - 1, j)));
+        found
     }
 
     #[test]
@@ -102,15 +97,15 @@ mod tests {
     fn the_order_of_sites_does_not_matter() {
         let (angles, links) = ([2.6, 3.1, -2.5, -2.2, -1.4], [(0, 1), (1, 2), (2, 3), (3, 4), (0, 2)]);
         let found = |order: [usize; 5]| {
-            let mut motions = [Motion::default(); 5];
+            let mut found = [0.0; 5];
             let mut free = [true; 5];
             for (site, at) in order.into_iter().enumerate() {
-                motions[at].angle = angles[site];
+                found[at] = angles[site];
                 free[at] = site != 0 && site != 4;
             }
-            let links: Vec<_> = links.iter().map(|&(i, j)| (order[i], order[j], 1.0)).collect();
-            unwrap_angles(&mut motions, &free, links.into_iter());
-            order.map(|at| motions[at].angle)
+            let links: Vec<_> = links.iter().map(|&(i, j)| (order[i], order[j])).collect();
+            unwrap_angles(&mut found, &free, links.into_iter());
+            order.map(|at| found[at])
         };
         let first = found([0, 1, 2, 3, 4]);
         assert!([[4, 3, 2, 1, 0], [2, 0, 4, 1, 3], [1, 4, 0, 3, 2]].into_iter().all(|order| found(order) == first));
