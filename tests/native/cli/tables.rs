@@ -171,6 +171,15 @@ fn distance_is_the_straight_line_where_nothing_is_between() {
 }
 
 #[test]
+fn distance_does_not_ask_whether_handles_can_be_solved() {
+    let place = Workplace::with("strip").changed(|project| {
+        project["handles"][0]["rest"] = serde_json::json!([-500, -500]);
+    });
+    let (_, cells) = table(&place, "distance --from 10,20", &[[40.0, 20.0]]);
+    assert_eq!(cells[0], vec!["40", "20", "30"]);
+}
+
+#[test]
 fn distance_leads_around_a_hole() {
     let place = Workplace::with("ring");
     let (_, cells) = table(&place, "distance --from 30,64", &[[98.0, 64.0], [64.0, 64.0]]);

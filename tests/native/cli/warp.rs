@@ -23,6 +23,22 @@ fn a_scene_without_handles_is_the_picture_to_the_byte() {
 }
 
 #[test]
+fn without_handles_what_is_no_part_of_the_domain_stays_too() {
+    let place = Workplace::with("ring").changed(|project| {
+        project["handles"] = serde_json::json!([]);
+        project["domain"] = serde_json::json!({ "kind": "alpha", "threshold": 1 });
+    });
+    let mut soft = place.picture("ring.png");
+    // A shadow, and a speck.
+    soft.enumerate_pixels_mut().for_each(|(x, _, pixel)| pixel[3] = pixel[3].max((x % 100) as u8));
+    soft.put_pixel(1, 1, Rgba([200, 10, 10, 255]));
+    soft.pixels_mut().filter(|pixel| pixel[3] == 0).for_each(|pixel| pixel.0 = [0; 4]);
+    soft.save(place.file("ring.png")).unwrap();
+    succeed(place.folder(), WARP);
+    assert!(place.picture("out.png") == soft);
+}
+
+#[test]
 fn a_ring_at_rest_keeps_its_inside_and_its_rim() {
     let place = Workplace::with("ring").at_rest();
     succeed(place.folder(), WARP);

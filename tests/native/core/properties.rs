@@ -255,3 +255,13 @@ fn a_symmetric_scene_has_a_symmetric_result() {
     }
     assert!(compared > 1000);
 }
+
+#[test]
+fn handles_that_are_placed_as_far_apart_as_they_must_be_are_solved() {
+    let ring = [(20.0, 20.0), (380.0, 20.0), (380.0, 380.0), (20.0, 380.0)].map(DVec2::from).to_vec();
+    for x in [200.0, 333.3] {
+        // Differences of coordinates are a hair less than what was meant.
+        let places = [DVec2::new(x, 200.0), DVec2::new(x + 0.01, 200.0)];
+        assert!(solved(&project(&[ring.clone()], &places, Support::Paper)).is_ok(), "at {x}");
+    }
+}

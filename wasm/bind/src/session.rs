@@ -122,9 +122,7 @@ impl Session {
         }
         let solution = self.solver.solution();
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        let posed = solution.posed_vertices(&pose);
-        let picture = Picture::new(width, height, &self.rgba)?;
-        Ok(raster::warp(&picture, &solution.mesh.vertices, &posed, &solution.drawn_triangles(&pose), scale))
+        Ok(solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale))
     }
 }
 

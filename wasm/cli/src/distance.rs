@@ -30,8 +30,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let points = points::read(&arguments.at)?;
     let scene = Scene::open(&arguments.files)?;
     let output = Output::create(&arguments.output)?;
-    let solution = scene.solve()?;
-    let distances = solution.distances(arguments.from, &points).map_err(|reason| scene.refused(reason))?;
+    let distances = c2warp::distances(&scene.project, &scene.picture()?, arguments.from, &points)
+        .map_err(|reason| scene.refused(reason))?;
     output.finish(|writer| {
         let mut table = csv::Writer::from_writer(writer);
         table.write_record(["x", "y", "distance"])?;

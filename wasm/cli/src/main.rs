@@ -1,7 +1,7 @@
 //! The `c2warp` command: warps pictures, and answers questions about a warp.
 //!
-//! One file per subcommand. A refusal is one line on standard error and exit status 1, whatever was wrong; output files
-//! appear whole or not at all.
+//! One file per subcommand. A refusal is one line on standard error and exit status 1, whatever was wrong with what was read; output
+//! files appear whole or not at all. A command line that makes no sense ends with how it is used, and exit status 2.
 
 mod distance;
 mod error;

@@ -33,13 +33,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
 
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
-    let rgba = raster::warp(
-        &picture,
-        &solution.mesh.vertices,
-        &solution.posed_vertices(&pose),
-        &solution.drawn_triangles(&pose),
-        arguments.scale,
-    );
+    let rgba = solution.warped(&picture, &pose, arguments.scale);
     output.finish(|writer| {
         // A quarter more bytes than the default, in a third of its time.
         PngEncoder::new_with_quality(writer, CompressionType::Fast, FilterType::Adaptive)

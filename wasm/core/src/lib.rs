@@ -31,6 +31,8 @@
 //! let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 //! let mapped = solution.map(&pose, [54.0, 24.0].into()).expect("inside the picture");
 //! assert_eq!(mapped.posed, [54.0, 30.0].into());
+//! let rgba = solution.warped(&picture, &pose, 1.0);
+//! assert_eq!(rgba.len(), 64 * 48 * 4);
 //! # Ok::<(), c2warp::Error>(())
 //! ```
 //!
@@ -68,4 +70,4 @@ pub use picture::{MAX_PIXELS, MAX_SIDE, MIN_SIDE, Picture, check_size};
 pub use render_mesh::RenderMesh;
 pub use report::{Inspection, Outside, Report, StageTimes};
 pub use solution::Solution;
-pub use solver::{Solver, Stage, solve, solve_cloud, solve_mesh};
+pub use solver::{Solver, Stage, distances, solve, solve_cloud, solve_mesh};

@@ -14,6 +14,9 @@ use crate::{
     solver::Outline,
 };
 
+/// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] but for rounding, so that what is placed so far apart is not.
+const ONE_SPOT: f64 = MIN_SEPARATION - 1e-9;
+
 /// What is asked for, apart from where the handles are posed.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Request {
@@ -60,7 +63,7 @@ impl Rest {
 
 impl Request {
     /// # Errors
-    /// [`Error::TooManyHandles`]; [`Error::TooManyCorners`] where bars and polygons have more straight pieces than there may be sites,
+    /// [`Error::TooManyHandles`]; [`Error::BarTooShort`] for a line of less than two corners; [`Error::TooManyCorners`] where bars and polygons have more straight pieces than there may be sites,
     /// of which each needs one.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
@@ -118,7 +121,7 @@ impl Request {
         for point in &self.points {
             for bone in &rest.skeleton.bones {
                 let distance = bone.distance(point.rest);
-                if distance < MIN_SEPARATION {
+                if distance < ONE_SPOT {
                     let line = self.lines.iter().find(|line| line.handle == bone.handle);
                     let line = line.expect("bones are pieces of lines").id.clone();
                     return Err(Error::HandlesTooClose { first: point.id.clone(), second: line, distance });
@@ -144,7 +147,7 @@ impl Request {
         for (at, &(p, _, of_p)) in points.iter().enumerate() {
             for &(q, _, of_q) in points[at + 1..].iter().take_while(|(q, ..)| q.y - p.y < MIN_SEPARATION) {
                 let distance = p.distance(q);
-                if distance < MIN_SEPARATION {
+                if distance < ONE_SPOT {
                     let id = |handle: u32| {
                         let known = self.points.iter().find(|point| point.handle == handle);
                         known.expect("a handle of the request").id.clone()
@@ -176,7 +179,7 @@ impl Request {
     }
 }
 
-pub(crate) fn check_size(project: &Project, picture: &Picture) -> Result<(), Error> {
+pub(crate) fn check_picture(project: &Project, picture: &Picture) -> Result<(), Error> {
     let image = &project.image;
     if (image.width, image.height) == (picture.width, picture.height) {
         return Ok(());

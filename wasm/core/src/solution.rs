@@ -9,7 +9,9 @@ use crate::{
     domain::{Domain, Ring},
     drawing_order::drawn_triangles,
     error::Error,
+    picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
+    raster,
     render_mesh::RenderMesh,
     report::{Fingerprint, Outside, Report},
     site::{Site, SiteGraph},
@@ -105,20 +107,27 @@ impl Solution {
         drawn_triangles(&self.mesh, &self.weights, &depths)
     }
 
-    /// Intrinsic distances from one point of the domain to others; `None` where no path leads.
+    /// The picture, warped by a pose: what [`raster::warp`] draws of the mesh, or, where there is no handle, of the picture as it is, with
+    /// all that is no part of the domain.
+    ///
+    /// # Panics
+    /// As [`raster::warp`] does: `scale` must be one that [`raster::warped_size`] knows a size for.
+    #[must_use]
+    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64) -> Vec<u8> {
+        if self.kinds == [0; 3] {
+            let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
+            let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
+            return raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], scale);
+        }
+        raster::warp(picture, &self.mesh.vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), scale)
+    }
+
+    /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.
     ///
     /// # Errors
     /// [`Error::PointOutside`] where the first point lies outside the domain.
     pub fn distances(&self, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
-        let navigation = &self.outline.navigation;
-        let (place, from) = navigation.locate(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
-        let field = Propagation::default().field(navigation, place, from, f64::INFINITY);
-        let distance = |&p: &DVec2| {
-            let (place, p) = navigation.locate(p)?;
-            let d = field.distance(place, p);
-            d.is_finite().then_some(d)
-        };
-        Ok(at.iter().map(distance).collect())
+        Propagation::default().distances(&self.outline.navigation, from, at)
     }
 
     /// The solve in numbers, with the folds of a pose.

@@ -15,7 +15,7 @@ use crate::{
     pose::{HarmonicFields, Poser, Quadrature},
     project::{DomainSpec, PoseMode, Project},
     render_mesh::{RenderMesh, leading_parts},
-    request::{Request, Rest, check_size},
+    request::{Request, Rest, check_picture},
     sample::{Ground, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
@@ -96,10 +96,11 @@ impl Solver {
     /// Runs the domain's stage up to the check of what the project asks for.
     ///
     /// # Errors
-    /// [`Error::PictureMismatch`], [`Error::TooManyHandles`], [`Error::TooManyCorners`], or an error of [`Domain::new`].
+    /// [`Error::PictureMismatch`], [`Error::TooManyHandles`], [`Error::TooManyCorners`], [`Error::BarTooShort`], or an error of
+    /// [`Domain::new`].
     pub fn begin(&mut self, project: &Project, picture: &Picture) -> Result<(), Error> {
         self.work = None;
-        check_size(project, picture)?;
+        check_picture(project, picture)?;
         let request = Request::new(project)?;
         if self.outline.as_ref().is_none_or(|(key, _)| *key != project.domain) {
             let outline = Outline::new(project.domain.as_ref(), picture)?;
@@ -261,6 +262,16 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
     solver.begin(project, picture)?;
     while solver.advance()?.is_some() {}
     Ok(solver.into_solution().expect("every stage has run"))
+}
+
+/// Intrinsic distances in a project's domain, in pixels, from one point to others; `None` where no path leads. Handles play no part.
+///
+/// # Errors
+/// [`Error::PictureMismatch`], an error of [`Domain::new`], or [`Error::PointOutside`] where the first point lies outside the domain.
+pub fn distances(project: &Project, picture: &Picture, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
+    check_picture(project, picture)?;
+    let outline = Outline::new(project.domain.as_ref(), picture)?;
+    Propagation::default().distances(&outline.navigation, from, at)
 }
 
 /// Solves a project at once on a mesh that the caller brings: its vertices are the samples, and the first and only

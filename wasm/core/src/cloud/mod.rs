@@ -2,8 +2,8 @@
 //!
 //! A graph over the k nearest neighbours of each point stands for the domain. As in the paper, distances are shortest paths on
 //! it, cells and Algorithm 1 know its points only, and between points weights are interpolated. So all of it is an
-//! approximation: distances are some per cent too long however dense the points are, weights are continuous but not C², and
-//! a symmetric cloud may be divided asymmetrically. Where there is an outline or a mesh, bring that.
+//! approximation: distances are some per cent too long however dense the points are, weights jump a little where another point becomes one of the
+//! k nearest, and a symmetric cloud may be divided asymmetrically. Where there is an outline or a mesh, bring that.
 //!
 //! Cost: n log n for the graph; two passes of Dijkstra's algorithm over all of it for each site.
 

@@ -15,7 +15,7 @@ use super::{
     field::{DistanceField, Window},
     navigation::{Navigation, Place},
 };
-use crate::{least::Least, segment::segment_distance, triangulation::NONE};
+use crate::{error::Error, least::Least, segment::segment_distance, triangulation::NONE};
 
 /// Sines of angles, and pixels in comparisons of distances, below this are zero: rounding stays two orders below.
 const EPSILON: f64 = 1e-12;
@@ -61,6 +61,21 @@ impl Propagation {
             }
         }
         self.collect(source, bound)
+    }
+
+    /// Exact distances from one point of the domain to others, in pixels; `None` where no path leads.
+    ///
+    /// # Errors
+    /// [`Error::PointOutside`] where the first point lies outside the domain.
+    pub fn distances(&mut self, navigation: &Navigation, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
+        let (place, from) = navigation.locate(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
+        let field = self.field(navigation, place, from, f64::INFINITY);
+        let distance = |&p: &DVec2| {
+            let (place, p) = navigation.locate(p)?;
+            let d = field.distance(place, p);
+            d.is_finite().then_some(d)
+        };
+        Ok(at.iter().map(distance).collect())
     }
 
     fn reset(&mut self, corners: usize) {

@@ -77,7 +77,7 @@ impl Poser {
     /// # Errors
     /// [`Error::PoseMismatch`] for more or fewer handles than were solved, [`Error::PoseShape`] for one of another kind or with other
     /// corners; [`Error::PoseNotFinite`] for numbers that overflow, and scales that are
-    /// not above 0.
+    /// not above 0; [`Error::PoserBytes`] where bytes that were read say of bars what no scene says.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
         if handles.len() != self.forms.len() {
             return Err(Error::PoseMismatch { expected: self.forms.len(), found: handles.len() });

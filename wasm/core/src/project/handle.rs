@@ -23,7 +23,7 @@ pub struct Handle {
     #[schemars(default)]
     pub rotation: Rotation,
     /// The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners
-    /// tell.
+    /// tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows.
     #[schemars(default = "default_scale", extend("exclusiveMinimum" = 0))]
     pub scale: f64,
     /// What lies over what where the picture covers itself: more is nearer.

@@ -98,7 +98,7 @@ export interface PointHandle {
   readonly id: string;
   /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. Left out: 1. */
+  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows. Left out: 1. */
   readonly scale?: number;
   /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
   readonly depth?: number;
@@ -115,7 +115,7 @@ export interface BarHandle {
   readonly id: string;
   /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. Left out: 1. */
+  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows. Left out: 1. */
   readonly scale?: number;
   /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
   readonly depth?: number;
@@ -132,7 +132,7 @@ export interface PolygonHandle {
   readonly id: string;
   /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. Left out: 1. */
+  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows. Left out: 1. */
   readonly scale?: number;
   /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
   readonly depth?: number;
