@@ -245,6 +245,45 @@ for (const event of ['drop', 'paste'] as const) {
   });
 }
 
+test('of two pictures worked on, each leads back to the other', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  const told = await editor.still(() => editor.told('left hand'));
+  await bring(editor, 'drop', png('disc.png', disc(64)));
+  await expect(editor.button('Back to gingerbread.png')).toBeVisible();
+  await page.keyboard.press('p');
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('handle 1')).toBeVisible();
+  await editor.button('Back to gingerbread.png').click();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect(page.getByText('gingerbread.png is open.')).toBeVisible();
+  await editor.button('Back to disc.png').click();
+  await expect(editor.handles).toHaveCount(1);
+  await editor.button('Undo: add handle').click();
+  await expect(editor.handles).toHaveCount(0);
+  await editor.button('Back to gingerbread.png').click();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect(editor.button(/^Back to/)).toBeHidden();
+});
+
+test('a wrong picture in between does not take away the way back, nor does one that is refused', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  const told = await editor.still(() => editor.told('left hand'));
+  for (const name of ['wrong.png', 'right.png']) {
+    await bring(editor, 'drop', png(name, disc(64)));
+    await expect(page.getByText(`${name} is open.`)).toBeVisible();
+  }
+  // It is shown until the solver refuses it.
+  await bring(editor, 'drop', png('clear.png', disc(64, 0)));
+  await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
+  await expect(page.getByText('right.png is open.')).toBeVisible();
+  await editor.button('Back to gingerbread.png').click();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+});
+
 test('a project without its picture asks for it, and takes it when it comes', async ({ page }) => {
   const editor = await Editor.open(page);
   const other = {

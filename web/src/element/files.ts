@@ -19,6 +19,8 @@ export class Files {
   readonly #turns = new Turns();
   /** A project that came without its picture. */
   #awaiting: { readonly name: string; readonly project: Project } | null = null;
+  /** Pictures that a person has worked on and left for others, the last one last. */
+  #left: readonly Kept[] = [];
 
   constructor(workbench: Workbench, host: FilesHost) {
     this.#workbench = workbench;
@@ -56,11 +58,12 @@ export class Files {
       typeof source === 'string' ? fileName(source) : source instanceof File ? source.name : 'picture.png';
     const text = typeof project === 'string' ? await this.#fetchedText(project, turn) : made;
     const given = text === undefined ? undefined : await turn.through(this.#workbench.readProject(text));
-    await this.#openPicture(file, name, turn, given);
+    const { picture, record } = await this.#ready(file, name, turn, given);
+    await this.#open(picture, record);
   }
 
   async restore(kept: Kept, turn = this.turn()): Promise<void> {
-    await this.#workbench.open(await this.#picture(kept.file, kept.name, turn), kept.record);
+    await this.#open(await this.#picture(kept.file, kept.name, turn), kept.record);
   }
 
   /** Gives up what is being opened, and opens nothing more. */
@@ -90,8 +93,10 @@ export class Files {
     // A project alone opens nothing: it is for the picture that is open.
     const turn = picture && this.turn();
     const given = project && (await this.#readProject(project));
-    if (picture && turn) await this.#openOther(picture, turn, given?.project);
-    else if (given) this.#openProject(given.name, given.project);
+    if (picture && turn) {
+      const ready = await this.#ready(picture, picture.name || 'pasted.png', turn, given?.project);
+      await this.#openOther(ready.picture, ready.record);
+    } else if (given) this.#openProject(given.name, given.project);
   }
 
   async #readProject(file: File): Promise<{ name: string; project: Project }> {
@@ -121,20 +126,47 @@ export class Files {
     });
   }
 
-  /** Opens a picture over another, with a way back. */
-  async #openOther(file: File, turn: Turn, project?: Project): Promise<void> {
-    const before = this.#workbench.kept;
-    const edited = before !== null && before.record.past.length > 0;
-    await this.#openPicture(file, file.name || 'pasted.png', turn, project);
-    if (!before || !edited) return;
+  /** Opens a picture over another, with a way back to that if it was worked on. @param left those that others lead back to. */
+  async #openOther(picture: Picture, record?: Kept['record'], left = this.#left): Promise<void> {
+    const { kept } = this.#workbench;
+    const edited = kept !== null && kept.record.past.length > 0;
+    await this.#open(picture, record, edited ? [...left, kept] : left);
+  }
+
+  /** What a person has left is offered whatever comes of it: another picture, or the one before it again. */
+  async #open(picture: Picture, record?: Kept['record'], left = this.#left): Promise<void> {
+    try {
+      await this.#workbench.open(picture, record);
+      this.#left = left;
+    } finally {
+      this.#offerBack();
+    }
+  }
+
+  #offerBack(): void {
+    const { picture } = this.#workbench;
+    const last = this.#left.at(-1);
+    if (!picture || !last) return;
     this.#host.notify({
       kind: 'info',
-      text: `${file.name || 'The pasted picture'} is open.`,
-      action: { label: `Back to ${before.name}`, run: () => void this.#guarded(() => this.restore(before)) },
+      text: `${picture.name} is open.`,
+      action: { label: `Back to ${last.name}`, run: () => void this.#guarded(() => this.#back(last)) },
     });
   }
 
-  async #openPicture(file: Blob, name: string, turn: Turn, given?: Project): Promise<void> {
+  async #back(kept: Kept): Promise<void> {
+    const picture = await this.#picture(kept.file, kept.name, this.turn());
+    const others = this.#left.filter((other) => other !== kept);
+    await this.#openOther(picture, kept.record, others);
+  }
+
+  /** A picture to be opened, with the project that was given for it or waits for it. */
+  async #ready(
+    file: Blob,
+    name: string,
+    turn: Turn,
+    given?: Project,
+  ): Promise<{ picture: Picture; record?: Kept['record'] }> {
     const picture = await this.#picture(file, name, turn);
     const awaited =
       this.#awaiting && fits(picture, this.#awaiting.project) ? this.#awaiting.project : undefined;
@@ -147,7 +179,7 @@ export class Files {
     }
     this.#awaiting = null;
     const present = project && { project, selection: [] };
-    await this.#workbench.open(picture, present && { past: [], present, future: [] });
+    return present ? { picture, record: { past: [], present, future: [] } } : { picture };
   }
 
   async #picture(file: Blob, name: string, turn: Turn): Promise<Picture> {
