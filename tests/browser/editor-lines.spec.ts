@@ -164,6 +164,36 @@ test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing u
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
+test('a drawing waits while another tool is in hand', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  const corners = page.locator('c2-warp .draft .corner');
+  const card = page.getByRole('group', { name: 'Drawing' });
+  await page.keyboard.press('g');
+  await clicks(editor, [at(440, 780), at(584, 780), at(560, 900)]);
+  await page.keyboard.press('h');
+  await expect(card).toBeHidden();
+  await expect(corners).toHaveCount(3);
+  const before = await editor.middle(corners.first());
+  await editor.drag(at(300, 400), { x: 30, y: 20 });
+  await expect
+    .poll(async () => {
+      const { x, y } = await editor.middle(corners.first());
+      return [Math.round(x - before.x), Math.round(y - before.y)];
+    })
+    .toEqual([30, 20]);
+  // A handle is moved, and that is undone: corners stay.
+  await editor.button('Select and move').click();
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  await page.keyboard.press('Control+z');
+  await expect(editor.button('Redo: move left hand')).toBeEnabled();
+  await editor.button('Draw a polygon').click();
+  await expect(card).toContainText('Add corners, or finish');
+  await expect(corners).toHaveCount(3);
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('polygon 1')).toBeVisible();
+});
+
 test('by keys alone: a bar is drawn, one end moved, the whole turned and deleted', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('b');

@@ -279,6 +279,7 @@ export class Desk {
       settings: this.#settings,
       numbers: this.#numbers,
       draft: editing.machine.draft,
+      waiting: editing.machine.waiting,
       box: this.#box,
       crosshair: this.#input?.crosshair ?? null,
       cursor: this.workbench.picture ? (this.#input?.cursor ?? 'default') : 'default',

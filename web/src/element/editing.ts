@@ -92,7 +92,7 @@ export class Editing {
 
   /** Starts over with another document and its history. */
   open(record: HistoryRecord<Document>): void {
-    this.#letGo(this.machine.bail());
+    this.#letGo(this.machine.clear());
     this.#drawn = null;
     this.#host.guarding.end();
     this.#history = History.from(record);

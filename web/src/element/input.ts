@@ -164,7 +164,7 @@ export class Input {
     const { editing } = this.#host;
     this.crosshair = null;
     this.#finishField();
-    this.#apply(editing.machine.bail());
+    this.#apply(editing.machine.clear());
   }
 
   release(): void {

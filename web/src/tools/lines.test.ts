@@ -114,8 +114,7 @@ describe('drawing a bar', () => {
     bench.down([260, 204], { shift: true });
     bench.up([260, 204]);
     expect(bench.machine.draft?.corners[1]).toEqual([260, 200]);
-    bench.take('select');
-    bench.take('bar');
+    bench.apply(bench.machine.bail());
     bench.drag([200, 200], [204, 150], { shift: true });
     const end = bench.added && corners(bench.added)[1];
     expect(end?.[0]).toBeCloseTo(200);
@@ -144,6 +143,37 @@ describe('drawing a bar', () => {
     expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
   });
 
+  it('waits while another tool is in hand, one of each kind', () => {
+    bench.click([200, 200], [260, 200]);
+    for (const tool of ['hand', 'select', 'point'] as const) {
+      bench.take(tool);
+      expect(bench.machine.draft).toBeNull();
+      expect(bench.machine.waiting.map(({ corners }) => corners.length)).toEqual([2]);
+    }
+    bench.take('polygon');
+    bench.click([200, 300], [260, 300], [230, 360]);
+    bench.take('bar');
+    expect(bench.machine.draft?.corners).toHaveLength(2);
+    expect(bench.machine.waiting.map(({ kind }) => kind)).toEqual(['polygon']);
+    bench.click([260, 260]);
+    bench.apply(bench.machine.finish(bench.scene()));
+    expect(bench.added?.posed).toHaveLength(3);
+    bench.take('polygon');
+    expect(bench.machine.draft?.corners).toHaveLength(3);
+    expect(bench.drafted).not.toContain(null);
+  });
+
+  it('shows no line to the pointer while it waits, and is given up with all the rest', () => {
+    bench.click([200, 200]);
+    bench.machine.hover({ at: [230, 210], stage: [0, 0], shift: false, alt: false }, bench.scene());
+    bench.take('hand');
+    expect(bench.machine.waiting[0]?.next).toBeNull();
+    bench.apply(bench.machine.clear());
+    expect(bench.machine.waiting).toEqual([]);
+    bench.take('bar');
+    expect(bench.machine.draft).toBeNull();
+  });
+
   it('meets the corner of another handle, at rest as well', () => {
     bench.drag([200, 40], [104, 1]);
     expect(bench.added?.posed).toEqual([
@@ -163,6 +193,7 @@ describe('drawing a bar', () => {
     if (draft) bench.machine.resume(draft);
     expect(bench.machine.draft?.corners).toHaveLength(2);
     // Also where another tool has been taken up meanwhile.
+    bench.apply(bench.machine.bail());
     bench.take('select');
     if (draft) bench.machine.resume(draft);
     expect(bench.machine.draft?.corners).toHaveLength(2);

@@ -1,4 +1,4 @@
-/** The tools by name, and the machine that keeps the state of the one in hand. */
+/** The tools by name, and the machine that keeps the state of each and knows the one in hand. */
 import { resumed } from './drafting';
 import { hand } from './hand';
 import { bar, polygon } from './lines';
@@ -10,12 +10,14 @@ export const TOOLS = { select, point, bar, polygon, hand } satisfies Record<stri
 
 export type ToolName = keyof typeof TOOLS;
 
+const NAMES = Object.keys(TOOLS) as ToolName[];
+
 export const isToolName = (name: unknown): name is ToolName => typeof name === 'string' && name in TOOLS;
 
 export class ToolMachine {
   #tool: ToolName = 'select';
-  /** Between presses: the tool itself, or what is being drawn with it. */
-  #resting: State = select;
+  /** Between presses: each tool itself, or what is being drawn with it. That waits while another tool is in hand. */
+  readonly #resting: Record<ToolName, State> = { ...TOOLS };
   #state: State = select;
 
   get tool(): ToolName {
@@ -24,19 +26,27 @@ export class ToolMachine {
 
   /** A press is held: between down and up or cancel. */
   get busy(): boolean {
-    return this.#state !== this.#resting;
+    return this.#state !== this.#resting[this.#tool];
   }
 
   /** What is being drawn, with the corner in hand. */
   get draft(): Draft | null {
-    return this.#state.draft ?? this.#resting.draft ?? null;
+    return this.#state.draft ?? this.#resting[this.#tool].draft ?? null;
   }
 
-  /** Takes up another tool; what the old one was about is cancelled. */
+  /** What is being drawn with other tools, until they are taken up again. */
+  get waiting(): readonly Draft[] {
+    return NAMES.flatMap((name) => (name === this.#tool ? [] : (this.#resting[name].draft ?? [])));
+  }
+
+  /** Takes up another tool; the press in hand is over, what is being drawn waits. */
   choose(tool: ToolName): readonly Effect[] {
-    const effects = tool === this.#tool ? this.cancel() : this.bail();
+    const effects = this.cancel();
+    if (tool === this.#tool) return effects;
+    const { draft } = this;
+    this.#settle(draft ? resumed(draft, TOOLS[this.#tool]) : TOOLS[this.#tool]);
     this.#tool = tool;
-    if (!this.#resting.draft) this.#settle(TOOLS[tool]);
+    this.#settle(this.#resting[tool]);
     return effects;
   }
 
@@ -71,6 +81,13 @@ export class ToolMachine {
     return [...effects, { type: 'drafted', draft: null }];
   }
 
+  /** The same, with what waits for other tools. */
+  clear(): readonly Effect[] {
+    const effects = this.bail();
+    Object.assign(this.#resting, TOOLS);
+    return effects;
+  }
+
   /** The pointer goes by, or has left. */
   hover(press: Press | null, scene: Scene): void {
     if (this.busy) return;
@@ -80,17 +97,17 @@ export class ToolMachine {
 
   /** The drawing is done. */
   finish(scene: Scene): readonly Effect[] {
-    return this.#between(this.#resting.finish?.(scene));
+    return this.#between(this.#resting[this.#tool].finish?.(scene));
   }
 
   /** Takes the last corner back. */
   back(): readonly Effect[] {
-    return this.#between(this.#resting.back?.());
+    return this.#between(this.#resting[this.#tool].back?.());
   }
 
   /** Goes on with a drawing, with its tool, unless something else is being drawn by now. */
   resume(draft: Draft): void {
-    if (this.draft || this.busy) return;
+    if (this.draft || this.busy || this.#resting[draft.kind].draft) return;
     this.#tool = draft.kind;
     this.#settle(resumed(draft, TOOLS[this.#tool]));
   }
@@ -102,14 +119,14 @@ export class ToolMachine {
   }
 
   #settle(state: State): void {
-    this.#resting = state;
+    this.#resting[this.#tool] = state;
     this.#state = state;
   }
 
   /** After a press: what is drawn goes on, everything else is over. */
   #rest(): void {
     const lasts = this.#state === TOOLS[this.#tool] || this.#state.draft !== undefined;
-    this.#settle(lasts ? this.#state : this.#resting);
+    this.#settle(lasts ? this.#state : this.#resting[this.#tool]);
   }
 
   #take(result: Outcome | undefined): readonly Effect[] {

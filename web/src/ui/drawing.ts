@@ -1,25 +1,30 @@
 /** A bar or polygon that is being drawn: its line as far as it goes, on to the pointer, and what can be done with it. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { CORNERS_NEEDED } from '../document/handle';
-import { toStage } from '../geometry/camera';
+import { type Camera, type Size, toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
 import { isDrawable } from '../tools/drafting';
+import type { Draft } from '../tools/state';
 import { dots, onStage } from './dots';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
 
-export function draftMarks({ draft, camera, stage }: EditorModel): SVGTemplateResult | typeof nothing {
-  if (!draft) return nothing;
+export const draftMarks = ({ draft, waiting, camera, stage }: EditorModel): SVGTemplateResult => svg`
+  ${waiting.map((other) => marks(other, camera, stage, true))} ${draft ? marks(draft, camera, stage, false) : nothing}`;
+
+/** @param waits for its tool to be taken up again: a press there means nothing now. */
+function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTemplateResult {
   const set = draft.corners.map((corner) => toStage(camera, corner));
   const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
   const all = next ? [...set, next] : set;
   const [first] = set;
   const last = set.at(-1);
-  const targets = isDrawable(draft) ? [...(draft.kind === 'polygon' ? [0] : []), set.length - 1] : [];
+  const targets =
+    isDrawable(draft) && !waits ? [...(draft.kind === 'polygon' ? [0] : []), set.length - 1] : [];
   const at = draft.next && toStage(camera, draft.next);
   const away = (k: number) => (at && set[k] ? distance(set[k], at) : Number.POSITIVE_INFINITY);
   const hot = draft.finishing ? targets.reduce((best, k) => (away(k) < away(best) ? k : best), -1) : -1;
-  return svg`<g class="draft">
+  return svg`<g class="draft ${waits ? 'waiting' : ''}">
     ${draft.kind === 'polygon' && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${

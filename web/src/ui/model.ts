@@ -50,6 +50,8 @@ export interface EditorModel {
   readonly numbers: boolean;
   /** What is being drawn. */
   readonly draft: Draft | null;
+  /** What is being drawn with tools that are not in hand. */
+  readonly waiting: readonly Draft[];
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;

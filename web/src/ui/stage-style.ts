@@ -199,6 +199,9 @@ export const stageStyle = css`
   .line-handle.selected .body {
     opacity: 0.16;
   }
+  .draft.waiting {
+    opacity: 0.6;
+  }
   .draft .line {
     stroke: var(--c2-handle, #2558e8);
     stroke-width: 2.5;
