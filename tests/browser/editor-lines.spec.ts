@@ -164,6 +164,38 @@ test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing u
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
+test('redo brings back the corner that was taken back, and nothing else', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const corners = page.locator('c2-warp .draft .corner');
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  await page.keyboard.press('Control+z');
+  await expect(editor.button('Redo: move left hand')).toBeEnabled();
+  const told = await editor.told('left hand');
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('g');
+  await clicks(editor, [at(440, 780), at(584, 780), at(560, 900)]);
+  await expect(editor.button('Redo')).toBeDisabled();
+  await page.keyboard.press('Control+z');
+  await expect(corners).toHaveCount(2);
+  await page.keyboard.press('Control+Shift+z');
+  await expect(corners).toHaveCount(3);
+  await editor.button('Undo: set a corner').click();
+  await expect(corners).toHaveCount(2);
+  await editor.button('Redo: set a corner').click();
+  await expect(corners).toHaveCount(3);
+  // Also the first. Once the drawing is given up, redo is for the hand again.
+  for (const left of [2, 1, 0]) {
+    await page.keyboard.press('Control+z');
+    await expect(corners).toHaveCount(left);
+  }
+  await page.keyboard.press('Control+Shift+z');
+  await expect(corners).toHaveCount(1);
+  expect(await editor.told('left hand')).toEqual(told);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+Shift+z');
+  await expect(editor.button('Undo: move left hand')).toBeEnabled();
+});
+
 test('a drawing waits while another tool is in hand', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
@@ -264,7 +296,7 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   await expect(editor.notice).toContainText('bar-1');
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(5);
-  await expect(editor.button('Undo')).toBeDisabled();
+  await expect(editor.button('Undo: set a corner')).toBeEnabled();
   // It goes on from there: one corner more, on the leg.
   const leg = at(380, 950);
   await page.mouse.click(leg.x, leg.y);

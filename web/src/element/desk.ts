@@ -45,6 +45,9 @@ export interface DeskHost {
 /** What a few words beside a handle take, CSS pixels. */
 const HINT_WIDTH = 170;
 
+/** The step of a drawing. */
+const SET_CORNER = 'Set a corner';
+
 /** Nudges with a longer pause between them are undone one by one. */
 const SETTLE_MS = 800;
 
@@ -248,22 +251,23 @@ export class Desk {
 
   get model(): Omit<EditorModel, 'platform'> {
     const { editing, solving, picture } = this.workbench;
+    const { machine } = editing;
     const { readonly, disabled, dark } = this.#host;
     return {
       document: editing.document,
       turns: this.posing.turns(),
       picture,
-      tool: editing.machine.tool,
+      tool: machine.tool,
       readonly,
       disabled,
       dark,
       camera: this.viewing.camera,
       stage: this.viewing.stage,
       grips: this.#input?.grips ?? { handle: 0, line: 0, ring: 0, band: 0, slop: 0 },
-      pressing: editing.machine.busy,
+      pressing: machine.busy,
       press: this.#input?.press ?? 'click',
-      undo: editing.undoLabel,
-      redo: editing.redoLabel,
+      undo: machine.draft ? SET_CORNER : editing.undoLabel,
+      redo: machine.takenBack ? SET_CORNER : machine.draft ? null : editing.redoLabel,
       solved: solving.label,
       progress: this.talking.progress,
       notice: this.talking.notice,
@@ -278,8 +282,8 @@ export class Desk {
       holding: this.guarding.holding,
       settings: this.#settings,
       numbers: this.#numbers,
-      draft: editing.machine.draft,
-      waiting: editing.machine.waiting,
+      draft: machine.draft,
+      waiting: machine.waiting,
       box: this.#box,
       crosshair: this.#input?.crosshair ?? null,
       cursor: this.workbench.picture ? (this.#input?.cursor ?? 'default') : 'default',

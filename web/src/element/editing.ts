@@ -361,6 +361,7 @@ export class Editing {
 
   #travel(verb: string, label: string | null): void {
     this.apply(this.machine.cancel());
+    this.machine.forget();
     this.#host.guarding.end();
     if (label === null) return;
     this.#host.edited('change');

@@ -37,6 +37,7 @@ export function run(command: CommandName, host: RunningHost): void {
   // In the middle of a drawing what is taken back is its last corner.
   const drawing = () => editing.machine.draft !== null;
   const back = () => editing.apply(editing.machine.back());
+  const again = () => editing.apply(editing.machine.again());
   const commands: Readonly<Record<CommandName, () => void>> = {
     select: () => take('select'),
     point: () => take('point'),
@@ -47,7 +48,7 @@ export function run(command: CommandName, host: RunningHost): void {
     save: () => void files.save(),
     export: () => void files.export(),
     undo: () => edit(() => (drawing() ? look(back) : editing.undo())),
-    redo: () => edit(() => editing.redo()),
+    redo: () => edit(() => (drawing() || editing.machine.takenBack ? look(again) : editing.redo())),
     reset: () => edit(() => editing.reset(false)),
     'reset-all': () => edit(() => editing.reset(true)),
     remove: () => edit(() => (drawing() ? look(back) : editing.remove())),

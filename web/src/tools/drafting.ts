@@ -20,7 +20,7 @@ export const isDrawable = ({ kind, corners }: Draft): boolean => corners.length 
 
 /** The tool's state between presses, with nothing or something drawn. `rest` is the tool itself. */
 export function drafting(draft: Draft, rest: State): State {
-  const { corners } = draft;
+  const { corners, taken } = draft;
   const state: State = {
     draft,
     down: (press, scene) => {
@@ -35,14 +35,29 @@ export function drafting(draft: Draft, rest: State): State {
       return outcome(drafting({ ...draft, next, finishing: onFinish }, rest));
     },
     finish: (scene) => (isDrawable(draft) ? finished(draft, scene, rest) : outcome(state)),
-    back: () => shortened({ ...draft, corners: corners.slice(0, -1) }, rest),
+    back: () =>
+      shortened({ ...draft, corners: corners.slice(0, -1), taken: [...taken, ...corners.slice(-1)] }, rest),
+    ...lengthening(draft, rest),
   };
   return state;
 }
 
+/** What was taken back can come again, also where it was all that was drawn. */
+function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
+  const [last] = draft.taken.slice(-1);
+  if (!last) return {};
+  const longer: Draft = {
+    ...draft,
+    corners: [...draft.corners, last],
+    taken: draft.taken.slice(0, -1),
+    finishing: false,
+  };
+  return { again: () => outcome(drafting(longer, rest), { type: 'drafted', draft: longer }) };
+}
+
 /** The first press of a drawing. */
 export function begun(kind: LineKind, press: Press, scene: Scene, rest: State): Outcome {
-  const draft: Draft = { kind, corners: [], next: null, finishing: false };
+  const draft: Draft = { kind, corners: [], taken: [], next: null, finishing: false };
   return outcome(setting(draft, press, drawn(draft, press, scene), rest), { type: 'select', ids: [] });
 }
 
@@ -55,7 +70,7 @@ const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   const first = draft.corners.length === 0;
   const anchored: Draft = first ? { ...draft, corners: [at] } : draft;
   const held = (corners: readonly Vec[]): State => {
-    const after: Draft = { ...draft, corners, next: null, finishing: false };
+    const after: Draft = { ...draft, corners, taken: [], next: null, finishing: false };
     const whole = first && corners.length > 1 && draft.kind === 'bar';
     return {
       draft: after,
@@ -84,8 +99,11 @@ const finishing = (draft: Draft, rest: State): State => ({
 
 function shortened(draft: Draft, rest: State, told = true): Outcome {
   const left = draft.corners.length > 0 ? draft : null;
-  const next = left ? drafting({ ...left, finishing: false }, rest) : rest;
-  return told ? outcome(next, { type: 'drafted', draft: left }) : outcome(next);
+  if (!told) return outcome(left ? drafting({ ...left, finishing: false }, rest) : rest);
+  const next = left
+    ? drafting({ ...left, finishing: false }, rest)
+    : { ...rest, ...lengthening(draft, rest) };
+  return outcome(next, { type: 'drafted', draft: left });
 }
 
 function finished(draft: Draft, scene: Scene, rest: State): Outcome {

@@ -134,6 +134,35 @@ describe('drawing a bar', () => {
     expect(bench.added).toBeUndefined();
   });
 
+  it('brings corners again that were taken back, also the first, until another is set', () => {
+    const { machine } = bench;
+    bench.click([200, 200], [260, 200], [260, 260]);
+    for (let k = 0; k < 3; k++) bench.apply(machine.back());
+    expect(machine.draft).toBeNull();
+    for (const left of [1, 2, 3]) {
+      expect(machine.takenBack).toBe(true);
+      bench.apply(machine.again());
+      expect(machine.draft?.corners).toHaveLength(left);
+    }
+    expect(machine.takenBack).toBe(false);
+    expect(machine.draft?.corners.at(-1)).toEqual([260, 260]);
+    bench.apply(machine.back());
+    // A press that is given up sets none.
+    bench.down([200, 260]);
+    bench.apply(machine.cancel());
+    expect(machine.takenBack).toBe(true);
+    bench.click([200, 260]);
+    expect(machine.takenBack).toBe(false);
+    expect(bench.drafted.at(-1)?.corners).toHaveLength(3);
+  });
+
+  it('is over once all of it is taken back, and something before it', () => {
+    bench.click([200, 200]);
+    bench.apply(bench.machine.back());
+    bench.machine.forget();
+    expect(bench.machine.takenBack).toBe(false);
+  });
+
   it('loses a corner, not the drawing, when a second finger comes', () => {
     bench.click([200, 200]);
     bench.down([260, 200]);

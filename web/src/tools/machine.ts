@@ -105,6 +105,21 @@ export class ToolMachine {
     return this.#between(this.#resting[this.#tool].back?.());
   }
 
+  /** There are corners that were taken back and can come again. */
+  get takenBack(): boolean {
+    return this.#resting[this.#tool].again !== undefined;
+  }
+
+  /** Brings the last of them again. */
+  again(): readonly Effect[] {
+    return this.#between(this.#resting[this.#tool].again?.());
+  }
+
+  /** A drawing that was taken back altogether is over: something before it is taken back. */
+  forget(): void {
+    if (!this.draft && !this.busy) this.#settle(TOOLS[this.#tool]);
+  }
+
   /** Goes on with a drawing, with its tool, unless something else is being drawn by now. */
   resume(draft: Draft): void {
     if (this.draft || this.busy || this.#resting[draft.kind].draft) return;

@@ -57,6 +57,8 @@ export interface Draft {
   readonly kind: LineHandle['kind'];
   /** Where its corners are, on the posed picture. */
   readonly corners: readonly Vec[];
+  /** Corners that were taken back, the last one last, until another is set. */
+  readonly taken: readonly Vec[];
   /** Where the pointer would put the next. */
   readonly next: Vec | null;
   /** A press there would finish it. */
@@ -96,6 +98,8 @@ export interface State {
   finish?(scene: Scene): Outcome;
   /** Takes the last corner back. */
   back?(): Outcome;
+  /** Sets the corner again that was taken back last; there where one was. */
+  again?(): Outcome;
 }
 
 export const outcome = (next: State, ...effects: readonly Effect[]): Outcome => ({ next, effects });
