@@ -153,6 +153,56 @@ test('a button that disables itself gives the keys back', async ({ page }) => {
   await expect(editor.button('Undo')).toBeEnabled();
 });
 
+test('a press on a control of the panel leaves the keys with the picture', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  for (const name of ['Automatic turn', /^Bring forward$/]) {
+    const before = await editor.still(() => editor.told('head'));
+    await editor.button(name).click();
+    await expect(editor.handle('head')).toBeFocused();
+    await page.keyboard.press('ArrowRight');
+    await expect.poll(async () => (await editor.told('head')).x).toBe(before.x + 1);
+  }
+  // From a field too, which is committed.
+  await editor.field('x').fill('530');
+  await editor.button(/^Bring forward$/).click();
+  await page.keyboard.press('ArrowRight');
+  await expect.poll(async () => (await editor.told('head')).x).toBe(531);
+});
+
+test('a pressed switch leaves Space to the picture', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const guard = editor.switch('Stop at folds');
+  await guard.click();
+  await expect(guard).toBeChecked();
+  const before = await editor.place('head');
+  await page.keyboard.down('Space');
+  await editor.drag({ x: before.x, y: before.y + 120 }, { x: 30, y: 20 });
+  await page.keyboard.up('Space');
+  await expect
+    .poll(async () => {
+      const { x, y } = await editor.place('head');
+      return [Math.round(x - before.x), Math.round(y - before.y)];
+    })
+    .toEqual([30, 20]);
+  await expect(guard).toBeChecked();
+});
+
+test('a control that the Tab key came to keeps the keys, until it is pressed by pointer', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  const forward = editor.button(/^Bring forward$/);
+  await forward.focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Space');
+  await expect(forward).toBeFocused();
+  await expect.poll(async () => (await editor.inProject('head'))?.depth).toBe(2);
+  await forward.click();
+  await expect(forward).not.toBeFocused();
+});
+
 test('the crosshair stays in view, is told, and goes with Escape or another tool', async ({ page }) => {
   const editor = await Editor.open(page);
   const crosshair = page.locator('c2-warp .crosshair');

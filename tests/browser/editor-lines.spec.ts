@@ -196,6 +196,18 @@ test('redo brings back the corner that was taken back, and nothing else', async 
   await expect(editor.button('Undo: move left hand')).toBeEnabled();
 });
 
+test('Enter finishes also after a press on a button of the drawing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('g');
+  await clicks(editor, [at(440, 780), at(584, 780), at(560, 900), at(440, 900)]);
+  await editor.button('Take back the last corner').click();
+  await expect(page.locator('c2-warp .draft .corner')).toHaveCount(3);
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('polygon 1')).toBeVisible();
+  expect((await editor.inProject('polygon-1'))?.kind).toBe('polygon');
+});
+
 test('a drawing waits while another tool is in hand', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);

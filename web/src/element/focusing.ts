@@ -1,3 +1,6 @@
+/** Bars with all that is in them, and what else is pressed and not typed into. */
+const CONTROLS = '.top, .tools, .status, .draft-bar, .switch, button, summary';
+
 /**
  * Keeps the keys with the editor: what has the focus may vanish (a deleted handle) or be disabled (the last undo), and
  * browsers then give it to nobody. Only a press elsewhere or the Tab key takes it away.
@@ -32,17 +35,17 @@ export class Focusing {
     this.#listening.abort();
   }
 
-  /** A pressed button of a bar does its work and leaves the keys where they were: with the picture. */
+  /** A pressed control does its work and leaves the keys with the picture, or gives them back from a field or a control that has them. */
   #press(event: MouseEvent): void {
     const target = event.composedPath()[0];
-    if (!(target instanceof Element) || !target.closest('.top, .tools, .status')) return;
+    if (!(target instanceof Element) || target.closest('.stage') || !target.closest(CONTROLS)) return;
     event.preventDefault();
-    if (!this.#inside) this.#host.focus({ preventScroll: true });
+    if (!this.#held?.closest('.stage')) this.#host.focus({ preventScroll: true });
   }
 
   /** Whether nobody has the focus, or what has it can no longer hold it: browsers notice that a frame or two later, and lose keys. */
   #isLost(): boolean {
-    const held = this.#host.shadowRoot?.activeElement;
+    const held = this.#held;
     if (held) return held.matches(':disabled') || !held.checkVisibility({ visibilityProperty: true });
     const { ownerDocument: document } = this.#host;
     return document.activeElement === document.body && document.hasFocus();
@@ -50,9 +53,13 @@ export class Focusing {
 
   /** A menu that closes takes what has the focus with it. */
   #leave({ target, newState }: ToggleEvent): void {
-    const held = this.#host.shadowRoot?.activeElement ?? null;
-    if (newState === 'closed' && (target as Element).contains(held))
+    if (newState === 'closed' && (target as Element).contains(this.#held))
       this.#host.focus({ preventScroll: true });
+  }
+
+  /** What has the focus in here. */
+  get #held(): Element | null {
+    return this.#host.shadowRoot?.activeElement ?? null;
   }
 
   #enter(inside: boolean): void {
