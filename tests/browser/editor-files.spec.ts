@@ -1,4 +1,5 @@
 /** Opening, saving, exporting, coming back after a reload, and files that are refused. */
+import { mkdir } from 'node:fs/promises';
 import { decode, encode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
@@ -336,6 +337,24 @@ for (const [title, file, message] of REFUSED) {
     await expect(editor.notice).toBeHidden();
     await editor.button('Undo: move left hand').click();
     await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+  });
+}
+
+for (const [title, name] of [
+  ['a folder', 'some folder'],
+  ['a folder with the name of a project', 'old.c2warp.json'],
+] as const) {
+  test(`${title} is refused with a sentence about it`, async ({ page }) => {
+    const editor = await Editor.open(page);
+    const folder = test.info().outputPath(name);
+    await mkdir(folder, { recursive: true });
+    const devtools = await page.context().newCDPSession(page);
+    const data = { items: [], files: [folder], dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+      await devtools.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
+    }
+    await expect(editor.notice).toContainText(`${name}: This cannot be read: it is a folder`);
+    await expect(editor.handles).toHaveCount(5);
   });
 }
 

@@ -23,8 +23,8 @@
  * | `progress` | `detail.label`: what the solver is at, or that a PNG is being exported; null when it is done; for what takes longer than a person notices |
  * | `error` | `detail`: the Error of what went wrong that no method was asked for |
  *
- * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `picture` (no picture, or
- * none that can be opened), `project` (its message names the key), `image-size` (a project for a picture of another size), `engine`
+ * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a folder, or a file that
+ * is gone), `picture` (no picture, or none that can be opened), `project` (its message names the key), `image-size` (a project for a picture of another size), `engine`
  * (the solver could not be started), or what the solver refuses, such as `handle-outside`.
  *
  * Setting `readonly` or `disabled` gives up the drag, the drawing or the number that a person is in the midst of. Several elements

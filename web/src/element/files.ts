@@ -2,8 +2,9 @@
 import type { Project, ProjectFile } from '../document/project';
 import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
+import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
-import { fits, type Picture, readPicture, sortFiles, stem } from './picture';
+import { fits, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
 import { type Turn, Turns } from './turn';
 import type { Kept, Workbench } from './workbench';
 
@@ -101,12 +102,10 @@ export class Files {
 
   async #readProject(file: File): Promise<{ name: string; project: Project }> {
     try {
-      return { name: file.name, project: await this.#workbench.readProject(await file.text()) };
+      const text = new TextDecoder().decode(await readBytes(file));
+      return { name: file.name, project: await this.#workbench.readProject(text) };
     } catch (error) {
-      // The message of a DOMException, such as that the editor is gone, cannot be set.
-      if (error instanceof Error && !(error instanceof DOMException))
-        error.message = `${file.name}: ${error.message}`;
-      throw error;
+      throw ofFile(file.name, error);
     }
   }
 

@@ -9,14 +9,20 @@ export interface Picture extends DecodedPicture {
   readonly file: Blob;
 }
 
-/** @throws PictureError, its message led by the file's name. */
+/** @throws Error with a code, its message led by the file's name. */
 export async function readPicture(file: Blob, name: string): Promise<Picture> {
   try {
     return { ...(await decodePicture(file)), name, file };
   } catch (error) {
-    if (error instanceof Error) error.message = `${name}: ${error.message}`;
-    throw error;
+    throw ofFile(name, error);
   }
+}
+
+/** An error, its message led by the file's name. */
+export function ofFile(name: string, error: unknown): unknown {
+  // The message of a DOMException, such as that the editor is gone, cannot be set.
+  if (error instanceof Error && !(error instanceof DOMException)) error.message = `${name}: ${error.message}`;
+  return error;
 }
 
 export const fits = (picture: Picture | null, project: Project): boolean =>

@@ -6,6 +6,7 @@ import { readHeader } from './header';
 import { checkSize } from './limits';
 import { PictureError } from './picture_error';
 import { straightPixels } from './pixels';
+import { readBytes } from './read';
 
 export interface DecodedPicture {
   /** Premultiplied, for drawing. Close it when the picture goes. */
@@ -16,10 +17,13 @@ export interface DecodedPicture {
   readonly rgba: Uint8Array<ArrayBuffer>;
 }
 
-/** @throws PictureError where the file is no picture, not a whole one, or of a size that cannot be opened. */
+/**
+ * @throws PictureError where the file is no picture, not a whole one, or of a size that cannot be opened; ReadError where it
+ * cannot be read.
+ */
 export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   if (file.size === 0) throw new PictureError('The file is empty.');
-  const { kind, size, complete } = readHeader(await file.arrayBuffer());
+  const { kind, size, complete } = readHeader(await readBytes(file));
   if (kind === 'svg') {
     throw new PictureError('An SVG is a drawing without pixels: export it as PNG, and open that.');
   }
