@@ -76,6 +76,13 @@ test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
   expect(alpha(2, 2)).toBe(0);
 });
 
+test('the first PNG is exported without a network too', async ({ page, context }) => {
+  const editor = await Editor.open(page);
+  await context.setOffline(true);
+  const { width, height } = decode(await bytes(await editor.download('Export a PNG at full size')));
+  expect([width, height]).toEqual([1024, 1280]);
+});
+
 test('a word in passing does not take away the way back to what was open before', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -10, y: -40 });
