@@ -85,6 +85,41 @@ const warp = (page: Page) => page.locator('c2-warp');
 const picture = (page: Page) => warp(page).evaluate((element) => (element as C2Warp).project.image.src);
 const heard = (page: Page) => page.evaluate(() => Reflect.get(globalThis, 'heard') as string[]);
 
+test('an empty stage asks for a picture, and not while one is on its way', async ({ page }) => {
+  const slow = await open(page, '<c2-warp></c2-warp>');
+  const [asks, waits] = [page.getByText('Drop a picture here'), page.getByText('Opening…')];
+  await expect(asks).toBeVisible();
+  await expect(waits).toBeHidden();
+  await warp(page).evaluate((element) => element.setAttribute('src', '/slow.png'));
+  await expect(waits).toBeVisible();
+  await expect(asks).toBeHidden();
+  // Another one overtakes it, which is refused: then it asks again.
+  const refused = warp(page).evaluate((element) =>
+    (element as C2Warp).load(new Blob(['no picture'])).catch((error: Error) => error.message),
+  );
+  expect(await refused).toContain('not a picture');
+  await slow.comes();
+  await expect(asks).toBeVisible();
+  await expect(waits).toBeHidden();
+});
+
+test('while the solver is slow to come, nothing looks lost', async ({ page }) => {
+  let comes = () => {};
+  const come = new Promise<void>((done) => {
+    comes = done;
+  });
+  await page.route('**/*.wasm', async (route) => {
+    await come;
+    await route.continue();
+  });
+  await page.goto('/');
+  await expect(page.getByText('Opening…')).toBeVisible();
+  await expect(page.getByText('Drop a picture here')).toBeHidden();
+  comes();
+  await new Editor(page).ready();
+  await expect(page.getByText('Opening…')).toBeHidden();
+});
+
 test('the newest load wins, and the one before it is told so', async ({ page }) => {
   const slow = await open(page, `<c2-warp></c2-warp>`);
   const ends = await warp(page).evaluate(async (element) => {

@@ -168,7 +168,7 @@ export class C2Warp extends LitElement {
       throw new TypeError('load: expected the address of a picture, or a Blob such as a File');
     }
     const given = project instanceof URL ? project.href : project;
-    await desk.files.load(picture, given ?? this.#beginning.taken());
+    await desk.files.shown(() => desk.files.load(picture, given ?? this.#beginning.taken()));
     if (desk !== this.#desk) return;
     this.#beginning.settle(desk);
     this.#emit('load');

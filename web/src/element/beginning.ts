@@ -90,7 +90,7 @@ export class Beginning {
   /** Tells the page what came of it. @param opening whether there was anything to open. @returns whether it is open. */
   async #open(desk: Desk, opening: () => Promise<boolean>): Promise<boolean> {
     try {
-      if (!(await opening()) || desk !== this.#host.desk) return false;
+      if (!(await desk.files.shown(opening)) || desk !== this.#host.desk) return false;
     } catch (error) {
       // Gone from the page, it is opened on the next.
       if (desk === this.#host.desk) desk.talking.report(error);

@@ -120,6 +120,7 @@ export class Desk {
     });
     this.posing = new Posing(this.workbench);
     this.files = new Files(this.workbench, {
+      changed: () => host.changed(),
       notify: (notice) => this.talking.notify(notice),
       report: (error) => this.talking.report(error),
       progressed: (label) => this.talking.progressed(label),
@@ -257,6 +258,7 @@ export class Desk {
       document: editing.document,
       turns: this.posing.turns(),
       picture,
+      opening: this.files.opening,
       tool: machine.tool,
       readonly,
       disabled,

@@ -9,6 +9,7 @@ import { type Turn, Turns } from './turn';
 import type { Kept, Workbench } from './workbench';
 
 export interface FilesHost {
+  changed(): void;
   notify(notice: Notice): void;
   report(error: unknown): void;
   progressed(label: string | null): void;
@@ -22,23 +23,42 @@ export class Files {
   #awaiting: { readonly name: string; readonly project: Project } | null = null;
   /** Pictures that a person has worked on and left for others, the last one last. */
   #left: readonly Kept[] = [];
+  /** How many are being opened: one may have been overtaken and not know it yet. */
+  #opening = 0;
 
   constructor(workbench: Workbench, host: FilesHost) {
     this.#workbench = workbench;
     this.#host = host;
   }
 
+  /** Something is being opened. */
+  get opening(): boolean {
+    return this.#opening > 0;
+  }
+
   /** Asks for a picture or a project. */
   async choose(): Promise<void> {
     await this.#guarded(async () => {
       const file = await openFile('any');
-      if (file) await this.#receive([file]);
+      if (file) await this.shown(() => this.#receive([file]));
     });
   }
 
   /** Takes what was dropped, pasted or chosen; a project and its picture may come together. */
   async receive(files: readonly File[]): Promise<void> {
-    await this.#guarded(() => this.#receive(files));
+    await this.#guarded(() => this.shown(() => this.#receive(files)));
+  }
+
+  /** Opens something, and shows that it does for as long as it takes. */
+  async shown<T>(work: () => Promise<T>): Promise<T> {
+    this.#opening += 1;
+    this.#host.changed();
+    try {
+      return await work();
+    } finally {
+      this.#opening -= 1;
+      this.#host.changed();
+    }
   }
 
   /** The turn to open something: what is being opened in the turn before is given up. */

@@ -16,6 +16,8 @@ export interface EditorModel {
   readonly document: Document;
   readonly turns: Turns;
   readonly picture: PictureLabel | null;
+  /** One is on its way. */
+  readonly opening: boolean;
   readonly tool: ToolName;
   readonly readonly: boolean;
   readonly disabled: boolean;

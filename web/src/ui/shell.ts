@@ -56,7 +56,10 @@ function hint({ text, at, above }: Hint, camera: Camera): TemplateResult {
 }
 
 function emptyStage(model: EditorModel, actions: EditorActions): TemplateResult {
-  if (model.progress || model.readonly) return html``;
+  if (model.progress) return html``;
+  if (model.opening)
+    return html`<div class="empty opening"><span class="spinner" aria-hidden="true"></span>Opening…</div>`;
+  if (model.readonly) return html``;
   return html`<div class="empty">
     <p>Drop a picture here, paste one, or</p>
     <button type="button" class="primary" @click=${() => actions.run('open')}>Open a picture</button>

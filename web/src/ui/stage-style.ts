@@ -271,6 +271,10 @@ export const stageStyle = css`
     color: var(--_faint);
     font-size: 15px;
   }
+  /* Most pictures are there before anybody could read it. */
+  .empty.opening {
+    animation: appear var(--_speed) 350ms backwards;
+  }
   :host(.dropping) .stage::after {
     content: '';
     position: absolute;
