@@ -83,6 +83,33 @@ test('the first PNG is exported without a network too', async ({ page, context }
   expect([width, height]).toEqual([1024, 1280]);
 });
 
+test('what is bent beyond the frame is seen before an export, fitted into view, and told to be cut off', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const [frame, told] = [page.locator('c2-warp .frame'), page.getByText('is cut off in the PNG')];
+  await editor.dragHandle('right hand', { x: 0, y: -30 });
+  await editor.download('Export a PNG at full size');
+  await expect(editor.solved).toContainText('sample');
+  await expect(frame).toHaveCount(0);
+  await expect(told).toBeHidden();
+
+  await editor.dragHandle('right hand', { x: 140, y: 30 });
+  await expect(frame).toBeVisible();
+  const { width } = decode(await bytes(await editor.download('Export a PNG at full size')));
+  expect(width).toBe(1024);
+  await expect(told).toBeVisible();
+
+  await editor.dragHandle('head', { x: 0, y: -170 });
+  const top = page.locator('c2-warp .top');
+  await page.keyboard.press('0');
+  const [head, bar] = [await editor.place('head'), await top.boundingBox()];
+  expect(head.y).toBeGreaterThan((bar?.y ?? 0) + (bar?.height ?? 0));
+  expect(head.y).toBeLessThan(700);
+  await editor.button('Reset all handles').click();
+  await expect(frame).toHaveCount(0);
+});
+
 test('a word in passing does not take away the way back to what was open before', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -10, y: -40 });

@@ -53,7 +53,7 @@ const SETTLE_MS = 800;
 
 export class Desk {
   readonly workbench: Workbench;
-  readonly viewing = new Viewing();
+  readonly viewing = new Viewing(() => this.posing.bounds());
   readonly posing: Posing;
   readonly files: Files;
   readonly talking: Talking;
@@ -95,6 +95,7 @@ export class Desk {
     });
     this.#noticing = new Noticing({
       folds: () => this.posing.folds(),
+      beyond: () => this.posing.beyond(),
       changed: () => host.changed(),
       outside: (ids) => this.#tellOutside(ids),
     });
@@ -104,6 +105,8 @@ export class Desk {
         this.posing.forget();
         this.#drawing?.setSolution(data);
         this.#noticing.solved(data.report);
+        // Now it is known how far it reaches.
+        if (opened) this.viewing.refit();
         // What has just been restored is kept already, or something newer of another tab.
         if (opened && !this.#restoring) this.#keep();
         this.#host.changed();
@@ -124,6 +127,7 @@ export class Desk {
       notify: (notice) => this.talking.notify(notice),
       report: (error) => this.talking.report(error),
       progressed: (label) => this.talking.progressed(label),
+      cuts: () => this.posing.beyond(),
     });
   }
 
@@ -280,6 +284,7 @@ export class Desk {
       sites: this.#overlays.sites || this.#overlays.graph ? this.posing.graph() : null,
       folded: this.#overlays.folds ? this.posing.folded() : null,
       folds: this.#overlays.folds || this.guarding.on ? this.posing.folds() : this.#noticing.folds,
+      beyond: this.#noticing.beyond,
       guarded: this.guarding.on,
       holding: this.guarding.holding,
       settings: this.#settings,

@@ -13,7 +13,13 @@ export interface FilesHost {
   notify(notice: Notice): void;
   report(error: unknown): void;
   progressed(label: string | null): void;
+  /** Whether an export leaves out something of the picture as it is bent now. */
+  cuts(): boolean;
 }
+
+/** The size is the picture's by contract: what is bent beyond it has no place there. */
+const CUT =
+  'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
 
 export class Files {
   readonly #workbench: Workbench;
@@ -104,7 +110,9 @@ export class Files {
     if (!picture) return;
     await this.#guarded(async () => {
       this.#host.progressed('Exporting');
+      const cut = this.#host.cuts();
       await saveFile(this.#workbench.png(), `${stem(picture.name)}-warped.png`, 'png');
+      if (cut) this.#host.notify({ kind: 'info', text: CUT });
     });
     this.#host.progressed(null);
   }

@@ -1,14 +1,17 @@
 /**
- * What is worth a word though nobody asked: folds that a pose makes, and handles that lie beside the picture.
+ * What is worth a word though nobody asked: folds that a pose makes, parts that it takes beyond the picture's frame, and handles that
+ * lie beside the picture.
  *
- * Counting folds takes a look at every triangle. It is done once a drag pauses, and a few times a second while it lasts.
+ * Folds and what lies beyond take a look at the whole mesh. It is done once a drag pauses, and a few times a second while it lasts.
  */
 import type { Report } from '../compute/solution';
 
 export interface NoticingHost {
   /** How many triangles the pose as it is turns over. */
   folds(): number;
-  /** Another count is to be shown. */
+  /** Whether something of it lies beyond the picture's frame. */
+  beyond(): boolean;
+  /** Something else is to be shown of either. */
   changed(): void;
   /** Other handles than before have parts outside of what bends; none, where all are back. */
   outside(ids: readonly string[]): void;
@@ -19,20 +22,26 @@ const BREATH_MS = 200;
 export class Noticing {
   readonly #host: NoticingHost;
   #folds = 0;
+  #beyond = false;
   #outside = '';
-  #counting: ReturnType<typeof setTimeout> | undefined;
+  #looking: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: NoticingHost) {
     this.#host = host;
   }
 
-  /** As of the last count. */
+  /** As of the last look. */
   get folds(): number {
     return this.#folds;
   }
 
+  /** As of the last look. */
+  get beyond(): boolean {
+    return this.#beyond;
+  }
+
   posed(): void {
-    this.#counting ??= setTimeout(() => this.#count(), BREATH_MS);
+    this.#looking ??= setTimeout(() => this.#look(), BREATH_MS);
   }
 
   solved(report: Report): void {
@@ -45,14 +54,14 @@ export class Noticing {
   }
 
   dispose(): void {
-    clearTimeout(this.#counting);
+    clearTimeout(this.#looking);
   }
 
-  #count(): void {
-    this.#counting = undefined;
-    const folds = this.#host.folds();
-    if (folds === this.#folds) return;
-    this.#folds = folds;
+  #look(): void {
+    this.#looking = undefined;
+    const [folds, beyond] = [this.#host.folds(), this.#host.beyond()];
+    if (folds === this.#folds && beyond === this.#beyond) return;
+    [this.#folds, this.#beyond] = [folds, beyond];
     this.#host.changed();
   }
 }

@@ -3,6 +3,7 @@ import { blendOf } from '../document/bending';
 import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
+import { type Box, boxAround, reachesBeyond } from '../geometry/box';
 import { DrawingOrder } from '../geometry/drawing_order';
 import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
 import { type Located, locate, locateNear } from '../geometry/locate';
@@ -11,6 +12,9 @@ import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
 import type { FoldedMesh, SiteGraph } from '../ui/overlays';
 import type { Workbench } from './workbench';
+
+/** Less of a pixel than this is not missed, nor what rounding takes. */
+const SLACK = 0.5;
 
 export class Posing {
   readonly #workbench: Workbench;
@@ -97,6 +101,20 @@ export class Posing {
     if (this.folds() === 0) return null;
     const posed = this.#positions();
     return { posed, triangles: foldedTriangles(this.#foldable, posed) };
+  }
+
+  /** The least box around the posed picture, image pixels; null where there is no solution yet. What surrounds the rim does not count. */
+  bounds(): Box | null {
+    const { current } = this.#workbench.solving;
+    return current && boxAround(this.#positions(), current.data.report.samples);
+  }
+
+  /** Whether something of the posed picture lies beyond the picture's own rectangle. */
+  beyond(): boolean {
+    const { picture } = this.#workbench;
+    const bounds = this.bounds();
+    if (!picture || !bounds) return false;
+    return reachesBeyond(bounds, { min: [0, 0], max: [picture.width, picture.height] }, SLACK);
   }
 
   /** Where a point of the original goes; null outside what is warped. */

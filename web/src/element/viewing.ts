@@ -1,4 +1,8 @@
-/** Where the person looks. Until they look elsewhere the whole picture stays in view, whatever the size of the stage. */
+/**
+ * Where the person looks. Until they look elsewhere the whole picture stays in view, whatever the size of the stage: its own rectangle,
+ * which is what is exported, and whatever has been bent beyond it.
+ */
+import { type Box, boxOfBoth } from '../geometry/box';
 import { type Camera, fitted, type Insets, panned, type Size, scaledAt, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 
@@ -17,12 +21,18 @@ const beyond = (at: number, least: number, most: number): number => at - Math.ma
 const NOTCH = Math.SQRT2;
 
 export class Viewing {
+  /** Where the posed picture lies, image pixels; null where nobody knows yet. */
+  readonly #bounds: () => Box | null;
   camera: Camera = { scale: 1, x: 0, y: 0 };
   stage: Size = { width: 1, height: 1 };
   /** The size of the stage that the camera is made for. */
   #settled: Size = this.stage;
   #picture: Size | null = null;
   #fitted = true;
+
+  constructor(bounds: () => Box | null) {
+    this.#bounds = bounds;
+  }
 
   show(picture: Size | null): void {
     this.#picture = picture;
@@ -52,7 +62,16 @@ export class Viewing {
 
   fit(): void {
     this.#fitted = true;
-    if (this.#picture) this.camera = fitted(this.#picture, this.stage, insetsOf(this.stage));
+    if (!this.#picture) return;
+    const { width, height } = this.#picture;
+    const frame: Box = { min: [0, 0], max: [width, height] };
+    const posed = this.#bounds();
+    this.camera = fitted(posed ? boxOfBoth(frame, posed) : frame, this.stage, insetsOf(this.stage));
+  }
+
+  /** The same, unless the person looks elsewhere. */
+  refit(): void {
+    if (this.#fitted) this.fit();
   }
 
   /** One image pixel on one pixel of the stage. */

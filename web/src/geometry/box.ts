@@ -1,4 +1,4 @@
-/** Axis-parallel boxes: of a drag over empty space, of what can be seen. */
+/** Axis-parallel boxes: of a drag over empty space, of what can be seen, of where the posed picture lies. */
 import type { Vec } from './vec';
 
 export interface Box {
@@ -11,6 +11,33 @@ export const boxBetween = (a: Vec, b: Vec): Box => ({
   min: [Math.min(a[0], b[0]), Math.min(a[1], b[1])],
   max: [Math.max(a[0], b[0]), Math.max(a[1], b[1])],
 });
+
+/** The least box around the first `count` of points, given as × 2; null for none. Cost: linear. */
+export function boxAround(points: Float32Array, count: number): Box | null {
+  if (count === 0) return null;
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let at = 0; at + 1 < 2 * count; at += 2) {
+    const [x, y] = [points[at] as number, points[at + 1] as number];
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
+  }
+  return { min: [left, top], max: [right, bottom] };
+}
+
+/** The least box around two. */
+export const boxOfBoth = (a: Box, b: Box): Box => ({
+  min: [Math.min(a.min[0], b.min[0]), Math.min(a.min[1], b.min[1])],
+  max: [Math.max(a.max[0], b.max[0]), Math.max(a.max[1], b.max[1])],
+});
+
+/** Whether a box reaches out of another by more than `slack`. */
+export const reachesBeyond = (box: Box, { min, max }: Box, slack: number): boolean =>
+  box.min[0] < min[0] - slack ||
+  box.min[1] < min[1] - slack ||
+  box.max[0] > max[0] + slack ||
+  box.max[1] > max[1] + slack;
 
 export const boxContains = ({ min, max }: Box, p: Vec): boolean =>
   p[0] >= min[0] && p[0] <= max[0] && p[1] >= min[1] && p[1] <= max[1];

@@ -23,12 +23,18 @@ describe('camera', () => {
 
   it('fits the image between the insets, centred, and lets a small one grow a little', () => {
     const insets = { top: 50, right: 0, bottom: 0, left: 100 };
-    expect(fitted({ width: 1000, height: 500 }, { width: 600, height: 1050 }, insets)).toEqual({
-      scale: 0.5,
-      x: 100,
-      y: 425,
-    });
-    expect(fitted({ width: 10, height: 10 }, { width: 600, height: 600 }, insets).scale).toBe(2);
+    const image = { min: [0, 0], max: [1000, 500] } as const;
+    expect(fitted(image, { width: 600, height: 1050 }, insets)).toEqual({ scale: 0.5, x: 100, y: 425 });
+    const small = { min: [0, 0], max: [10, 10] } as const;
+    expect(fitted(small, { width: 600, height: 600 }, insets).scale).toBe(2);
+  });
+
+  it('fits what lies beyond the image as well', () => {
+    const box = { min: [-100, -300], max: [900, 200] } as const;
+    const insets = { top: 50, right: 0, bottom: 0, left: 100 };
+    const camera = fitted(box, { width: 600, height: 1050 }, insets);
+    expect(toStage(camera, box.min)).toEqual([100, 425]);
+    expect(toStage(camera, box.max)).toEqual([600, 675]);
   });
 
   it('lets both fingers keep their image points when they spread along one line', () => {

@@ -3,6 +3,7 @@
  *
  * A camera is a value; every function returns a new one. The renderer's `View` is the same thing in device pixels.
  */
+import type { Box } from './box';
 import { distance, midpoint, type Vec } from './vec';
 import type { View } from './view';
 
@@ -59,15 +60,15 @@ export function scaledAt(camera: Camera, scale: number, anchor: Vec): Camera {
   };
 }
 
-/** The whole image, centred in what the insets leave of the stage; a small image grows to `largest` at most. */
-export function fitted(image: Size, stage: Size, insets: Insets, largest = 2): Camera {
+/** A box of the image, centred in what the insets leave of the stage; a small one grows to `largest` at most. */
+export function fitted({ min, max }: Box, stage: Size, insets: Insets, largest = 2): Camera {
   const width = Math.max(1, stage.width - insets.left - insets.right);
   const height = Math.max(1, stage.height - insets.top - insets.bottom);
-  const scale = clampScale(Math.min(width / image.width, height / image.height, largest));
+  const scale = clampScale(Math.min(width / (max[0] - min[0]), height / (max[1] - min[1]), largest));
   return {
     scale,
-    x: insets.left + (width - image.width * scale) / 2,
-    y: insets.top + (height - image.height * scale) / 2,
+    x: insets.left + (width - (min[0] + max[0]) * scale) / 2,
+    y: insets.top + (height - (min[1] + max[1]) * scale) / 2,
   };
 }
 

@@ -44,6 +44,8 @@ export interface EditorModel {
   readonly folded: FoldedMesh | null;
   /** How many there are. */
   readonly folds: number;
+  /** Something of the posed picture lies beyond the picture's frame, which is what is exported. */
+  readonly beyond: boolean;
   /** The guard against folds is on; it holds something back now. */
   readonly guarded: boolean;
   readonly holding: boolean;

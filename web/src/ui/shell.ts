@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
 import { draftBar, draftMarks, drawingHint } from './drawing';
+import { frame } from './frame';
 import { crosshair, handleButtons, handleMarks, selectionBox } from './handles';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Hint } from './model';
@@ -41,7 +42,7 @@ function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasEle
   >
     ${canvas}
     <svg class="marks" aria-hidden="true">
-      ${siteOverlay(model.sites, camera, model.overlays)}
+      ${frame(model)} ${siteOverlay(model.sites, camera, model.overlays)}
       ${foldOverlay(model.folded, camera)} ${handleMarks(model)} ${draftMarks(model)} ${selectionBox(model)}
       ${crosshair(model)}
     </svg>

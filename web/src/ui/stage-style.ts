@@ -160,6 +160,19 @@ export const stageStyle = css`
   .rest .dots.under {
     stroke-width: 4;
   }
+  .frame {
+    stroke-linecap: butt;
+    animation: appear var(--_speed) backwards;
+  }
+  .frame .pale {
+    stroke: #fffb;
+    stroke-width: 1.25;
+  }
+  .frame .dashes {
+    stroke: #26272bd9;
+    stroke-width: 1.25;
+    stroke-dasharray: 5 5;
+  }
   .ring {
     stroke: #fff;
     stroke-width: 1.75;

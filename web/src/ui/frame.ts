@@ -1,0 +1,14 @@
+/** The picture's own rectangle, which is what is exported: shown as soon as something is bent beyond it. */
+import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { toStage } from '../geometry/camera';
+import type { EditorModel } from './model';
+
+/** Dark dashes with light ones between them: one of the two reads on any picture and ground. */
+export function frame({ beyond, picture, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!beyond || !picture) return nothing;
+  const [x, y] = toStage(camera, [0, 0]);
+  const [right, bottom] = toStage(camera, [picture.width, picture.height]);
+  const rectangle = (name: string) =>
+    svg`<rect class=${name} x=${x} y=${y} width=${right - x} height=${bottom - y}/>`;
+  return svg`<g class="frame">${rectangle('pale')}${rectangle('dashes')}</g>`;
+}
