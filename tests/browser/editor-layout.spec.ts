@@ -62,7 +62,10 @@ test('Tab to a handle out of sight brings it beside the cards, and scrolls nothi
 });
 
 for (const [width, height] of [
+  [240, 240],
+  [320, 240],
   [320, 480],
+  [500, 240],
   [640, 240],
   [667, 331],
 ] as const) {
@@ -77,6 +80,49 @@ for (const [width, height] of [
     }
     const [tools, status] = [page.locator('c2-warp .tools'), page.locator('c2-warp .status')];
     expect((await box(tools)).bottom).toBeLessThanOrEqual((await box(status)).y);
+  });
+}
+
+for (const [width, height] of [
+  [240, null],
+  [500, null],
+  [320, 320],
+  [500, 360],
+  [500, 420],
+] as const) {
+  test(`the picture can be seen, and held beside the cards, at ${width} × ${height ?? 'whatever height it takes'}`, async ({
+    page,
+  }) => {
+    const editor = await Editor.open(page);
+    await page.evaluate(
+      ([width, height]) => {
+        const frame = document.createElement('div');
+        frame.style.width = `${width}px`;
+        const warp = document.querySelector('c2-warp');
+        if (!warp) return;
+        warp.style.position = 'relative';
+        warp.style.inset = 'auto';
+        warp.style.height = height === null ? 'auto' : `${height}px`;
+        document.body.append(frame);
+        frame.append(warp);
+      },
+      [width, height] as const,
+    );
+    await expect(editor.handles).toHaveCount(5);
+    const [tools, stage] = [page.locator('c2-warp .tools'), page.locator('c2-warp .stage')];
+    expect((1280 * (await editor.zoom())) / (await box(stage)).height).toBeGreaterThan(0.65);
+    const panel = page.getByRole('region', { name: 'Properties' });
+    for (const name of ['left hand', 'head', 'left foot', 'right foot']) {
+      const { x, y } = await editor.place(name);
+      const card = await box(tools);
+      expect(x > card.right || y < card.y, name).toBe(true);
+      await page.mouse.click(x, y);
+      await expect(editor.handle(name)).toHaveAttribute('aria-pressed', 'true');
+      const sheet = await box(panel);
+      expect(y < sheet.y || y > sheet.bottom, `${name}, with its sheet`).toBe(true);
+      await page.keyboard.press('Escape');
+      await expect(panel).toBeHidden();
+    }
   });
 }
 

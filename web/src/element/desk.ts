@@ -53,7 +53,7 @@ const SETTLE_MS = 800;
 
 export class Desk {
   readonly workbench: Workbench;
-  readonly viewing = new Viewing(() => this.posing.bounds());
+  readonly viewing: Viewing;
   readonly posing: Posing;
   readonly files: Files;
   readonly talking: Talking;
@@ -79,6 +79,15 @@ export class Desk {
   constructor(host: DeskHost) {
     this.#host = host;
     const desk = this;
+    this.viewing = new Viewing({
+      bounds: () => this.posing.bounds(),
+      get coarse() {
+        return matchMedia('(pointer: coarse)').matches;
+      },
+      get sheet() {
+        return desk.#settings || desk.workbench.editing.document.selection.length > 0;
+      },
+    });
     this.talking = new Talking({
       changed: () => host.changed(),
       emit: (type, detail) => host.emit(type, detail),

@@ -5,33 +5,31 @@
 import { type Box, boxOfBoth } from '../geometry/box';
 import { type Camera, fitted, type Insets, panned, type Size, scaledAt, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
-
-/** Room for the cards over the stage, by its size; the layout's breakpoints are the same. */
-function insetsOf({ width, height }: Size): Insets {
-  if (width >= 640 && height < 290)
-    return { top: 16, right: 248, bottom: 16, left: height < 208 ? 182 : 134 };
-  if (width >= 900) return { top: 28, right: 260, bottom: 28, left: 84 };
-  if (width >= 640) return { top: 20, right: 248, bottom: 20, left: 72 };
-  return { top: 16, right: 16, bottom: 136, left: 16 };
-}
+import { type Cards, insetsOf } from './insets';
 
 const beyond = (at: number, least: number, most: number): number => at - Math.max(least, Math.min(at, most));
 
 /** One notch of the zoom buttons. */
 const NOTCH = Math.SQRT2;
 
-export class Viewing {
+export interface ViewingHost extends Omit<Cards, 'stage'> {
   /** Where the posed picture lies, image pixels; null where nobody knows yet. */
-  readonly #bounds: () => Box | null;
+  bounds(): Box | null;
+}
+
+export class Viewing {
+  readonly #host: ViewingHost;
   camera: Camera = { scale: 1, x: 0, y: 0 };
   stage: Size = { width: 1, height: 1 };
   /** The size of the stage that the camera is made for. */
   #settled: Size = this.stage;
   #picture: Size | null = null;
   #fitted = true;
+  /** It is beside the sheet. */
+  #beside = false;
 
-  constructor(bounds: () => Box | null) {
-    this.#bounds = bounds;
+  constructor(host: ViewingHost) {
+    this.#host = host;
   }
 
   show(picture: Size | null): void {
@@ -51,7 +49,7 @@ export class Viewing {
     if (keyboard) return;
     const by: Vec = [(stage.width - this.#settled.width) / 2, (stage.height - this.#settled.height) / 2];
     this.#settled = stage;
-    if (this.#fitted) this.fit();
+    if (this.#fitted) this.refit();
     else this.camera = panned(this.camera, by);
   }
 
@@ -60,18 +58,20 @@ export class Viewing {
     this.#fitted = false;
   }
 
-  fit(): void {
+  /** @param sheet whether to leave room for the panel as a sheet. */
+  fit(sheet = this.#host.sheet): void {
     this.#fitted = true;
+    this.#beside = sheet;
     if (!this.#picture) return;
     const { width, height } = this.#picture;
     const frame: Box = { min: [0, 0], max: [width, height] };
-    const posed = this.#bounds();
-    this.camera = fitted(posed ? boxOfBoth(frame, posed) : frame, this.stage, insetsOf(this.stage));
+    const posed = this.#host.bounds();
+    this.camera = fitted(posed ? boxOfBoth(frame, posed) : frame, this.stage, this.#insets(sheet));
   }
 
-  /** The same, unless the person looks elsewhere. */
+  /** The same once more, unless the person looks elsewhere. What is selected meanwhile moves nothing. */
   refit(): void {
-    if (this.#fitted) this.fit();
+    if (this.#fitted) this.fit(this.#beside);
   }
 
   /** One image pixel on one pixel of the stage. */
@@ -96,14 +96,19 @@ export class Viewing {
 
   /** How far a place lies outside of what the cards leave free, stage pixels. */
   #outside(at: Vec, room = 0): Vec {
-    const { top, right, bottom, left } = insetsOf(this.stage);
+    const { top, right, bottom, left } = this.#insets();
     const [x, y] = toStage(this.camera, at);
     return [beyond(x, left, this.stage.width - right - room), beyond(y, top, this.stage.height - bottom)];
   }
 
+  #insets(sheet = this.#host.sheet): Insets {
+    const { coarse } = this.#host;
+    return insetsOf({ stage: this.stage, coarse, sheet });
+  }
+
   /** The middle of what the cards leave free, stage pixels. */
   get middle(): Vec {
-    const { top, right, bottom, left } = insetsOf(this.stage);
+    const { top, right, bottom, left } = this.#insets();
     return [(left + this.stage.width - right) / 2, (top + this.stage.height - bottom) / 2];
   }
 }

@@ -549,4 +549,21 @@ export const chromeStyle = css`
       min-width: 200px;
     }
   }
+  /* No tools below: what is said and drawn goes to the edge. */
+  @container shell (width < 640px) and (height < 372px) {
+    .hint:not(.bubble),
+    .draft-bar {
+      bottom: 8px;
+    }
+    .hint:not(.bubble) {
+      padding: 6px 12px;
+      font-size: 13px;
+    }
+    .notice {
+      top: 8px;
+    }
+    .panel.high ~ .notice {
+      bottom: 8px;
+    }
+  }
 `;

@@ -289,6 +289,40 @@ export const layout = css`
     }
   }
 
+  /* A low one: tools go to the left, as much side by side as it asks for, and the sheet lies beside them. */
+  @container shell (width < 640px) and (height < 372px) {
+    .middle {
+      --_left: 108px;
+    }
+    .tools {
+      left: 8px;
+      top: 8px;
+      bottom: auto;
+      translate: none;
+      display: grid;
+      grid-template-columns: auto auto;
+      gap: 2px;
+      max-width: none;
+      max-height: none;
+    }
+    .sheet-switch {
+      margin: 0;
+      padding: 0;
+      border: 0;
+    }
+    .panel {
+      left: var(--_left);
+      bottom: 8px;
+      max-height: calc(100% - 16px);
+    }
+  }
+  @container shell (width < 400px) and (height < 372px) {
+    .panel {
+      z-index: 3;
+      left: 8px;
+    }
+  }
+
   /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
   @container shell (width < 640px) and (height < 460px) {
     .panel:has(.field :focus) {

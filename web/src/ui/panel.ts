@@ -101,7 +101,7 @@ export function panel(model: EditorModel, actions: EditorActions): TemplateResul
     settings,
     numbers,
     away: pressing && !settings,
-    high: numbers && !settings && isLow(selected, model),
+    high: !settings && isLow(selected, model),
   };
   return html`<section class="panel card ${classMap(looks)}" part="panel" aria-label="Properties">
     ${selected.length > 0 ? properties(selected, model, actions) : nothing}
@@ -109,11 +109,14 @@ export function panel(model: EditorModel, actions: EditorActions): TemplateResul
   </section>`;
 }
 
-/** Whether what is selected stands in the lower half of the stage, in the middle. */
-function isLow(selected: readonly Handle[], { camera, stage }: EditorModel): boolean {
+/** How far the sheet reaches from below with one line, and the dot of a handle above it. CSS pixels. */
+const LINE_SHEET = 150;
+
+/** Whether what is selected stands, in the middle, where the sheet would lie: with its numbers that is the lower half of the stage. */
+function isLow(selected: readonly Handle[], { camera, stage: { height }, numbers }: EditorModel): boolean {
   if (selected.length === 0) return false;
   const [, y] = toStage(camera, centre(selected.map((handle) => anchor(handle))));
-  return y > stage.height / 2;
+  return y > (numbers ? height / 2 : Math.max(height / 2, height - LINE_SHEET));
 }
 
 function properties(selected: readonly Handle[], model: EditorModel, actions: EditorActions): TemplateResult {

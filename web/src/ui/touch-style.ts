@@ -52,6 +52,19 @@ export const touchStyle = css`
     .percent {
       font-size: 14px;
     }
+    @container shell (width < 640px) and (height < 372px) {
+      .middle {
+        --_left: 124px;
+      }
+    }
+    @container shell (width < 640px) and (height < 290px) {
+      .middle {
+        --_left: 174px;
+      }
+      .tools {
+        grid-template-columns: auto auto auto;
+      }
+    }
   }
   /* Where eight do not fit beside each other they stay as tall, and share the width. */
   @container shell (width < 360px) {

@@ -1,0 +1,25 @@
+/** Room for the cards over the stage. The breakpoints are those of `ui/layout.ts`, which are of the stage with its bars. */
+import type { Insets, Size } from '../geometry/camera';
+
+/** What the cards depend on. */
+export interface Cards {
+  /** CSS pixels. */
+  readonly stage: Size;
+  /** Bars and buttons are as wide as a finger. */
+  readonly coarse: boolean;
+  /** The panel is open, where it is a sheet. */
+  readonly sheet: boolean;
+}
+
+/** What both bars take of the height, CSS pixels. */
+const BARS = { fine: 82, coarse: 98 } as const;
+
+export function insetsOf({ stage: { width, height }, coarse, sheet }: Cards): Insets {
+  const whole = height + BARS[coarse ? 'coarse' : 'fine'];
+  if (width >= 640 && whole < 372) return { top: 16, right: 248, bottom: 16, left: whole < 290 ? 182 : 134 };
+  if (width >= 900) return { top: 28, right: 260, bottom: 28, left: 84 };
+  if (width >= 640) return { top: 20, right: 248, bottom: 20, left: 72 };
+  // So low that a sheet may lie over the picture: beside it, nothing would be left of it.
+  if (whole < 372) return { top: 8, right: 8, bottom: 8, left: !coarse ? 108 : whole < 290 ? 174 : 124 };
+  return { top: 16, right: 16, bottom: sheet ? 136 : 76, left: 16 };
+}
