@@ -120,6 +120,30 @@ test('while the solver is slow to come, nothing looks lost', async ({ page }) =>
   await expect(page.getByText('Opening…')).toBeHidden();
 });
 
+test('a picture without handles says what to do, and the one that a person brings has the point tool in hand', async ({
+  page,
+}) => {
+  await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
+  const editor = new Editor(page);
+  const pressed = (tool: string) => expect(editor.button(tool)).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByText('take the point tool, and click the picture')).toBeVisible();
+  await pressed('Select and move');
+  const bring = async () => editor.choose({ name: 'mine.png', mimeType: 'image/png', buffer: square(40) });
+  await bring();
+  await expect(page.getByText('Click the picture where you want to hold it')).toBeVisible();
+  await pressed('Add a point handle');
+  const middle = await editor.middle(page.locator('c2-warp canvas'));
+  await page.mouse.click(middle.x - 80, middle.y);
+  await expect(editor.handles).toHaveCount(1);
+  await page.keyboard.press('Escape');
+  await expect(page.getByText('Click the picture where')).toBeHidden();
+
+  await warp(page).evaluate((element) => element.setAttribute('tool', 'select'));
+  await bring();
+  await expect(page.getByText('take the point tool')).toBeVisible();
+  await pressed('Select and move');
+});
+
 test('the newest load wins, and the one before it is told so', async ({ page }) => {
   const slow = await open(page, `<c2-warp></c2-warp>`);
   const ends = await warp(page).evaluate(async (element) => {

@@ -266,6 +266,9 @@ export class C2Warp extends LitElement {
       get dark() {
         return element.#dark;
       },
+      get tool() {
+        return element.tool;
+      },
       get hint() {
         return element.hint ? { text: element.hint, handle: element.hintFor } : null;
       },

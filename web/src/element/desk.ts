@@ -33,6 +33,8 @@ export interface DeskHost {
   readonly readonly: boolean;
   readonly disabled: boolean;
   readonly dark: boolean;
+  /** The tool that the page names. */
+  readonly tool: string | null;
   /** What a first visitor is told of a handle. */
   readonly hint: { readonly text: string; readonly handle: string | null } | null;
   /** What the templates show has changed. */
@@ -137,6 +139,7 @@ export class Desk {
       report: (error) => this.talking.report(error),
       progressed: (label) => this.talking.progressed(label),
       cuts: () => this.posing.beyond(),
+      received: () => this.#welcome(),
     });
   }
 
@@ -374,6 +377,13 @@ export class Desk {
     this.#drawing?.setPicture(picture?.bitmap ?? null);
     this.viewing.show(picture);
     this.#looked();
+  }
+
+  /** A picture that a person brings has nothing to hold yet: their first press on it is to place something, unless the page has its own tool. */
+  #welcome(): void {
+    const { editing, picture } = this.workbench;
+    const bare = picture !== null && editing.project.handles.length === 0;
+    if (bare && editing.machine.tool === 'select' && !this.#host.tool) this.run('point');
   }
 
   #edited(kind: ChangeKind): void {

@@ -13,6 +13,8 @@ export interface FilesHost {
   notify(notice: Notice): void;
   report(error: unknown): void;
   progressed(label: string | null): void;
+  /** A person has brought something, and what of it there is to open is open. */
+  received(): void;
   /** Whether an export leaves out something of the picture as it is bent now. */
   cuts(): boolean;
 }
@@ -46,13 +48,13 @@ export class Files {
   async choose(): Promise<void> {
     await this.#guarded(async () => {
       const file = await openFile('any');
-      if (file) await this.shown(() => this.#receive([file]));
+      if (file) await this.shown(() => this.#take([file]));
     });
   }
 
   /** Takes what was dropped, pasted or chosen; a project and its picture may come together. */
   async receive(files: readonly File[]): Promise<void> {
-    await this.#guarded(() => this.shown(() => this.#receive(files)));
+    await this.#guarded(() => this.shown(() => this.#take(files)));
   }
 
   /** Opens something, and shows that it does for as long as it takes. */
@@ -226,6 +228,11 @@ export class Files {
   async #fetchedText(address: string, turn: Turn): Promise<string> {
     const file = await turn.through(fetchFile(address, turn.signal));
     return turn.through(file.text());
+  }
+
+  async #take(files: readonly File[]): Promise<void> {
+    await this.#receive(files);
+    this.#host.received();
   }
 
   async #guarded(work: () => Promise<void>): Promise<void> {

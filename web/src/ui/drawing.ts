@@ -65,17 +65,6 @@ export function draftBar(model: EditorModel, actions: EditorActions): TemplateRe
   </div>`;
 }
 
-/** What the tool in hand is for, until something is drawn with it. */
-export function drawingHint(model: EditorModel): TemplateResult | typeof nothing {
-  const { tool, draft, document, press } = model;
-  const idle =
-    !model.readonly && draft === null && document.selection.length === 0 && !model.notice && !model.hint;
-  if (!idle || model.picture === null || (tool !== 'bar' && tool !== 'polygon')) return nothing;
-  const words =
-    tool === 'bar' ? `Drag a bar, or ${press} its corners` : `Draw a polygon: ${press} its corners`;
-  return html`<p class="hint" part="hint">${words}</p>`;
-}
-
 const button = (name: 'undo' | 'close', label: string, keys: string, act: () => void): TemplateResult =>
   html`<button type="button" class="button" part="button" data-tip=${label} data-keys=${keys} aria-label=${label}
     @click=${act}>${icon(name)}</button>`;

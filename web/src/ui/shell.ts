@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
-import { draftBar, draftMarks, drawingHint } from './drawing';
+import { draftBar, draftMarks } from './drawing';
 import { frame } from './frame';
 import { crosshair, handleButtons, handleMarks, selectionBox } from './handles';
 import { icon } from './icons';
@@ -11,6 +11,7 @@ import { foldOverlay, siteOverlay } from './overlays';
 import { panel } from './panel';
 import { shortened } from './shortened';
 import { statusLine } from './status';
+import { toolHint } from './tool-hint';
 import { toolStrip, topBar } from './toolbar';
 
 /** @param canvas what the picture is drawn on; it lives as long as its WebGL context. */
@@ -22,7 +23,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${toolStrip(model, actions)} ${panel(model, actions)}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint && !model.comparing ? hint(model.hint, model.camera) : nothing}
-      ${draftBar(model, actions)} ${drawingHint(model)}
+      ${draftBar(model, actions)} ${toolHint(model)}
       ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${statusLine(model, actions)}

@@ -1,0 +1,28 @@
+/** A few words over the picture: what the tool in hand is for, until something is made with it; which to take, where there is nothing to hold. */
+import { html, nothing, type TemplateResult } from 'lit';
+import type { ToolName } from '../tools/machine';
+import type { EditorModel } from './model';
+
+export function toolHint(model: EditorModel): TemplateResult | typeof nothing {
+  const { draft, document, picture } = model;
+  const idle = !model.readonly && !model.notice && !model.hint && !model.comparing;
+  if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
+  const words = wordsOf(model)[model.tool];
+  return words === undefined ? nothing : html`<p class="hint" part="hint">${words}</p>`;
+}
+
+function wordsOf({ press, document }: EditorModel): Partial<Record<ToolName, string>> {
+  const lines = {
+    bar: `Drag a bar, or ${press} its corners`,
+    polygon: `Draw a polygon: ${press} its corners`,
+  };
+  if (document.project.handles.length > 0) return lines;
+  return {
+    ...lines,
+    select: `Take the point tool, and ${press} the picture`,
+    point:
+      press === 'tap'
+        ? 'Tap the picture where you want to hold it'
+        : 'Click the picture where you want to hold it',
+  };
+}
