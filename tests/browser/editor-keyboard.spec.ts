@@ -74,6 +74,24 @@ test('O shows the original for as long as it is held', async ({ page }) => {
   await expect.poll(async () => apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
 });
 
+test('over the original a press moves the view, and no handle that nobody sees', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const [at, told] = [await editor.place('head'), await editor.told('head')];
+  await editor.handle('head').focus();
+  await page.keyboard.down('o');
+  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp .stage')).toHaveCSS('cursor', 'grab');
+  await editor.drag(at, { x: 50, y: 30 });
+  await page.mouse.dblclick(at.x + 50, at.y + 30);
+  await page.keyboard.up('o');
+  await expect(page.getByText('Original', { exact: true })).toBeHidden();
+  expect(await editor.place('head')).toEqual({ x: at.x + 50, y: at.y + 30 });
+  expect(await editor.told('head')).toEqual(told);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await editor.dragHandle('head', { x: 12, y: 0 });
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
+});
+
 test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async ({ page }) => {
   const editor = await Editor.open(page);
   const fitted = await editor.zoom();

@@ -167,6 +167,9 @@ export class Desk {
       get disabled() {
         return desk.#host.disabled;
       },
+      get comparing() {
+        return desk.#comparing;
+      },
       looked: () => this.#looked(),
       run: (command) => this.run(command),
       compare: (on) => this.#compare(on),

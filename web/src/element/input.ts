@@ -21,6 +21,8 @@ export interface InputHost {
   readonly posing: Posing;
   readonly editable: boolean;
   readonly disabled: boolean;
+  /** The original is shown, and no handle with it. */
+  readonly comparing: boolean;
   /** Camera, cursor or crosshair changed. */
   looked(): void;
   run(command: CommandName): void;
@@ -119,15 +121,20 @@ export class Input {
   }
 
   get cursor(): string {
-    const { editable, editing } = this.#host;
-    const { machine } = editing;
-    if (!editable || this.#space || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
+    const { machine } = this.#host.editing;
+    if (this.#pans || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
     if (machine.draft) return machine.draft.finishing ? 'pointer' : 'crosshair';
     const places = machine.tool !== 'select';
     const under = this.#hovered ? hit(this.scene, this.#hovered, !places) : null;
     if (under?.part === 'ring') return TURN_CURSOR;
     if (under) return machine.busy ? 'grabbing' : 'move';
     return places ? 'crosshair' : 'default';
+  }
+
+  /** A press moves the view, whatever the tool: there is nothing to edit, or nothing of it to be seen. */
+  get #pans(): boolean {
+    const { editable, comparing } = this.#host;
+    return !editable || comparing || this.#space;
   }
 
   /** What is being drawn is done. */
@@ -182,7 +189,7 @@ export class Input {
     this.#coarse = pointer.coarse;
     this.#finishField();
     this.crosshair = null;
-    const once = pans || !this.#host.editable ? hand : undefined;
+    const once = pans || this.#pans ? hand : undefined;
     this.#apply(machine.down(this.#press(pointer), this.scene, once));
   }
 
@@ -207,8 +214,8 @@ export class Input {
 
   /** On a corner it goes; on the line beside them there is one more. What is drawn ends by two clicks as well. */
   #pressedTwice(at: Vec): void {
-    const { editing, editable } = this.#host;
-    if (!editable || editing.machine.tool !== 'select') return;
+    const { editing } = this.#host;
+    if (this.#pans || editing.machine.tool !== 'select') return;
     const under = hit(this.scene, at, false);
     const handle = under && handleById(editing.document, under.id);
     if (!handle || !isLine(handle)) return;
