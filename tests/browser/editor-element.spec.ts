@@ -382,6 +382,14 @@ test('the colours chosen stay chosen', async ({ page }) => {
   await expect(editor.button('Light colours')).toBeVisible();
 });
 
+test('the switch of colours follows the system', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await expect(editor.button('Dark colours')).toBeVisible();
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await editor.button('Light colours').click();
+  await expect(editor.button('Dark colours')).toBeVisible();
+});
+
 test('it tells of the selection whatever changes it', async ({ page }) => {
   await Editor.open(page);
   const heard = await page.locator('c2-warp').evaluate((element) => {

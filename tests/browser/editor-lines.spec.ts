@@ -126,6 +126,33 @@ test('by keys a corner is added beside the one that has the focus, and deleted',
   await expect(editor.corner(3, 'bar 1')).toBeVisible();
 });
 
+test('what is drawn goes on to the pointer also where the view moves under it', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.button('Draw a bar').click();
+  const head = await editor.place('head');
+  await page.mouse.click(head.x, head.y + 50);
+  await page.mouse.move(head.x + 60, head.y + 40);
+  const line = page.locator('c2-warp .draft .next');
+  /** The end of the line on the page: that of the path's text. */
+  const end = () =>
+    line.evaluate((path: SVGPathElement) => {
+      const [x = 0, y = 0] = (path.getAttribute('d') ?? '').split('L').at(-1)?.split(',').map(Number) ?? [];
+      const stage = path.ownerSVGElement?.getBoundingClientRect();
+      return [Math.round(x + (stage?.x ?? 0)), Math.round(y + (stage?.y ?? 0))];
+    });
+  const pointer = [Math.round(head.x + 60), Math.round(head.y + 40)];
+  await expect.poll(end).toEqual(pointer);
+  const corner = page.locator('c2-warp .draft .corner');
+  const left = Number(await corner.getAttribute('cx'));
+  await page.mouse.wheel(30, 50);
+  await expect.poll(async () => Number(await corner.getAttribute('cx'))).toBeCloseTo(left - 30);
+  expect(await end()).toEqual(pointer);
+  const zoom = await editor.zoom();
+  await page.keyboard.press('+');
+  await expect.poll(() => editor.zoom()).toBeGreaterThan(zoom);
+  expect(await end()).toEqual(pointer);
+});
+
 test('a polygon closes on its first corner, and carries the picture inside it along', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);

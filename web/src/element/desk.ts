@@ -23,6 +23,7 @@ import { Noticing } from './noticing';
 import type { Picture } from './picture';
 import { Posing } from './posing';
 import { run } from './running';
+import { Surroundings } from './surroundings';
 import { Talking } from './talking';
 import type { Turn } from './turn';
 import { Viewing } from './viewing';
@@ -67,6 +68,7 @@ export class Desk {
   #drawing: Drawing | null = null;
   #input: Input | null = null;
   #sizing: ResizeObserver | null = null;
+  readonly #surroundings: Surroundings;
   #settling: ReturnType<typeof setTimeout> | undefined;
   #box: EditorModel['box'] = null;
   #comparing = false;
@@ -104,6 +106,7 @@ export class Desk {
         return desk.posing.turns();
       },
     });
+    this.#surroundings = new Surroundings({ coloured: () => host.changed(), scaled: () => this.#looked() });
     this.#noticing = new Noticing({
       folds: () => this.posing.folds(),
       beyond: () => this.posing.beyond(),
@@ -223,6 +226,7 @@ export class Desk {
     this.talking.dispose();
     this.#noticing.dispose();
     this.#sizing?.disconnect();
+    this.#surroundings.release();
     this.#input?.release();
     this.#drawing?.dispose();
     this.files.dispose();
@@ -478,6 +482,7 @@ export class Desk {
   }
 
   #looked(): void {
+    this.#input?.follow();
     this.#drawing?.look();
     this.#host.changed();
   }

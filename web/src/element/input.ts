@@ -59,6 +59,8 @@ export class Input {
   #coarse = matchMedia('(pointer: coarse)').matches;
   #space = false;
   #hovered: Vec | null = null;
+  /** Where the pointer was last heard of, over which part of the picture. */
+  #pointer: { readonly at: StagePointer; readonly camera: Camera } | null = null;
   /** Where Enter places a handle, once an arrow key has moved it. Image pixels. */
   crosshair: Vec | null = null;
 
@@ -174,6 +176,12 @@ export class Input {
     this.#apply(editing.machine.clear());
   }
 
+  /** The view has perhaps moved under a pointer that stands still: another part of the picture lies there. */
+  follow(): void {
+    const pointer = this.#pointer;
+    if (pointer && pointer.camera !== this.#host.viewing.camera && !this.crosshair) this.#hover(pointer.at);
+  }
+
   release(): void {
     this.#pointing.release();
     this.#keyboard.release();
@@ -249,6 +257,7 @@ export class Input {
     const press = pointer && this.#press(pointer);
     const { machine } = this.#host.editing;
     this.#hovered = press?.at ?? null;
+    this.#pointer = pointer && { at: pointer, camera: this.#host.viewing.camera };
     machine.hover(press, this.scene);
     if (this.cursor !== before || machine.draft) this.#host.looked();
   }
