@@ -201,6 +201,32 @@ test('a reload brings everything back: picture, pose, history', async ({ page })
   await expect(editor.handles).toHaveCount(1);
 });
 
+test('the guard against folds stays on over a reload and a move', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const guard = editor.switch('Stop at folds');
+  const stays = async (as: boolean) => {
+    // It is kept some time after the press, and what is kept says nothing of itself on the page.
+    await expect
+      .poll(async () => {
+        await page.reload();
+        await editor.ready();
+        return guard.isChecked();
+      })
+      .toBe(as);
+  };
+  await guard.check();
+  await stays(true);
+  await page.evaluate(() => {
+    const frame = document.createElement('div');
+    document.body.append(frame);
+    frame.append(document.querySelector('c2-warp') as Element);
+  });
+  await editor.ready();
+  await expect(guard).toBeChecked();
+  await guard.uncheck();
+  await stays(false);
+});
+
 test('of two tabs the one that changed last comes back, whole', async ({ page, context }) => {
   const first = await Editor.open(page);
   await first.dragHandle('left hand', { x: 20, y: -40 });

@@ -55,14 +55,14 @@ export class Beginning {
     const asked = this.#asked;
     const opened = await this.#open(desk, async () => {
       if (asked) return this.#attributes(desk, turn);
-      if (left) await desk.files.restore(left, turn);
+      if (left) await desk.reopen(left, turn);
       else if (!(await desk.restore(turn))) return this.#attributes(desk, turn);
       return true;
     });
     // Where the new picture is not to be had, the one before it stays.
     if (asked && left && !opened) {
       await this.#open(desk, async () => {
-        await desk.files.restore(left, turn);
+        await desk.reopen(left, turn);
         return true;
       });
     }

@@ -27,7 +27,7 @@ import { Surroundings } from './surroundings';
 import { Talking } from './talking';
 import type { Turn } from './turn';
 import { Viewing } from './viewing';
-import { Workbench } from './workbench';
+import { type Kept, Workbench } from './workbench';
 
 export interface DeskHost {
   readonly root: ShadowRoot;
@@ -207,7 +207,7 @@ export class Desk {
     if (!kept) return false;
     this.#restoring = true;
     try {
-      await this.files.restore(kept, turn);
+      await this.reopen(kept, turn);
     } catch (error) {
       // Without a solver nothing can be opened; anything else is a document that this version does not take.
       if (error instanceof Error && 'code' in error && error.code === 'engine') throw error;
@@ -219,6 +219,12 @@ export class Desk {
     // Where its last step was refused, what is kept ends before that.
     if (this.workbench.editing.document !== kept.record.present) this.#keep();
     return true;
+  }
+
+  /** What was open elsewhere or before, with the guard as it was. */
+  async reopen(kept: Kept, turn: Turn): Promise<void> {
+    this.guarding.on = kept.guarded;
+    await this.files.restore(kept, turn);
   }
 
   dispose(): void {
@@ -331,6 +337,7 @@ export class Desk {
     holdBoundary: (held) => this.#edit((editing) => editing.holdBoundary(held)),
     guard: (on) => {
       this.guarding.on = on;
+      this.#keep();
       this.#host.changed();
     },
     finish: () => this.#input?.finish(),

@@ -1,6 +1,6 @@
 /**
  * Keeps what is open in the browser's own storage, so that a reload or a crash brings it back: the picture once, the
- * document with its history after every step. Several tabs have one place there: what changed last is what comes back, whole.
+ * document with its history after every step, and whether the guard against folds is on. Several tabs have one place there: what changed last is what comes back, whole.
  *
  * Where the browser grants no storage, as in some private windows, nothing is kept and nothing fails.
  */
@@ -11,7 +11,8 @@ interface KeptPicture extends Pick<Kept, 'file' | 'name'> {
   readonly mark: string;
 }
 
-interface KeptDocument extends Pick<Kept, 'record'> {
+/** What an older version has kept says nothing of the guard. */
+interface KeptDocument extends Pick<Kept, 'record'>, Partial<Pick<Kept, 'guarded'>> {
   readonly mark: string;
 }
 
@@ -34,7 +35,8 @@ export class Keeping {
       if (!picture || picture.mark !== document?.mark) return null;
       const { file, name, mark } = picture;
       [this.#file, this.#mark] = [file, mark];
-      return { file, name, record: document.record };
+      const { record, guarded = false } = document;
+      return { file, name, record, guarded };
     } catch {
       return null;
     }
@@ -51,14 +53,14 @@ export class Keeping {
     const kept = this.#next;
     this.#next = null;
     if (!kept) return;
-    const { file, name, record } = kept;
+    const { file, name, record, guarded } = kept;
     if (file !== this.#file)
       [this.#file, this.#mark] = [file, `${performance.timeOrigin}+${performance.now()}`];
     const mark = this.#mark;
     const markName = `${this.#key}/mark`;
     const [picture, document]: [KeptPicture, KeptDocument] = [
       { file, name, mark },
-      { record, mark },
+      { record, guarded, mark },
     ];
     try {
       await writeKept(

@@ -31,6 +31,8 @@ export interface Kept {
   readonly file: Blob;
   readonly name: string;
   readonly record: HistoryRecord<Document>;
+  /** The guard against folds was on. */
+  readonly guarded: boolean;
 }
 
 interface Opening {
@@ -84,7 +86,7 @@ export class Workbench {
     const open = this.#opening ? this.#opening.before : this.#picture && this.#snapshot(this.#picture);
     if (!open) return null;
     const { file, name } = open.picture;
-    return { file, name, record: open.record };
+    return { file, name, record: open.record, guarded: this.#host.guarding.on };
   }
 
   /**
