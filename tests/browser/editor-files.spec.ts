@@ -26,12 +26,18 @@ const project = (value: unknown, name = 'other.c2warp.json') => ({
 });
 
 /** Carries out `event` on the editor with files as a drop or a paste brings them. */
-async function bring(editor: Editor, event: 'drop' | 'paste', file: ReturnType<typeof png>): Promise<void> {
+async function bring(
+  editor: Editor,
+  event: 'drop' | 'paste',
+  ...files: readonly ReturnType<typeof png>[]
+): Promise<void> {
   await editor.page.locator('c2-warp').evaluate(
-    (element, { event, name, type, base64 }) => {
+    (element, { event, files }) => {
       const transfer = new DataTransfer();
-      const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-      transfer.items.add(new File([content], name, { type }));
+      for (const { name, type, base64 } of files) {
+        const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+        transfer.items.add(new File([content], name, { type }));
+      }
       const init = { bubbles: true, cancelable: true, composed: true };
       element.dispatchEvent(
         event === 'drop'
@@ -39,7 +45,14 @@ async function bring(editor: Editor, event: 'drop' | 'paste', file: ReturnType<t
           : new ClipboardEvent('paste', { ...init, clipboardData: transfer }),
       );
     },
-    { event, name: file.name, type: file.mimeType, base64: file.buffer.toString('base64') },
+    {
+      event,
+      files: files.map(({ name, mimeType: type, buffer }) => ({
+        name,
+        type,
+        base64: buffer.toString('base64'),
+      })),
+    },
   );
 }
 
@@ -345,6 +358,15 @@ test('a wrong picture in between does not take away the way back, nor does one t
   await expect.poll(() => editor.told('left hand')).toEqual(told);
 });
 
+test('of several pictures the first is opened, and a word names the others', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await bring(editor, 'drop', png('one.png', disc(64)), png('two.png', disc(64)));
+  await expect(page.getByText('two.png was not opened')).toBeVisible();
+  await expect(page.getByText('one.png', { exact: true })).toBeVisible();
+  await bring(editor, 'drop', png('two.png', disc(64)), png('one.png', disc(64)), png('three.png', disc(64)));
+  await expect(page.getByText('one.png and 1 more were not opened')).toBeVisible();
+});
+
 test('a project without its picture asks for it, and takes it when it comes', async ({ page }) => {
   const editor = await Editor.open(page);
   const other = {
@@ -373,7 +395,12 @@ const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] 
   ['a text', png('notes.txt', Buffer.from('no picture')), /notes\.txt: This is not a picture/],
   ['a truncated picture', png('cut.png', disc(64).subarray(0, 200)), /cut\.png: The picture is cut off/],
   ['one pixel', png('dot.png', disc(1)), /dot\.png: .*at least 2 × 2/],
-  ['a picture without an opaque pixel', png('clear.png', disc(64, 0)), /opaque|transparent/],
+  [
+    'a picture without an opaque pixel',
+    png('clear.png', disc(64, 0)),
+    /clear\.png: nothing in this picture is opaque enough to be warped/,
+  ],
+  ['a project that is empty', project(' '), /other\.c2warp\.json: the file is empty/],
   ['a project that is no JSON', project('{'), /other\.c2warp\.json: /],
   ['a wrong type', project(sample([at('a', ['512', 300])])), /handles\[0\]\.rest\[0\]/],
   ['an unknown key', project({ ...sample([]), colour: 'red' }), /colour/],

@@ -153,6 +153,53 @@ test('a handle chosen in the list is moved by keys', async ({ page }) => {
   await expect.poll(async () => (await editor.told('head')).x).toBe(522);
 });
 
+test('a handle chosen in the list comes into view, and Control or Shift chooses several', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const listed = (name: string) => page.locator('c2-warp .item').filter({ hasText: name });
+  await editor.button('Actual size').click();
+  for (let notch = 0; notch < 3; notch++) await editor.button('Zoom in').click();
+  const stage = await page.locator('c2-warp .stage').boundingBox();
+  const [left, top, right, bottom] = [stage?.x ?? 0, stage?.y ?? 0, 900 - 248, 700];
+  for (const name of ['Left foot', 'Head', 'Right hand']) {
+    await listed(name).click();
+    await expect
+      .poll(async () => {
+        const { x, y } = await editor.place(name.toLowerCase());
+        return x > left && y > top && x < right && y < bottom;
+      }, name)
+      .toBe(true);
+  }
+  await listed('Head').click({ modifiers: ['ControlOrMeta'] });
+  await listed('Left foot').click({ modifiers: ['Shift'] });
+  await expect(page.getByRole('heading', { name: '3 handles' })).toBeVisible();
+  await listed('Head').click({ modifiers: ['ControlOrMeta'] });
+  await expect(page.getByRole('heading', { name: '2 handles' })).toBeVisible();
+});
+
+test('what a number cannot be is told, and the old one put back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  for (const [field, typed, words] of [
+    ['scale', '0', 'Scale takes a number from 0.01 to 100.'],
+    ['x', '900+20', 'X takes a number, such as 120'],
+    ['scale', '150%', 'Scale takes a number from 0.01 to 100.'],
+  ] as const) {
+    const before = await editor.field(field).inputValue();
+    await editor.field(field).fill(typed);
+    await editor.field(field).press('Enter');
+    await expect(page.getByText(words)).toBeVisible();
+    await expect(editor.field(field)).toHaveValue(before);
+  }
+  await page.locator('c2-warp .notice').getByRole('button', { name: 'Dismiss' }).click();
+  const field = editor.field('x');
+  await field.fill('');
+  await field.press('Enter');
+  await expect(field).not.toHaveValue('');
+  await expect(page.locator('c2-warp .notice')).toBeHidden();
+});
+
 test('Escape bails out of a drag', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('left hand');

@@ -142,7 +142,7 @@ export class Desk {
       report: (error) => this.talking.report(error),
       progressed: (label) => this.talking.progressed(label),
       cuts: () => this.posing.beyond(),
-      received: () => this.#welcome(),
+      received: (ignored) => this.#welcome(ignored),
     });
   }
 
@@ -350,9 +350,8 @@ export class Desk {
     select: (ids) => this.workbench.editing.select(ids),
     toggle: (id) => this.workbench.editing.toggle(id),
     hold: (id) => this.#focus(id),
-    // After a press too the focus goes to a handle: that one is in view, and stays under the finger.
+    refuse: (text) => this.talking.notify({ kind: 'info', text }),
     reveal: (at) => {
-      if (!this.#host.root.host.classList.contains('keyed')) return;
       this.viewing.reveal(at);
       this.#looked();
     },
@@ -394,8 +393,16 @@ export class Desk {
   }
 
   /** A picture that a person brings has nothing to hold yet: their first press on it is to place something, unless the page has its own tool. */
-  #welcome(): void {
+  #welcome(ignored: readonly string[]): void {
     const { editing, picture } = this.workbench;
+    const [first, ...more] = ignored;
+    if (first !== undefined) {
+      const others = more.length === 0 ? first : `${first} and ${more.length} more`;
+      this.talking.notify({
+        kind: 'info',
+        text: `One picture is open at a time: ${others} ${more.length === 0 ? 'was' : 'were'} not opened.`,
+      });
+    }
     const bare = picture !== null && editing.project.handles.length === 0;
     if (bare && editing.machine.tool === 'select' && !this.#host.tool) this.run('point');
   }

@@ -13,8 +13,8 @@ export interface FilesHost {
   notify(notice: Notice): void;
   report(error: unknown): void;
   progressed(label: string | null): void;
-  /** A person has brought something, and what of it there is to open is open. */
-  received(): void;
+  /** What a person has brought is open, but for these: of several pictures the first is opened. */
+  received(ignored: readonly string[]): void;
   /** Whether an export leaves out something of the picture as it is bent now. */
   cuts(): boolean;
 }
@@ -232,7 +232,8 @@ export class Files {
 
   async #take(files: readonly File[]): Promise<void> {
     await this.#receive(files);
-    this.#host.received();
+    const opened = Object.values<File>(sortFiles(files));
+    this.#host.received(files.filter((file) => !opened.includes(file)).map(({ name }) => name));
   }
 
   async #guarded(work: () => Promise<void>): Promise<void> {

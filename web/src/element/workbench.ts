@@ -15,6 +15,7 @@ import { encodePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
 import { Editing, type EditingHost } from './editing';
 import { fits, type Picture, stem } from './picture';
+import { inEditorsWords } from './refusing';
 import { type Solved, Solving } from './solving';
 
 export interface WorkbenchHost extends EditingHost {
@@ -37,6 +38,8 @@ export interface Kept {
 
 interface Opening {
   readonly before: { readonly picture: Picture; readonly record: HistoryRecord<Document> } | null;
+  /** The picture, where its project is the editor's own. */
+  readonly fresh: Picture | null;
   resolve(): void;
   reject(error: Error): void;
 }
@@ -98,7 +101,7 @@ export class Workbench {
     const before =
       this.#picture && !this.#opening ? this.#snapshot(this.#picture) : (this.#opening?.before ?? null);
     return new Promise((resolve, reject) => {
-      this.#opening = { before, resolve, reject };
+      this.#opening = { before, fresh: record ? null : picture, resolve, reject };
       this.#put(picture, record ?? { past: [], present: this.#fresh(picture), future: [] });
       this.solving.engine().then(
         (engine) => {
@@ -134,6 +137,7 @@ export class Workbench {
 
   /** Reads a project file. @throws Error with a code and a message that names the offending key. */
   async readProject(text: string): Promise<Project> {
+    if (text.trim() === '') throw Object.assign(new Error('the file is empty'), { code: 'project' });
     return checked((await this.solving.engine()).checkProject(text));
   }
 
@@ -221,7 +225,7 @@ export class Workbench {
     } else {
       this.#show(null);
     }
-    opening.reject(error);
+    opening.reject(opening.fresh ? inEditorsWords(error, opening.fresh.name) : error);
   }
 
   #failed(error: Error): void {

@@ -138,10 +138,14 @@ const cornerButtons = (
     ></button>`;
   });
 
+const isKeyed = (target: Element): boolean =>
+  (target.getRootNode() as ShadowRoot).host.classList.contains('keyed');
+
 /** The keyboard selects as it goes from handle to handle, and takes the view along; a pointer has its own way to select. */
 function focused(event: FocusEvent, id: string, at: Vec, model: EditorModel, actions: EditorActions): void {
   const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
-  if (keyboard) actions.reveal(at);
+  // After a press too the focus goes to a handle: that one is in view, and stays under the finger.
+  if (keyboard && isKeyed(event.target)) actions.reveal(at);
   if (keyboard && !model.draft && !model.document.selection.includes(id)) actions.select([id]);
 }
 

@@ -122,7 +122,9 @@ export interface EditorActions {
   toggle(id: string): void;
   /** A handle takes the focus. */
   hold(id: string): void;
-  /** A place of the picture that the keys have gone to comes into view. */
+  /** What was typed cannot be: a word on what can. */
+  refuse(words: string): void;
+  /** A place of the picture comes into view. */
   reveal(at: Vec): void;
   cancelSolve(): void;
   dismiss(): void;

@@ -184,6 +184,11 @@ function besides(
 const numberOf = (text: string): number =>
   text.trim() === '' ? Number.NaN : Number(text.trim().replace(',', '.').replace('−', '-'));
 
+const expected = ({ label, least, most }: FieldLook): string =>
+  least === undefined || most === undefined
+    ? `${label} takes a number, such as 120 or −3.5.`
+    : `${label} takes a number from ${least} to ${most}.`;
+
 /** Arrow keys in a field: so many steps. */
 const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
 
@@ -206,9 +211,10 @@ function numberField(
     const value = numberOf(input.value);
     if (input.value !== shared && value >= least && value <= most) {
       actions.field(look.field, () => value);
-    } else {
-      input.value = shared;
+      return;
     }
+    if (input.value.trim() !== '' && input.value !== shared) actions.refuse(expected(look));
+    input.value = shared;
   };
   const onKey = (event: KeyboardEvent) => {
     const input = event.target as HTMLInputElement;
@@ -269,11 +275,15 @@ function automaticToggle(
   </button>`;
 }
 
-/** A press takes hold of the handle itself, so that arrow keys move it; the keyboard stays in the list. */
-function listed(event: MouseEvent, id: string, actions: EditorActions): void {
-  actions.select([id]);
-  if (event.detail > 0) actions.hold(id);
+/** What is chosen comes into view. A press takes hold of the handle itself, so that arrow keys move it; the keyboard stays in the list. */
+function listed(event: MouseEvent, handle: Handle, actions: EditorActions): void {
+  actions.select([handle.id]);
+  actions.reveal(anchor(handle));
+  if (event.detail > 0) actions.hold(handle.id);
 }
+
+/** A press that adds to what is selected, or takes away from it. */
+const adds = (event: MouseEvent): boolean => event.shiftKey || event.ctrlKey || event.metaKey;
 
 function handleList(model: EditorModel, actions: EditorActions): TemplateResult {
   const { project, selection } = model.document;
@@ -291,7 +301,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
                   aria-pressed=${String(selection.includes(handle.id))}
                   ?disabled=${model.disabled}
                   @click=${(event: MouseEvent) =>
-                    event.shiftKey ? actions.toggle(handle.id) : listed(event, handle.id, actions)}
+                    adds(event) ? actions.toggle(handle.id) : listed(event, handle, actions)}
                 >
                   <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
                   ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}
