@@ -91,6 +91,7 @@ test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
 
 test('the first PNG is exported without a network too', async ({ page, context }) => {
   const editor = await Editor.open(page);
+  await page.waitForLoadState('networkidle');
   await context.setOffline(true);
   const { width, height } = decode(await bytes(await editor.download('Export a PNG at full size')));
   expect([width, height]).toEqual([1024, 1280]);

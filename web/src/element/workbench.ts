@@ -11,7 +11,7 @@ import type { HistoryRecord } from '../document/history';
 import type { Project, ProjectFile } from '../document/project';
 import { projectText } from '../document/project-text';
 import { alphaThreshold } from '../io/alpha';
-import { encodePng } from '../io/encode';
+import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
 import { Editing, type EditingHost } from './editing';
 import { fits, type Picture, stem } from './picture';
@@ -208,6 +208,7 @@ export class Workbench {
     if (!opening) return;
     opening.before?.picture.bitmap.close();
     opening.resolve();
+    preparePng();
   }
 
   #refused(key: string, error: Error): void {

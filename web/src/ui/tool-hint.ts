@@ -5,7 +5,9 @@ import type { EditorModel } from './model';
 
 export function toolHint(model: EditorModel): TemplateResult | typeof nothing {
   const { draft, document, picture } = model;
-  const idle = !model.readonly && !model.notice && !model.hint && !model.comparing;
+  // An offer stays until it is answered, such as the way back to another picture: words have their place above it.
+  const silent = !model.notice || model.notice.action !== undefined;
+  const idle = !model.readonly && silent && !model.hint && !model.comparing;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
   const words = wordsOf(model)[model.tool];
   return words === undefined ? nothing : html`<p class="hint" part="hint">${words}</p>`;
