@@ -483,7 +483,7 @@ test('what was open stays where the solver dies of another picture', async ({ pa
     globalThis.Worker = class extends Worker {
       constructor(url: string | URL, options?: WorkerOptions) {
         super(url, options);
-        workers.push(this);
+        if (!String(url).includes('png')) workers.push(this);
       }
     };
     Object.assign(globalThis, { workers });

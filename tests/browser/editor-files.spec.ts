@@ -219,14 +219,10 @@ test('the guard against folds stays on over a reload and a move', async ({ page 
   const editor = await Editor.open(page);
   const guard = editor.switch('Stop at folds');
   const stays = async (as: boolean) => {
-    // It is kept some time after the press, and what is kept says nothing of itself on the page.
-    await expect
-      .poll(async () => {
-        await page.reload();
-        await editor.ready();
-        return guard.isChecked();
-      })
-      .toBe(as);
+    await expect.poll(() => editor.kept()).toMatchObject({ guarded: as });
+    await page.reload();
+    await editor.ready();
+    await expect(guard).toBeChecked({ checked: as });
   };
   await guard.check();
   await stays(true);

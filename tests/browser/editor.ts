@@ -23,6 +23,8 @@ export interface KeptWork {
   readonly step: string | null;
   readonly handles: readonly Handle[];
   readonly selection: readonly string[];
+  /** Whether the guard against folds is on. */
+  readonly guarded: boolean;
 }
 
 export class Editor {
@@ -160,7 +162,9 @@ export class Editor {
       if (!picture || picture.mark !== document?.mark) return {};
       const { past, present } = document.record;
       const { project, selection } = present;
-      return { picture: picture.name, step: past.at(-1)?.label ?? null, handles: project.handles, selection };
+      const step = past.at(-1)?.label ?? null;
+      const { guarded } = document;
+      return { picture: picture.name, step, handles: project.handles, selection, guarded };
     }, key);
   }
 

@@ -21,7 +21,7 @@
  * | `selectionchange` | `detail.selection`: the ids, whatever changed them |
  * | `historychange` | `detail.undo`, `detail.redo`: what would be undone or redone, or null |
  * | `progress` | `detail.label`: what the solver is at, or that a PNG is being exported; null when it is done; for what takes longer than a person notices |
- * | `error` | `detail`: the Error of what went wrong that no method was asked for |
+ * | `error` | `detail`: the Error of what went wrong that no method was asked for, or that was known only once it had returned |
  *
  * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a folder, or a file that
  * is gone), `picture` (no picture, or none that can be opened), `project` (its message names the key), `image-size` (a project for a picture of another size), `engine`
@@ -175,12 +175,14 @@ export class C2Warp extends LitElement {
   }
 
   /**
-   * Adds a handle; without an id it gets one. Returns the id.
+   * Adds a handle; without an id it gets one. Returns the id. What only the solver can tell, such as that it lies outside the picture,
+   * comes later: an `error`, and a `change` that takes the step back, with those made since.
    * @throws RangeError for an id that is taken, for what no handle can be, and where there is no picture yet.
    */
   addHandle(handle: NewHandle): string {
     const { editing, picture } = this.#present.workbench;
     if (!picture) throw new RangeError('there is no picture yet to put a handle on');
+    if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
     const id = handle.id ?? freeId(editing.project);
     if (handleById(editing.document, id)) throw new RangeError(`there is a handle "${id}" already`);
     const added = copied(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
@@ -221,7 +223,7 @@ export class C2Warp extends LitElement {
     this.#present.workbench.editing.reset(true);
   }
 
-  /** Where a point of the original goes, in image pixels; null outside what is warped. */
+  /** Where a point of the original goes by the solution that is shown, in image pixels; null outside what is warped. */
   mapPoint(point: Vec): Vec | null {
     return this.#present.posing.map(point)?.rest ?? null;
   }
