@@ -162,7 +162,7 @@ test('of many on a page each is drawn where it is in sight', async ({ page }) =>
     document.body.replaceChildren(
       ...Array.from({ length: 20 }, () => {
         const warp = document.createElement('c2-warp') as C2Warp;
-        Object.assign(warp.style, { display: 'block', height: '600px' });
+        Object.assign(warp.style, { position: 'relative', display: 'block', height: '600px' });
         Object.assign(warp, { readonly: true, src: '/samples/gingerbread.png', project });
         return warp;
       }),
