@@ -1,5 +1,6 @@
 /**
- * Serves what the browser tests look at, as it would be deployed: the built editor at /, the harness at /harness/.
+ * Serves what the browser tests look at, as it would be deployed: the built editor at /, the harness at /harness/, the element for other
+ * people's pages at /element/, and such a page at /plain/.
  *
  * Built in memory, so that two runs side by side do not disturb each other; served under the strictest Content Security
  * Policy that the program promises to work with.
@@ -26,8 +27,10 @@ const POLICY = "script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-s
 
 /** @type {Map<string, string | Uint8Array>} */
 const files = new Map();
-await add('', {});
-await add('harness/', { root: path('harness'), publicDir: false });
+await add('', 'vite.config.ts', {});
+await add('harness/', 'vite.config.ts', { root: path('harness'), publicDir: false });
+await add('element/', 'vite.element.config.ts', {});
+files.set('plain/index.html', await readFile(path('plain.html')));
 
 createServer(async (request, response) => {
   const { pathname } = new URL(request.url ?? '/', 'http://localhost');
@@ -43,12 +46,13 @@ createServer(async (request, response) => {
 
 /**
  * @param {string} prefix
- * @param {import('vite').UserConfig} overrides Of the editor's configuration.
+ * @param {string} config
+ * @param {import('vite').UserConfig} overrides
  */
-async function add(prefix, overrides) {
+async function add(prefix, config, overrides) {
   const result = await build({
     ...overrides,
-    configFile: path('../../web/vite.config.ts'),
+    configFile: path(`../../web/${config}`),
     logLevel: 'warn',
     build: { write: false },
   });

@@ -1,13 +1,24 @@
-/** `npm run build`: the editor as static files in web/dist. */
+/** `npm run build`: in web/dist the editor as static files, and in its folder `element` the element for other pages. */
+import { writeDeclarations } from './declarations.mjs';
 import { prepare } from './prepare.mjs';
 import { main, step, toolPath } from './steps.mjs';
 
 await main(async () => {
   await prepare();
-  await step(
-    'Editor',
-    process.execPath,
-    [toolPath('vite'), 'build', '--config', 'web/vite.config.ts'],
-    'The editor does not build; the reason stands above.',
-  );
+  await vite('Editor', 'web/vite.config.ts');
+  await vite('Element', 'web/vite.element.config.ts');
+  await writeDeclarations('web/dist/element/types');
 });
+
+/**
+ * @param {string} title
+ * @param {string} config
+ */
+function vite(title, config) {
+  return step(
+    title,
+    process.execPath,
+    [toolPath('vite'), 'build', '--config', config],
+    'It does not build; the reason stands above.',
+  );
+}

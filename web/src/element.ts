@@ -32,7 +32,7 @@
  * it comes back. Properties may be set before the element is on a page, or known to it at all. Importing this
  * file where there is no DOM does nothing.
  */
-import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
+import type { PropertyValues, TemplateResult } from 'lit';
 import { handleById } from './document/document';
 import { addHandle, changeHandles, freeId, removeHandles } from './document/edits';
 import { checkedHandle } from './document/handle';
@@ -47,6 +47,7 @@ import {
 import { Beginning } from './element/beginning';
 import { Desk } from './element/desk';
 import type { ChangeKind } from './element/editing';
+import { emitter, TypedElement } from './element/events';
 import { Focusing } from './element/focusing';
 import { Receiving } from './element/receiving';
 import type { Turn } from './element/turn';
@@ -60,12 +61,15 @@ import { stageStyle } from './ui/stage-style';
 import { theme } from './ui/theme';
 import { touchStyle } from './ui/touch-style';
 
+export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
+export type { C2WarpEventMap } from './element/events';
+
 /** A handle that may leave its name to the editor. */
 export type NewHandle<H = HandleFile> = H extends HandleFile
   ? Omit<H, 'id'> & { readonly id?: string }
   : never;
 
-export class C2Warp extends LitElement {
+export class C2Warp extends TypedElement {
   static override styles = [theme, layout, stageStyle, chromeStyle, touchStyle, forcedStyle];
 
   static override properties = {
@@ -90,6 +94,7 @@ export class C2Warp extends LitElement {
   declare hintFor: string | null;
   declare autosave: string | null;
 
+  readonly #emit = emitter(this);
   readonly #beginning: Beginning;
   #desk: Desk | null = null;
   /** To open what the element begins with. Whatever is asked for from its arrival on comes after that. */
@@ -123,7 +128,7 @@ export class C2Warp extends LitElement {
       get desk() {
         return element.#desk;
       },
-      emit: (type) => this.#emit(type),
+      emit: this.#emit,
     });
     this.#adopt('project');
     this.#adopt('selection');
@@ -171,7 +176,7 @@ export class C2Warp extends LitElement {
     await desk.files.shown(() => desk.files.load(picture, given ?? this.#beginning.taken()));
     if (desk !== this.#desk) return;
     this.#beginning.settle(desk);
-    this.#emit('load');
+    this.#emit('load', null);
   }
 
   /**
@@ -276,7 +281,7 @@ export class C2Warp extends LitElement {
       },
       changed: () => this.requestUpdate(),
       edited: (kind) => this.#edited(kind),
-      emit: (type, detail) => this.#emit(type, detail),
+      emit: this.#emit,
       switchTheme: () => {
         this.theme = this.#dark ? 'light' : 'dark';
       },
@@ -409,10 +414,6 @@ export class C2Warp extends LitElement {
     const value = Reflect.get(this, name);
     Reflect.deleteProperty(this, name);
     Reflect.set(this, name, value);
-  }
-
-  #emit(type: string, detail?: unknown): void {
-    this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }
 

@@ -5,6 +5,7 @@
  */
 import type { ProjectFile } from '../document/project';
 import type { Desk } from './desk';
+import type { Emit } from './events';
 import type { Turn } from './turn';
 import type { Kept } from './workbench';
 
@@ -13,7 +14,7 @@ export interface BeginningHost {
   readonly projectSource: string | null;
   /** Where the element is now; null while it is on no page. */
   readonly desk: Desk | null;
-  emit(type: 'load' | 'ready'): void;
+  readonly emit: Emit;
 }
 
 export class Beginning {
@@ -66,7 +67,7 @@ export class Beginning {
         return true;
       });
     }
-    if (desk === this.#host.desk) this.#host.emit('ready');
+    if (desk === this.#host.desk) this.#host.emit('ready', null);
   }
 
   /** On the same page, when the attributes have changed. */
@@ -97,7 +98,7 @@ export class Beginning {
       return false;
     }
     this.settle(desk);
-    this.#host.emit('load');
+    this.#host.emit('load', null);
     return true;
   }
 

@@ -15,6 +15,7 @@ import type { EditorActions, EditorModel, Hint, OverlayFlags } from '../ui/model
 import { showSelected } from '../ui/panel';
 import { Drawing } from './drawing';
 import type { ChangeKind, Editing } from './editing';
+import type { Emit } from './events';
 import { Files } from './files';
 import { Guarding } from './guarding';
 import { Input } from './input';
@@ -41,7 +42,7 @@ export interface DeskHost {
   /** What the templates show has changed. */
   changed(): void;
   edited(kind: ChangeKind): void;
-  emit(type: string, detail?: unknown): void;
+  readonly emit: Emit;
   switchTheme(): void;
 }
 
@@ -94,7 +95,7 @@ export class Desk {
     });
     this.talking = new Talking({
       changed: () => host.changed(),
-      emit: (type, detail) => host.emit(type, detail),
+      emit: host.emit,
       get cancellable() {
         const { current, pending } = desk.workbench.solving;
         return current !== null && pending !== null;

@@ -3,10 +3,11 @@
  * what waits for an answer, and takes nothing of it away.
  */
 import type { Notice, Progress } from '../ui/model';
+import type { Emit } from './events';
 
 export interface TalkingHost {
   changed(): void;
-  emit(type: string, detail?: unknown): void;
+  readonly emit: Emit;
   /** Whether what is under way can be given up. */
   readonly cancellable: boolean;
 }
@@ -78,9 +79,10 @@ export class Talking {
   }
 
   /** An error as a notice, and as an event for the page. Work overtaken by newer work is no error. */
-  report(error: unknown): void {
-    if (error instanceof DOMException && error.name === 'AbortError') return;
-    this.notify({ kind: 'error', text: error instanceof Error ? error.message : String(error) });
+  report(thrown: unknown): void {
+    const error = thrown instanceof Error ? thrown : new Error(String(thrown));
+    if (error.name === 'AbortError') return;
+    this.notify({ kind: 'error', text: error.message });
     this.#host.emit('error', error);
   }
 

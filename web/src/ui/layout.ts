@@ -7,18 +7,20 @@ export const layout = css`
     position: absolute;
     inset: 0;
     writing-mode: horizontal-tb;
-    display: grid;
-    grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
+    display: flex;
+    flex-direction: column;
   }
   /* What the cards at both sides take of the width: what floats over the picture stands in the middle of the rest. */
   .middle {
     --_left: 84px;
     --_right: 260px;
     position: relative;
-    min-width: 0;
+    flex: 1;
+    min-height: 0;
   }
   .top,
   .status {
+    flex: none;
     display: flex;
     align-items: center;
     background: var(--_surface);

@@ -68,7 +68,9 @@ export const touchStyle = css`
   }
   /* Where eight do not fit beside each other they stay as tall, and share the width. */
   @container shell (width < 360px) {
-    .top,
+    .top {
+      gap: 0;
+    }
     .top .group {
       flex: 1 1 0;
       gap: 0;

@@ -1,0 +1,42 @@
+/** The built element, as other people's pages and packages take it in. */
+import { readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+const EXPORTS: Readonly<Record<'node' | 'default', string>> = JSON.parse(
+  readFileSync(new URL('../../package.json', import.meta.url), 'utf8'),
+).exports['.'];
+
+/** Where the server of the tests has what the package names. */
+const served = (file: string) => file.replace('./web/dist', '');
+
+test('one script and one tag are a working editor', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.goto('/plain/');
+  const editor = new Editor(page);
+  await editor.ready();
+  const element = page.locator('c2-warp');
+  const posed = () => element.evaluate((warp) => (warp as C2Warp).project.handles[2]?.posed);
+  const before = await posed();
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  await expect.poll(posed).not.toEqual(before);
+  const size = await element.evaluate(async (warp) => (await (warp as C2Warp).toBlob(0.1)).size);
+  expect(size).toBeGreaterThan(1000);
+});
+
+test('what a page downloads stays small', async ({ request }) => {
+  const kilobytes = async (name: string) =>
+    gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
+  // Compressed, measured in November 2026: 75 and 385.
+  expect(await kilobytes('c2warp.js')).toBeLessThan(85);
+  expect(await kilobytes('c2warp_bg.wasm')).toBeLessThan(420);
+});
+
+test('the package names files that are built, and one that a server may import', async ({ request }) => {
+  expect((await request.get(served(EXPORTS.default))).ok()).toBe(true);
+  const server = await (await request.get(served(EXPORTS.node))).text();
+  const { C2Warp } = await import(`data:text/javascript,${encodeURIComponent(server)}`);
+  expect(typeof C2Warp).toBe('function');
+});

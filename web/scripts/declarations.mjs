@@ -1,0 +1,40 @@
+/** The declarations of the built element: of all that the compiler writes, what a page can come to see. */
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { ROOT, step, toolPath } from './steps.mjs';
+
+const WRITTEN = 'node_modules/.cache/tsc/element';
+const RELATIVE = /(from '|import\(")(\.[^'"]*)/g;
+
+/** @param {string} folder Where they go, from the root of the repository. */
+export async function writeDeclarations(folder) {
+  await step(
+    'Types of the element',
+    process.execPath,
+    [toolPath('tsc'), '--project', 'web/tsconfig.element.json'],
+    'The types do not compile; the reason stands above.',
+  );
+  rmSync(join(ROOT, folder), { recursive: true, force: true });
+  for (const name of reachable('element')) {
+    // With the endings that every kind of module resolution knows.
+    const text = readFileSync(join(ROOT, WRITTEN, `${name}.d.ts`), 'utf8').replace(RELATIVE, '$1$2.js');
+    const file = join(ROOT, folder, `${name}.d.ts`);
+    mkdirSync(dirname(file), { recursive: true });
+    writeFileSync(file, text);
+  }
+}
+
+/**
+ * A module and all that its declarations import from this project.
+ * @param {string} first
+ * @param {Set<string>} [known]
+ */
+function reachable(first, known = new Set()) {
+  known.add(first);
+  const text = readFileSync(join(ROOT, WRITTEN, `${first}.d.ts`), 'utf8');
+  for (const [, , path] of text.matchAll(RELATIVE)) {
+    const name = join(dirname(first), path ?? '');
+    if (!known.has(name)) reachable(name, known);
+  }
+  return known;
+}

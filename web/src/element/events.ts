@@ -1,0 +1,72 @@
+/** The events of `<c2-warp>`: what each of them carries, for those who emit them and for pages that listen. */
+import { LitElement } from 'lit';
+import type { Project } from '../document/project';
+
+/** The `detail` of each event; null where it carries nothing. */
+export interface EventDetails {
+  readonly ready: null;
+  readonly load: null;
+  readonly input: { readonly project: Project };
+  readonly change: { readonly project: Project };
+  readonly selectionchange: { readonly selection: readonly string[] };
+  readonly historychange: { readonly undo: string | null; readonly redo: string | null };
+  readonly progress: { readonly label: string | null };
+  readonly error: Error;
+}
+
+export type EventName = keyof EventDetails;
+
+export type C2WarpEventMap = { [T in EventName]: CustomEvent<EventDetails[T]> };
+
+/** Those of every other element are what they are elsewhere. */
+type EventMap = Omit<HTMLElementEventMap, EventName> & C2WarpEventMap;
+
+export type Emit = <T extends EventName>(type: T, detail: EventDetails[T]) => void;
+
+export const emitter =
+  (element: EventTarget): Emit =>
+  (type, detail) => {
+    element.dispatchEvent(new CustomEvent(type, { detail }));
+  };
+
+type Listener<T extends keyof EventMap> = (event: EventMap[T]) => unknown;
+type AnyListener = EventListenerOrEventListenerObject | null;
+
+/** An element whose listeners know what they are given. */
+export abstract class TypedElement extends LitElement {
+  override addEventListener<T extends keyof EventMap>(
+    type: T,
+    listener: Listener<T>,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: AnyListener,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: AnyListener,
+    options?: boolean | AddEventListenerOptions,
+  ): void {
+    super.addEventListener(type, listener as EventListener, options);
+  }
+
+  override removeEventListener<T extends keyof EventMap>(
+    type: T,
+    listener: Listener<T>,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: AnyListener,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  override removeEventListener(
+    type: string,
+    listener: AnyListener,
+    options?: boolean | EventListenerOptions,
+  ): void {
+    super.removeEventListener(type, listener as EventListener, options);
+  }
+}

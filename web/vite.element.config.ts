@@ -1,0 +1,33 @@
+/**
+ * The element for other people's pages, in dist/element: one module, its workers and the solver, as files of fixed names that find one
+ * another by where they lie. So they work in a plain page, and bundlers take them along as assets.
+ */
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+
+const output = {
+  entryFileNames: '[name].js',
+  chunkFileNames: '[name].js',
+  assetFileNames: '[name][extname]',
+};
+
+export default defineConfig({
+  root: path('.'),
+  base: './',
+  publicDir: false,
+  cacheDir: path('../node_modules/.vite'),
+  worker: { format: 'es', rolldownOptions: { output } },
+  build: {
+    outDir: 'dist/element',
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    modulePreload: false,
+    rolldownOptions: {
+      input: { c2warp: path('src/element.ts'), server: path('src/server.ts') },
+      preserveEntrySignatures: 'strict',
+      output,
+    },
+  },
+});
