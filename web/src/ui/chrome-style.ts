@@ -169,7 +169,7 @@ export const chromeStyle = css`
     height: 20px;
     margin: 0;
     border-radius: 10px;
-    background: light-dark(#c9c9c6, #55585e);
+    background: color-mix(in srgb, var(--_text) 24%, var(--_surface));
     cursor: inherit;
     transition: background var(--_speed);
   }

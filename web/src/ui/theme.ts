@@ -11,10 +11,11 @@ export const theme = css`
     --_accent: var(--c2-accent, light-dark(#2558e8, #7ea2ff));
     --_on-accent: light-dark(#fff, #0c1430);
     --_surface: var(--c2-surface, light-dark(#fff, #232427));
-    --_raised: light-dark(#f1f1ef, #303236);
-    --_line: light-dark(#e3e2df, #3a3c41);
     --_text: var(--c2-text, light-dark(#1e1f22, #ececea));
-    --_faint: light-dark(#6a6b70, #a2a4aa);
+    /* What lies between the two follows a page that sets them. */
+    --_raised: color-mix(in srgb, var(--_text) 6.5%, var(--_surface));
+    --_line: color-mix(in srgb, var(--_text) 12%, var(--_surface));
+    --_faint: color-mix(in srgb, var(--_text) 66%, var(--_surface));
     --_ground: var(--c2-ground, light-dark(#f5f5f3, #191a1c));
     --_checker: var(--c2-checker, light-dark(#ebebe8, #1f2023));
     --_warning: light-dark(#9a5b00, #f0b45a);
