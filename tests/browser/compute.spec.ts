@@ -82,19 +82,22 @@ test('a newer solve overtakes an older one, before it begins and while it runs',
 });
 
 test('a refused project names its reason, and the next solve works', async ({ page }) => {
-  const [refused, code, next] = await page.evaluate(
+  const [refused, code, handles, next] = await page.evaluate(
     async ([outside, project]) => {
       const engine = await harness.startedEngine();
-      const error = await engine.solve(outside).catch((reason: Error & { code?: string }) => reason);
+      const error = await engine
+        .solve(outside)
+        .catch((reason: Error & { code?: string; handles?: string[] }) => reason);
       const solution = await engine.solve(project);
       return error instanceof Error
-        ? [error.message, error.code, solution.positions.length > 0]
-        : ['solved', '', false];
+        ? [error.message, error.code, error.handles, solution.positions.length > 0]
+        : ['solved', '', [], false];
     },
     [outside, project] as const,
   );
   expect(code).toBe('handle-outside');
   expect(refused).toContain('stray');
+  expect(handles).toEqual(['stray']);
   expect(next).toBe(true);
 });
 

@@ -229,6 +229,73 @@ test('a handle that cannot be solved is named and taken back, and the history wi
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
+test('of what a page does in one go only the handles that cannot be solved are taken back', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const told = await page.locator('c2-warp').evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const told: string[] = [];
+    warp.addEventListener('error', (event) => {
+      const { code, handles } = (event as CustomEvent).detail;
+      told.push(`${code}: ${handles}`);
+    });
+    warp.addEventListener('change', (event) => {
+      const { handles } = (event as CustomEvent<{ project: C2Warp['project'] }>).detail.project;
+      told.push(handles.map(({ id }) => id).join(' '));
+    });
+    warp.updateHandle('head', { rest: [5, 5] });
+    warp.addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
+    warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
+    warp.addHandle({ id: 'twin', kind: 'point', rest: [512, 600.001] });
+    warp.updateHandle('left-hand', { posed: [150, 420] });
+    told.length = 0;
+    await new Promise<void>((done) => {
+      warp.addEventListener('error', () => told.filter((line) => line.includes(':')).length === 3 && done());
+    });
+    return told;
+  });
+  const sample = 'head left-hand right-hand left-foot right-foot';
+  expect(told).toEqual([
+    `${sample} stray heart twin`,
+    'handle-outside: head',
+    `${sample} heart twin`,
+    'handle-outside: stray',
+    `${sample} heart`,
+    'handles-too-close: heart,twin',
+  ]);
+  await expect(editor.handles).toHaveCount(6);
+  expect(await editor.inProject('head')).toMatchObject({ rest: [512, 260], posed: [512, 260] });
+  await expect.poll(async () => (await editor.mapped(512, 600))?.length).toBe(2);
+  await editor.button('Undo: change handle').click();
+  await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+  await editor.button('Undo: add handle').click();
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('a handle that is taken back leaves the drag of another in hand', async ({ page }) => {
+  const answers = await Answers.of(page);
+  const editor = await Editor.open(page);
+  await answers.hold();
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
+  });
+  const hand = await editor.place('right hand');
+  await page.mouse.move(hand.x, hand.y);
+  await page.mouse.down();
+  await page.mouse.move(hand.x, hand.y - 20);
+  await answers.pass();
+  await expect(editor.notice).toContainText('stray');
+  await page.mouse.move(hand.x, hand.y - 40);
+  await page.mouse.up();
+  await expect(editor.handles).toHaveCount(5);
+  await expect.poll(async () => (await editor.place('right hand')).y).toBeCloseTo(hand.y - 40, 0);
+  await editor.button('Undo: move right hand').click();
+  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
 test('what a page does with a project or a handle that it has given or got is its own affair', async ({
   page,
 }) => {

@@ -301,6 +301,30 @@ test('a step that nobody waited for to be refused does not take the work before 
   await expect(editor.notice).toBeHidden();
 });
 
+test('a handle that nobody waited for to be refused does not take the work after it along', async ({
+  page,
+}) => {
+  const answers = await Answers.of(page);
+  const editor = await Editor.open(page);
+  await answers.hold();
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    warp.addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
+    warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
+  });
+  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(7);
+  await page.reload();
+  await expect(editor.handles).toHaveCount(7);
+  await answers.pass();
+  await expect(editor.notice).toContainText('stray');
+  await expect(editor.handles).toHaveCount(6);
+  await expect(editor.handle('heart')).toBeVisible();
+  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(6);
+  await editor.button('Undo: add handle').click();
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
 for (const event of ['drop', 'paste'] as const) {
   test(`a picture is opened by ${event}, and the way back keeps the work`, async ({ page }) => {
     const editor = await Editor.open(page);

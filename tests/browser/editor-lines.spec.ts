@@ -1,4 +1,5 @@
 /** Bars and polygons: drawn, bent, moved and turned; what the solver refuses of them. */
+import { Answers } from './answers';
 import { apart, Editor, type Place } from './editor';
 import { expect, test } from './fixtures';
 
@@ -342,6 +343,27 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   await page.keyboard.press('Enter');
   await expect(editor.handle('bar 1')).toBeVisible();
   await expect(page.getByText('Only the part of bar 1 on the picture bends it')).toBeVisible();
+});
+
+test('a refused bar comes back as a drawing, and what was done since stays', async ({ page }) => {
+  const answers = await Answers.of(page);
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await answers.hold();
+  await page.keyboard.press('b');
+  await clicks(editor, [at(60, 900), at(160, 1000)]);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('p');
+  const heart = at(512, 600);
+  await page.mouse.click(heart.x, heart.y);
+  await answers.pass();
+  await expect(editor.notice).toContainText('bar-1');
+  await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
+  await expect(editor.handles).toHaveCount(6);
+  await page.keyboard.press('Escape');
+  await editor.button('Undo: add handle').click();
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
 });
 
 test('the boundary is held at a switch, as one step', async ({ page }) => {

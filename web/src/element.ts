@@ -25,7 +25,8 @@
  *
  * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a folder, or a file that
  * is gone), `picture` (no picture, or none that can be opened), `project` (its message names the key), `image-size` (a project for a picture of another size), `engine`
- * (the solver could not be started), or what the solver refuses, such as `handle-outside`.
+ * (the solver could not be started), or what the solver refuses, such as `handle-outside`; then `handles` are the ids of the handles that
+ * its message names.
  *
  * Setting `readonly` or `disabled` gives up the drag, the drawing or the number that a person is in the midst of. Several elements
  * may live on one page; one that is removed gives back its worker and its WebGL context, and has its document still when
@@ -181,7 +182,7 @@ export class C2Warp extends TypedElement {
 
   /**
    * Adds a handle; without an id it gets one. Returns the id. What only the solver can tell, such as that it lies outside the picture,
-   * comes later: an `error`, and a `change` that takes the step back, with those made since.
+   * comes later: an `error`, and a `change` that takes this handle back and leaves what was done since.
    * @throws RangeError for an id that is taken, for what no handle can be, and where there is no picture yet.
    */
   addHandle(handle: NewHandle): string {

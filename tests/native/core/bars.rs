@@ -650,7 +650,7 @@ fn a_bar_in_a_wrong_place_is_refused_by_name() {
         let mut project = square(Support::Paper, handles);
         project.fix_boundary = held;
         let error = solved(&project).expect_err("refused");
-        (error.code(), error.to_string())
+        (error.code(), error.handles().into_iter().map(String::from).collect::<Vec<_>>(), error.to_string())
     };
     let at_rest = |id: &str, corners: &[(f64, f64)]| bar(id, corners, corners);
     let point = |x: f64, y: f64| handle(7, (x, y).into(), (x, y).into(), 0.0);
@@ -667,7 +667,7 @@ fn a_bar_in_a_wrong_place_is_refused_by_name() {
             vec![at_rest("bar", &[(50.0, 50.0), (90.0, 50.0)]), point(70.0, 50.005)],
             false,
             "handles-too-close",
-            &["bar", "h7"],
+            &["h7", "bar"],
         ),
         (vec![at_rest("far", &[(5.0, 5.0), (15.0, 15.0)])], false, "handle-outside", &["far"]),
         // Each pair of pieces would be looked at before the sites that they need are counted.
@@ -680,8 +680,9 @@ fn a_bar_in_a_wrong_place_is_refused_by_name() {
         (vec![at_rest("edge", &[(20.5, 50.0), (20.5, 90.0)])], true, "on-held-boundary", &["edge"]),
         (vec![point(20.5, 90.0)], true, "on-held-boundary", &["h7"]),
     ] {
-        let (found, message) = refused(handles, held);
+        let (found, named, message) = refused(handles, held);
         assert_eq!(found, code, "{message}");
+        assert_eq!(named, names, "{message}");
         assert!(names.iter().all(|name| message.contains(&format!("“{name}”"))), "{message}");
     }
 }

@@ -426,4 +426,26 @@ impl Error {
             Self::PoserBytes => "poser",
         }
     }
+
+    /// Ids of the handles that the text names, in its order.
+    #[must_use]
+    pub fn handles(&self) -> Vec<&str> {
+        match self {
+            Self::HandleOutside { id, .. }
+            | Self::BarTooShort { id, .. }
+            | Self::OnHeldBoundary { id }
+            | Self::TooManyHandles { id, .. }
+            | Self::TooManyCorners { id, .. }
+            | Self::PoseShape { id, .. }
+            | Self::PoseNotFinite { id } => vec![id],
+            Self::HandlesTooClose { first, second, .. } | Self::BarsOverlap { first, second } => {
+                if first == second {
+                    vec![first]
+                } else {
+                    vec![first, second]
+                }
+            }
+            _ => Vec::new(),
+        }
+    }
 }

@@ -54,11 +54,12 @@ describe('Link', () => {
     expect(await second).toBe(PICTURE);
   });
 
-  it('passes on the code and the message of a failure', async () => {
+  it('passes on the code and the message of a failure, and the handles that it names', async () => {
     const { link, worker } = linked();
+    const failure = { code: 'handle-outside', message: 'outside', handles: ['head'] };
     const solve = link.send('solve', { project: '{}' });
-    worker(0).reply({ id: 1, kind: 'failed', failure: { code: 'handle-outside', message: 'outside' } });
-    await expect(solve).rejects.toMatchObject({ code: 'handle-outside', message: 'outside' });
+    worker(0).reply({ id: 1, kind: 'failed', failure });
+    await expect(solve).rejects.toMatchObject(failure);
     await expect(solve).rejects.toBeInstanceOf(EngineError);
   });
 

@@ -27,6 +27,8 @@ export interface Boot {
 export interface Failure {
   readonly code: string;
   readonly message: string;
+  /** Ids of the handles that the message names. */
+  readonly handles?: readonly string[];
 }
 
 export type Reply =

@@ -60,22 +60,39 @@ describe('History', () => {
     expect(history.present).toBe(2);
   });
 
-  it('withdraws what cannot stand, from the past and the future alike', () => {
+  it('tells all values in the order of time', () => {
     const history = new History(0);
-    history.step('Add', 1);
-    history.step('Add', -2);
-    history.begin('Move');
-    history.update(-3);
-    expect(history.withdraw((value) => value >= 0)).toBe(true);
-    expect(state(history)).toEqual([1, 'Add', null]);
+    for (const value of [1, 2, 3]) history.step('Add', value);
     history.undo();
-    expect(history.present).toBe(0);
+    history.undo();
+    expect(history.timeline).toEqual({ values: [0, 1, 2, 3], at: 1 });
+    history.begin('Move');
+    history.update(9);
+    expect(history.timeline).toEqual({ values: [0, 1, 9, 2, 3], at: 2 });
   });
 
-  it('cannot withdraw where nothing ever stood', () => {
-    const history = new History(-1);
-    expect(history.withdraw((value) => value >= 0)).toBe(false);
-    expect(history.present).toBe(-1);
+  it('is mended throughout, and forgets the steps that change nothing any more', () => {
+    const history = new History(0);
+    for (const value of [1, 2, 3, 4]) history.step(`Set ${value}`, value);
+    history.undo();
+    history.undo();
+    expect(history.mend([0, 10, 10, 30, 30])).toBe(true);
+    expect(history.timeline).toEqual({ values: [0, 10, 30], at: 1 });
+    expect(state(history)).toEqual([10, 'Set 1', 'Set 3']);
+    expect(history.mend(history.timeline.values)).toBe(false);
+  });
+
+  it('is mended under an open step, which goes on', () => {
+    const history = new History(0);
+    history.step('Add', 1);
+    history.begin('Move');
+    history.update(2);
+    history.mend([0, 0, 20]);
+    expect(state(history)).toEqual([20, 'Move', null]);
+    history.update(30);
+    expect(history.commit()).toBe(true);
+    history.undo();
+    expect(state(history)).toEqual([0, null, 'Move']);
   });
 
   it('comes back from its record, without the drag in hand', () => {

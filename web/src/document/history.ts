@@ -20,6 +20,12 @@ export interface HistoryRecord<T> {
   readonly future: readonly Step<T>[];
 }
 
+/** All values in the order of time, and the place of the present among them. */
+export interface Timeline<T> {
+  readonly values: readonly T[];
+  readonly at: number;
+}
+
 const LIMIT = 500;
 
 export class History<T> {
@@ -122,24 +128,30 @@ export class History<T> {
     return step.label;
   }
 
+  get timeline(): Timeline<T> {
+    const before = [...this.#past, ...(this.#open ? [this.#open] : [])];
+    const values = [...before, { value: this.#present }, ...this.#future.toReversed()].map(
+      ({ value }) => value,
+    );
+    return { values, at: before.length };
+  }
+
   /**
-   * Withdraws what cannot stand: goes back, through the past and then the future, to the nearest value that is
-   * `acceptable`, and forgets every step that leads to one that is not. Returns whether there was such a value.
+   * Puts as many other values in the place of those of the timeline, and forgets every step that changes nothing any
+   * more. An open step stays open. Returns whether the present is another.
    */
-  withdraw(acceptable: (value: T) => boolean): boolean {
-    const values = [
-      ...(this.#open ? [this.#open.value] : []),
-      ...this.#past.map((step) => step.value).reverse(),
-      ...this.#future.map((step) => step.value).reverse(),
-    ];
-    const refuge = acceptable(this.#present) ? this.#present : values.find(acceptable);
-    if (refuge === undefined) return false;
-    this.#open = null;
+  mend(values: readonly T[]): boolean {
+    const [before, { at }] = [this.#present, this.timeline];
+    const step = ({ label }: Step<T>, k: number): Step<T> => ({ label, value: values[k] as T });
+    const last = values.length - 1;
+    this.#past = this.#past.map(step).filter(({ value }, k) => value !== values[k + 1]);
+    this.#open = this.#open && step(this.#open, at - 1);
+    this.#present = values[at] as T;
+    this.#future = this.#future
+      .map((redone, j) => step(redone, last - j))
+      .filter(({ value }, j) => value !== values[last - j - 1]);
     this.#key = null;
-    this.#present = refuge;
-    this.#past = this.#past.filter((step) => acceptable(step.value) && step.value !== refuge);
-    this.#future = this.#future.filter((step) => acceptable(step.value) && step.value !== refuge);
-    return true;
+    return this.#present !== before;
   }
 
   record(): HistoryRecord<T> {

@@ -7,11 +7,22 @@
 import type { Handle, Project } from './project';
 
 /** Equal for two projects exactly when one solution serves both. */
-export function solveKey(project: Project): string {
-  const { handles, pose, ...settings } = project;
-  const { blend: _, ...bending } = pose ?? {};
-  return JSON.stringify([settings, bending, handles.map(({ id, kind, rest }) => [id, kind, rest])]);
+export const solveKey = (project: Project): string =>
+  `${settingsKey(project)} ${project.handles.map(handleKey).join(' ')}`;
+
+/** The part of it that is about no handle. */
+export function settingsKey({ handles: _, pose, ...settings }: Project): string {
+  const { blend: __, ...bending } = pose ?? {};
+  return JSON.stringify([settings, bending]);
 }
+
+/** Whether the project has this handle, posed in any way. */
+export const solvesWith = (project: Project, handle: Handle): boolean =>
+  project.handles.some((other) => solvesAlike(other, handle));
+
+export const solvesAlike = (a: Handle, b: Handle): boolean => handleKey(a) === handleKey(b);
+
+const handleKey = ({ id, kind, rest }: Handle): string => JSON.stringify([id, kind, rest]);
 
 /** The handles of `solved`, in its order and at its rest places, posed as `current` has them. */
 export function followedHandles(solved: Project, current: Project): readonly Handle[] {

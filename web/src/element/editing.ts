@@ -35,8 +35,9 @@ import {
   turnedTo,
 } from '../document/handle';
 import { History, type HistoryRecord } from '../document/history';
+import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, LineHandle, PoseMode, Project } from '../document/project';
-import { solveKey } from '../document/solved';
+import { solvesWith } from '../document/solved';
 import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
 import { add, type Vec } from '../geometry/vec';
@@ -61,8 +62,10 @@ export interface EditingHost {
 export class Editing {
   readonly machine = new ToolMachine();
   readonly #host: EditingHost;
-  /** What was drawn last, and the solution that it needs. */
-  #drawn: { readonly draft: Draft; readonly key: string } | null = null;
+  /** What was drawn last, and the handle that it became. */
+  #drawn: { readonly draft: Draft; readonly handle: Handle } | null = null;
+  /** Handles that were refused since the press in hand began. */
+  #refused: readonly Handle[] = [];
   #history: History<Document>;
 
   constructor(host: EditingHost, document: Document) {
@@ -107,7 +110,7 @@ export class Editing {
       else if (effect.type === 'commit') this.#commit();
       else if (effect.type === 'bail') this.#bail();
       else if (effect.type === 'select') this.select(effect.ids);
-      else if (effect.type === 'drawn') this.#drawn = { draft: effect.draft, key: solveKey(this.project) };
+      else if (effect.type === 'drawn') this.#drawn = effect;
       else if (effect.type === 'drafted') this.#sayDraft(effect.draft);
       else this.#host.carryOut(effect);
     }
@@ -259,20 +262,40 @@ export class Editing {
     this.#history.settle();
   }
 
-  /** Takes back whatever needs the solution of this key, which is not to be had. Returns whether anything was left to go back to. */
-  withdraw(key: string): boolean {
-    this.#letGo(this.machine.cancel());
-    this.#host.guarding.end();
-    const drawn = this.#drawn?.key === key ? this.#drawn.draft : null;
-    const left = this.#history.withdraw((document) => solveKey(document.project) !== key);
+  /**
+   * Takes back what is to blame that the solution of this key is not to be had: a handle of those `named`, or else whatever
+   * needs that solution. Returns whether anything was left to go back to.
+   *
+   * @param accepted what was solved last.
+   */
+  withdraw(key: string, named: readonly string[] = [], accepted: Project | null = null): boolean {
+    const { timeline } = this.#history;
+    const handle = culprit(timeline, named, accepted);
+    const { project } = this;
+    const left = this.#history.mend(
+      handle ? withHandleBack(timeline, handle) : withoutSolution(timeline, key),
+    );
+    const drawn = this.#drawn;
+    const undrawn = drawn && solvesWith(project, drawn.handle) && !solvesWith(this.project, drawn.handle);
+    if (handle) this.#refused = [...this.#refused, handle];
+    if (!handle || undrawn) this.#putDown();
     // What took a dozen clicks is not lost because one of them was wrong.
-    if (drawn) this.machine.resume(drawn);
-    this.#drawn = null;
+    if (undrawn) {
+      this.#drawn = null;
+      this.machine.resume(drawn.draft);
+    }
     if (left) this.#host.edited('change');
     return left;
   }
 
-  /** What a press in hand did to the document goes with it; what it shows does not go by itself. */
+  /** The press in hand is over, and what it did so far stays. */
+  #putDown(): void {
+    this.#letGo(this.machine.cancel());
+    this.#host.guarding.end();
+    this.#history.commit();
+  }
+
+  /** The document hears nothing of the end of a press; what a press shows does not go by itself. */
   #letGo(effects: readonly Effect[]): void {
     this.apply(effects.filter(({ type }) => type === 'box'));
   }
@@ -337,11 +360,17 @@ export class Editing {
 
   #begin(label: string): void {
     this.#history.begin(label);
+    this.#refused = [];
     this.#host.guarding.begin(this.document);
   }
 
   #input(document: Document): void {
-    this.#history.update(this.#host.guarding.limited(this.document, document));
+    // A press goes on from the document as it was when it began.
+    const wanted = this.#refused.reduce(
+      (mended, handle) => handleBack(mended, handle, this.document),
+      document,
+    );
+    this.#history.update(this.#host.guarding.limited(this.document, wanted));
     this.#host.edited('input');
   }
 

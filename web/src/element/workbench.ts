@@ -1,10 +1,12 @@
 /**
  * Picture, document and solution, kept consistent with one another.
  *
- * What the solver refuses never stays: a picture or project that cannot be opened leaves the ones before it, an edit
- * that cannot be solved is taken back through the history, be it that of a document just opened. The host shows what comes of it.
+ * What the solver refuses never stays: a picture or project that cannot be opened leaves the ones before it, a handle
+ * that cannot be solved is taken back through the history, be it that of a document just opened, and any other edit that cannot with what was done
+ * since. The host shows what comes of it.
  */
 import type { Engine } from '../compute/engine';
+import { EngineError } from '../compute/errors';
 import { type Document, newProject, openDocument } from '../document/document';
 import { checkedHandle } from '../document/handle';
 import type { HistoryRecord } from '../document/history';
@@ -213,8 +215,9 @@ export class Workbench {
 
   #refused(key: string, error: Error): void {
     const opening = this.#opening;
-    // What was kept may end with a step that nobody waited for to be refused: those before it stand.
-    const left = this.editing.withdraw(key);
+    const named = error instanceof EngineError ? error.handles : [];
+    // What was kept may hold a step that nobody waited for to be refused: the others stand.
+    const left = this.editing.withdraw(key, named, this.solving.current?.project ?? null);
     if (left || !opening) {
       this.#host.report(error);
       return;

@@ -114,7 +114,7 @@ function finished(draft: Draft, scene: Scene, rest: State): Outcome {
     { type: 'begin', label: `Add ${draft.kind}` },
     { type: 'edit', document: addHandle(scene.document, handle) },
     { type: 'commit' },
-    { type: 'drawn', draft },
+    { type: 'drawn', draft, handle },
   );
 }
 

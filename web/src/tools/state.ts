@@ -77,7 +77,7 @@ export type Effect =
   /** A corner was set or taken back. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }
   /** The handle just committed was drawn like this: should the solver refuse it, the drawing comes back. */
-  | { readonly type: 'drawn'; readonly draft: Draft };
+  | { readonly type: 'drawn'; readonly draft: Draft; readonly handle: LineHandle };
 
 export interface Outcome {
   readonly next: State;

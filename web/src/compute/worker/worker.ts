@@ -110,7 +110,8 @@ function buffers({ report: _, ...arrays }: SolutionData): ArrayBuffer[] {
 
 function asFailure(error: unknown): Failure | undefined {
   if (!(error instanceof Error) || !('code' in error) || typeof error.code !== 'string') return undefined;
-  return { code: error.code, message: error.message };
+  const { handles } = error as Partial<Failure>;
+  return { code: error.code, message: error.message, ...(handles && { handles }) };
 }
 
 /** Skipped where somebody waits already. */

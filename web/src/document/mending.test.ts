@@ -1,0 +1,138 @@
+import { describe, expect, it } from 'vitest';
+import { type Document, newProject, openDocument } from './document';
+import { addHandle, changeHandles, holdBoundary, moveHandles, removeHandles } from './edits';
+import { History } from './history';
+import { culprit, handleBack, withHandleBack, withoutSolution } from './mending';
+import type { Handle, PointHandle } from './project';
+import { solveKey } from './solved';
+
+const point = (id: string, x = 0): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
+const empty = openDocument(newProject({ src: 'a.png', width: 8, height: 8 }, 0.5));
+
+type Step = (document: Document) => Document;
+const add =
+  (id: string, x?: number): Step =>
+  (document) =>
+    addHandle(document, point(id, x));
+const put =
+  (id: string, x: number): Step =>
+  (document) =>
+    changeHandles(document, [id], () => point(id, x));
+const move =
+  (id: string): Step =>
+  (document) =>
+    moveHandles(document, [id], [0, 3]);
+const remove =
+  (id: string): Step =>
+  (document) =>
+    removeHandles(document, [id]);
+const hold: Step = (document) => holdBoundary(document, true);
+
+const done = (...steps: readonly Step[]): History<Document> => {
+  const history = new History(empty);
+  for (const step of steps) history.step('Step', step(history.present));
+  return history;
+};
+const blamed = (history: History<Document>, named: readonly string[], accepted: Document | null = null) =>
+  culprit(history.timeline, named, accepted?.project ?? null)?.id ?? null;
+const told = ({ project }: Document) =>
+  project.handles
+    .map(({ id, rest, posed }: Handle) => `${id}${rest[0]}${String(posed) === String(rest) ? '' : '!'}`)
+    .join(' ');
+const all = (history: History<Document>) => history.timeline.values.map(told);
+
+describe('culprit', () => {
+  it('is the handle that is not solved yet', () => {
+    const history = done(add('a'), add('b'), add('good', 5));
+    const [, a, b] = history.timeline.values as [Document, Document, Document];
+    expect(blamed(history, ['a', 'b'], a)).toBe('b');
+    expect(blamed(history, ['b', 'a'], removeHandles(b, ['a']))).toBe('a');
+  });
+
+  it('is the last one that was changed, where several are not solved', () => {
+    expect(blamed(done(add('a'), add('b'), move('a')), ['a', 'b'], empty)).toBe('b');
+    expect(blamed(done(add('a', 5), add('b'), put('a', 0)), ['a', 'b'])).toBe('a');
+    const both: Step = (document) => add('b')(add('a')(document));
+    expect(blamed(done(both), ['a', 'b'], empty)).toBe('b');
+  });
+
+  it('is none that was solved, as of settings', () => {
+    const history = done(add('a'), hold);
+    expect(blamed(history, ['a'], history.timeline.values[1])).toBeNull();
+    expect(blamed(history, [], empty)).toBeNull();
+  });
+
+  it('is not told of what is just opened, where settings are newer, or there is nothing before', () => {
+    expect(blamed(done(add('a'), hold), ['a'])).toBeNull();
+    expect(blamed(done(hold, add('a'), move('a')), ['a'])).toBe('a');
+    expect(blamed(new History(add('a')(empty)), ['a'])).toBeNull();
+  });
+});
+
+describe('withHandleBack', () => {
+  const back = (history: History<Document>, id: string) => {
+    const handle = history.present.project.handles.find((other) => other.id === id) as Handle;
+    history.mend(withHandleBack(history.timeline, handle));
+    return history;
+  };
+
+  it('takes away the handle alone, and the steps that were about it', () => {
+    const history = back(done(add('bad'), add('good'), move('bad'), move('good')), 'bad');
+    expect(all(history)).toEqual(['', 'good0', 'good0!']);
+    expect(history.present.selection).toEqual(['good']);
+  });
+
+  it('puts it back as it was just before, moved and all', () => {
+    const history = back(done(add('a'), move('a'), put('a', 9), add('b')), 'a');
+    expect(all(history)).toEqual(['', 'a0', 'a0!', 'a0! b0']);
+  });
+
+  it('mends what can be redone, and forgets a deletion of what is not there', () => {
+    const history = done(add('bad'), add('good'), remove('bad'), move('good'));
+    for (let k = 0; k < 3; k++) history.undo();
+    expect(all(back(history, 'bad'))).toEqual(['', 'good0', 'good0!']);
+    expect(told(history.present)).toBe('');
+  });
+
+  it('leaves an older handle of that name and place, which had been solved', () => {
+    const history = back(done(add('a'), remove('a'), hold, add('a')), 'a');
+    expect(all(history)).toEqual(['', 'a0', '', '']);
+  });
+});
+
+describe('handleBack', () => {
+  it('gives the very document before, where nothing else is new', () => {
+    const before = add('a')(empty);
+    expect(handleBack(add('bad')(before), point('bad'), before)).toBe(before);
+  });
+
+  it('leaves what is not as it was refused', () => {
+    const moved = add('a', 5)(empty);
+    expect(told(handleBack(moved, point('a', 4), empty))).toBe('a5');
+  });
+});
+
+describe('withoutSolution', () => {
+  const withdrawn = (history: History<Document>) => {
+    history.mend(withoutSolution(history.timeline, solveKey(history.present.project)));
+    return history;
+  };
+
+  it('goes back to what needs another, and forgets what needed this one', () => {
+    const history = withdrawn(done(add('a'), hold, move('a')));
+    expect(all(history)).toEqual(['', 'a0']);
+    expect(history.present.project.fix_boundary).toBe(false);
+  });
+
+  it('goes on to what can be redone, where there is nothing before', () => {
+    const history = done(add('a'), add('b'));
+    history.undo();
+    history.undo();
+    expect(all(withdrawn(history))).toEqual(['a0', 'a0 b0']);
+  });
+
+  it('changes nothing where nothing needs another', () => {
+    const history = done();
+    expect(history.mend(withoutSolution(history.timeline, solveKey(empty.project)))).toBe(false);
+  });
+});

@@ -1,0 +1,71 @@
+/**
+ * What becomes of a history when the solver refuses its present: what is to blame goes, and what was done since stays.
+ *
+ * Where the solver names handles, one of them is taken back at a time, to what it was before it became so; what is left may be
+ * refused for another.
+ */
+import { type Document, handleById } from './document';
+import { selectHandles } from './edits';
+import type { Timeline } from './history';
+import type { Handle, Project } from './project';
+import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
+
+/**
+ * The handle to blame: of those named and not solved before, the one that became what it is last. Null where that cannot be told, or it
+ * was so from the beginning.
+ *
+ * @param accepted what was solved last. Without that, a handle older than the settings may have become wrong by these.
+ */
+export function culprit(
+  { values, at }: Timeline<Document>,
+  named: readonly string[],
+  accepted: Project | null,
+): Handle | null {
+  const [present, ...earlier] = values.slice(0, at + 1).reverse();
+  if (!present) return null;
+  const suspects = named
+    .flatMap((id) => handleById(present, id) ?? [])
+    .filter((handle) => !accepted || !solvesWith(accepted, handle));
+  for (const { project } of earlier) {
+    if (!accepted && settingsKey(project) !== settingsKey(present.project)) return null;
+    const found = suspects.findLast((handle) => !solvesWith(project, handle));
+    if (found) return found;
+  }
+  return null;
+}
+
+/** The values with the handle taken back, from where it became what it is in the present to where it ceased to be so. */
+export function withHandleBack({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {
+  const otherwise = ({ project }: Document) => !solvesWith(project, handle);
+  const first = values.findLastIndex((document, k) => k < at && otherwise(document)) + 1;
+  const next = values.findIndex((document, k) => k > at && otherwise(document));
+  let before = values[first - 1];
+  return values.map((document, k) => {
+    // The one that follows, too, may be no other than the last before by now.
+    if (k < first || (next >= 0 && k > next)) return document;
+    before = handleBack(document, handle, before);
+    return before;
+  });
+}
+
+/** The document with a handle of it taken back to what it was `before`, or away: `before` itself where nothing else is new. */
+export function handleBack(document: Document, handle: Handle, before: Document | undefined): Document {
+  const back = before && handleById(before, handle.id);
+  const handles = document.project.handles.flatMap((other) =>
+    solvesAlike(other, handle) ? (back ?? []) : other,
+  );
+  const project = { ...document.project, handles };
+  if (before && JSON.stringify(project) === JSON.stringify(before.project)) return before;
+  return selectHandles({ ...document, project }, document.selection);
+}
+
+/** The values without any that needs the solution of this key: the last one before stands in its place, or else the first that there is. */
+export function withoutSolution({ values }: Timeline<Document>, key: string): readonly Document[] {
+  const stands = ({ project }: Document) => solveKey(project) !== key;
+  let before = values.find(stands);
+  return values.map((document) => {
+    if (before && !stands(document)) return before;
+    before = document;
+    return document;
+  });
+}
