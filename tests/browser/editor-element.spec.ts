@@ -237,7 +237,7 @@ test('of what a page does in one go only the handles that cannot be solved are t
     const warp = element as C2Warp;
     const told: string[] = [];
     warp.addEventListener('error', (event) => {
-      const { code, handles } = (event as CustomEvent).detail;
+      const { code, handles } = (event as Event as CustomEvent).detail;
       told.push(`${code}: ${handles}`);
     });
     warp.addEventListener('change', (event) => {
