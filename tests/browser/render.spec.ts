@@ -126,6 +126,7 @@ test('draws the same again after the browser took the context away', async ({ pa
       siteRest: [32, 32],
     });
     renderer.setMotions(new Float32Array([0.9, 0.2, -0.3, 1.1, 32, 32, 35, 30, 0, 0, 0, 0]));
+    renderer.setReach(Float32Array.of(0, 1, 0, 1));
     const view = { scale: 1, x: 0, y: 0, width: 64, height: 64, overlays: { mesh: true } };
     const before = renderer.readPixels(view);
     const control = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
@@ -150,6 +151,68 @@ test('draws the same again after the browser took the context away', async ({ pa
     };
   });
   expect(result).toEqual({ whileLost: true, afterwards: false, blank: false, differing: 0 });
+});
+
+test('draws a reach from none to yellow, with a line at every tenth and a bold one at the half', async ({
+  page,
+}) => {
+  const { row, beside, off, refused } = await page.evaluate(async () => {
+    // Grey on the left four fifths, nothing on the rest.
+    const rgba = Uint8Array.from(
+      { length: 10 * 2 * 4 },
+      (_, at) => ((at >> 2) % 10 < 8 ? [128, 128, 128, 255] : [0, 0, 0, 0])[at % 4] ?? 0,
+    );
+    const { bitmap } = await harness.decodePicture(await harness.encodePng(10, 2, rgba));
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    renderer.setPicture(bitmap);
+    renderer.setSolution({
+      positions: new Float32Array([0, 0, 10, 0, 0, 2, 10, 2]),
+      triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
+      offsets: new Uint32Array(5),
+      sites: new Uint32Array(),
+      weights: new Float32Array(),
+      siteRest: [],
+    });
+    const view = { scale: 40, x: 0, y: 0, width: 400, height: 80 };
+    const before = renderer.readPixels(view);
+    renderer.setReach(Float32Array.of(0, 1.25, 0, 1.25));
+    const pixels = renderer.readPixels(view);
+    const at = (x: number) => Array.from(pixels.subarray((40 * 400 + x) * 4, (40 * 400 + x) * 4 + 4));
+    renderer.setReach(null);
+    const after = renderer.readPixels(view);
+    let refused = '';
+    try {
+      renderer.setReach(new Float32Array(3));
+    } catch (error) {
+      refused = String(error);
+    }
+    return {
+      row: Array.from({ length: 320 }, (_, x) => at(x)),
+      beside: at(380),
+      off: after.every((value, i) => value === before[i]),
+      refused,
+    };
+  });
+  // A tenth is 32 px: at x the reach is x / 320.
+  const light = (x: number) => (row[x] ?? []).slice(0, 3).reduce((sum, value) => sum + value, 0);
+  expect(Math.abs(light(0) - 3 * 128)).toBeLessThan(12);
+  const [red = 0, green = 0, blue = 0, alpha] = row[318] ?? [];
+  expect(red).toBeGreaterThan(200);
+  expect(green).toBeGreaterThan(200);
+  expect(blue).toBeLessThan(120);
+  expect(alpha).toBe(255);
+  /** How far apart the lightest and the darkest are around a place: a line is dark between pale edges. */
+  const contrast = (tenth: number) => {
+    const lights = [-4, -3, -2, -1, 0, 1, 2, 3].map((by) => light(32 * tenth + by));
+    return Math.max(...lights) - Math.min(...lights);
+  };
+  for (let tenth = 1; tenth <= 9; tenth++) {
+    expect(contrast(tenth), `line ${tenth}`).toBeGreaterThan(contrast(tenth + 0.5) + 60);
+  }
+  expect(contrast(5)).toBeGreaterThan(1.5 * Math.max(contrast(4), contrast(6)));
+  expect(beside).toEqual([0, 0, 0, 0]);
+  expect(off).toBe(true);
+  expect(refused).toContain('3 vertices for 4');
 });
 
 for (const blend of ['linear', 'rigid'] as const) {

@@ -53,6 +53,9 @@ const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
 
 export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => roundedVec(add(p, by)));
 
+/** The same to the last digit: for a pose that is asked about and not kept. */
+export const displaced = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => add(p, by));
+
 /** Turned about its own anchor to a rotation in degrees: a point to one in (−180, 180], what has corners by any number of turns. */
 export function turnedTo(handle: Handle, degrees: number): Handle {
   if (!isLine(handle)) return { ...handle, rotation: rounded(wrapDegrees(degrees)) };

@@ -23,6 +23,7 @@ import { Keeping } from './keeping';
 import { Noticing } from './noticing';
 import type { Picture } from './picture';
 import { Posing } from './posing';
+import { Reaching } from './reaching';
 import { run } from './running';
 import { Surroundings } from './surroundings';
 import { Talking } from './talking';
@@ -65,6 +66,7 @@ export class Desk {
   readonly canvas = document.createElement('canvas');
   readonly #host: DeskHost;
   readonly #noticing: Noticing;
+  readonly #reaching: Reaching;
   #keeping: Keeping | null = null;
   #drawing: Drawing | null = null;
   #input: Input | null = null;
@@ -73,7 +75,7 @@ export class Desk {
   #settling: ReturnType<typeof setTimeout> | undefined;
   #box: EditorModel['box'] = null;
   #comparing = false;
-  #overlays: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false };
+  #overlays: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false, reach: false };
   #settings = false;
   #numbers = false;
   #touched = false;
@@ -137,6 +139,7 @@ export class Desk {
       report: (error) => this.talking.report(error),
     });
     this.posing = new Posing(this.workbench);
+    this.#reaching = new Reaching({ workbench: this.workbench, changed: () => this.#drawing?.look() });
     this.files = new Files(this.workbench, {
       changed: () => host.changed(),
       notify: (notice) => this.talking.notify(notice),
@@ -190,6 +193,7 @@ export class Desk {
         }),
         motions: () => this.posing.motions(),
         blend: () => blendOf(this.workbench.editing.project),
+        reach: () => (this.#overlays.reach ? this.#reaching.reach() : null),
       });
     } catch (error) {
       this.talking.report(error);
@@ -232,6 +236,7 @@ export class Desk {
     clearTimeout(this.#settling);
     this.talking.dispose();
     this.#noticing.dispose();
+    this.#reaching.dispose();
     this.#sizing?.disconnect();
     this.#surroundings.release();
     this.#input?.release();
@@ -412,8 +417,10 @@ export class Desk {
     const { selection } = this.workbench.editing.document;
     if (selection !== this.#listed) requestAnimationFrame(() => showSelected(this.#host.root));
     this.#listed = selection;
-    if (kind === 'selection') this.#settings = false;
-    else {
+    if (kind === 'selection') {
+      this.#settings = false;
+      if (this.#overlays.reach) this.#drawing?.look();
+    } else {
       this.#drawing?.pose();
       this.#noticing.posed();
       if (this.workbench.editing.undoLabel !== null) this.#touched = true;

@@ -9,6 +9,8 @@ export interface DrawingHost {
   view(): View;
   motions(): Float32Array | null;
   blend(): Blend;
+  /** Vertices: what is drawn of it as a heat map; null where nothing is. */
+  reach(): Float32Array | null;
 }
 
 /** Drawings come back a little before they are in sight. */
@@ -68,6 +70,7 @@ export class Drawing {
     this.#frame = 0;
     if (!this.#posed) this.#renderer.setMotions(this.#host.motions(), this.#host.blend());
     this.#posed = true;
+    this.#renderer.setReach(this.#host.reach());
     this.#renderer.draw(this.#host.view());
   }
 }

@@ -62,6 +62,7 @@ describe('camera', () => {
       y: -15,
       width: 452,
       height: 300,
+      pixelRatio: 1.5,
     });
   });
 });

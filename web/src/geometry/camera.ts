@@ -88,4 +88,5 @@ export const deviceView = (camera: Camera, stage: Size, pixelRatio: number): Vie
   y: camera.y * pixelRatio,
   width: Math.max(1, Math.round(stage.width * pixelRatio)),
   height: Math.max(1, Math.round(stage.height * pixelRatio)),
+  pixelRatio,
 });

@@ -8,6 +8,8 @@ export interface View {
   /** Size of the canvas. */
   readonly width: number;
   readonly height: number;
+  /** Device pixels per CSS pixel, 1 where it is left out: lines are as wide as that. */
+  readonly pixelRatio?: number;
   /** Draw the picture as it was, for comparison. */
   readonly compare?: boolean;
   readonly overlays?: Overlays;

@@ -22,6 +22,7 @@ export class Renderer {
   #picture: ImageBitmap | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
+  #reach: Float32Array | null = null;
   #blend: Blend = 'linear';
 
   /** Called when a lost context is back and the picture wants to be drawn again. */
@@ -55,6 +56,7 @@ export class Renderer {
     this.#picture = source;
     this.#mesh = null;
     this.#motions = null;
+    this.#reach = null;
     if (!source) this.#scene?.clear();
     this.#fill();
   }
@@ -63,6 +65,7 @@ export class Renderer {
   setSolution(mesh: WarpMesh | null): void {
     this.#mesh = mesh;
     this.#motions = null;
+    this.#reach = null;
     this.#fillMesh();
   }
 
@@ -78,6 +81,20 @@ export class Renderer {
     this.#motions = motions;
     this.#blend = blend;
     if (!this.lost) this.#scene?.setMotions(motions, blend);
+  }
+
+  /**
+   * Vertices of the mesh: a number from 0 to 1 each, to be drawn as a heat map over the picture; null for the picture alone.
+   * @throws RangeError where there is not one for each vertex.
+   */
+  setReach(reach: Float32Array | null): void {
+    if (reach === this.#reach) return;
+    const vertices = (this.#mesh?.positions.length ?? 0) / 2;
+    if (reach && reach.length !== vertices) {
+      throw new RangeError(`a reach of ${reach.length} vertices for ${vertices}`);
+    }
+    this.#reach = reach;
+    if (!this.lost) this.#scene?.setReach(reach);
   }
 
   draw(view: View): void {
@@ -140,6 +157,7 @@ export class Renderer {
     }
     this.#fill();
     this.#scene.setMotions(this.#motions, this.#blend);
+    this.#scene.setReach(this.#reach);
     this.onrestore?.();
   }
 

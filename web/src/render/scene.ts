@@ -14,7 +14,8 @@ import lineFragment from './line.frag.glsl?raw';
 import { meshEdges, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
 import { createPictureTexture, setMagnification } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
-import warpVertex from './warp.vert.glsl?raw';
+import { drawWith, program } from './program';
+import { ReachLayer } from './reach';
 
 /** Of the mesh overlay, premultiplied: reads on light and on dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
@@ -38,6 +39,8 @@ export class Scene {
   #loaded: LoadedMesh | undefined;
   /** The picture as it is, to compare with. */
   #whole: LoadedMesh | undefined;
+  /** Made when it is first asked for. */
+  #reach: ReachLayer | undefined;
   #posed = false;
   #blend: Blend = 'linear';
 
@@ -61,6 +64,7 @@ export class Scene {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
+    this.#reach?.clear();
     [this.#picture, this.#whole, this.#loaded] = [undefined, undefined, undefined];
   }
 
@@ -68,6 +72,7 @@ export class Scene {
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);
     this.#loaded = this.#load(mesh);
+    this.#reach?.clear();
     this.#posed = false;
   }
 
@@ -105,6 +110,16 @@ export class Scene {
     this.#reorder(loaded, loaded.order.triangles(motions));
   }
 
+  /** Vertices of the mesh, drawn as colours over the picture; null for the picture alone. */
+  setReach(reach: Float32Array | null): void {
+    if (!reach) {
+      this.#reach?.clear();
+      return;
+    }
+    this.#reach ??= new ReachLayer(this.#gl);
+    this.#reach.set(reach);
+  }
+
   #reorder(loaded: LoadedMesh, triangles: Uint32Array): void {
     if (triangles === loaded.drawn) return;
     const gl = this.#gl;
@@ -137,7 +152,9 @@ export class Scene {
       u_rigid: this.#blend === 'rigid',
       u_colour: MESH_COLOUR,
     };
-    drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
+    if (this.#reach?.isSet && !view.compare)
+      this.#reach.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
+    else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
     if (view.overlays?.mesh && !view.compare) {
       loaded.edges ??= edgeBuffer(gl, loaded);
       drawWith(gl, this.#lineProgram, loaded.edges, uniforms, gl.LINES);
@@ -156,32 +173,10 @@ export class Scene {
   }
 }
 
-function program(gl: WebGL2RenderingContext, fragment: string): twgl.ProgramInfo {
-  let reason = 'unknown';
-  const info: twgl.ProgramInfo | null = twgl.createProgramInfo(gl, [warpVertex, fragment], (message) => {
-    reason = message;
-  });
-  if (!info) throw new Error(`a shader does not compile: ${reason}`);
-  return info;
-}
-
 function edgeBuffer(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): twgl.BufferInfo {
   return twgl.createBufferInfoFromArrays(
     gl,
     { indices: { numComponents: 2, data: meshEdges(mesh.triangles) } },
     triangles,
   );
-}
-
-function drawWith(
-  gl: WebGL2RenderingContext,
-  info: twgl.ProgramInfo,
-  buffers: twgl.BufferInfo,
-  uniforms: Record<string, unknown>,
-  primitive: number,
-): void {
-  gl.useProgram(info.program);
-  twgl.setBuffersAndAttributes(gl, info, buffers);
-  twgl.setUniforms(info, uniforms);
-  twgl.drawBufferInfo(gl, buffers, primitive);
 }

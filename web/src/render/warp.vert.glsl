@@ -18,9 +18,14 @@ uniform vec3 u_view;
 uniform bool u_at_rest;
 uniform bool u_rigid;
 
-in vec2 a_rest;
+// At the same places in all programs: what one leaves switched on belongs to the next.
+layout(location = 0) in vec2 a_rest;
 // First entry and number of entries.
-in uvec2 a_row;
+layout(location = 1) in uvec2 a_row;
+#ifdef REACH
+layout(location = 2) in float a_reach;
+out float v_reach;
+#endif
 
 out vec2 v_texcoord;
 
@@ -79,6 +84,9 @@ vec2 blended(vec2 p) {
 
 void main() {
   v_texcoord = a_rest / u_picture_size;
+#ifdef REACH
+  v_reach = a_reach;
+#endif
   vec2 device = blended(a_rest) * u_view.x + u_view.yz;
   gl_Position = vec4((device / u_canvas_size * 2.0 - 1.0) * vec2(1.0, -1.0), 0.0, 1.0);
 }

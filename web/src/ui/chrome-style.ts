@@ -334,6 +334,29 @@ export const chromeStyle = css`
     pointer-events: none;
     animation: appear 400ms 500ms backwards;
   }
+  .legend {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+    padding: 7px 16px;
+    font-size: 12px;
+    animation: appear var(--_speed);
+  }
+  .ramp {
+    width: 120px;
+    height: 10px;
+    border-radius: 5px;
+    background-color: #b9b5b0;
+  }
+  /* The half, as its isoline. */
+  .ramp::before {
+    content: '';
+    display: block;
+    width: 2px;
+    height: 100%;
+    margin: auto;
+    background: #080d29d9;
+  }
   /* It belongs to the picture: under the cards. */
   .bubble {
     bottom: auto;

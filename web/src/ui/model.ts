@@ -94,7 +94,7 @@ export interface Notice {
   readonly action?: { readonly label: string; run(): void };
 }
 
-export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph' | 'folds', boolean>>;
+export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph' | 'folds' | 'reach', boolean>>;
 
 /** A number of the selected handles that the panel can set. */
 export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';

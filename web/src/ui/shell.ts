@@ -9,6 +9,7 @@ import { icon } from './icons';
 import type { EditorActions, EditorModel, Hint } from './model';
 import { foldOverlay, siteOverlay } from './overlays';
 import { panel } from './panel';
+import { reachHint } from './reach';
 import { shortened } from './shortened';
 import { statusLine } from './status';
 import { toolHint } from './tool-hint';
@@ -23,7 +24,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${toolStrip(model, actions)} ${panel(model, actions)}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint && !model.comparing ? hint(model.hint, model.camera) : nothing}
-      ${draftBar(model, actions)} ${toolHint(model)}
+      ${draftBar(model, actions)} ${toolHint(model)} ${reachHint(model)}
       ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${statusLine(model, actions)}

@@ -118,15 +118,17 @@ function compareButton(model: EditorModel, actions: EditorActions): TemplateResu
   </button>`;
 }
 
-const OVERLAY_LABELS = {
-  mesh: 'Mesh',
-  sites: 'Virtual handles',
-  graph: 'Cell graph',
-  folds: 'Folds',
-} as const satisfies Record<keyof OverlayFlags, string>;
+/** What each is called, and what it shows. */
+const OVERLAYS = {
+  mesh: ['Mesh', 'The triangles that the picture is drawn with'],
+  sites: ['Virtual handles', 'What moves the picture between your handles'],
+  graph: ['Cell graph', 'Which handles, virtual ones too, are neighbours'],
+  folds: ['Folds', 'Where the picture has turned over'],
+  reach: ['Reach', 'How much of a small move of the selected handles each place of the picture follows'],
+} as const satisfies Record<keyof OverlayFlags, readonly [label: string, tip: string]>;
 
 function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult {
-  const names = Object.keys(OVERLAY_LABELS) as (keyof OverlayFlags)[];
+  const names = Object.keys(OVERLAYS) as (keyof OverlayFlags)[];
   const shown = names.some((name) => model.overlays[name]);
   return html`<div class="menu">
     <button
@@ -151,16 +153,17 @@ function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult
       @beforetoggle=${placeBelowButton}
     >
       ${names.map(
-        (name) => html`<label class="check">
+        (name) => html`<label class="check" title=${OVERLAYS[name][1]}>
           <input
             type="checkbox"
+            aria-description=${OVERLAYS[name][1]}
             .checked=${model.overlays[name]}
             @change=${(event: Event) => {
               event.stopPropagation();
               actions.overlay(name, (event.target as HTMLInputElement).checked);
             }}
             @input=${(event: Event) => event.stopPropagation()}
-          />${OVERLAY_LABELS[name]}
+          />${OVERLAYS[name][0]}
         </label>`,
       )}
     </div>

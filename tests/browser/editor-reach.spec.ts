@@ -1,0 +1,140 @@
+/** The heat map of how far the selected handles reach: where it is hot and cold, and when there is none. */
+import { decode } from 'fast-png';
+import { apart, Editor, type Place, SAME } from './editor';
+import { expect, test } from './fixtures';
+
+/** From a handle, within its ring. */
+const RADIUS = 9;
+
+type Colour = readonly [red: number, green: number, blue: number];
+
+/** The mean colour around a place. */
+async function colour(editor: Editor, at: Place): Promise<Colour> {
+  const { data, channels } = decode(await editor.look(at, RADIUS));
+  const mean = (channel: number) => {
+    let sum = 0;
+    for (let pixel = channel; pixel < data.length; pixel += channels) sum += data[pixel] ?? 0;
+    return (sum * channels) / data.length;
+  };
+  return [mean(0), mean(1), mean(2)];
+}
+
+/** As the ramp is at its upper end, over a brown picture. */
+const isHot = ([red, green, blue]: Colour) => red > 190 && green > 180 && blue < 110;
+
+const reachBox = (editor: Editor) => editor.page.getByRole('checkbox', { name: 'Reach' });
+
+async function switchReach(editor: Editor): Promise<void> {
+  await editor.button('Overlays').click();
+  await reachBox(editor).click();
+  await editor.page.keyboard.press('Escape');
+}
+
+const legend = (editor: Editor) => editor.page.getByRole('img', { name: /yellow goes along/ });
+
+const NAMES = ['left hand', 'right hand', 'head', 'left foot', 'right foot'] as const;
+
+for (const mode of ['Rigid', 'Smooth'] as const) {
+  test(`${mode}: what is selected is hot, other handles are cold, and nothing is drawn where nothing is selected`, async ({
+    page,
+  }) => {
+    const editor = await Editor.open(page);
+    if (mode === 'Smooth') await editor.solves(() => editor.button('Smooth').click());
+    const places = Object.fromEntries(
+      await Promise.all(NAMES.map(async (name) => [name, await editor.place(name)] as const)),
+    ) as Record<(typeof NAMES)[number], Place>;
+    const before = new Map<string, Buffer>();
+    for (const name of NAMES) before.set(name, await editor.look(places[name], RADIUS));
+    const changed = async (name: (typeof NAMES)[number]) =>
+      apart(await editor.look(places[name], RADIUS), before.get(name) ?? Buffer.alloc(0));
+
+    await switchReach(editor);
+    await expect(page.getByText('Select a handle to see its reach')).toBeVisible();
+    for (const name of NAMES) expect(await changed(name), name).toBeLessThan(SAME);
+
+    await editor.handle('left hand').click();
+    await expect(page.getByText('Select a handle to see its reach')).toBeHidden();
+    await expect(legend(editor)).toBeVisible();
+    expect(isHot(await colour(editor, places['left hand']))).toBe(true);
+    for (const name of NAMES.slice(1)) expect(await changed(name), name).toBeLessThan(6);
+
+    // All that is selected moves together.
+    await editor.handle('right foot').click({ modifiers: ['Shift'] });
+    expect(isHot(await colour(editor, places['left hand']))).toBe(true);
+    expect(isHot(await colour(editor, places['right foot']))).toBe(true);
+    expect(await changed('head')).toBeLessThan(6);
+
+    await page.keyboard.press('Escape');
+    await expect(legend(editor)).toBeHidden();
+    for (const name of NAMES) expect(await changed(name), name).toBeLessThan(SAME);
+  });
+}
+
+test('the reach goes along with a drag, and is that of the pose once the pointer rests', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await switchReach(editor);
+  const hand = await editor.place('right hand');
+  await page.mouse.move(hand.x, hand.y);
+  await page.mouse.down();
+  await page.mouse.move(hand.x - 20, hand.y - 60, { steps: 4 });
+  const held = await editor.place('right hand');
+  expect(Math.hypot(held.x - hand.x, held.y - hand.y)).toBeGreaterThan(50);
+  expect(isHot(await colour(editor, held))).toBe(true);
+  // Under the bend the isolines cross the arm elsewhere than where they were carried to.
+  const elbow = { x: (hand.x + (await editor.place('head')).x) / 2, y: hand.y };
+  const resting = await editor.still(async () => (await editor.look(elbow, 40)).toString('base64'));
+  await page.mouse.up();
+  const after = await editor.still(async () => (await editor.look(elbow, 40)).toString('base64'));
+  expect(apart(Buffer.from(after, 'base64'), Buffer.from(resting, 'base64'))).toBeLessThan(SAME);
+  expect(isHot(await colour(editor, await editor.place('right hand')))).toBe(true);
+});
+
+test('the original and a picture with the overlay off are without it', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  const head = await editor.place('head');
+  const before = await editor.look(head, RADIUS);
+  await switchReach(editor);
+  expect(isHot(await colour(editor, head))).toBe(true);
+  await editor.handle('head').focus();
+  await page.keyboard.down('o');
+  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(legend(editor)).toBeHidden();
+  expect(isHot(await colour(editor, head))).toBe(false);
+  await page.keyboard.up('o');
+  await expect(legend(editor)).toBeVisible();
+  expect(isHot(await colour(editor, head))).toBe(true);
+  await switchReach(editor);
+  await expect(legend(editor)).toBeHidden();
+  expect(apart(await editor.look(head, RADIUS), before)).toBeLessThan(SAME);
+});
+
+test('people who only look see the reach of what they choose, by keys alone', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate((element) => element.toggleAttribute('readonly', true));
+  await editor.button('Overlays').focus();
+  await page.keyboard.press('Enter');
+  await expect(reachBox(editor)).toBeVisible();
+  for (let tab = 0; tab < 5; tab++) await page.keyboard.press('Tab');
+  await expect(reachBox(editor)).toBeFocused();
+  await page.keyboard.press('Space');
+  await expect(reachBox(editor)).toBeChecked();
+  await expect(reachBox(editor)).toHaveAccessibleDescription(/follows/);
+  await page.keyboard.press('Escape');
+  await page.getByRole('region', { name: 'Properties' }).getByRole('button', { name: 'Head' }).press('Enter');
+  await expect(legend(editor)).toBeVisible();
+  expect(isHot(await colour(editor, await editor.place('head')))).toBe(true);
+});
+
+test('a handle that is just being placed has its reach once it is solved', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await switchReach(editor);
+  const [left, right] = [await editor.place('left hand'), await editor.place('right hand')];
+  const belly = { x: (left.x + right.x) / 2, y: left.y + 120 };
+  await page.keyboard.press('p');
+  await editor.solves(() => page.mouse.click(belly.x, belly.y));
+  await expect.poll(async () => isHot(await colour(editor, belly))).toBe(true);
+  await page.keyboard.press('Control+z');
+  await expect(editor.handle('handle 1')).toBeHidden();
+  expect(isHot(await colour(editor, belly))).toBe(false);
+});

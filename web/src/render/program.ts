@@ -1,0 +1,31 @@
+/** Programs that draw the posed mesh, and a draw by one of them. */
+import * as twgl from 'twgl.js';
+import warpVertex from './warp.vert.glsl?raw';
+
+/**
+ * @param define What the vertex shader asks for by `#ifdef`.
+ * @throws Error where a shader does not compile, which names the reason.
+ */
+export function program(gl: WebGL2RenderingContext, fragment: string, define = ''): twgl.ProgramInfo {
+  let reason = 'unknown';
+  // The version has to stay the first line.
+  const vertex = define ? warpVertex.replace('\n', `\n#define ${define}\n`) : warpVertex;
+  const info: twgl.ProgramInfo | null = twgl.createProgramInfo(gl, [vertex, fragment], (message) => {
+    reason = message;
+  });
+  if (!info) throw new Error(`a shader does not compile: ${reason}`);
+  return info;
+}
+
+export function drawWith(
+  gl: WebGL2RenderingContext,
+  info: twgl.ProgramInfo,
+  buffers: twgl.BufferInfo,
+  uniforms: Record<string, unknown>,
+  primitive: number,
+): void {
+  gl.useProgram(info.program);
+  twgl.setBuffersAndAttributes(gl, info, buffers);
+  twgl.setUniforms(info, uniforms);
+  twgl.drawBufferInfo(gl, buffers, primitive);
+}

@@ -1,0 +1,44 @@
+#version 300 es
+// The picture, premultiplied, under the colours of a reach from 0 to 1, with a line at every tenth and a bold one at the half.
+precision highp float;
+
+uniform sampler2D u_picture;
+// At 0, 0.2, … 1, straight alpha.
+uniform vec4 u_ramp[6];
+// How wide a line is, device pixels.
+uniform float u_line;
+
+in vec2 v_texcoord;
+in float v_reach;
+out vec4 colour;
+
+const float LINES = 10.0;
+
+vec4 ramp(float reach) {
+  float at = clamp(reach, 0.0, 1.0) * 5.0;
+  int below = min(int(at), 4);
+  return mix(u_ramp[below], u_ramp[below + 1], at - float(below));
+}
+
+// How much of a pixel a band covers whose middle is so far away.
+float covered(float away, float width) {
+  return clamp(0.5 + 0.5 * width - away, 0.0, 1.0);
+}
+
+void main() {
+  vec4 picture = texture(u_picture, v_texcoord);
+  vec4 shade = ramp(v_reach);
+  vec3 mixed = mix(picture.rgb, shade.rgb * picture.a, shade.a);
+
+  float tenths = v_reach * LINES;
+  float slope = length(vec2(dFdx(tenths), dFdy(tenths)));
+  float line = clamp(round(tenths), 1.0, LINES - 1.0);
+  float away = abs(tenths - line) / max(slope, 1e-6);
+  float bold = line == 5.0 ? 2.0 : 1.0;
+  // Closer together than they are wide they would make one dark spot.
+  float apart = 1.0 - smoothstep(0.15, 0.4, slope * u_line);
+  float pale = 0.35 * apart * covered(away, (bold + 2.0) * u_line);
+  float dark = (bold > 1.0 ? 0.85 : 0.65) * apart * covered(away, bold * u_line);
+  mixed = mix(mixed, vec3(picture.a), pale);
+  colour = vec4(mix(mixed, vec3(0.03, 0.05, 0.16) * picture.a, dark), picture.a);
+}

@@ -1,0 +1,20 @@
+/** What the heat map of the reach means: its colours, or what to do to see it. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { REACH_RAMP } from '../geometry/reach';
+import type { EditorModel } from './model';
+
+const COLOURS = REACH_RAMP.map(([red, green, blue, alpha]) => `rgb(${red} ${green} ${blue} / ${alpha})`);
+
+export function reachHint(model: EditorModel): TemplateResult | typeof nothing {
+  const { overlays, picture, draft, comparing, document, tool } = model;
+  if (!overlays.reach || !picture || draft || comparing || document.project.handles.length === 0)
+    return nothing;
+  if (document.selection.length > 0) return legend;
+  // These two have words of their own there, and something to draw before anything is selected.
+  if (tool === 'bar' || tool === 'polygon') return nothing;
+  return html`<p class="hint" part="hint">Select a handle to see its reach</p>`;
+}
+
+const legend = html`<div class="hint legend" part="hint" role="img" aria-label="Blue follows a little, yellow goes along whole">
+  stays<span class="ramp" .style=${`background-image: linear-gradient(to right, ${COLOURS.join(', ')})`}></span>goes along
+</div>`;
