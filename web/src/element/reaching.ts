@@ -1,8 +1,8 @@
 /**
  * How far the selected handles reach in the pose as it is.
  *
- * Four poses and four blends are too much for every frame of a drag: some 8 ms at 10,000 samples in the rigid mode. While one goes on,
- * what was found before goes along with the picture, and is found anew once the pointer rests or lets go.
+ * Four poses and four blends are too much for every frame of a drag: some 8 ms at 10,000 samples in the rigid mode. While one goes on
+ * it is found anew some times a second; in between, what was found before goes along with the picture.
  */
 import { blendOf } from '../document/bending';
 import { displaced } from '../document/handle';
@@ -18,8 +18,8 @@ export interface ReachingHost {
   changed(): void;
 }
 
-/** A pointer that has not moved for so long rests. */
-const REST_MS = 120;
+/** In a drag, from one time to the next. */
+const PAUSE_MS = 120;
 
 export class Reaching {
   readonly #host: ReachingHost;
@@ -37,12 +37,11 @@ export class Reaching {
   reach(): Float32Array | null {
     const { editing, solving } = this.#host.workbench;
     const { selection, project } = editing.document;
-    clearTimeout(this.#waiting);
     if (solving.current !== this.#solved || selection !== this.#selection) {
       [this.#solved, this.#selection, this.#reach] = [solving.current, selection, null];
       this.#renew();
     } else if (project !== this.#project) {
-      if (editing.machine.busy) this.#waiting = setTimeout(() => this.#rest(), REST_MS);
+      if (editing.machine.busy) this.#waiting ??= setTimeout(() => this.#again(), PAUSE_MS);
       else this.#renew();
     }
     return this.#reach;
@@ -52,12 +51,14 @@ export class Reaching {
     clearTimeout(this.#waiting);
   }
 
-  #rest(): void {
+  #again(): void {
     this.#renew();
     this.#host.changed();
   }
 
   #renew(): void {
+    clearTimeout(this.#waiting);
+    this.#waiting = undefined;
     const { editing, picture } = this.#host.workbench;
     const { selection, project } = editing.document;
     this.#project = project;
