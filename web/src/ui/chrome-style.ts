@@ -340,7 +340,14 @@ export const chromeStyle = css`
     gap: 10px;
     padding: 7px 16px;
     font-size: 12px;
+    white-space: nowrap;
     animation: appear var(--_speed);
+  }
+  /* It stays as long as something is selected: where there is no room beside the picture, that can be seen instead. */
+  @container shell (height < 440px) {
+    .legend {
+      display: none;
+    }
   }
   .ramp {
     width: 120px;

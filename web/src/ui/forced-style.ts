@@ -7,6 +7,7 @@ import { css } from 'lit';
 export const forcedStyle = css`
   @media (forced-colors: active) {
     .marks,
+    .ramp,
     .handles {
       forced-color-adjust: none;
     }
