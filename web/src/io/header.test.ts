@@ -62,6 +62,7 @@ describe('readHeader', () => {
   it('tells a drawing from anything else', () => {
     expect(readHeader(bytes('<?xml version="1.0"?><svg/>')).kind).toBe('svg');
     expect(readHeader(bytes('  <svg xmlns="…"/>')).kind).toBe('svg');
+    expect(readHeader(bytes([0xef, 0xbb, 0xbf], '<svg/>')).kind).toBe('svg');
     expect(readHeader(bytes('hello')).kind).toBe('other');
     expect(readHeader(new ArrayBuffer(0)).kind).toBe('other');
   });

@@ -18,7 +18,9 @@ export function readHeader(file: ArrayBuffer): Header {
   if (startsWith(view, '\x89PNG\r\n\x1a\n')) return png(view);
   if (startsWith(view, '\xff\xd8\xff')) return jpeg(view);
   if (startsWith(view, 'RIFF') && startsWith(view, 'WEBP', 8)) return webp(view);
-  const kind = /^\ufeff?\s*<(\?xml|!--|!DOCTYPE svg|svg)/i.test(latin(view, 0, 256)) ? 'svg' : 'other';
+  const kind = /^(\xef\xbb\xbf)?\s*<(\?xml|!--|!DOCTYPE svg|svg)/i.test(latin(view, 0, 256))
+    ? 'svg'
+    : 'other';
   return { kind, size: undefined, complete: true };
 }
 
