@@ -143,12 +143,16 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
   return null;
 }
 
-/** Where the next corner goes: under the pointer, on a step with Shift, onto another handle's corner near by. */
+/** Where the next corner goes: under the pointer, on a step with Shift, onto the nearest corner of another handle within reach. */
 function drawn({ corners }: Draft, press: Press, scene: Scene): Vec {
   const last = corners.at(-1);
   if (press.shift && last) return constrained(last, press.at, STEP_DEGREES);
-  const others = scene.document.project.handles.filter(isLine).flatMap(({ posed }) => posed);
-  return others.find((corner) => distance(corner, press.at) <= scene.grips.line) ?? press.at;
+  const away = (corner: Vec) => distance(corner, press.at);
+  const [nearest] = scene.document.project.handles
+    .filter(isLine)
+    .flatMap(({ posed }) => posed)
+    .sort((a, b) => away(a) - away(b));
+  return nearest && away(nearest) <= scene.grips.line ? nearest : press.at;
 }
 
 function finishes(draft: Draft, at: Vec, scene: Scene): boolean {

@@ -3,6 +3,7 @@ import { type Document, handleById, newProject, openDocument } from '../document
 import { addHandle, selectHandles } from '../document/edits';
 import { straightBar } from '../document/fixtures';
 import { anchor, corners, rotationOf } from '../document/handle';
+import type { BarHandle } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import { ToolMachine, type ToolName } from './machine';
 import type { Draft, Effect, Press, Scene } from './state';
@@ -201,6 +202,17 @@ describe('drawing a bar', () => {
     expect(bench.machine.waiting).toEqual([]);
     bench.take('bar');
     expect(bench.machine.draft).toBeNull();
+  });
+
+  it('meets the nearest of several corners in reach', () => {
+    const [near, far]: [Vec, Vec] = [
+      [104, 0],
+      [104, 80],
+    ];
+    const leg: BarHandle = { id: 'leg', kind: 'bar', rest: [near, far], posed: [near, far] };
+    bench.document = selectHandles(addHandle(bench.document, leg), []);
+    bench.click([200, 40], [103, 1]);
+    expect(bench.machine.draft?.corners[1]).toEqual(near);
   });
 
   it('meets the corner of another handle, at rest as well', () => {
