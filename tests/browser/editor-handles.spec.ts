@@ -213,6 +213,33 @@ test('Escape bails out of a drag', async ({ page }) => {
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
+test('a drag that ends where it began is no step, and takes no redo away', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.locator('c2-warp').evaluate((element) => {
+    element.addEventListener('historychange', (event) =>
+      Object.assign(globalThis, { told: (event as CustomEvent).detail }),
+    );
+  });
+  await editor.dragHandle('left hand', { x: 10, y: -40 });
+  await page.keyboard.press('Control+z');
+  await expect(editor.button('Redo: move left hand')).toBeEnabled();
+
+  const { x, y } = await editor.place('right hand');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y - 50, { steps: 3 });
+  await expect(editor.button('Undo: move right hand')).toBeEnabled();
+  await page.mouse.move(x, y, { steps: 3 });
+  await page.mouse.up();
+  await expect(editor.handle('right hand')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Undo')).toBeDisabled();
+  await expect(editor.button('Redo: move left hand')).toBeEnabled();
+  expect(await page.evaluate(() => Reflect.get(globalThis, 'told'))).toEqual({
+    undo: null,
+    redo: 'Move left hand',
+  });
+});
+
 test('a box selects both feet, Shift-click adds, and they move together', async ({ page }) => {
   const editor = await Editor.open(page);
   const [left, right] = [await editor.place('left foot'), await editor.place('right foot')];

@@ -27,6 +27,10 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   handles: [],
 });
 
+/** What is selected is no part of the work. */
+export const isSameWork = (a: Document, b: Document): boolean =>
+  a.project === b.project || JSON.stringify(a.project) === JSON.stringify(b.project);
+
 export const handleById = (document: Document, id: string): Handle | undefined =>
   document.project.handles.find((handle) => handle.id === id);
 

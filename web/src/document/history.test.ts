@@ -31,6 +31,26 @@ describe('History', () => {
     expect(history.undoLabel).toBeNull();
   });
 
+  it('takes what is equal for no change, and keeps the future', () => {
+    const history = new History({ at: 0 }, (a, b) => a.at === b.at);
+    history.step('Move', { at: 1 });
+    history.undo();
+    history.begin('Move');
+    for (const at of [1, 0]) history.update({ at });
+    expect(history.commit()).toBe(false);
+    expect(history.step('Move', { at: 0 })).toBe(false);
+    expect([history.undoLabel, history.redoLabel]).toEqual([null, 'Move']);
+  });
+
+  it('leaves a drag in hand alone that a step would change nothing of', () => {
+    const history = new History(0);
+    history.begin('Move');
+    history.update(1);
+    history.step('Set', 1);
+    history.bail();
+    expect(state(history)).toEqual([0, null, null]);
+  });
+
   it('joins steps of one key until it settles', () => {
     const history = new History(0);
     for (const value of [1, 2, 3]) history.step('Nudge', value, 'nudge head');

@@ -2,7 +2,7 @@
  * Undo and redo by marks.
  *
  * A drag opens a step with `begin`, replaces the present as often as it likes with `update`, and ends with `commit`
- * (one undo step, or none if nothing changed) or `bail` (back to the mark). Changes in one go are `step`s; steps with
+ * (one undo step, or none if it ended where it began) or `bail` (back to the mark). Changes in one go are `step`s; steps with
  * the same key in a row become one, until `settle`. Values are immutable, so that a state costs what it does not share
  * with its neighbours. Holds at most `LIMIT` steps.
  */
@@ -28,21 +28,26 @@ export interface Timeline<T> {
 
 const LIMIT = 500;
 
+/** Whether a step from one value to the other would be none. */
+export type Equality<T> = (a: T, b: T) => boolean;
+
 export class History<T> {
+  readonly #equal: Equality<T>;
   #past: readonly Step<T>[];
   #present: T;
   #future: readonly Step<T>[];
   #open: Step<T> | null = null;
   #key: string | null = null;
 
-  constructor(present: T, record?: Omit<HistoryRecord<T>, 'present'>) {
+  constructor(present: T, equal: Equality<T> = Object.is, record?: Omit<HistoryRecord<T>, 'present'>) {
+    this.#equal = equal;
     this.#past = record?.past ?? [];
     this.#present = present;
     this.#future = record?.future ?? [];
   }
 
-  static from<T>(record: HistoryRecord<T>): History<T> {
-    return new History(record.present, record);
+  static from<T>(record: HistoryRecord<T>, equal?: Equality<T>): History<T> {
+    return new History(record.present, equal, record);
   }
 
   get present(): T {
@@ -73,7 +78,7 @@ export class History<T> {
   commit(): boolean {
     const open = this.#open;
     this.#open = null;
-    if (!open || open.value === this.#present) return false;
+    if (!open || this.#equal(open.value, this.#present)) return false;
     this.#push(open, null);
     return true;
   }
@@ -85,15 +90,16 @@ export class History<T> {
     this.#open = null;
   }
 
-  /** A whole step in one go. With the key of the step before, it joins that one. */
-  step(label: string, value: T, key: string | null = null): void {
+  /** A whole step in one go. With the key of the step before, it joins that one. Returns whether it changed anything. */
+  step(label: string, value: T, key: string | null = null): boolean {
+    if (this.#equal(value, this.#present)) return false;
     this.commit();
-    if (value === this.#present) return;
     const joins = key !== null && key === this.#key;
     const before = { label, value: this.#present };
     this.#present = value;
     if (joins) this.#future = [];
     else this.#push(before, key);
+    return true;
   }
 
   /** The next step starts afresh, whatever its key. */

@@ -4,7 +4,7 @@
  * Knows no DOM. After each change the host hears what kind it was, and what to say aloud.
  */
 import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
-import { type Document, handleById, selectedHandles } from '../document/document';
+import { type Document, handleById, isSameWork, selectedHandles } from '../document/document';
 import {
   addCorner,
   changeHandles,
@@ -70,7 +70,7 @@ export class Editing {
 
   constructor(host: EditingHost, document: Document) {
     this.#host = host;
-    this.#history = new History(document);
+    this.#history = new History(document, isSameWork);
   }
 
   get document(): Document {
@@ -98,7 +98,7 @@ export class Editing {
     this.#letGo(this.machine.clear());
     this.#drawn = null;
     this.#host.guarding.end();
-    this.#history = History.from(record);
+    this.#history = History.from(record, isSameWork);
     this.#host.edited('open');
   }
 
@@ -314,8 +314,7 @@ export class Editing {
 
   /** Steps of one key in a row are one undo step; one that changes nothing is none. */
   #step(label: string, document: Document, key: string | null): void {
-    if (JSON.stringify(document) === JSON.stringify(this.document)) return;
-    this.#history.step(label, document, key);
+    if (!this.#history.step(label, document, key)) return;
     // A press in hand knows nothing of this step: what it did so far is a step before it, and it is over.
     if (this.machine.busy) this.apply(this.machine.cancel());
     this.#host.edited('change');
@@ -376,7 +375,11 @@ export class Editing {
 
   #commit(): void {
     this.#host.guarding.end();
-    if (!this.#history.commit()) return;
+    if (!this.#history.commit()) {
+      // Where it ended where it began, it is no longer what undo would take back.
+      this.#host.edited('input');
+      return;
+    }
     this.#host.edited('change');
     const label = this.#history.undoLabel ?? '';
     this.#host.say(`${label}. ${this.#place}`);
