@@ -146,6 +146,24 @@ for (const [key, after] of [
   });
 }
 
+test('Enter in the midst of placing a handle leaves it with the pointer', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('p');
+  const at = await editor.fromImage('left hand', [124, 516]);
+  const [from, to] = [at(512, 640), at(512, 740)];
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x, from.y + 20, { steps: 2 });
+  await page.locator('c2-warp .stage').press('Enter');
+  await page.mouse.move(to.x, to.y, { steps: 2 });
+  await page.mouse.up();
+  await expect.poll(async () => (await editor.told('handle 1')).y).toBeCloseTo(740, -1);
+  await expect(editor.handles).toHaveCount(6);
+  await editor.button('Undo: add handle').click();
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
 test('a handle chosen in the list is moved by keys', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp .list .item', { hasText: 'head' }).click();

@@ -293,7 +293,8 @@ export class Input {
   #placeByKey(): void {
     const { editing, editable } = this.#host;
     const { machine } = editing;
-    if (!editable || !this.#places) return;
+    // A press in hand goes on: it is no place for another.
+    if (!editable || !this.#places || machine.busy) return;
     if (machine.draft && !this.crosshair) {
       this.finish();
       return;
