@@ -289,6 +289,18 @@ test('letters of another script are commands by their places', async ({ page }) 
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
+test('O shows the original for as long as it is held in another script too', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  const keyboard = await page.context().newCDPSession(page);
+  const key = { key: 'щ', code: 'KeyO', windowsVirtualKeyCode: 79 };
+  const original = page.getByText('Original', { exact: true });
+  await keyboard.send('Input.dispatchKeyEvent', { type: 'keyDown', ...key });
+  await expect(original).toBeVisible();
+  await keyboard.send('Input.dispatchKeyEvent', { type: 'keyUp', ...key });
+  await expect(original).toBeHidden();
+});
+
 test('keys go on working within a closed shadow', async ({ page }) => {
   await Editor.open(page);
   await page.evaluate(() => {

@@ -39,6 +39,8 @@ export class Keyboard {
   readonly #root: ShadowRoot;
   readonly #host: KeyboardHost;
   readonly #listening = new AbortController();
+  /** The place of the key that holds the original up; what it types is another matter in every script. */
+  #compares: string | null = null;
 
   constructor(root: ShadowRoot, host: KeyboardHost) {
     this.#root = root;
@@ -76,7 +78,10 @@ export class Keyboard {
     }
     event.preventDefault();
     if (command !== 'compare') this.#host.run(command);
-    else if (!event.repeat) this.#host.compare(true);
+    else if (!event.repeat) {
+      this.#compares = event.code;
+      this.#host.compare(true);
+    }
   }
 
   /** Whether a key in a field is for the document; what is typed there is committed before. */
@@ -109,7 +114,7 @@ export class Keyboard {
       // A button with the focus would take the release for a click.
       if ((event.target as Element).closest('.stage')) event.preventDefault();
     }
-    if (event.key.toUpperCase() === 'O') this.#host.compare(false);
+    if (event.code === this.#compares) this.#host.compare(false);
   }
 
   /** A key let go elsewhere is never heard of. */
