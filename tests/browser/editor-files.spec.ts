@@ -466,12 +466,19 @@ for (const [title, name] of [
   });
 }
 
-test('an empty editor opens a picture by its button, by pointer and by keys', async ({ page }) => {
+test('an empty editor has no original to show, and opens a picture by its button, by pointer and by keys', async ({
+  page,
+}) => {
   const editor = await Editor.open(page);
   await page.evaluate(() =>
     document.querySelector('c2-warp')?.replaceWith(document.createElement('c2-warp')),
   );
   const open = page.getByRole('button', { name: 'Open a picture', exact: true });
+  await page.locator('c2-warp .stage').focus();
+  await page.keyboard.down('o');
+  await editor.drawn();
+  await expect(page.getByText('Original', { exact: true })).toBeHidden();
+  await page.keyboard.up('o');
   for (const press of [() => open.click(), () => open.press('Enter'), () => open.press('Space')]) {
     const asked = page.waitForEvent('filechooser');
     await press();

@@ -498,7 +498,7 @@ export class Desk {
   }
 
   #compare(on: boolean): void {
-    if (on === this.#comparing) return;
+    if (on === this.#comparing || (on && !this.workbench.picture)) return;
     this.#comparing = on;
     this.#looked();
   }
