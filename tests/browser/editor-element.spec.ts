@@ -524,6 +524,20 @@ test('disabled, it hears no key', async ({ page }) => {
   await expect(page.locator('c2-warp .comparing')).not.toBeAttached();
 });
 
+test('disabled, it does what methods ask for', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const fitted = await editor.zoom();
+  await page.keyboard.press('1');
+  await expect.poll(() => editor.zoom()).toBe(1);
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).disabled = true;
+    (element as C2Warp).fit();
+  });
+  await expect
+    .poll(async () => (await page.locator('c2-warp .percent').textContent()) ?? '')
+    .toMatch(`${Math.round(fitted * 100)} %`);
+});
+
 test('without a picture there is nothing to put a handle on, and a selection waits', async ({ page }) => {
   const editor = await Editor.open(page);
   const refused = await page.evaluate(() => {

@@ -244,7 +244,7 @@ export class C2Warp extends TypedElement {
 
   /** The whole picture into view. */
   fit(): void {
-    this.#present.run('fit');
+    this.#present.fit();
   }
 
   /** Leaves the page for good. */

@@ -251,6 +251,12 @@ export class Desk {
     this.#compare(false);
   }
 
+  /** The whole picture into view, whoever asks. */
+  fit(): void {
+    this.viewing.fit();
+    this.#looked();
+  }
+
   run(command: CommandName): void {
     if (this.#host.disabled) return;
     run(command, {
