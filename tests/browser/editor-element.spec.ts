@@ -414,12 +414,17 @@ test('dragging does not wait for a solve', async ({ page }) => {
   await expect(page.getByRole('progressbar')).toBeVisible();
 });
 
-test('a long solve shows progress, and can be cancelled', async ({ page }) => {
+test('a long solve shows progress, and can be cancelled where people may edit', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await answers.hold();
   await ponder(page);
   await expect(page.getByRole('progressbar')).toBeVisible();
+  const readonly = (on: boolean) =>
+    page.locator('c2-warp').evaluate((element, on) => Object.assign(element, { readonly: on }), on);
+  await readonly(true);
+  await expect(editor.button('Cancel')).toBeHidden();
+  await readonly(false);
   await editor.button('Cancel').click();
   await expect(page.getByRole('progressbar')).toBeHidden();
   const samples = () => page.locator('c2-warp').evaluate((element) => (element as C2Warp).project.samples);
@@ -522,6 +527,22 @@ test('disabled, it hears no key', async ({ page }) => {
   await editor.drawn();
   expect(await editor.place('head')).toEqual(before);
   await expect(page.locator('c2-warp .comparing')).not.toBeAttached();
+});
+
+test('disabled, no control is reached by pointer or keys', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warp = page.locator('c2-warp');
+  const colours = editor.button('Dark colours');
+  const at = await editor.middle(colours);
+  await colours.focus();
+  await warp.evaluate((element) => element.setAttribute('disabled', ''));
+  await page.keyboard.press('Enter');
+  await page.mouse.click(at.x, at.y);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  expect(await warp.evaluate((element) => element.shadowRoot?.activeElement ?? null)).toBeNull();
+  await warp.evaluate((element) => element.removeAttribute('disabled'));
+  await expect(colours).toBeVisible();
 });
 
 test('disabled, it does what methods ask for', async ({ page }) => {

@@ -340,6 +340,26 @@ for (const event of ['drop', 'paste'] as const) {
   });
 }
 
+test('readonly or disabled, nobody takes the way back', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warp = page.locator('c2-warp');
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  await bring(editor, 'drop', png('disc.png', disc(64)));
+  const back = editor.button('Back to gingerbread.png');
+  const at = await editor.middle(back);
+  for (const attribute of ['readonly', 'disabled']) {
+    await back.focus();
+    await warp.evaluate((element, name) => element.setAttribute(name, ''), attribute);
+    await page.keyboard.press('Enter');
+    await page.mouse.click(at.x, at.y);
+    await expect(editor.handles).toHaveCount(0);
+    await expect(page.getByText('disc.png is open.')).toBeVisible();
+    await warp.evaluate((element, name) => element.removeAttribute(name), attribute);
+  }
+  await back.click();
+  await expect(editor.handles).toHaveCount(5);
+});
+
 test('of two pictures worked on, each leads back to the other', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });

@@ -98,6 +98,9 @@ export class Desk {
     this.talking = new Talking({
       changed: () => host.changed(),
       emit: host.emit,
+      get answerable() {
+        return !host.readonly && !host.disabled;
+      },
       get cancellable() {
         const { current, pending } = desk.workbench.solving;
         return current !== null && pending !== null;
@@ -367,7 +370,7 @@ export class Desk {
       this.viewing.reveal(at);
       this.#looked();
     },
-    cancelSolve: () => this.workbench.cancelSolve(),
+    cancelSolve: () => this.#edit(() => this.workbench.cancelSolve()),
     dismiss: () => this.talking.dismiss(),
     theme: () => this.#host.switchTheme(),
   };

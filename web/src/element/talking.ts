@@ -8,6 +8,8 @@ import type { Emit } from './events';
 export interface TalkingHost {
   changed(): void;
   readonly emit: Emit;
+  /** Whether people may do what a notice offers. */
+  readonly answerable: boolean;
   /** Whether what is under way can be given up. */
   readonly cancellable: boolean;
 }
@@ -45,6 +47,7 @@ export class Talking {
   notify({ action, ...plain }: Notice): void {
     this.#pass();
     const run = () => {
+      if (!this.#host.answerable) return;
       this.dismiss();
       action?.run();
     };

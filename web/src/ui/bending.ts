@@ -67,7 +67,7 @@ const toggle = (
     aria-label=${word}
     aria-description=${note}
     .checked=${live(on)}
-    ?disabled=${model.disabled || model.readonly}
+    ?disabled=${model.readonly}
     @change=${(event: Event) => {
       event.stopPropagation();
       choose((event.target as HTMLInputElement).checked);
@@ -82,7 +82,7 @@ const segment = (word: string, chosen: boolean, model: EditorModel, choose: () =
     class="button segment"
     part="button"
     aria-pressed=${String(chosen)}
-    ?disabled=${model.disabled || model.readonly}
+    ?disabled=${model.readonly}
     @click=${() => !chosen && choose()}
   >
     ${word}

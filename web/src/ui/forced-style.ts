@@ -42,7 +42,8 @@ export const forcedStyle = css`
     .primary {
       border: 1px solid ButtonText;
     }
-    .button:disabled {
+    .button:disabled,
+    .link:disabled {
       opacity: 1;
       color: GrayText;
     }

@@ -102,7 +102,6 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
             data-handle=${handle.id}
             aria-label=${handleLabel(handle, model.turns)}
             aria-pressed=${selected ? 'true' : 'false'}
-            ?disabled=${model.disabled}
             .style=${`transform: translate(${x}px, ${y}px)`}
             @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, actions)}
             @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
@@ -131,7 +130,6 @@ const cornerButtons = (
       data-corner=${index}
       tabindex=${selected ? 0 : -1}
       aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
-      ?disabled=${model.disabled}
       .style=${`transform: translate(${x}px, ${y}px)`}
       @focus=${(event: FocusEvent) => focused(event, handle.id, corner, model, actions)}
       @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}

@@ -244,7 +244,7 @@ function numberField(
       aria-label="${look.name} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
       placeholder="mixed"
       .value=${untyped(shared)}
-      ?disabled=${model.disabled || model.readonly}
+      ?disabled=${model.readonly}
       @change=${commit}
       @input=${(event: Event) => event.stopPropagation()}
       @keydown=${onKey}
@@ -268,7 +268,7 @@ function automaticToggle(
     data-tip=${all ? 'Turns with what is around it' : 'Let it turn by itself'}
     aria-label="Automatic turn"
     aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
-    ?disabled=${model.disabled || model.readonly}
+    ?disabled=${model.readonly}
     @click=${() => actions.automatic(!all)}
   >
     Auto
@@ -299,7 +299,6 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
                   type="button"
                   class="item"
                   aria-pressed=${String(selection.includes(handle.id))}
-                  ?disabled=${model.disabled}
                   @click=${(event: MouseEvent) =>
                     adds(event) ? actions.toggle(handle.id) : listed(event, handle, actions)}
                 >

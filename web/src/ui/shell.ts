@@ -17,7 +17,7 @@ import { toolStrip, topBar } from './toolbar';
 
 /** @param canvas what the picture is drawn on; it lives as long as its WebGL context. */
 export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
-  return html`<div class="shell" tabindex="-1">
+  return html`<div class="shell" tabindex="-1" ?inert=${model.disabled}>
     ${topBar(model, actions)}
     <div class="middle">
       ${stage(model, actions, canvas)} ${model.picture ? nothing : emptyStage(model, actions)}
@@ -74,7 +74,7 @@ function notice(model: EditorModel, actions: EditorActions): TemplateResult | ty
   const { kind, text, action } = model.notice;
   return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : 'status'}>
     <p title=${text}>${shortened(text)}</p>
-    ${action ? html`<button type="button" class="link" @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
+    ${action ? html`<button type="button" class="link" ?disabled=${model.readonly} @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
     <button type="button" class="button small" aria-label="Dismiss" @click=${() => actions.dismiss()}>
       ${icon('close')}
     </button>

@@ -42,7 +42,6 @@ function folds(model: EditorModel, actions: EditorActions): TemplateResult | typ
     data-tip=${tip}
     aria-label="${text}. ${tip}"
     aria-pressed=${String(overlays.folds)}
-    ?disabled=${model.disabled}
     @click=${() => actions.overlay('folds', !overlays.folds)}
   >
     ${icon('fold')}<span>${text}</span>
@@ -52,7 +51,7 @@ function folds(model: EditorModel, actions: EditorActions): TemplateResult | typ
 function progress(model: EditorModel, actions: EditorActions): TemplateResult {
   return html`<span class="spinner" aria-hidden="true"></span>${model.progress?.label}
     ${
-      model.progress?.cancellable
+      model.progress?.cancellable && !model.readonly
         ? html`<button type="button" class="link" @click=${() => actions.cancelSolve()}>Cancel</button>`
         : nothing
     }`;

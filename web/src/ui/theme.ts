@@ -118,7 +118,7 @@ export const theme = css`
     padding: 0 10px 0 8px;
   }
   .button:hover:not(:disabled, [aria-pressed='true']),
-  .item:hover:not(:disabled) {
+  .item:hover {
     background: var(--_raised);
   }
   .button:active:not(:disabled) {
@@ -128,7 +128,8 @@ export const theme = css`
     background: var(--_accent);
     color: var(--_on-accent);
   }
-  .button:disabled {
+  .button:disabled,
+  .link:disabled {
     opacity: 0.35;
     cursor: default;
   }
@@ -144,7 +145,7 @@ export const theme = css`
     font-weight: 600;
     white-space: nowrap;
   }
-  .link:hover {
+  .link:hover:not(:disabled) {
     text-decoration: underline;
   }
   .primary {

@@ -31,7 +31,7 @@ export function commandButton(
     aria-label=${label}
     aria-keyshortcuts=${ariaKeys(name) || nothing}
     aria-pressed=${look.pressed === undefined ? nothing : String(look.pressed)}
-    ?disabled=${model.disabled || look.enabled === false}
+    ?disabled=${look.enabled === false}
     @click=${() => actions.run(name)}
   >
     ${icon(COMMANDS[name].icon)}${look.text ? html`<span class="word">${look.text}</span>` : ''}
@@ -103,7 +103,7 @@ function compareButton(model: EditorModel, actions: EditorActions): TemplateResu
     aria-label=${COMMANDS.compare.label}
     aria-keyshortcuts=${ariaKeys('compare')}
     aria-pressed=${String(model.comparing)}
-    ?disabled=${model.disabled || model.picture === null}
+    ?disabled=${model.picture === null}
     @pointerdown=${hold}
     @pointerup=${release}
     @pointerleave=${release}
@@ -140,7 +140,6 @@ function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult
       data-tip="Overlays"
       aria-label="Overlays"
       aria-pressed=${String(shown)}
-      ?disabled=${model.disabled}
     >
       ${icon('overlays')}
     </button>
