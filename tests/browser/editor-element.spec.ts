@@ -431,6 +431,26 @@ test('a long solve shows progress, and can be cancelled where people may edit', 
   await expect.poll(samples).toBe(10_000);
 });
 
+test('an export is told until it is done, whatever is solved meanwhile', async ({ page }) => {
+  const answers = await Answers.of(page);
+  const editor = await Editor.open(page);
+  await answers.hold();
+  const download = page.waitForEvent('download');
+  await editor.button('Export a PNG at full size').click();
+  await expect(editor.solved).toContainText('Exporting');
+  await expect(editor.button('Cancel')).toBeHidden();
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).addHandle({ kind: 'point', rest: [512, 700] });
+  });
+  await editor.button('Cancel').click();
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.solved).toContainText('Exporting');
+  await expect(editor.button('Cancel')).toBeHidden();
+  await answers.pass();
+  await download;
+  await expect(editor.solved).toContainText('sample');
+});
+
 test('what was taken back while it was solved shows no progress any more', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate(async (element) => {

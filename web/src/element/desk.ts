@@ -101,10 +101,6 @@ export class Desk {
       get answerable() {
         return !host.readonly && !host.disabled;
       },
-      get cancellable() {
-        const { current, pending } = desk.workbench.solving;
-        return current !== null && pending !== null;
-      },
     });
     this.guarding = new Guarding({
       foldsOf: (project, limit) => this.posing.foldsOf(project, limit),
@@ -138,7 +134,7 @@ export class Desk {
       get turns() {
         return desk.posing.turns();
       },
-      progressed: (label) => this.talking.progressed(label),
+      begin: (label, cancel) => this.talking.begin(label, cancel && (() => this.#edit(cancel))),
       report: (error) => this.talking.report(error),
     });
     this.posing = new Posing(this.workbench);
@@ -147,7 +143,7 @@ export class Desk {
       changed: () => host.changed(),
       notify: (notice) => this.talking.notify(notice),
       report: (error) => this.talking.report(error),
-      progressed: (label) => this.talking.progressed(label),
+      begin: (label) => this.talking.begin(label),
       cuts: () => this.posing.beyond(),
       received: (ignored) => this.#welcome(ignored),
     });
@@ -370,7 +366,6 @@ export class Desk {
       this.viewing.reveal(at);
       this.#looked();
     },
-    cancelSolve: () => this.#edit(() => this.workbench.cancelSolve()),
     dismiss: () => this.talking.dismiss(),
     theme: () => this.#host.switchTheme(),
   };

@@ -12,7 +12,8 @@ export interface FilesHost {
   changed(): void;
   notify(notice: Notice): void;
   report(error: unknown): void;
-  progressed(label: string | null): void;
+  /** Something has begun that takes a while. Returns what ends it. */
+  begin(label: string): () => void;
   /** What a person has brought is open, but for these: of several pictures the first is opened. */
   received(ignored: readonly string[]): void;
   /** Whether an export leaves out something of the picture as it is bent now. */
@@ -110,13 +111,13 @@ export class Files {
   async export(): Promise<void> {
     const { picture } = this.#workbench;
     if (!picture) return;
+    const end = this.#host.begin('Exporting');
     await this.#guarded(async () => {
-      this.#host.progressed('Exporting');
       const cut = this.#host.cuts();
       await saveFile(this.#workbench.png(), `${stem(picture.name)}-warped.png`, 'png');
       if (cut) this.#host.notify({ kind: 'info', text: CUT });
     });
-    this.#host.progressed(null);
+    end();
   }
 
   async #receive(files: readonly File[]): Promise<void> {

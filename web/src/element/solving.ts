@@ -26,7 +26,8 @@ export interface SolvingHost {
   refused(key: string, error: Error): void;
   /** The solver itself is at fault. */
   failed(error: Error): void;
-  progressed(label: string | null): void;
+  /** A stage has begun that people wait for. Returns what ends it. */
+  begin(label: string): () => void;
 }
 
 /** Kept solutions: some 3 MB each at 10,000 samples. */
@@ -52,6 +53,8 @@ export class Solving {
   #wanted: string | null = null;
   /** The stage under way. */
   #label: string | null = null;
+  /** Ends what is told of it. */
+  #end: (() => void) | null = null;
   #patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: SolvingHost) {
@@ -185,13 +188,17 @@ export class Solving {
 
   #tell(): void {
     this.#patience = undefined;
-    this.#host.progressed(this.#label);
+    if (this.#label === null) return;
+    const end = this.#host.begin(this.#label);
+    this.#end?.();
+    this.#end = end;
   }
 
   #done(): void {
     clearTimeout(this.#patience);
     this.#patience = undefined;
     this.#label = null;
-    this.#host.progressed(null);
+    this.#end?.();
+    this.#end = null;
   }
 }

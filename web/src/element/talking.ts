@@ -10,8 +10,6 @@ export interface TalkingHost {
   readonly emit: Emit;
   /** Whether people may do what a notice offers. */
   readonly answerable: boolean;
-  /** Whether what is under way can be given up. */
-  readonly cancellable: boolean;
 }
 
 /** Long enough to read a sentence twice. */
@@ -24,7 +22,8 @@ export class Talking {
   #error: Notice | null = null;
   #passing: Notice | null = null;
   #announcement = '';
-  #progress: Progress | null = null;
+  /** What is under way, the newest last. */
+  #works: readonly Progress[] = [];
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: TalkingHost) {
@@ -39,8 +38,9 @@ export class Talking {
     return this.#announcement;
   }
 
+  /** The newest of what is under way. */
   get progress(): Progress | null {
-    return this.#progress;
+    return this.#works.at(-1) ?? null;
   }
 
   /** Shows a notice; answering it closes it, and what needs no answer passes. */
@@ -99,10 +99,18 @@ export class Talking {
     clearTimeout(this.#timer);
   }
 
-  progressed(label: string | null): void {
-    if (label === null && this.#progress === null) return;
-    this.#progress = label === null ? null : { label, cancellable: this.#host.cancellable };
-    this.#host.emit('progress', { label });
+  /** Something has begun that takes a while, and perhaps can be given up. Returns what ends it. */
+  begin(label: string, cancel: (() => void) | null = null): () => void {
+    const work = { label, cancel };
+    this.#progress([...this.#works, work]);
+    return () => this.#progress(this.#works.filter((other) => other !== work));
+  }
+
+  #progress(works: readonly Progress[]): void {
+    const last = this.progress;
+    this.#works = works;
+    if (this.progress === last) return;
+    this.#host.emit('progress', { label: this.progress?.label ?? null });
     this.#host.changed();
   }
 }

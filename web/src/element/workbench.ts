@@ -25,7 +25,8 @@ export interface WorkbenchHost extends EditingHost {
   opened(picture: Picture | null): void;
   /** @param opened it is the first of what has just been opened. */
   solved(solved: Solved, opened: boolean): void;
-  progressed(label: string | null): void;
+  /** Something has begun that takes a while, and perhaps can be given up. Returns what ends it. */
+  begin(label: string, cancel: (() => void) | null): () => void;
   report(error: Error): void;
 }
 
@@ -78,7 +79,8 @@ export class Workbench {
       solved: (solved) => this.#solved(solved),
       refused: (key, error) => this.#refused(key, error),
       failed: (error) => this.#failed(error),
-      progressed: (label) => host.progressed(label),
+      // Without a solution to go back to there is nothing to give up for.
+      begin: (label) => host.begin(label, this.solving.current && (() => this.cancelSolve())),
     });
   }
 

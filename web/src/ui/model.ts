@@ -32,7 +32,7 @@ export interface EditorModel {
   readonly undo: string | null;
   readonly redo: string | null;
   readonly solved: SolvedLabel | null;
-  /** What the solver is at, once it has taken long enough to be worth a word. */
+  /** What is under way, once it has taken long enough to be worth a word. */
   readonly progress: Progress | null;
   readonly notice: Notice | null;
   readonly hint: Hint | null;
@@ -85,7 +85,8 @@ export interface SolvedLabel {
 
 export interface Progress {
   readonly label: string;
-  readonly cancellable: boolean;
+  /** Gives it up, where it can be. */
+  readonly cancel: (() => void) | null;
 }
 
 export interface Notice {
@@ -126,7 +127,6 @@ export interface EditorActions {
   refuse(words: string): void;
   /** A place of the picture comes into view. */
   reveal(at: Vec): void;
-  cancelSolve(): void;
   dismiss(): void;
   theme(): void;
 }

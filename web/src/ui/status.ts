@@ -1,7 +1,7 @@
 /** The line at the bottom: what the solver did, where the zoom stands, and that nothing leaves the browser. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
+import type { EditorActions, EditorModel, Progress } from './model';
 import { commandButton } from './toolbar';
 
 const counted = (count: number, one: string): string =>
@@ -14,7 +14,7 @@ const timed = (ms: number): string =>
 export function statusLine(model: EditorModel, actions: EditorActions): TemplateResult {
   return html`<div class="status" part="status" role="group" aria-label="Status">
     <span class="solved">
-      ${model.progress ? progress(model, actions) : model.solved ? solved(model) : nothing}
+      ${model.progress ? progress(model.progress, model) : model.solved ? solved(model) : nothing}
     </span>
     ${folds(model, actions)}
     <span class="private" title="Pictures are opened, warped and saved on this machine only.">
@@ -48,14 +48,9 @@ function folds(model: EditorModel, actions: EditorActions): TemplateResult | typ
   </button>`;
 }
 
-function progress(model: EditorModel, actions: EditorActions): TemplateResult {
-  return html`<span class="spinner" aria-hidden="true"></span>${model.progress?.label}
-    ${
-      model.progress?.cancellable && !model.readonly
-        ? html`<button type="button" class="link" @click=${() => actions.cancelSolve()}>Cancel</button>`
-        : nothing
-    }`;
-}
+const progress = ({ label, cancel }: Progress, { readonly }: EditorModel): TemplateResult =>
+  html`<span class="spinner" aria-hidden="true"></span>${label}
+    ${cancel && !readonly ? html`<button type="button" class="link" @click=${cancel}>Cancel</button>` : nothing}`;
 
 function solved(model: EditorModel): TemplateResult {
   if (!model.solved) return html``;

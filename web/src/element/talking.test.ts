@@ -1,0 +1,45 @@
+import { describe, expect, it } from 'vitest';
+import { Talking } from './talking';
+
+function talking() {
+  const told: unknown[] = [];
+  const emit = (type: string, detail: unknown) => type === 'progress' && told.push(detail);
+  return { told, talking: new Talking({ changed: () => {}, emit, answerable: true }) };
+}
+
+describe('progress', () => {
+  it('shows the newest of what is under way, and each until its own end', () => {
+    const { talking: it, told } = talking();
+    const solved = it.begin('Sampling', () => {});
+    const exported = it.begin('Exporting');
+    expect(it.progress).toEqual({ label: 'Exporting', cancel: null });
+    solved();
+    expect(it.progress?.label).toBe('Exporting');
+    const again = it.begin('Weighting', () => {});
+    again();
+    expect(it.progress?.label).toBe('Exporting');
+    exported();
+    expect(it.progress).toBeNull();
+    expect(told.map((detail) => Object.values(detail as object)[0])).toEqual([
+      'Sampling',
+      'Exporting',
+      'Weighting',
+      'Exporting',
+      null,
+    ]);
+  });
+
+  it('gives up what it belongs to', () => {
+    const { talking: it } = talking();
+    let given = '';
+    it.begin('Sampling', () => {
+      given = 'Sampling';
+    });
+    const exported = it.begin('Exporting');
+    it.progress?.cancel?.();
+    expect(given).toBe('');
+    exported();
+    it.progress?.cancel?.();
+    expect(given).toBe('Sampling');
+  });
+});
