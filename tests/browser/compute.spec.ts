@@ -168,6 +168,20 @@ test('exports at any scale, in straight alpha', async ({ page }) => {
   ]);
 });
 
+test('a picture that comes before an export has begun overtakes it', async ({ page }) => {
+  const [older, newer] = await page.evaluate(async (project) => {
+    const engine = await harness.startedEngine();
+    const first = engine.warp(project).then(
+      () => 'warped',
+      (error: Error) => error.name,
+    );
+    engine.setPicture(256, 256, new Uint8Array(256 * 256 * 4).fill(255));
+    const { rgba } = await engine.warp({ ...project, handles: [] });
+    return [await first, rgba[0]];
+  }, project);
+  expect([older, newer]).toEqual(['AbortError', 255]);
+});
+
 test('native code and WebAssembly give the same weights, bit for bit', async ({ page }) => {
   // The command is compiled first where it has not been.
   test.setTimeout(1_200_000);

@@ -236,7 +236,8 @@ export class C2Warp extends TypedElement {
 
   /**
    * The warped picture as PNG with alpha, at `scale` times the source's size.
-   * @throws Error where there is no picture, or the element is on no page.
+   * @throws Error where there is no picture, or the element is on no page. DOMException AbortError where another
+   * picture, or the element's removal, overtakes it.
    */
   async toBlob(scale = 1): Promise<Blob> {
     return this.#present.workbench.png(scale);

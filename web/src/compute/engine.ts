@@ -47,9 +47,14 @@ export class Engine {
     return this.#link.send('solve', { project: JSON.stringify(project) }, onProgress);
   }
 
-  /** The warped picture in straight alpha, at `scale` times the source's size. */
+  /**
+   * The warped picture in straight alpha, at `scale` times the source's size.
+   * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
+   */
   async warp(project: Project, scale = 1): Promise<Pixels> {
-    await this.#picture;
+    const picture = this.#picture;
+    await picture;
+    if (picture !== this.#picture) throw superseded();
     return this.#link.send('warp', { project: JSON.stringify(project), scale });
   }
 
