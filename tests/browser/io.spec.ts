@@ -36,6 +36,37 @@ test('a photograph is opened upright', async ({ page }) => {
   expect([width, height]).toEqual([20, 40]);
 });
 
+test('a picture whose pixels cannot be read is refused, and nothing of it stays open', async ({ page }) => {
+  const { message, open } = await page.evaluate(async () => {
+    const opened: ImageBitmap[] = [];
+    const create = globalThis.createImageBitmap.bind(globalThis) as (blob: Blob) => Promise<ImageBitmap>;
+    Object.assign(globalThis, {
+      createImageBitmap: async (...given: Parameters<typeof create>) => {
+        const bitmap = await create(...given);
+        opened.push(bitmap);
+        return bitmap;
+      },
+    });
+    // As browsers do that have too many contexts, or whose graphics driver fails.
+    const { getContext } = OffscreenCanvas.prototype;
+    Object.assign(OffscreenCanvas.prototype, {
+      getContext(this: OffscreenCanvas, kind: 'webgl2') {
+        const gl = getContext.call(this, kind) as WebGL2RenderingContext | null;
+        if (kind === 'webgl2') gl?.getExtension('WEBGL_lose_context')?.loseContext();
+        return gl;
+      },
+    });
+    const file = await harness.drawnPicture(64);
+    const message = await harness.decodePicture(file).then(
+      () => 'it was opened',
+      (error: Error) => error.message,
+    );
+    return { message, open: opened.filter(({ width }) => width > 0).length };
+  });
+  expect(message).toMatch(/graphics/);
+  expect(open).toBe(0);
+});
+
 const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp][] = [
   ['an empty file', () => new Blob([]), /^The file is empty\.$/],
   ['a text', () => new Blob(['hello, I am no picture']), /^This is not a picture/],

@@ -34,8 +34,10 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   const straight = await bitmapOf(file, 'none', kind !== 'other');
   try {
     checkSize(straight.width, straight.height);
+    const rgba = straightPixels(straight);
+    // Last, as it is for the caller to close.
     const bitmap = await bitmapOf(file, 'premultiply', true);
-    return { bitmap, width: bitmap.width, height: bitmap.height, rgba: straightPixels(straight) };
+    return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
   } finally {
     straight.close();
   }

@@ -2,12 +2,18 @@
  * The exact bytes of a bitmap in straight alpha. A 2D canvas would premultiply and round them, and lose the colours
  * under transparent pixels; a WebGL texture keeps them.
  */
+import { PictureError } from './picture_error';
+
 const TILE = 2048;
 
-/** @param bitmap Decoded without premultiplying. @returns RGBA, rows from the top. */
+/**
+ * @param bitmap Decoded without premultiplying.
+ * @returns RGBA, rows from the top.
+ * @throws PictureError where the browser has no WebGL2 to read it with, or takes it away meanwhile.
+ */
 export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
-  if (!gl) throw new Error('this browser has no WebGL2 to read a picture with');
+  if (!gl) throw new PictureError('This browser has no WebGL2 to read a picture with.');
   const { width, height } = bitmap;
   const pixels = new Uint8Array(width * height * 4);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
@@ -18,6 +24,10 @@ export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
     for (let x = 0; x < width; x += TILE) {
       readTile(gl, bitmap, pixels, [x, y, Math.min(TILE, width - x), Math.min(TILE, height - y)]);
     }
+  }
+  // What is read of a lost context is zeros.
+  if (gl.isContextLost()) {
+    throw new PictureError('The browser has lost its graphics while it read the picture: open it once more.');
   }
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return pixels;
