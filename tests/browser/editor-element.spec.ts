@@ -155,6 +155,35 @@ test('removed, it gives back its context; put back, it has its document', async 
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
+test('removed while it opens another picture, it keeps neither', async ({ page }) => {
+  const answers = await Answers.of(page);
+  await page.addInitScript(() => {
+    const opened: ImageBitmap[] = [];
+    const create = globalThis.createImageBitmap.bind(globalThis) as (blob: Blob) => Promise<ImageBitmap>;
+    Object.assign(globalThis, {
+      opened,
+      createImageBitmap: async (...given: Parameters<typeof create>) => {
+        const bitmap = await create(...given);
+        opened.push(bitmap);
+        return bitmap;
+      },
+    });
+  });
+  const editor = await Editor.open(page);
+  await answers.hold();
+  const open = () =>
+    page.evaluate(
+      () => (Reflect.get(globalThis, 'opened') as ImageBitmap[]).filter(({ width }) => width > 0).length,
+    );
+  await page.locator('c2-warp').evaluate((element) => {
+    void (element as C2Warp).load('/samples/gingerbread.png').catch(() => {});
+  });
+  await expect(editor.handles).toHaveCount(0);
+  expect(await open()).toBe(2);
+  await page.locator('c2-warp').evaluate((element) => element.remove());
+  await expect.poll(open).toBe(0);
+});
+
 test('of many on a page each is drawn where it is in sight', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {

@@ -36,6 +36,23 @@ test('a photograph is opened upright', async ({ page }) => {
   expect([width, height]).toEqual([20, 40]);
 });
 
+test('a worker that fails to write a PNG goes, and the next one writes', async ({ page }) => {
+  const [message, ended, size] = await page.evaluate(async () => {
+    let ended = 0;
+    const { terminate } = Worker.prototype;
+    Worker.prototype.terminate = function () {
+      ended += 1;
+      terminate.call(this);
+    };
+    const refused = await harness.encodePng(4, 4, new Uint8Array(3)).catch((error: Error) => error.message);
+    const file = await harness.encodePng(4, 4, new Uint8Array(64));
+    return [refused, ended, file.size] as const;
+  });
+  expect(message).toMatch(/^The PNG could not be written/);
+  expect(ended).toBe(1);
+  expect(size).toBeGreaterThan(50);
+});
+
 test('a picture whose pixels cannot be read is refused, and nothing of it stays open', async ({ page }) => {
   const { message, open } = await page.evaluate(async () => {
     const opened: ImageBitmap[] = [];

@@ -170,6 +170,7 @@ export class Workbench {
   }
 
   dispose(): void {
+    this.#opening?.before?.picture.bitmap.close();
     this.#opening?.reject(new DOMException('the editor is gone', 'AbortError'));
     this.solving.dispose();
     this.#picture?.bitmap.close();

@@ -13,6 +13,7 @@ export function preparePng(): Worker {
   // Where it did not come, another try begins anew.
   made.addEventListener('error', () => {
     if (worker === made) worker = null;
+    made.terminate();
   });
   worker = made;
   return made;
