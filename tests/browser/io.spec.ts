@@ -12,7 +12,10 @@ test('a PNG keeps its bytes, also under transparent pixels, through reading and 
     // Wider than one tile of the reader, and every value of every channel.
     const [width, height] = [2100, 3];
     const rgba = Uint8Array.from({ length: width * height * 4 }, (_, i) => (i * 7919) >> 3);
-    const file = await harness.encodePng(width, height, rgba);
+    const given = rgba.slice();
+    const file = await harness.encodePng(width, height, given);
+    // Hundreds of megabytes are moved, not copied.
+    if (given.length > 0) return -2;
     const picture = await harness.decodePicture(file);
     return picture.width === width && picture.height === height
       ? picture.rgba.reduce((count, value, i) => count + (value === rgba[i] ? 0 : 1), 0)

@@ -29,7 +29,7 @@ export async function drawnTwice(project: Project, file: Blob, scale: number) {
   };
 }
 
-function straight(premultiplied: Uint8Array): Uint8Array {
+function straight(premultiplied: Uint8Array): Uint8Array<ArrayBuffer> {
   return premultiplied.map((value, i) => {
     const alpha = premultiplied[i | 3] ?? 0;
     return i % 4 === 3 || alpha === 0 ? value : Math.min(255, Math.round((value * 255) / alpha));

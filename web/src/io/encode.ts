@@ -19,8 +19,8 @@ export function preparePng(): Worker {
   return made;
 }
 
-/** @param rgba Straight alpha, rows from the top. */
-export async function encodePng(width: number, height: number, rgba: Uint8Array): Promise<Blob> {
+/** @param rgba Straight alpha, rows from the top. It goes to the worker: whoever needs it longer gives a copy. */
+export async function encodePng(width: number, height: number, rgba: Uint8Array<ArrayBuffer>): Promise<Blob> {
   const encoder = preparePng();
   const { port1: here, port2: there } = new MessageChannel();
   const over = new AbortController();
@@ -30,7 +30,7 @@ export async function encodePng(width: number, height: number, rgba: Uint8Array)
         reject(new Error('The PNG could not be written: a part of the editor did not load, or failed.'));
       here.onmessage = ({ data }) => resolve(data);
       encoder.addEventListener('error', fail, { signal: over.signal });
-      encoder.postMessage({ width, height, rgba, to: there }, [there]);
+      encoder.postMessage({ width, height, rgba, to: there }, [there, rgba.buffer]);
     });
     return new Blob([bytes], { type: 'image/png' });
   } finally {
