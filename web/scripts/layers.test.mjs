@@ -1,0 +1,69 @@
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { ROOT, toolPath } from './steps.mjs';
+
+/** What each layer may import of the others, as web/README.md has it. */
+const MAY = {
+  geometry: [],
+  document: ['geometry'],
+  tools: ['geometry', 'document'],
+  ui: ['geometry', 'document', 'tools'],
+  render: ['geometry', 'twgl.js'],
+  compute: ['document'],
+  io: [],
+  element: ['geometry', 'document', 'tools', 'ui', 'render', 'compute', 'io'],
+};
+
+/** One import from each, by the name that `MAY` has for it. */
+const IMPORTS = {
+  ...Object.fromEntries(Object.keys(MAY).map((layer) => [layer, `../${layer}/file`])),
+  'element.ts': '../element',
+  'the glue': '../compute/generated/c2warp',
+  'twgl.js': 'twgl.js',
+};
+
+describe('the lints', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'layers-'));
+  const fileOf = (/** @type {string} */ layer) => join(folder, 'web/src', layer, 'probe.ts');
+  /** @type {{ location: { path: string, start: { line: number } } }[]} */
+  let refused = [];
+
+  beforeAll(() => {
+    copyFileSync(join(ROOT, '.biome.json'), join(folder, '.biome.json'));
+    for (const layer of Object.keys(MAY)) {
+      mkdirSync(join(folder, 'web/src', layer), { recursive: true });
+      writeFileSync(
+        fileOf(layer),
+        Object.values(IMPORTS)
+          .map((path) => `import '${path}';\n`)
+          .join(''),
+      );
+    }
+    const { stdout } = spawnSync(
+      process.execPath,
+      [
+        toolPath('biome'),
+        'lint',
+        '--vcs-enabled=false',
+        '--only=style/noRestrictedImports',
+        '--max-diagnostics=none',
+        '--reporter=json',
+      ],
+      { cwd: folder, encoding: 'utf8' },
+    );
+    refused = JSON.parse(stdout).diagnostics;
+  });
+  afterAll(() => rmSync(folder, { recursive: true }));
+
+  it.each(Object.entries(MAY))('let %s import %j alone', (layer, may) => {
+    const lines = refused
+      .filter(({ location }) => location.path.includes(`/${layer}/`))
+      .map(({ location }) => location.start.line);
+    const allowed = Object.keys(IMPORTS).filter((name, k) => name !== layer && !lines.includes(k + 1));
+    expect(allowed).toEqual(expect.arrayContaining(may));
+    expect(allowed).toHaveLength(may.length);
+  });
+});
