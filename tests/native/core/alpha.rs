@@ -153,8 +153,12 @@ fn rings_that_are_none_are_refused_by_name() {
     let square = ring(&[(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)]);
     let refused = |rings: &[Vec<DVec2>]| Domain::from_polygon(rings, 100, 100).expect_err("not a domain").to_string();
     let with = |other: &[(f64, f64)]| refused(&[square.clone(), ring(other)]);
-    assert_eq!(with(&[(20.0, 20.0), (30.0, 20.0)]), "domain.rings[1] has 2 points; a ring needs at least 3");
-    assert_eq!(with(&[(20.0, 20.0), (f64::NAN, 20.0), (20.0, 30.0)]), "domain.rings[1][1] is not a finite point");
+    assert_eq!(with(&[(20.0, 20.0), (30.0, 20.0)]), "domain.rings[1]: expected at least 3 points, found 2");
+    assert_eq!(
+        with(&[(20.0, 20.0), (f64::NAN, 20.0), (20.0, 30.0)]),
+        "domain.rings[1][1][0]: expected a finite number, found NaN"
+    );
+    assert_eq!(refused(&[]), "domain.rings: expected at least one ring");
     assert!(
         with(&[(20.0, 20.0), (130.0, 20.0), (20.0, 30.0)]).starts_with("domain.rings[1][1] = (130, 20) lies outside")
     );

@@ -255,6 +255,10 @@ fn whatever_handles_ask_for_motions_are_finite_or_it_is_refused_by_name() {
                         assert!(posed.iter().all(|p| p.is_finite()), "{which} by {scale} and {far} px");
                     }
                     Err(Error::PoseNotFinite { id }) => assert_eq!(id, handles[which].id),
+                    Err(Error::Project(reason)) => {
+                        assert_eq!(reason.path, format!("handles[{which}].scale"));
+                        assert!(scale.is_nan() || scale <= 0.0, "{scale} is refused");
+                    }
                     Err(other) => panic!("{other}"),
                 }
             }

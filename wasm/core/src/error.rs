@@ -7,7 +7,7 @@ use crate::{pose::Form, project::ProjectError};
 /// [`Error::code`] is stable and meant for programs; the `Display` text is one sentence meant for a person.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// The project file is not a project.
+    /// What was read is not a project, or what was made is none that can be solved or posed: see [`Project::check`](crate::project::Project::check).
     #[error(transparent)]
     Project(#[from] ProjectError),
     /// A picture whose sides are outside what can be warped.
@@ -88,22 +88,6 @@ pub enum Error {
         threshold: f64,
         /// How many regions were too small to keep.
         specks: usize,
-    },
-    /// A ring with fewer than three points.
-    #[error("domain.rings[{ring}] has {points} points; a ring needs at least 3")]
-    RingShort {
-        /// Index of the ring.
-        ring: usize,
-        /// Number of its points.
-        points: usize,
-    },
-    /// A point of a ring that is not a finite number.
-    #[error("domain.rings[{ring}][{point}] is not a finite point")]
-    RingNotFinite {
-        /// Index of the ring.
-        ring: usize,
-        /// Index of the point.
-        point: usize,
     },
     /// A point of a ring outside the picture.
     #[error("domain.rings[{ring}][{point}] = ({x}, {y}) lies outside the picture of {width}×{height} px")]
@@ -393,9 +377,7 @@ impl Error {
             Self::Scale { .. } => "scale",
             Self::PictureMismatch { .. } => "picture-mismatch",
             Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
-            Self::RingShort { .. }
-            | Self::RingNotFinite { .. }
-            | Self::RingOutsidePicture { .. }
+            Self::RingOutsidePicture { .. }
             | Self::RingDuplicate { .. }
             | Self::RingFlat { .. }
             | Self::RingsCross { .. }

@@ -63,9 +63,10 @@ impl Rest {
 
 impl Request {
     /// # Errors
-    /// [`Error::TooManyHandles`]; [`Error::BarTooShort`] for a line of less than two corners; [`Error::TooManyCorners`] where bars and polygons have more straight pieces than there may be sites,
+    /// [`Error::Project`] for what [`Project::check`] refuses; [`Error::TooManyHandles`]; [`Error::TooManyCorners`] where bars and polygons have more straight pieces than there may be sites,
     /// of which each needs one.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
+        project.check()?;
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
             return Err(Error::TooManyHandles { count: project.handles.len(), id: handle.id.clone() });
         }
@@ -79,10 +80,6 @@ impl Request {
                 Shape::Bar { rest, .. } => lines.push(line(rest, false)),
                 Shape::Polygon { rest, .. } => lines.push(line(rest, true)),
             }
-        }
-        // Projects that are read have no such line.
-        if let Some(line) = lines.iter().find(|line| line.corners.len() < 2) {
-            return Err(Error::BarTooShort { id: line.id.clone(), corner: 0 });
         }
         let segments: usize = lines.iter().map(Line::segments).sum();
         if segments > MAX_SITES {

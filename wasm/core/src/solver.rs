@@ -96,8 +96,8 @@ impl Solver {
     /// Runs the domain's stage up to the check of what the project asks for.
     ///
     /// # Errors
-    /// [`Error::PictureMismatch`], [`Error::TooManyHandles`], [`Error::TooManyCorners`], [`Error::BarTooShort`], or an error of
-    /// [`Domain::new`].
+    /// [`Error::PictureMismatch`]; [`Error::Project`] for what [`Project::check`] refuses; [`Error::TooManyHandles`],
+    /// [`Error::TooManyCorners`]; or an error of [`Domain::new`].
     pub fn begin(&mut self, project: &Project, picture: &Picture) -> Result<(), Error> {
         self.work = None;
         check_picture(project, picture)?;

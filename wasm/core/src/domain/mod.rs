@@ -34,7 +34,7 @@ impl Domain {
     /// rectangle of any other.
     ///
     /// # Errors
-    /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`] or one of the `Ring…` errors.
+    /// Those of [`Domain::from_alpha`] and [`Domain::from_polygon`].
     pub fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         match spec {
             Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width, picture.height)),
@@ -56,8 +56,9 @@ impl Domain {
     /// Where the picture's alpha reaches `threshold` (in (0, 1]), by sub-pixel contours.
     ///
     /// # Errors
-    /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`].
+    /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`]; [`Error::Project`] for what is no threshold.
     pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
+        DomainSpec::check_threshold(threshold)?;
         let area = f64::from(picture.width) * f64::from(picture.height);
         let kept = islands::without_specks(contour::alpha_contours(picture, threshold), area);
         if kept.rings.is_empty() {
@@ -77,8 +78,10 @@ impl Domain {
     /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
     ///
     /// # Errors
-    /// One of the `Ring…` errors, naming ring and point; [`Error::RingsTooFine`].
+    /// One of the `Ring…` errors, naming ring and point; [`Error::RingsTooFine`]; [`Error::Project`] for no ring at all, and for one of
+    /// less than three points or with one that is not finite.
     pub fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
+        DomainSpec::check_rings(rings)?;
         check_fineness(rings)?;
         polygon::check(rings, width, height)?;
         Ok(Self::of_oriented(islands::oriented(rings), 0))

@@ -1,4 +1,4 @@
-//! Checks of the rings that a project draws: finite, inside the picture, simple and disjoint.
+//! Checks of the rings that a project draws: inside the picture, simple and disjoint.
 //!
 //! Sides are told exactly, as the triangulation tells them. Besides, rings are to be clear of themselves and of one another by
 //! [`CLEARANCE`], so that the same holds of the samples along their edges, whose places are rounded.
@@ -17,18 +17,14 @@ const LEAST_AREA: f64 = 1e-6;
 /// another. Twice what rounding moves samples by where coordinates are largest, a million pixels in a mesh that is given.
 const CLEARANCE: f64 = 1e-9;
 
+/// Checks rings of at least three finite points.
+///
 /// # Errors
 /// The first ring, or pair of rings, that breaks the rules.
 pub(super) fn check(rings: &[Ring], width: u32, height: u32) -> Result<(), Error> {
     let size = DVec2::new(f64::from(width), f64::from(height));
     for (ring, points) in rings.iter().enumerate() {
-        if points.len() < 3 {
-            return Err(Error::RingShort { ring, points: points.len() });
-        }
         for (point, p) in points.iter().enumerate() {
-            if !p.is_finite() {
-                return Err(Error::RingNotFinite { ring, point });
-            }
             if p.cmplt(DVec2::ZERO).any() || p.cmpgt(size).any() {
                 return Err(Error::RingOutsidePicture { ring, point, x: p.x, y: p.y, width, height });
             }

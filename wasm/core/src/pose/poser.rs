@@ -9,7 +9,7 @@ use super::{Form, HarmonicFields, Motion, Pose, Quadrature, relaxation::Freedom,
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
-    project::{Blend, Handle, PoseMode, Rotation, Shape},
+    project::{Blend, Handle, PoseMode, Rotation, Shape, check_handles},
     site::{Origin, Site, SiteGraph},
 };
 
@@ -76,8 +76,8 @@ impl Poser {
     ///
     /// # Errors
     /// [`Error::PoseMismatch`] for more or fewer handles than were solved, [`Error::PoseShape`] for one of another kind or with other
-    /// corners; [`Error::PoseNotFinite`] for numbers that overflow, and scales that are
-    /// not above 0; [`Error::PoserBytes`] where bytes that were read say of bars what no scene says.
+    /// corners; [`Error::Project`] for what no handle of a project may be, such as one with a scale of 0; [`Error::PoseNotFinite`] for
+    /// numbers that overflow; [`Error::PoserBytes`] where bytes that were read say of bars what no scene says.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
         if handles.len() != self.forms.len() {
             return Err(Error::PoseMismatch { expected: self.forms.len(), found: handles.len() });
@@ -91,9 +91,7 @@ impl Poser {
             // A skeleton that is made is made of the handles' corners; one that was read need not be.
             return Err(Error::PoserBytes);
         }
-        if let Some(flat) = handles.iter().find(|handle| handle.scale.is_nan() || handle.scale <= 0.0) {
-            return Err(Error::PoseNotFinite { id: flat.id.clone() });
-        }
+        check_handles(handles)?;
         let mut motions = self.real_motions(handles);
         for (origin, motion) in self.origin.iter().zip(&motions) {
             if let Some(handle) = origin.handle().filter(|_| !motion.is_in_bounds()) {

@@ -4,9 +4,10 @@ use glam::DVec2;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::ProjectError;
+use super::path::Path;
 use super::place::Place;
 use super::points::{self, Point};
+use super::{ProjectError, rules};
 
 /// How the domain is found in the picture.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -54,7 +55,7 @@ impl DomainSpec {
             }
             Kind::Alpha => {
                 domain.only(&["kind", "threshold"])?;
-                Ok(Self::Alpha { threshold: domain.or("threshold", Self::THRESHOLD, threshold)? })
+                Ok(Self::Alpha { threshold: domain.or("threshold", Self::THRESHOLD, |place| place.number())? })
             }
             Kind::Polygon => {
                 domain.only(&["kind", "rings"])?;
@@ -64,23 +65,40 @@ impl DomainSpec {
     }
 }
 
+impl DomainSpec {
+    pub(super) fn check(&self) -> Result<(), ProjectError> {
+        match self {
+            Self::Image => Ok(()),
+            Self::Alpha { threshold } => Self::check_threshold(*threshold),
+            Self::Polygon { rings } => Self::check_rings(rings),
+        }
+    }
+
+    /// Whether this is a threshold.
+    pub(crate) fn check_threshold(threshold: f64) -> Result<(), ProjectError> {
+        // NaN is neither.
+        if threshold > 0.0 && threshold <= 1.0 {
+            return Ok(());
+        }
+        let domain = Path::Top.key("domain");
+        domain.key("threshold").refuse(format_args!("expected a number above 0 and up to 1, found {threshold}"))
+    }
+
+    /// Whether these are rings, wherever they lie.
+    pub(crate) fn check_rings(rings: &[Vec<DVec2>]) -> Result<(), ProjectError> {
+        let domain = Path::Top.key("domain");
+        let at = domain.key("rings");
+        if rings.is_empty() {
+            return at.refuse("expected at least one ring");
+        }
+        rings.iter().enumerate().try_for_each(|(index, ring)| rules::points(&at.index(index), ring, 3))
+    }
+}
+
 fn default_threshold() -> f64 {
     DomainSpec::THRESHOLD
 }
 
-fn threshold(place: Place<'_>) -> Result<f64, ProjectError> {
-    let threshold = place.number()?;
-    if threshold > 0.0 && threshold <= 1.0 {
-        Ok(threshold)
-    } else {
-        place.refuse(format_args!("expected a number above 0 and up to 1, found {threshold}"))
-    }
-}
-
 fn rings(place: Place<'_>) -> Result<Vec<Vec<DVec2>>, ProjectError> {
-    let rings = place.list("a list of rings", |ring| ring.points(3))?;
-    if rings.is_empty() {
-        return place.refuse("expected at least one ring");
-    }
-    Ok(rings)
+    place.list("a list of rings", |ring| ring.points())
 }

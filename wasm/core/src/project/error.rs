@@ -1,11 +1,11 @@
-//! Why a project file was refused, and where in it.
+//! Why a project was refused, and where in it.
 
 use std::fmt;
 
-/// A project file that was refused: the offending key and one sentence about it.
+/// A project that was refused: the offending key and one sentence about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProjectError {
-    /// The way to the offending key, as `handles[2].rest[0]`; empty for the file as a whole.
+    /// The way to the offending key, as `handles[2].rest[0]`; empty for the project as a whole.
     pub path: String,
     /// What is wrong there.
     pub message: String,

@@ -1,12 +1,15 @@
 //! What the person places on the picture: H_i of the paper.
 
+use std::collections::BTreeSet;
+
 use glam::DVec2;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::path::Path;
 use super::place::{Object, Place};
 use super::points::{self, Point};
-use super::{ProjectError, Rotation, left_out};
+use super::{ProjectError, Rotation, left_out, rules};
 
 /// A handle, where it rests and where it was taken.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -79,13 +82,42 @@ impl Handle {
         let handle = place.object()?;
         handle.only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth"])?;
         Ok(Self {
-            id: handle.required("id").and_then(id)?,
+            id: handle.required("id")?.text()?.to_owned(),
             shape: Shape::read(handle)?,
             rotation: handle.or("rotation", Rotation::default(), Rotation::read)?,
-            scale: handle.or("scale", default_scale(), scale)?,
+            scale: handle.or("scale", default_scale(), |place| place.number())?,
             depth: handle.or("depth", 0.0, |place| place.number())?,
         })
     }
+
+    fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
+        if self.id.is_empty() {
+            return at.key("id").refuse("expected a name, found an empty text");
+        }
+        self.shape.check(at)?;
+        if let Rotation::Degrees(degrees) = self.rotation {
+            rules::finite(&at.key("rotation"), degrees)?;
+        }
+        rules::finite(&at.key("scale"), self.scale)?;
+        if self.scale <= 0.0 {
+            return at.key("scale").refuse(format_args!("expected a number above 0, found {}", self.scale));
+        }
+        rules::finite(&at.key("depth"), self.depth)
+    }
+}
+
+/// Checks each handle, and that no two have one name.
+pub(super) fn check(handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectError> {
+    let mut ids = BTreeSet::new();
+    handles.iter().enumerate().try_for_each(|(index, handle)| {
+        let at = at.index(index);
+        handle.check(&at)?;
+        if ids.insert(&handle.id) {
+            Ok(())
+        } else {
+            at.key("id").refuse(format_args!("{:?} is the name of another handle", handle.id))
+        }
+    })
 }
 
 impl Shape {
@@ -107,45 +139,38 @@ impl Shape {
                 Ok(Self::Point { rest, posed: handle.or("posed", rest, |place| place.point())? })
             }
             Kind::Bar => {
-                let (rest, posed) = lines(handle, 2)?;
+                let (rest, posed) = lines(handle)?;
                 Ok(Self::Bar { rest, posed })
             }
             Kind::Polygon => {
-                let (rest, posed) = lines(handle, 3)?;
+                let (rest, posed) = lines(handle)?;
                 Ok(Self::Polygon { rest, posed })
             }
         }
     }
-}
 
-fn id(place: Place<'_>) -> Result<String, ProjectError> {
-    match place.text()? {
-        "" => place.refuse("expected a name, found an empty text"),
-        id => Ok(id.to_owned()),
+    fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
+        let (rest, posed, least) = match self {
+            Self::Point { rest, posed } => {
+                rules::point(&at.key("rest"), *rest)?;
+                return rules::point(&at.key("posed"), *posed);
+            }
+            Self::Bar { rest, posed } => (rest, posed, 2),
+            Self::Polygon { rest, posed } => (rest, posed, 3),
+        };
+        rules::points(&at.key("rest"), rest, least)?;
+        rules::points(&at.key("posed"), posed, least)?;
+        if posed.len() == rest.len() {
+            return Ok(());
+        }
+        let (wanted, found) = (rest.len(), posed.len());
+        at.key("posed").refuse(format_args!("expected as many points as in rest ({wanted}), found {found}"))
     }
 }
 
-fn scale(place: Place<'_>) -> Result<f64, ProjectError> {
-    let scale = place.number()?;
-    if scale > 0.0 { Ok(scale) } else { place.refuse(format_args!("expected a number above 0, found {scale}")) }
-}
-
-/// `rest` and `posed` of a handle that is a line of at least `least` points.
-fn lines(handle: Object<'_>, least: usize) -> Result<(Vec<DVec2>, Vec<DVec2>), ProjectError> {
-    let rest = handle.required("rest")?.points(least)?;
-    let posed = match handle.optional("posed") {
-        None => rest.clone(),
-        Some(place) => {
-            let posed = place.points(least)?;
-            if posed.len() != rest.len() {
-                return place.refuse(format_args!(
-                    "expected as many points as in rest ({}), found {}",
-                    rest.len(),
-                    posed.len()
-                ));
-            }
-            posed
-        }
-    };
+/// `rest` and `posed` of a handle that is a line.
+fn lines(handle: Object<'_>) -> Result<(Vec<DVec2>, Vec<DVec2>), ProjectError> {
+    let rest = handle.required("rest")?.points()?;
+    let posed = handle.or("posed", rest.clone(), |place| place.points())?;
     Ok((rest, posed))
 }

@@ -1,10 +1,16 @@
 //! The picture that a project was made for.
 
+use std::ops::RangeInclusive;
+
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::ProjectError;
+use super::path::Path;
 use super::place::Place;
+use super::{ProjectError, rules};
+
+/// What the solver can warp is less; a project may be read without its picture.
+const SIDES: RangeInclusive<u32> = 1..=u32::MAX;
 
 /// Where the picture is found, and the size that the project's coordinates mean.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
@@ -26,8 +32,13 @@ impl ImageRef {
         image.only(&["src", "width", "height"])?;
         Ok(Self {
             src: image.required("src")?.text()?.to_owned(),
-            width: image.required("width")?.whole_number(1..=u32::MAX)?,
-            height: image.required("height")?.whole_number(1..=u32::MAX)?,
+            width: image.required("width")?.whole_number(&SIDES)?,
+            height: image.required("height")?.whole_number(&SIDES)?,
         })
+    }
+
+    pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
+        rules::whole_number(&at.key("width"), self.width, &SIDES)?;
+        rules::whole_number(&at.key("height"), self.height, &SIDES)
     }
 }

@@ -1,12 +1,12 @@
 //! The project file, `*.c2warp.json`: a picture, the part of it that bends, and the handles that bend it.
 //!
 //! This is the one definition of the format. The JSON schema and the TypeScript types are generated from the types
-//! here; their ranges are what reading enforces. Reading is strict: a key that is unknown or given twice, a value of the
+//! here; their ranges are what [`Project::check`] enforces. Reading is strict: a key that is unknown or given twice, a value of the
 //! wrong type or out of its range, and a later version of the format are refused with the way to the offending key.
 //! Writing writes every key, so that a file says everything about how its picture comes about.
 //!
-//! A project is checked here as far as it can be without the picture: whether a handle lies on the domain is the
-//! solver's to say.
+//! A project is checked here as far as it can be without the picture, whether it was read or made in code: whether a handle lies on
+//! the domain is the solver's to say.
 
 mod domain;
 mod error;
@@ -18,12 +18,13 @@ mod place;
 mod points;
 mod pose;
 mod rotation;
+mod rules;
 #[cfg(test)]
 mod tests;
 mod value;
 mod weighting;
 
-use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
@@ -37,6 +38,7 @@ pub use self::rotation::Rotation;
 pub use self::weighting::{Filling, Support, Weighting};
 
 use self::layout::Layout;
+use self::path::Path;
 use self::place::Place;
 use self::value::Value;
 
@@ -44,6 +46,7 @@ use self::value::Value;
 const LEAST_SAMPLES: u32 = 100;
 /// With more, a browser tab has no room for mesh and weights.
 const MOST_SAMPLES: u32 = 2_000_000;
+const SAMPLES: RangeInclusive<u32> = LEAST_SAMPLES..=MOST_SAMPLES;
 
 /// A warp: a picture, the part of it that bends, and the handles that bend it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -119,20 +122,37 @@ impl Project {
         // First, since a later version may well have keys that are unknown here.
         let format = project.required("format").and_then(Format::read)?;
         project.only(&["format", "image", "domain", "samples", "weighting", "pose", "fix_boundary", "handles"])?;
-        Ok(Self {
+        let project = Self {
             format,
             image: project.required("image").and_then(ImageRef::read)?,
             domain: project.optional("domain").map(DomainSpec::read).transpose()?,
-            samples: project
-                .or("samples", default_samples(), |place| place.whole_number(LEAST_SAMPLES..=MOST_SAMPLES))?,
+            samples: project.or("samples", default_samples(), |place| place.whole_number(&SAMPLES))?,
             weighting: project.or("weighting", Weighting::default(), Weighting::read)?,
             pose: project.or("pose", PoseSpec::default(), PoseSpec::read)?,
             fix_boundary: project.or("fix_boundary", false, |place| place.bool())?,
             handles: project.required("handles").and_then(handles)?,
-        })
+        };
+        project.check()?;
+        Ok(project)
     }
 
-    /// Writes the project with every key that has a value, such that reading gives an equal project.
+    /// Whether the project is one that a file may hold: reading asks this, and so does whatever solves a project.
+    ///
+    /// # Errors
+    /// The first number out of its range or not finite, line with too few points, or name that is empty or given twice, with the way
+    /// to its key.
+    pub fn check(&self) -> Result<(), ProjectError> {
+        let Self { format: Format::V1, image, domain, samples, weighting, pose, fix_boundary: _, handles } = self;
+        image.check(&Path::Top.key("image"))?;
+        domain.as_ref().map_or(Ok(()), DomainSpec::check)?;
+        rules::whole_number(&Path::Top.key("samples"), *samples, &SAMPLES)?;
+        weighting.check(&Path::Top.key("weighting"))?;
+        pose.check(&Path::Top.key("pose"))?;
+        check_handles(handles)
+    }
+
+    /// Writes the project with every key that has a value. Reading gives an equal project of one that [`check`](Self::check) takes, and
+    /// may refuse what was written of any other.
     pub fn to_json(&self) -> String {
         let mut text = Vec::new();
         self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()))
@@ -147,19 +167,18 @@ impl Project {
 /// # Errors
 /// As [`Project::from_json`], the way starting at the list: `[2].rest[0]`.
 pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
-    handles(Place::top(&Value::parse(text)?))
+    let handles = handles(Place::top(&Value::parse(text)?))?;
+    handle::check(&handles, &Path::Top)?;
+    Ok(handles)
+}
+
+/// Checks the handles of a project.
+pub(crate) fn check_handles(handles: &[Handle]) -> Result<(), ProjectError> {
+    handle::check(handles, &Path::Top.key("handles"))
 }
 
 fn handles(place: Place<'_>) -> Result<Vec<Handle>, ProjectError> {
-    let mut ids = BTreeSet::new();
-    place.list("a list of handles", |item| {
-        let handle = Handle::read(item)?;
-        if !ids.insert(handle.id.clone()) {
-            let object = item.object()?;
-            return object.required("id")?.refuse(format_args!("{:?} is the name of another handle", handle.id));
-        }
-        Ok(handle)
-    })
+    place.list("a list of handles", Handle::read)
 }
 
 impl Format {

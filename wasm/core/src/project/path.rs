@@ -1,16 +1,35 @@
-//! The way from the top of a file to a value in it, kept on the stack until an error wants it in words.
+//! The way from the top of a project to a value in it, kept on the stack until an error wants it in words.
 
 use std::fmt;
 
-/// A way into the file, one step longer than its parent's.
+use super::ProjectError;
+
+/// A way into the project, one step longer than its parent's.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Path<'a> {
-    /// The file itself.
+    /// The project itself.
     Top,
     /// A key of an object.
     Key(&'a Path<'a>, &'a str),
     /// A place in a list, from 0.
     Index(&'a Path<'a>, usize),
+}
+
+impl Path<'_> {
+    /// The way to a key of the object here.
+    pub(super) fn key<'b>(&'b self, key: &'b str) -> Path<'b> {
+        Path::Key(self, key)
+    }
+
+    /// The way to a place in the list here.
+    pub(super) fn index(&self, index: usize) -> Path<'_> {
+        Path::Index(self, index)
+    }
+
+    /// Refuses what stands here.
+    pub(super) fn refuse<T>(&self, message: impl fmt::Display) -> Result<T, ProjectError> {
+        Err(ProjectError { path: self.to_string(), message: message.to_string() })
+    }
 }
 
 impl fmt::Display for Path<'_> {

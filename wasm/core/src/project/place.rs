@@ -7,6 +7,7 @@ use glam::DVec2;
 
 use super::ProjectError;
 use super::path::Path;
+use super::rules;
 use super::value::Value;
 
 /// A value in the file and the way to it.
@@ -24,7 +25,7 @@ impl<'a> Place<'a> {
 
     /// Refuses what stands here.
     pub(super) fn refuse<T>(&self, message: impl Display) -> Result<T, ProjectError> {
-        Err(ProjectError { path: self.path.to_string(), message: message.to_string() })
+        self.path.refuse(message)
     }
 
     pub(super) fn expected<T>(&self, what: impl Display) -> Result<T, ProjectError> {
@@ -53,18 +54,14 @@ impl<'a> Place<'a> {
         }
     }
 
-    pub(super) fn whole_number(&self, range: RangeInclusive<u32>) -> Result<u32, ProjectError> {
+    /// A whole number; `range` tells what is expected of it where this is none.
+    pub(super) fn whole_number(&self, range: &RangeInclusive<u32>) -> Result<u32, ProjectError> {
         match self.value {
-            Value::Number(number)
-                if number.fract() == 0.0
-                    && *number >= f64::from(*range.start())
-                    && *number <= f64::from(*range.end()) =>
-            {
+            Value::Number(number) if number.fract() == 0.0 && *number >= 0.0 && *number <= f64::from(u32::MAX) => {
                 // Exact: a whole number within the range of u32.
                 Ok(*number as u32)
             }
-            _ if *range.end() == u32::MAX => self.expected(format_args!("a whole number, {} or more", range.start())),
-            _ => self.expected(format_args!("a whole number from {} to {}", range.start(), range.end())),
+            _ => self.expected(rules::whole_numbers(range)),
         }
     }
 
@@ -90,19 +87,15 @@ impl<'a> Place<'a> {
         Ok(DVec2::new(self.item(0, &pair[0]).number()?, self.item(1, &pair[1]).number()?))
     }
 
-    pub(super) fn points(&self, least: usize) -> Result<Vec<DVec2>, ProjectError> {
-        let points = self.list("a list of points [[x, y], …]", |item| item.point())?;
-        if points.len() < least {
-            return self.refuse(format_args!("expected at least {least} points, found {}", points.len()));
-        }
-        Ok(points)
+    pub(super) fn points(&self) -> Result<Vec<DVec2>, ProjectError> {
+        self.list("a list of points [[x, y], …]", |item| item.point())
     }
 
     /// A list, every item read by `read`.
     pub(super) fn list<T>(
         &self,
         what: &str,
-        mut read: impl FnMut(Place<'_>) -> Result<T, ProjectError>,
+        read: impl Fn(Place<'_>) -> Result<T, ProjectError>,
     ) -> Result<Vec<T>, ProjectError> {
         let Value::List(items) = self.value else {
             return self.expected(what);

@@ -3,8 +3,9 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::ProjectError;
+use super::path::Path;
 use super::place::Place;
+use super::{ProjectError, rules};
 
 /// Half of the sites that there may be: those that handles need besides have room.
 const MOST: u32 = crate::site::MAX_SITES as u32 / 2;
@@ -59,7 +60,11 @@ impl PoseSpec {
             blend: pose.or("blend", default.blend, |place| {
                 place.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
             })?,
-            density: pose.or("density", default.density, |place| place.whole_number(0..=MOST))?,
+            density: pose.or("density", default.density, |place| place.whole_number(&(0..=MOST)))?,
         })
+    }
+
+    pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
+        rules::whole_number(&at.key("density"), self.density, &(0..=MOST))
     }
 }

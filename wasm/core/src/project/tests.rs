@@ -1,5 +1,7 @@
 //! The format from outside: what is read, what is written, what is refused and how.
 
+use glam::DVec2;
+
 use super::*;
 
 const LEAST: &str = r#"{"format": "c2warp/1", "image": {"src": "a.png", "width": 4, "height": 3}, "handles": []}"#;
@@ -108,6 +110,69 @@ fn refuses_numbers_that_json_does_not_know_and_names_where() {
     }
     let twice = refusal(r#""depth": 0"#, r#""scale": 2"#);
     assert!(twice.starts_with(r#"handles[0]: the key "scale" is given twice"#), "{twice}");
+}
+
+#[test]
+fn what_is_made_in_code_follows_the_rules_of_what_is_read() {
+    let good = Project::from_json(FULL).unwrap();
+    assert_eq!(good.check(), Ok(()));
+    let refused = |break_it: fn(&mut Project)| {
+        let mut project = good.clone();
+        break_it(&mut project);
+        let refusal = project.check().unwrap_err().to_string();
+        (Project::from_json(&project.to_json()).unwrap_err().to_string(), refusal)
+    };
+    let changes: [fn(&mut Project); 13] = [
+        |project| project.image.height = 0,
+        |project| project.domain = Some(DomainSpec::Alpha { threshold: -1.0 }),
+        |project| project.domain = Some(DomainSpec::Polygon { rings: Vec::new() }),
+        |project| project.domain = Some(DomainSpec::Polygon { rings: vec![vec![DVec2::ZERO; 2]] }),
+        |project| project.samples = 0,
+        |project| project.samples = u32::MAX,
+        |project| project.weighting.shape_factor = 1.5,
+        |project| project.weighting.degree = 2000,
+        |project| project.pose.density = 4097,
+        |project| project.handles[1].id.clear(),
+        |project| project.handles[2].id = project.handles[0].id.clone(),
+        |project| project.handles[0].scale = 0.0,
+        |project| project.handles[2].shape = Shape::Polygon { rest: vec![DVec2::ONE; 3], posed: vec![DVec2::ONE; 4] },
+    ];
+    for change in changes {
+        let (read, made) = refused(change);
+        assert_eq!(read, made);
+    }
+}
+
+#[test]
+fn numbers_that_no_file_can_hold_are_refused_where_they_stand() {
+    let changes: [(fn(&mut Project), &str); 6] = [
+        (
+            |project| project.domain = Some(DomainSpec::Alpha { threshold: f64::NAN }),
+            "domain.threshold: expected a number above 0 and up to 1, found NaN",
+        ),
+        (
+            |project| project.weighting.shape_factor = f64::NAN,
+            "weighting.shape_factor: expected a number from 0 to 1, found NaN",
+        ),
+        (
+            |project| project.handles[0].rotation = Rotation::Degrees(f64::INFINITY),
+            "handles[0].rotation: expected a finite number, found inf",
+        ),
+        (|project| project.handles[0].scale = f64::NAN, "handles[0].scale: expected a finite number, found NaN"),
+        (|project| project.handles[1].depth = f64::NAN, "handles[1].depth: expected a finite number, found NaN"),
+        (
+            |project| match &mut project.handles[2].shape {
+                Shape::Polygon { posed, .. } => posed[1].y = f64::NAN,
+                other => panic!("a polygon, not {other:?}"),
+            },
+            "handles[2].posed[1][1]: expected a finite number, found NaN",
+        ),
+    ];
+    for (change, refusal) in changes {
+        let mut project = Project::from_json(FULL).unwrap();
+        change(&mut project);
+        assert_eq!(project.check().unwrap_err().to_string(), refusal);
+    }
 }
 
 #[test]

@@ -3,8 +3,9 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::ProjectError;
+use super::path::Path;
 use super::place::Place;
+use super::{ProjectError, rules};
 
 /// α of supports as small as they may be.
 const LEAST_FACTOR: u32 = 0;
@@ -81,8 +82,9 @@ impl Weighting {
         weighting.only(&["shape_factor", "degree", "filling", "support"])?;
         let default = Self::default();
         Ok(Self {
-            shape_factor: weighting.or("shape_factor", default.shape_factor, shape_factor)?,
-            degree: weighting.or("degree", default.degree, |place| place.whole_number(LEAST_DEGREE..=MOST_DEGREE))?,
+            shape_factor: weighting.or("shape_factor", default.shape_factor, |place| place.number())?,
+            degree: weighting
+                .or("degree", default.degree, |place| place.whole_number(&(LEAST_DEGREE..=MOST_DEGREE)))?,
             filling: weighting.or("filling", default.filling, |place| {
                 place.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
             })?,
@@ -91,13 +93,13 @@ impl Weighting {
             })?,
         })
     }
-}
 
-fn shape_factor(place: Place<'_>) -> Result<f64, ProjectError> {
-    let shape_factor = place.number()?;
-    if (f64::from(LEAST_FACTOR)..=f64::from(MOST_FACTOR)).contains(&shape_factor) {
-        Ok(shape_factor)
-    } else {
-        place.refuse(format_args!("expected a number from {LEAST_FACTOR} to {MOST_FACTOR}, found {shape_factor}"))
+    pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
+        let Self { shape_factor, degree, .. } = *self;
+        if !(f64::from(LEAST_FACTOR)..=f64::from(MOST_FACTOR)).contains(&shape_factor) {
+            let expected = format_args!("expected a number from {LEAST_FACTOR} to {MOST_FACTOR}, found {shape_factor}");
+            return at.key("shape_factor").refuse(expected);
+        }
+        rules::whole_number(&at.key("degree"), degree, &(LEAST_DEGREE..=MOST_DEGREE))
     }
 }

@@ -1,0 +1,79 @@
+//! Projects that are made in code rather than read: the same rules hold for them, whatever solves them.
+
+use c2warp::{
+    Error, GivenMesh, Picture,
+    cloud::PointCloud,
+    distances,
+    project::{Blend, DomainSpec, Project, Support},
+    solve, solve_cloud, solve_mesh,
+};
+use glam::DVec2;
+
+use crate::scenes::{SIZE, project, solved};
+
+const RING: [(f64, f64); 4] = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)];
+
+/// A square with two handles.
+fn made() -> Project {
+    project(&[RING.map(DVec2::from).to_vec()], &[DVec2::splat(100.0), DVec2::splat(300.0)], Support::Paper)
+}
+
+#[test]
+fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
+    let rgba = vec![255; (SIZE * SIZE * 4) as usize];
+    let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
+    let corners: Vec<DVec2> = RING.map(DVec2::from).to_vec();
+    let mesh = GivenMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]]).expect("a square");
+    let grid = (0..400).map(|i| DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 20.0).collect();
+    let cloud = PointCloud::new(grid, 8).expect("a grid");
+    let changes: [(fn(&mut Project), &str); 7] = [
+        // Any of these took all memory, did not end, or panicked.
+        (|project| project.samples = 0, "samples: expected a whole number from 100 to 2000000, found 0"),
+        (
+            |project| project.samples = u32::MAX,
+            "samples: expected a whole number from 100 to 2000000, found 4294967295",
+        ),
+        (|project| project.weighting.degree = 0, "weighting.degree: expected a whole number from 5 to 32, found 0"),
+        (
+            |project| project.weighting.degree = u32::MAX,
+            "weighting.degree: expected a whole number from 5 to 32, found 4294967295",
+        ),
+        (
+            |project| project.weighting.shape_factor = f64::NAN,
+            "weighting.shape_factor: expected a number from 0 to 1, found NaN",
+        ),
+        (|project| project.handles[1].id = "h0".into(), "handles[1].id: \"h0\" is the name of another handle"),
+        (
+            |project| project.domain = Some(DomainSpec::Polygon { rings: Vec::new() }),
+            "domain.rings: expected at least one ring",
+        ),
+    ];
+    for (change, refusal) in changes {
+        let mut project = made();
+        change(&mut project);
+        let refusals =
+            [solve(&project, &picture).err(), solve_mesh(&project, &mesh).err(), solve_cloud(&project, &cloud).err()];
+        for error in refusals {
+            let error = error.expect("a project that is none");
+            assert_eq!((error.code(), error.to_string().as_str()), ("project", refusal));
+        }
+    }
+    let mut nowhere = made();
+    nowhere.domain = Some(DomainSpec::Alpha { threshold: f64::NAN });
+    let refused = distances(&nowhere, &picture, DVec2::splat(9.0), &[]).map_err(|error| error.to_string());
+    assert_eq!(refused, Err("domain.threshold: expected a number above 0 and up to 1, found NaN".into()));
+}
+
+#[test]
+fn what_cannot_be_posed_is_refused_by_its_key() {
+    let project = made();
+    let solution = solved(&project).expect("a valid scene");
+    let mut handles = project.handles;
+    handles[1].scale = 0.0;
+    let refused = solution.poser().pose(&handles, Blend::Linear).map(|_| ());
+    assert!(matches!(refused, Err(Error::Project(_))), "{refused:?}");
+    assert_eq!(
+        refused.map_err(|error| error.to_string()),
+        Err("handles[1].scale: expected a number above 0, found 0".into())
+    );
+}
