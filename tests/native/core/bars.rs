@@ -712,6 +712,10 @@ fn a_pose_for_other_handles_than_were_solved_is_refused_by_name() {
         refused(&[at_rest("bar", &corners[..2]), dot.clone()]),
         "handle “bar” is posed as a bar of 2 corners, but was solved as a bar of 3 corners"
     );
+    assert_eq!(
+        refused(&[dot.clone(), at_rest("barre", &corners)]),
+        "the pose does not name handle “bar”, which was solved"
+    );
     let mut uneven = at_rest("bar", &corners);
     let Shape::Bar { posed, .. } = &mut uneven.shape else { unreachable!("a bar") };
     posed.push(DVec2::splat(100.0));

@@ -4,11 +4,12 @@ use c2warp::{
     Error, GivenMesh, Picture,
     cloud::PointCloud,
     distances,
-    project::{Blend, DomainSpec, Project, Support},
+    project::{Blend, DomainSpec, Handle, Project, Shape, Support},
     solve, solve_cloud, solve_mesh,
 };
 use glam::DVec2;
 
+use crate::bars::bar;
 use crate::scenes::{SIZE, project, solved};
 
 const RING: [(f64, f64); 4] = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)];
@@ -62,6 +63,23 @@ fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
     nowhere.domain = Some(DomainSpec::Alpha { threshold: f64::NAN });
     let refused = distances(&nowhere, &picture, DVec2::splat(9.0), &[]).map_err(|error| error.to_string());
     assert_eq!(refused, Err("domain.threshold: expected a number above 0 and up to 1, found NaN".into()));
+}
+
+#[test]
+fn the_order_in_which_handles_are_posed_means_nothing() {
+    let mut project = made();
+    project.handles.push(bar("bar", &[(100.0, 300.0), (200.0, 300.0)], &[(100.0, 310.0), (190.0, 330.0)]));
+    for (handle, by) in project.handles.iter_mut().zip([(20.0, 5.0), (-10.0, 15.0)]) {
+        let Shape::Point { posed, .. } = &mut handle.shape else { panic!("a point") };
+        *posed += DVec2::from(by);
+    }
+    let solution = solved(&project).expect("a valid scene");
+    let motions = |handles: &[Handle]| {
+        let pose = solution.poser().pose(handles, Blend::Linear).expect("handles that were solved");
+        pose.motions().to_vec()
+    };
+    let reversed: Vec<Handle> = project.handles.iter().rev().cloned().collect();
+    assert_eq!(motions(&reversed), motions(&project.handles));
 }
 
 #[test]

@@ -235,6 +235,12 @@ pub enum Error {
         /// Handles posed.
         found: usize,
     },
+    /// A handle that was solved is not among those that are passed to a pose.
+    #[error("the pose does not name handle “{id}”, which was solved")]
+    PoseMissing {
+        /// Id of the handle.
+        id: String,
+    },
     /// A handle passed to a pose is not what was solved.
     #[error("handle “{id}” is posed as {posed}, but was solved as {solved}")]
     PoseShape {
@@ -391,7 +397,10 @@ impl Error {
             Self::TooManyHandles { .. } => "too-many-handles",
             Self::TooManyCorners { .. } => "too-many-corners",
             Self::Unsupported { .. } => "unsupported",
-            Self::PoseMismatch { .. } | Self::PoseShape { .. } | Self::PoseNotFinite { .. } => "pose",
+            Self::PoseMismatch { .. }
+            | Self::PoseMissing { .. }
+            | Self::PoseShape { .. }
+            | Self::PoseNotFinite { .. } => "pose",
             Self::PointOutside { .. } => "point-outside",
             Self::TooManySites => "too-many-sites",
             Self::MeshTriangle { .. }

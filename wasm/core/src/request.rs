@@ -7,8 +7,8 @@ use crate::{
     distance::{Navigation, Place},
     error::Error,
     picture::Picture,
-    pose::Form,
-    project::{PoseMode, Project, Shape, Weighting},
+    pose::{Form, Solved},
+    project::{Handle, PoseMode, Project, Shape, Weighting},
     report::Outside,
     site::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
     solver::Outline,
@@ -25,8 +25,8 @@ pub(crate) struct Request {
     pub(crate) mode: PoseMode,
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
-    /// What handles of all kinds are made of.
-    pub(crate) forms: Vec<Form>,
+    /// Handles of all kinds.
+    pub(crate) handles: Vec<Solved>,
     points: Vec<PointHandle>,
     lines: Vec<Line>,
 }
@@ -88,13 +88,14 @@ impl Request {
             let Line { id, corners, .. } = longest.expect("segments are pieces of lines");
             return Err(Error::TooManyCorners { id: id.clone(), corners: corners.len(), segments });
         }
+        let solved = |handle: &Handle| Solved { id: handle.id.clone(), form: Form::of(&handle.shape)[0] };
         Ok(Self {
             samples: project.samples as usize,
             density: project.pose.density as usize,
             mode: project.pose.mode,
             weighting: project.weighting.clone(),
             fix_boundary: project.fix_boundary,
-            forms: project.handles.iter().map(|handle| Form::of(&handle.shape)[0]).collect(),
+            handles: project.handles.iter().map(solved).collect(),
             points,
             lines,
         })

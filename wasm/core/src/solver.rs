@@ -191,7 +191,7 @@ impl Solver {
         let harmonic = HarmonicFields::new(&sites, &graph);
         let quadrature = (request.mode == PoseMode::Rigid)
             .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
-        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.forms, request.mode, quadrature);
+        let poser = Poser::new(&sites, &graph, &harmonic, skeleton, request.handles, request.mode, quadrature);
         let count = samples.len();
         let leading = leading_parts(&nearest, &sites, &harmonic);
         weights.extend_as(&samples.rim.owners);
@@ -303,8 +303,8 @@ pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolutio
     let request = Request::new(project)?;
     request.check_points_only()?;
     let rest = request.points_at(|p| cloud.contains(p).then_some(((), p)))?;
-    let handles: Vec<(u32, DVec2)> = rest.points.iter().map(|&(rest, (), handle)| (handle, rest)).collect();
-    CloudSolution::new(cloud, &handles, &request.weighting, request.density, request.mode)
+    let points: Vec<(u32, DVec2)> = rest.points.iter().map(|&(rest, (), handle)| (handle, rest)).collect();
+    CloudSolution::new(cloud, &points, request)
 }
 
 impl Outline {

@@ -8,8 +8,8 @@ use super::{PointCloud, regions::Regions};
 use crate::{
     bone::Skeleton,
     error::Error,
-    pose::{Form, HarmonicFields, Pose, Poser},
-    project::{PoseMode, Weighting},
+    pose::{HarmonicFields, Pose, Poser},
+    request::Request,
     site::{Origin, Site, SiteGraph},
     weight::{Basis, SparseWeights, support_radii},
 };
@@ -38,13 +38,8 @@ pub struct CloudSolution {
 
 impl CloudSolution {
     /// Solves for `handles`, each a number and a place in the cloud, that are apart and sorted.
-    pub(crate) fn new(
-        cloud: &PointCloud,
-        handles: &[(u32, DVec2)],
-        weighting: &Weighting,
-        density: usize,
-        mode: PoseMode,
-    ) -> Result<Self, Error> {
+    pub(crate) fn new(cloud: &PointCloud, handles: &[(u32, DVec2)], request: Request) -> Result<Self, Error> {
+        let Request { weighting, density, mode, handles: solved, .. } = request;
         let points = cloud.points.len();
         let places: Vec<DVec2> = handles.iter().map(|handle| handle.1).collect();
         let given = cloud.clone();
@@ -58,7 +53,7 @@ impl CloudSolution {
         let Regions { mut sites, points: at, nearest, .. } = regions;
         let basis = Basis::new(weighting.degree, weighting.filling);
         let mut by_site = Vec::with_capacity(sites.len());
-        let radii = support_radii(weighting, &sites);
+        let radii = support_radii(&weighting, &sites);
         for ((site, radius), &at) in sites.iter_mut().zip(radii).zip(&at) {
             site.support_radius = radius;
             let distances = cloud.graph.distances(&cloud.points, at as usize).into_iter().enumerate();
@@ -67,8 +62,7 @@ impl CloudSolution {
         }
         let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let forms = vec![Form::Point; handles.len()];
-        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), forms, mode, None);
+        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), solved, mode, None);
         Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, given, cloud, poser })
     }
 

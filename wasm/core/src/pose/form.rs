@@ -1,4 +1,4 @@
-//! What a handle is made of: its kind, and how many corners it has.
+//! What a handle was solved as: its name, its kind, and how many corners it has.
 
 use std::fmt;
 
@@ -32,6 +32,13 @@ impl Form {
             Shape::Polygon { rest, posed } => [rest, posed].map(|places| Self::Polygon { corners: places.len() }),
         }
     }
+}
+
+/// A handle as it was solved.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Solved {
+    pub(crate) id: String,
+    pub(crate) form: Form,
 }
 
 impl fmt::Display for Form {

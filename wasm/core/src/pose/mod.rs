@@ -19,6 +19,7 @@ mod unwrap;
 
 pub use blend::{Mapped, Pose};
 pub use form::Form;
+pub(crate) use form::Solved;
 pub use harmonic::HarmonicFields;
 pub use motion::Motion;
 pub use poser::Poser;

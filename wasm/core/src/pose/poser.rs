@@ -1,11 +1,18 @@
 //! Motions of all sites from the handles: what is computed anew in every frame of a drag.
 
-use std::{collections::BTreeSet, f64::consts::TAU, sync::Arc};
+use std::{
+    borrow::Cow,
+    collections::{BTreeSet, HashMap},
+    f64::consts::TAU,
+    sync::Arc,
+};
 
 use glam::{DMat2, DVec2};
 use serde::{Deserialize, Serialize};
 
-use super::{Form, HarmonicFields, Motion, Pose, Quadrature, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles};
+use super::{
+    Form, HarmonicFields, Motion, Pose, Quadrature, Solved, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles,
+};
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
@@ -22,7 +29,7 @@ pub struct Poser {
     origin: Vec<Origin>,
     skeleton: Skeleton,
     /// What each handle was solved as.
-    forms: Vec<Form>,
+    solved: Vec<Solved>,
     /// ϖ: for each site its real sites and their shares.
     shares: Vec<Vec<(u32, f64)>>,
     /// Pairs of real sites that are neighbours, one of them a point handle, and how strongly: the edges that turn automatic
@@ -40,7 +47,7 @@ impl Poser {
         graph: &SiteGraph,
         harmonic: &HarmonicFields,
         skeleton: Skeleton,
-        forms: Vec<Form>,
+        solved: Vec<Solved>,
         mode: PoseMode,
         quadrature: Option<Quadrature>,
     ) -> Self {
@@ -63,7 +70,7 @@ impl Poser {
             rest: sites.iter().map(|site| site.rest).collect(),
             origin: sites.iter().map(|site| site.origin).collect(),
             skeleton,
-            forms,
+            solved,
             shares: harmonic.rows.clone(),
             edges,
             meeting: meeting(sites, graph, harmonic),
@@ -71,27 +78,27 @@ impl Poser {
         }
     }
 
-    /// The motions of all sites when the handles are posed as given, to be blended in one way or the other; their rest places
-    /// play no part, but for the turn of bars and polygons.
+    /// The motions of all sites when the handles are posed as given, in any order, to be blended in one way or the other; their rest
+    /// places play no part, but for the turn of bars and polygons.
     ///
     /// # Errors
-    /// [`Error::PoseMismatch`] for more or fewer handles than were solved, [`Error::PoseShape`] for one of another kind or with other
+    /// [`Error::PoseMismatch`] for more or fewer handles than were solved, [`Error::PoseMissing`] where one of these is not among them,
+    /// [`Error::PoseShape`] for one of another kind or with other
     /// corners; [`Error::Project`] for what no handle of a project may be, such as one with a scale of 0; [`Error::PoseNotFinite`] for
     /// numbers that overflow; [`Error::PoserBytes`] where bytes that were read say of bars what no scene says.
     pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
-        if handles.len() != self.forms.len() {
-            return Err(Error::PoseMismatch { expected: self.forms.len(), found: handles.len() });
-        }
-        for (handle, &solved) in handles.iter().zip(&self.forms) {
+        let given = handles;
+        let handles = &*self.as_solved(given)?;
+        for (handle, &Solved { form: solved, .. }) in handles.iter().zip(&self.solved) {
             if let Some(posed) = Form::of(&handle.shape).into_iter().find(|&form| form != solved) {
                 return Err(Error::PoseShape { id: handle.id.clone(), solved, posed });
             }
         }
+        check_handles(given)?;
         if !self.skeleton.fits(handles) {
             // A skeleton that is made is made of the handles' corners; one that was read need not be.
             return Err(Error::PoserBytes);
         }
-        check_handles(handles)?;
         let mut motions = self.real_motions(handles);
         for (origin, motion) in self.origin.iter().zip(&motions) {
             if let Some(handle) = origin.handle().filter(|_| !motion.is_in_bounds()) {
@@ -128,6 +135,21 @@ impl Poser {
             motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
         }
         Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
+    }
+
+    /// The handles in the order in which they were solved.
+    fn as_solved<'a>(&self, handles: &'a [Handle]) -> Result<Cow<'a, [Handle]>, Error> {
+        if handles.len() != self.solved.len() {
+            return Err(Error::PoseMismatch { expected: self.solved.len(), found: handles.len() });
+        }
+        if handles.iter().zip(&self.solved).all(|(handle, solved)| handle.id == solved.id) {
+            return Ok(Cow::Borrowed(handles));
+        }
+        let by_id: HashMap<&str, &Handle> = handles.iter().map(|handle| (handle.id.as_str(), handle)).collect();
+        let find = |Solved { id, .. }: &Solved| {
+            by_id.get(id.as_str()).copied().cloned().ok_or_else(|| Error::PoseMissing { id: id.clone() })
+        };
+        self.solved.iter().map(find).collect::<Result<_, _>>().map(Cow::Owned)
     }
 
     /// The motions of the real sites, but for automatic rotations; none of the virtual ones yet.
@@ -217,9 +239,11 @@ impl Poser {
         let sites = poser.rest.len();
         let real = |site: u32| poser.origin.get(site as usize).is_some_and(|origin| origin.is_real());
         let known = |origin: &Origin| match *origin {
-            Origin::Point { handle } => poser.forms.get(handle as usize) == Some(&Form::Point),
+            Origin::Point { handle } => {
+                poser.solved.get(handle as usize).is_some_and(|solved| solved.form == Form::Point)
+            }
             Origin::Bone { handle, bone } => {
-                (handle as usize) < poser.forms.len() && (bone as usize) < poser.skeleton.bones.len()
+                (handle as usize) < poser.solved.len() && (bone as usize) < poser.skeleton.bones.len()
             }
             Origin::Boundary | Origin::Virtual => true,
         };
@@ -227,9 +251,9 @@ impl Poser {
             && poser.shares.len() == sites
             && poser.shares.iter().flatten().all(|&(site, _)| real(site))
             && poser.edges.iter().all(|&(i, j, _)| real(i) && real(j))
-            && poser.meeting.iter().flatten().all(|&handle| (handle as usize) < poser.forms.len())
+            && poser.meeting.iter().flatten().all(|&handle| (handle as usize) < poser.solved.len())
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
-            && poser.skeleton.is_whole(poser.forms.len())
+            && poser.skeleton.is_whole(poser.solved.len())
             && poser.origin.iter().all(known);
         if whole { Ok(poser) } else { Err(Error::PoserBytes) }
     }
