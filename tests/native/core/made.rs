@@ -4,6 +4,7 @@ use c2warp::{
     Error, GivenMesh, Picture,
     cloud::PointCloud,
     distances,
+    pose::Poser,
     project::{Blend, DomainSpec, Handle, Project, Shape, Support},
     solve, solve_cloud, solve_mesh,
 };
@@ -80,6 +81,31 @@ fn the_order_in_which_handles_are_posed_means_nothing() {
     };
     let reversed: Vec<Handle> = project.handles.iter().rev().cloned().collect();
     assert_eq!(motions(&reversed), motions(&project.handles));
+}
+
+#[test]
+fn a_pose_is_of_its_own_solution_alone() {
+    let project = made();
+    let [solution, other] = [[100.0, 300.0], [120.0, 300.0]].map(|[first, second]| {
+        let ring = RING.map(DVec2::from).to_vec();
+        solved(&crate::scenes::project(&[ring], &[DVec2::splat(first), DVec2::splat(second)], Support::Paper))
+            .expect("a valid scene")
+    });
+    let pose = |poser: &Poser| poser.pose(&project.handles, Blend::Linear).expect("handles that were solved");
+    let again = Poser::from_bytes(&solution.poser().to_bytes()).expect("the bytes of a poser");
+    assert!(solution.map(&pose(&again), DVec2::splat(200.0)).is_some());
+    let foreign = pose(other.poser());
+    let uses: [&dyn Fn(); 4] = [
+        &|| drop(solution.map(&foreign, DVec2::splat(200.0))),
+        &|| drop(solution.posed_vertices(&foreign)),
+        &|| drop(solution.drawn_triangles(&foreign)),
+        &|| drop(solution.report(&foreign)),
+    ];
+    for used in uses {
+        let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(used)).expect_err("a pose of another");
+        let message = panic.downcast_ref::<String>().expect("a message");
+        assert_eq!(message, "the pose is of another solution: make it by the poser of this one");
+    }
 }
 
 #[test]

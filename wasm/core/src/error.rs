@@ -241,6 +241,9 @@ pub enum Error {
         /// Id of the handle.
         id: String,
     },
+    /// A pose and a solution that have nothing to do with one another.
+    #[error("the pose is of another solution: make it by the poser of this one")]
+    PoseOfAnother,
     /// A handle passed to a pose is not what was solved.
     #[error("handle “{id}” is posed as {posed}, but was solved as {solved}")]
     PoseShape {
@@ -399,6 +402,7 @@ impl Error {
             Self::Unsupported { .. } => "unsupported",
             Self::PoseMismatch { .. }
             | Self::PoseMissing { .. }
+            | Self::PoseOfAnother
             | Self::PoseShape { .. }
             | Self::PoseNotFinite { .. } => "pose",
             Self::PointOutside { .. } => "point-outside",

@@ -19,7 +19,8 @@ use crate::{
     weight::{Influence, SparseWeights, Weights},
 };
 
-/// The result of a solve. It does not depend on where the handles are posed.
+/// The result of a solve. It does not depend on where the handles are posed: its [`poser`](Self::poser) makes the poses that it takes,
+/// and no other does.
 #[derive(Debug)]
 pub struct Solution {
     /// What is drawn.
@@ -88,21 +89,33 @@ impl Solution {
     }
 
     /// Where a point goes (eq. 1), and how its surroundings grow; `None` outside the domain.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<Mapped> {
+        self.expect_own(pose);
         Some(pose.map(p, &self.influences_at(p)?))
     }
 
     /// Where the mesh's vertices go.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
+        self.expect_own(pose);
         let vertices = self.mesh.vertices.iter().enumerate();
         vertices.map(|(v, &p)| pose.blended(p, self.weights.row(v))).collect()
     }
 
     /// The mesh's triangles in the order in which a pose has them drawn, later ones over earlier ones: by the depths of the handles.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn drawn_triangles(&self, pose: &Pose) -> Cow<'_, [[u32; 3]]> {
+        self.expect_own(pose);
         let depths: Vec<f64> = pose.motions().iter().map(|motion| motion.depth).collect();
         drawn_triangles(&self.mesh, &self.weights, &depths)
     }
@@ -111,7 +124,7 @@ impl Solution {
     /// all that is no part of the domain.
     ///
     /// # Panics
-    /// As [`raster::warp`] does: `scale` must be one that [`raster::warped_size`] knows a size for.
+    /// As [`raster::warp`] does: `scale` must be one that [`raster::warped_size`] knows a size for. Where the pose is of another solution.
     #[must_use]
     pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64) -> Vec<u8> {
         if self.kinds == [0; 3] {
@@ -131,6 +144,9 @@ impl Solution {
     }
 
     /// The solve in numbers, with the folds of a pose.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
         let real = self.sites.iter().filter(|site| site.origin.is_real()).count();
@@ -162,6 +178,9 @@ impl Solution {
     }
 
     /// Triangles over the domain that a pose turns over.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn folded_triangles(&self, pose: &Pose) -> usize {
         let posed = self.posed_vertices(pose);
@@ -171,5 +190,9 @@ impl Solution {
             (b - a).perp_dot(c - a)
         };
         inner.filter(|t| area(t) < 0.0).count()
+    }
+
+    fn expect_own(&self, pose: &Pose) {
+        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnother);
     }
 }

@@ -102,15 +102,27 @@ impl CloudSolution {
     }
 
     /// Where a place goes (eq. 1); `None` outside the cloud.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
+        self.expect_own(pose);
         Some(pose.blended(p, self.weights_at(p)?.into_iter()))
     }
 
     /// Where the cloud's points go.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose) -> Vec<DVec2> {
+        self.expect_own(pose);
         let points = self.cloud.points[..self.points].iter().enumerate();
         points.map(|(point, &p)| pose.blended(p, self.weights.row(point))).collect()
+    }
+
+    fn expect_own(&self, pose: &Pose) {
+        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnother);
     }
 }

@@ -37,7 +37,15 @@ impl Pose {
         Self { rest, linear, motions, duals }
     }
 
+    /// Where the sites rest.
+    pub(super) fn rest(&self) -> &Arc<[DVec2]> {
+        &self.rest
+    }
+
     /// T_i(p) for one site.
+    ///
+    /// # Panics
+    /// For a site that the solution has not.
     #[must_use]
     pub fn moved(&self, site: usize, p: DVec2) -> DVec2 {
         let rest = self.rest[site];
@@ -45,6 +53,9 @@ impl Pose {
     }
 
     /// Where a point goes, from weights alone. With no weights it stays.
+    ///
+    /// # Panics
+    /// For a site that the solution has not.
     #[must_use]
     pub fn blended(&self, p: DVec2, weights: impl Iterator<Item = (usize, f64)>) -> DVec2 {
         if let Some(duals) = &self.duals {
@@ -60,6 +71,9 @@ impl Pose {
     }
 
     /// Where a point goes, and the derivative of that. With no influence the point stays.
+    ///
+    /// # Panics
+    /// For a site that the solution has not.
     #[must_use]
     pub fn map(&self, p: DVec2, influences: &[Influence]) -> Mapped {
         if influences.is_empty() {

@@ -137,6 +137,12 @@ impl Poser {
         Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
     }
 
+    /// Whether a pose is of what this poses: the same sites.
+    pub(crate) fn has_made(&self, pose: &Pose) -> bool {
+        // The poser that made it may have been one of the same bytes.
+        Arc::ptr_eq(pose.rest(), &self.rest) || *pose.rest() == self.rest
+    }
+
     /// The handles in the order in which they were solved.
     fn as_solved<'a>(&self, handles: &'a [Handle]) -> Result<Cow<'a, [Handle]>, Error> {
         if handles.len() != self.solved.len() {
