@@ -4,7 +4,6 @@ use c2warp::{
     Picture, Solution,
     pose::Pose,
     project::{Handle, Project, Support},
-    raster,
 };
 use glam::DVec2;
 
@@ -41,8 +40,7 @@ fn drawn(project: &Project) -> Vec<u8> {
     let (solution, pose) = posed(project);
     let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at % SIZE < SIZE / 2 { RED } else { BLUE }).collect();
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
-    let triangles = solution.drawn_triangles(&pose);
-    raster::warp(&picture, &solution.mesh.vertices, &solution.posed_vertices(&pose), &triangles, 1.0)
+    solution.warped(&picture, &pose, 1.0).expect("a fair size").rgba
 }
 
 /// How many pixels around the place where the legs cross are red, and how many blue.
@@ -76,8 +74,7 @@ fn one_bar_covers_another_whole() {
         let (solution, pose) = posed(&project);
         let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at / SIZE < 150 { RED } else { BLUE }).collect();
         let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
-        let posed = solution.posed_vertices(&pose);
-        let rgba = raster::warp(&picture, &solution.mesh.vertices, &posed, &solution.drawn_triangles(&pose), 1.0);
+        let rgba = solution.warped(&picture, &pose, 1.0).expect("a fair size").rgba;
         let along = (140..320).map(|x| ((200 * SIZE + x) * 4) as usize);
         let colours: Vec<&[u8]> = along.map(|at| &rgba[at..at + 4]).collect();
         assert!(colours.iter().all(|colour| *colour == colours[0]), "{colours:?}");

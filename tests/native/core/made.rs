@@ -17,7 +17,11 @@ const RING: [(f64, f64); 4] = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.
 
 /// A square with two handles.
 fn made() -> Project {
-    project(&[RING.map(DVec2::from).to_vec()], &[DVec2::splat(100.0), DVec2::splat(300.0)], Support::Paper)
+    made_with(DVec2::splat(100.0))
+}
+
+fn made_with(first: DVec2) -> Project {
+    project(&[RING.map(DVec2::from).to_vec()], &[first, DVec2::splat(300.0)], Support::Paper)
 }
 
 #[test]
@@ -86,11 +90,7 @@ fn the_order_in_which_handles_are_posed_means_nothing() {
 #[test]
 fn a_pose_is_of_its_own_solution_alone() {
     let project = made();
-    let [solution, other] = [[100.0, 300.0], [120.0, 300.0]].map(|[first, second]| {
-        let ring = RING.map(DVec2::from).to_vec();
-        solved(&crate::scenes::project(&[ring], &[DVec2::splat(first), DVec2::splat(second)], Support::Paper))
-            .expect("a valid scene")
-    });
+    let [solution, other] = [100.0, 120.0].map(|first| solved(&made_with(DVec2::splat(first))).expect("a valid scene"));
     let pose = |poser: &Poser| poser.pose(&project.handles, Blend::Linear).expect("handles that were solved");
     let again = Poser::from_bytes(&solution.poser().to_bytes()).expect("the bytes of a poser");
     assert!(solution.map(&pose(&again), DVec2::splat(200.0)).is_some());
@@ -106,6 +106,28 @@ fn a_pose_is_of_its_own_solution_alone() {
         let message = panic.downcast_ref::<String>().expect("a message");
         assert_eq!(message, "the pose is of another solution: make it by the poser of this one");
     }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    let project = made();
+    let solution = solved(&project).expect("a valid scene");
+    let pose = solution.poser().pose(&project.handles, Blend::Linear).expect("finite");
+    let rgba = vec![255; (SIZE * SIZE * 4) as usize];
+    let refused = |width: u32, height: u32, scale: f64| {
+        let picture = Picture::new(width, height, &rgba).expect("a picture");
+        solution.warped(&picture, &pose, scale).expect_err("no picture").code()
+    };
+    for scale in [0.0, f64::NAN, -1.0, 1e9] {
+        assert_eq!(refused(SIZE, SIZE, scale), "scale");
+    }
+    assert_eq!(refused(2 * SIZE, SIZE / 2, 1.0), "picture-mismatch");
+    let moved = made_with(DVec2::splat(120.0));
+    let foreign = solved(&moved).expect("a valid scene").poser().pose(&moved.handles, Blend::Linear).expect("finite");
+    let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
+    assert_eq!(solution.warped(&picture, &foreign, 1.0), Err(Error::PoseOfAnother));
+    let warped = solution.warped(&picture, &pose, 0.5).expect("half the size");
+    assert_eq!((warped.width, warped.height, warped.rgba.len() as u32), (SIZE / 2, SIZE / 2, SIZE * SIZE));
 }
 
 #[test]

@@ -28,8 +28,8 @@ fn warped(scene: &Scene) -> RgbaImage {
         .pose(&scene.project.handles, scene.project.pose.blend)
         .expect("as many handles as were solved");
     let (mesh, posed) = (&solution.mesh, solution.posed_vertices(&pose));
-    let rgba = raster::warp(&picture, &mesh.vertices, &posed, &mesh.triangles, 1.0);
-    RgbaImage::from_raw(picture.width, picture.height, rgba).expect("as many bytes as pixels")
+    let warped = raster::warp(&picture, &mesh.vertices, &posed, &mesh.triangles, 1.0).expect("a fair size");
+    RgbaImage::from_raw(warped.width, warped.height, warped.rgba).expect("as many bytes as pixels")
 }
 
 #[test]

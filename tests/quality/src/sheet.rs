@@ -86,9 +86,8 @@ impl Frame {
         let room = f64::from(self.width).max(f64::from(self.height));
         let scale = room / f64::from(width.min(height));
         let to_picture: Vec<DVec2> = posed.iter().map(|&p| p / scale).collect();
-        let bytes = raster::warp(&picture, &fine.vertices, &to_picture, &fine.triangles, scale);
-        let (wide, high) = raster::warped_size(width, height, scale).expect("a fair size");
-        let whole = RgbaImage::from_raw(wide, high, bytes).expect("as many bytes as pixels");
+        let warped = raster::warp(&picture, &fine.vertices, &to_picture, &fine.triangles, scale).expect("a fair size");
+        let whole = RgbaImage::from_raw(warped.width, warped.height, warped.rgba).expect("as many bytes as pixels");
         let mut panel = RgbaImage::from_pixel(self.width, self.height, Rgba([244, 244, 240, 255]));
         imageops::overlay(&mut panel, &whole, 0, 0);
         if marked {

@@ -115,14 +115,15 @@ impl Session {
     fn try_warp(&mut self, project_json: &str, scale: f64) -> Result<Vec<u8>, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
-        raster::warped_size(width, height, scale).ok_or(Error::Scale { scale, width, height })?;
+        // A solve takes time that a scale which is none is not worth.
+        raster::warped_size(width, height, scale)?;
         if !self.solver.has_solved(&project) {
             self.try_begin(project_json)?;
             while self.try_advance()?.is_some() {}
         }
         let solution = self.solver.solution();
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        Ok(solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale))
+        Ok(solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale)?.rgba)
     }
 }
 

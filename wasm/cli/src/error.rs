@@ -6,8 +6,6 @@ use std::path::PathBuf;
 use c2warp::project::ProjectError;
 use image::{ImageError, ImageFormat};
 
-use crate::number;
-
 /// Why nothing came out, in one sentence that begins with the file it is about.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CliError {
@@ -39,13 +37,8 @@ pub(crate) enum CliError {
     Point { path: PathBuf, line: u64, found: String },
     #[error("{}: is not a list of points: it is not UTF-8 text", path.display())]
     PointsText { path: PathBuf },
-    #[error(
-        "--scale {}: a picture of {width}×{height} px can only be scaled to between 1 and {side} px a side and {megapixels} megapixels",
-        number::text(*scale),
-        side = c2warp::MAX_SIDE,
-        megapixels = c2warp::MAX_PIXELS / 1_000_000
-    )]
-    Scale { scale: f64, width: u32, height: u32 },
+    #[error("--scale: {0}")]
+    Scale(c2warp::Error),
 }
 
 impl CliError {

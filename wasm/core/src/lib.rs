@@ -31,8 +31,8 @@
 //! let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 //! let mapped = solution.map(&pose, [54.0, 24.0].into()).expect("inside the picture");
 //! assert_eq!(mapped.posed, [54.0, 30.0].into());
-//! let rgba = solution.warped(&picture, &pose, 1.0);
-//! assert_eq!(rgba.len(), 64 * 48 * 4);
+//! let warped = solution.warped(&picture, &pose, 0.5)?;
+//! assert_eq!((warped.width, warped.height, warped.rgba.len()), (32, 24, 32 * 24 * 4));
 //! # Ok::<(), c2warp::Error>(())
 //! ```
 //!
@@ -67,6 +67,7 @@ pub mod weight;
 pub use error::Error;
 pub use given_mesh::GivenMesh;
 pub use picture::{MAX_PIXELS, MAX_SIDE, MIN_SIDE, Picture, check_size};
+pub use raster::Warped;
 pub use render_mesh::RenderMesh;
 pub use report::{Inspection, Outside, Report, StageTimes};
 pub use solution::Solution;

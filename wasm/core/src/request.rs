@@ -177,17 +177,13 @@ impl Request {
     }
 }
 
-pub(crate) fn check_picture(project: &Project, picture: &Picture) -> Result<(), Error> {
-    let image = &project.image;
-    if (image.width, image.height) == (picture.width, picture.height) {
+/// Whether a picture has the size that a project is for.
+pub(crate) fn check_picture((project_width, project_height): (u32, u32), picture: &Picture) -> Result<(), Error> {
+    let &Picture { width, height, .. } = picture;
+    if (project_width, project_height) == (width, height) {
         return Ok(());
     }
-    Err(Error::PictureMismatch {
-        project_width: image.width,
-        project_height: image.height,
-        width: picture.width,
-        height: picture.height,
-    })
+    Err(Error::PictureMismatch { project_width, project_height, width, height })
 }
 
 fn unsupported(path: String, feature: &str) -> Error {

@@ -11,9 +11,10 @@ use crate::{
     error::Error,
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
-    raster,
+    raster::{self, Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Outside, Report},
+    request::check_picture,
     site::{Site, SiteGraph},
     solver::Outline,
     weight::{Influence, SparseWeights, Weights},
@@ -123,10 +124,18 @@ impl Solution {
     /// The picture, warped by a pose: what [`raster::warp`] draws of the mesh, or, where there is no handle, of the picture as it is, with
     /// all that is no part of the domain.
     ///
-    /// # Panics
-    /// As [`raster::warp`] does: `scale` must be one that [`raster::warped_size`] knows a size for. Where the pose is of another solution.
-    #[must_use]
-    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64) -> Vec<u8> {
+    /// `scale` is pixels of the result for a pixel of the picture: [`raster::warped_size`] tells the size.
+    ///
+    /// # Errors
+    /// [`Error::Scale`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
+    /// [`Error::PoseOfAnother`].
+    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64) -> Result<Warped, Error> {
+        if let Some(size) = self.outline.picture {
+            check_picture(size, picture)?;
+        }
+        if !self.poser.has_made(pose) {
+            return Err(Error::PoseOfAnother);
+        }
         if self.kinds == [0; 3] {
             let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];

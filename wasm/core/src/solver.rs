@@ -65,7 +65,9 @@ pub struct Solver {
 pub(crate) struct Outline {
     pub(crate) domain: Domain,
     pub(crate) navigation: Navigation,
-    /// The picture's size, where it fades out beyond the outline.
+    /// The picture's size, where there is a picture.
+    pub(crate) picture: Option<(u32, u32)>,
+    /// The same, where it fades out beyond the outline.
     fading: Option<DVec2>,
 }
 
@@ -100,7 +102,7 @@ impl Solver {
     /// [`Error::TooManyCorners`]; or an error of [`Domain::new`].
     pub fn begin(&mut self, project: &Project, picture: &Picture) -> Result<(), Error> {
         self.work = None;
-        check_picture(project, picture)?;
+        check_picture(project.image.size(), picture)?;
         let request = Request::new(project)?;
         if self.outline.as_ref().is_none_or(|(key, _)| *key != project.domain) {
             let outline = Outline::new(project.domain.as_ref(), picture)?;
@@ -269,7 +271,7 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
 /// # Errors
 /// [`Error::PictureMismatch`], an error of [`Domain::new`], or [`Error::PointOutside`] where the first point lies outside the domain.
 pub fn distances(project: &Project, picture: &Picture, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
-    check_picture(project, picture)?;
+    check_picture(project.image.size(), picture)?;
     let outline = Outline::new(project.domain.as_ref(), picture)?;
     Propagation::default().distances(&outline.navigation, from, at)
 }
@@ -311,7 +313,7 @@ impl Outline {
     /// The outline of a domain beyond which there is nothing to draw.
     pub(crate) fn hard(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, fading: None }
+        Self { domain, navigation, picture: None, fading: None }
     }
 
     fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
@@ -322,7 +324,8 @@ impl Outline {
             Some(_) => false,
             None => picture.has_transparency(),
         };
-        let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
-        Ok(Self { domain, navigation, fading: soft.then_some(size) })
+        let (width, height) = (picture.width, picture.height);
+        let size = DVec2::new(f64::from(width), f64::from(height));
+        Ok(Self { domain, navigation, picture: Some((width, height)), fading: soft.then_some(size) })
     }
 }

@@ -37,6 +37,11 @@ impl ImageRef {
         })
     }
 
+    /// Width and height.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
         rules::whole_number(&at.key("width"), self.width, &SIDES)?;
         rules::whole_number(&at.key("height"), self.height, &SIDES)

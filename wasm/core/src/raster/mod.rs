@@ -26,16 +26,32 @@ use glam::DVec2;
 use self::band::Band;
 use self::facet::Facet;
 use self::texture::Texture;
+use crate::error::Error;
 use crate::picture::{MAX_PIXELS, MAX_SIDE, Picture};
 
 /// Rows that are worked at a time: enough to set triangles up rarely, few enough to stay in a cache.
 const BAND_ROWS: usize = 16;
 
+/// A warped picture.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Warped {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// `width × height × 4` bytes: straight (not premultiplied) RGBA, rows from top to bottom.
+    pub rgba: Vec<u8>,
+}
+
 /// The size in pixels of a picture warped at a scale: `round(width × scale)` by `round(height × scale)`.
 ///
-/// `None` where the scale is no positive number, or where nothing or more than a picture may have would come out.
-#[must_use]
-pub fn warped_size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
+/// # Errors
+/// [`Error::Scale`] where the scale is no positive number, or where nothing or more than a picture may have would come out.
+pub fn warped_size(width: u32, height: u32, scale: f64) -> Result<(u32, u32), Error> {
+    size(width, height, scale).ok_or(Error::Scale { scale, width, height })
+}
+
+fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
     let side = |length: u32| {
         let side = (f64::from(length) * scale).round();
         // NaN is in no range.
@@ -50,16 +66,24 @@ pub fn warped_size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// `rest` and `posed` are the mesh's vertices in image pixels, as many in both; `triangles` index them and are drawn in order,
 /// whichever way round they are. `scale` is pixels of the result per pixel of the picture.
 ///
-/// Gives straight RGBA, rows from top to bottom, of the size that [`warped_size`] names; transparent where no triangle
-/// lies. Where the mesh rests at scale 1, the bytes are the picture's.
+/// Gives a picture of the size that [`warped_size`] names, transparent where no triangle lies. Where the mesh rests at scale 1, the
+/// bytes are the picture's.
+///
+/// # Errors
+/// [`Error::Scale`] as [`warped_size`].
 ///
 /// # Panics
-/// Where [`warped_size`] is `None`, and where a triangle names a vertex that does not exist.
-#[must_use]
-pub fn warp(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<u8> {
-    let (width, height) =
-        warped_size(picture.width, picture.height, scale).expect("the caller asked for the size of the result");
-    let (width, height) = (width as usize, height as usize);
+/// Where `rest` and `posed` are not as many, and where a triangle names a vertex that does not exist.
+pub fn warp(
+    picture: &Picture<'_>,
+    rest: &[DVec2],
+    posed: &[DVec2],
+    triangles: &[[u32; 3]],
+    scale: f64,
+) -> Result<Warped, Error> {
+    assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and one where it is posed");
+    let size = warped_size(picture.width, picture.height, scale)?;
+    let (width, height) = (size.0 as usize, size.1 as usize);
 
     let facets: Vec<Facet> = triangles
         .iter()
@@ -83,7 +107,7 @@ pub fn warp(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &
         }
         band.resolve(rows);
     }
-    rgba
+    Ok(Warped { width: size.0, height: size.1, rgba })
 }
 
 /// The facets that touch each band of rows, in the order in which they are drawn.

@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use super::{warp, warped_size};
+use super::warped_size;
+use crate::error::Error;
 use crate::picture::Picture;
 
 /// A picture with a different colour and opacity everywhere; none of its pixels is wholly transparent.
@@ -20,6 +21,11 @@ fn noise(width: u32, height: u32) -> Vec<u8> {
 fn opaque(mut rgba: Vec<u8>) -> Vec<u8> {
     rgba.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = 255);
     rgba
+}
+
+/// The bytes alone.
+fn warp(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<u8> {
+    super::warp(picture, rest, posed, triangles, scale).unwrap().rgba
 }
 
 fn picture(width: u32, height: u32, rgba: &[u8]) -> Picture<'_> {
@@ -220,8 +226,11 @@ fn a_triangle_that_reaches_far_beyond_the_picture_fills_it() {
 
 #[test]
 fn sizes_that_make_no_picture_are_named() {
-    assert_eq!(warped_size(100, 51, 0.5), Some((50, 26)));
+    assert_eq!(warped_size(100, 51, 0.5), Ok((50, 26)));
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9, 164.0] {
-        assert_eq!(warped_size(100, 50, scale), None, "{scale}");
+        assert!(matches!(warped_size(100, 50, scale), Err(Error::Scale { .. })), "{scale}");
+        let rgba = opaque(noise(100, 50));
+        let warped = super::warp(&picture(100, 50, &rgba), &[], &[], &[], scale);
+        assert!(matches!(warped, Err(Error::Scale { .. })), "{scale}");
     }
 }
