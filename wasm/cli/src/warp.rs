@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let scene = Scene::open(&arguments.files)?;
     let picture = scene.picture()?;
     // A solve takes time that a scale which is none is not worth.
-    raster::warped_size(picture.width, picture.height, arguments.scale).map_err(CliError::Scale)?;
+    raster::warped_size(picture.width(), picture.height(), arguments.scale).map_err(CliError::Scale)?;
     let output = Output::create(&arguments.output)?;
 
     let solution = scene.solve()?;

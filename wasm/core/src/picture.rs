@@ -12,12 +12,9 @@ pub const MAX_PIXELS: u64 = 100_000_000;
 /// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom.
 #[derive(Debug, Clone, Copy)]
 pub struct Picture<'a> {
-    /// Width in pixels.
-    pub width: u32,
-    /// Height in pixels.
-    pub height: u32,
-    /// `width × height × 4` bytes.
-    pub rgba: &'a [u8],
+    width: u32,
+    height: u32,
+    rgba: &'a [u8],
 }
 
 impl<'a> Picture<'a> {
@@ -33,6 +30,30 @@ impl<'a> Picture<'a> {
             return Err(Error::PictureBytes { width, height, expected, found: rgba.len() });
         }
         Ok(Self { width, height, rgba })
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Width and height in pixels.
+    #[must_use]
+    pub fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
+    /// `width × height × 4` bytes.
+    #[must_use]
+    pub fn rgba(&self) -> &'a [u8] {
+        self.rgba
     }
 
     /// Whether any pixel is not fully opaque.

@@ -179,7 +179,7 @@ impl Request {
 
 /// Whether a picture has the size that a project is for.
 pub(crate) fn check_picture((project_width, project_height): (u32, u32), picture: &Picture) -> Result<(), Error> {
-    let &Picture { width, height, .. } = picture;
+    let (width, height) = picture.size();
     if (project_width, project_height) == (width, height) {
         return Ok(());
     }

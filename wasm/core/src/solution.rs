@@ -137,7 +137,7 @@ impl Solution {
             return Err(Error::PoseOfAnother);
         }
         if self.kinds == [0; 3] {
-            let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
+            let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
             return raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], scale);
         }

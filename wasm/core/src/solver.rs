@@ -324,8 +324,7 @@ impl Outline {
             Some(_) => false,
             None => picture.has_transparency(),
         };
-        let (width, height) = (picture.width, picture.height);
-        let size = DVec2::new(f64::from(width), f64::from(height));
-        Ok(Self { domain, navigation, picture: Some((width, height)), fading: soft.then_some(size) })
+        let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
+        Ok(Self { domain, navigation, picture: Some(picture.size()), fading: soft.then_some(size) })
     }
 }

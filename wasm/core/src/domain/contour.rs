@@ -21,7 +21,7 @@ const GRAIN: f64 = 1.0 / 65_536.0;
 /// Contours of `alpha ≥ threshold`, with the threshold in (0, 1], one by one.
 pub(super) fn alpha_contours<'a>(picture: &'a Picture<'a>, threshold: f64) -> impl Iterator<Item = Ring> + 'a {
     let field = Alpha { picture, threshold };
-    let (width, height) = (i64::from(picture.width), i64::from(picture.height));
+    let (width, height) = (i64::from(picture.width()), i64::from(picture.height()));
     let mut seen = vec![false; (width * height) as usize];
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y))).filter_map(move |(x, y)| {
         // Every contour passes some node whose left neighbour is outside.
@@ -53,9 +53,9 @@ struct Alpha<'a> {
 
 impl Alpha<'_> {
     fn at(&self, x: i64, y: i64) -> f64 {
-        let (width, height) = (i64::from(self.picture.width), i64::from(self.picture.height));
+        let (width, height) = (i64::from(self.picture.width()), i64::from(self.picture.height()));
         if (0..width).contains(&x) && (0..height).contains(&y) {
-            f64::from(self.picture.rgba[((y * width + x) * 4 + 3) as usize]) / 255.0
+            f64::from(self.picture.rgba()[((y * width + x) * 4 + 3) as usize]) / 255.0
         } else {
             0.0
         }
@@ -122,7 +122,7 @@ impl Alpha<'_> {
         let t = ((self.threshold - a) / (b - a)).clamp(NODE_CLEARANCE, 1.0 - NODE_CLEARANCE);
         let t = (t / GRAIN).round() * GRAIN;
         let (from, to) = (DVec2::new(ax as f64, ay as f64), DVec2::new(bx as f64, by as f64));
-        let size = DVec2::new(f64::from(self.picture.width), f64::from(self.picture.height));
+        let size = DVec2::new(f64::from(self.picture.width()), f64::from(self.picture.height()));
         (from + (to - from) * t + 0.5).clamp(DVec2::ZERO, size)
     }
 }

@@ -37,11 +37,11 @@ impl Domain {
     /// Those of [`Domain::from_alpha`] and [`Domain::from_polygon`].
     pub fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         match spec {
-            Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width, picture.height)),
+            Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width(), picture.height())),
             Some(DomainSpec::Alpha { threshold }) => Self::from_alpha(picture, *threshold),
-            Some(DomainSpec::Polygon { rings }) => Self::from_polygon(rings, picture.width, picture.height),
+            Some(DomainSpec::Polygon { rings }) => Self::from_polygon(rings, picture.width(), picture.height()),
             None if picture.has_transparency() => Self::from_alpha(picture, DomainSpec::THRESHOLD),
-            None => Ok(Self::rectangle(picture.width, picture.height)),
+            None => Ok(Self::rectangle(picture.width(), picture.height())),
         }
     }
 
@@ -59,7 +59,7 @@ impl Domain {
     /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`]; [`Error::Project`] for what is no threshold.
     pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
         DomainSpec::check_threshold(threshold)?;
-        let area = f64::from(picture.width) * f64::from(picture.height);
+        let area = f64::from(picture.width()) * f64::from(picture.height());
         let kept = islands::without_specks(contour::alpha_contours(picture, threshold), area);
         if kept.rings.is_empty() {
             return Err(match kept.specks {

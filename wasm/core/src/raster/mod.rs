@@ -82,7 +82,7 @@ pub fn warp(
     scale: f64,
 ) -> Result<Warped, Error> {
     assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and one where it is posed");
-    let size = warped_size(picture.width, picture.height, scale)?;
+    let size = warped_size(picture.width(), picture.height(), scale)?;
     let (width, height) = (size.0 as usize, size.1 as usize);
 
     let facets: Vec<Facet> = triangles

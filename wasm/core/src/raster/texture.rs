@@ -32,7 +32,7 @@ impl<'a> Texture<'a> {
     /// Prepares reading at levels of detail up to `greatest_lod`.
     pub(super) fn new(picture: Picture<'a>, greatest_lod: f32) -> Self {
         let mut texture = Self { picture, reductions: Vec::new() };
-        let last = picture.width.max(picture.height).ilog2();
+        let last = picture.width().max(picture.height()).ilog2();
         for level in 0..last.min(greatest_lod.ceil() as u32) as usize {
             let next = texture.halved(level);
             texture.reductions.push(next);
@@ -54,8 +54,8 @@ impl<'a> Texture<'a> {
 
     fn bilinear(&self, level: usize, place: DVec2) -> Vec4 {
         let (width, height) = self.size(level);
-        let (x, right, across) = taps(place.x, self.picture.width as usize, width);
-        let (y, below, down) = taps(place.y, self.picture.height as usize, height);
+        let (x, right, across) = taps(place.x, self.picture.width() as usize, width);
+        let (y, below, down) = taps(place.y, self.picture.height() as usize, height);
         if across == 0.0 && down == 0.0 {
             return self.texel(level, x, y);
         }
@@ -69,15 +69,15 @@ impl<'a> Texture<'a> {
 
     fn size(&self, level: usize) -> (usize, usize) {
         match level {
-            0 => (self.picture.width as usize, self.picture.height as usize),
+            0 => (self.picture.width() as usize, self.picture.height() as usize),
             _ => (self.reductions[level - 1].width, self.reductions[level - 1].height),
         }
     }
 
     fn texel(&self, level: usize, x: usize, y: usize) -> Vec4 {
         if level == 0 {
-            let start = (y * self.picture.width as usize + x) * 4;
-            let [r, g, b, a] = [0, 1, 2, 3].map(|channel| f32::from(self.picture.rgba[start + channel]));
+            let start = (y * self.picture.width() as usize + x) * 4;
+            let [r, g, b, a] = [0, 1, 2, 3].map(|channel| f32::from(self.picture.rgba()[start + channel]));
             Vec4::new(r, g, b, 255.0) * a
         } else {
             let reduction = &self.reductions[level - 1];
