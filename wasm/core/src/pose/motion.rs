@@ -1,7 +1,6 @@
 //! T_i: what a site does to the points around it.
 
 use glam::{DMat2, DVec2};
-use serde::{Deserialize, Serialize};
 
 use super::Strain;
 
@@ -10,7 +9,7 @@ use super::Strain;
 /// Kept as logarithms, which is how motions blend (eq. 4): angles and logarithms of stretches have no length to lose, so
 /// opposite rotations cannot cancel to nothing as the quaternions of the paper can, and more than half a turn stays more
 /// than half a turn. Blending about the site's own place makes the result independent of where the picture's corner is.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Turn in radians, from x towards y, of any number of turns.
     pub angle: f64,

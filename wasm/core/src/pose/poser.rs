@@ -8,7 +8,6 @@ use std::{
 };
 
 use glam::{DMat2, DVec2};
-use serde::{Deserialize, Serialize};
 
 use super::{
     Form, HarmonicFields, Motion, Pose, Quadrature, Solved, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles,
@@ -23,7 +22,7 @@ use crate::{
 /// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples.
 ///
 /// Cost of a pose: microseconds in the harmonic mode, some hundreds of them in the rigid one.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
 pub struct Poser {
     rest: Arc<[DVec2]>,
     origin: Vec<Origin>,
@@ -235,13 +234,18 @@ impl Poser {
     /// The poser as bytes, to be made again elsewhere by [`Poser::from_bytes`] of the same version.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        postcard::to_allocvec(self).expect("plain data can be written to memory")
+        // Not by a derived implementation: anybody could then read one past the checks of `from_bytes`.
+        let Self { rest, origin, skeleton, solved, shares, edges, meeting, rigid } = self;
+        let all = (rest, origin, skeleton, solved, shares, edges, meeting, rigid);
+        postcard::to_allocvec(&all).expect("plain data can be written to memory")
     }
 
     /// # Errors
     /// [`Error::PoserBytes`] for anything but the result of [`Poser::to_bytes`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
-        let poser: Self = postcard::from_bytes(bytes).map_err(|_| Error::PoserBytes)?;
+        let all = postcard::from_bytes(bytes).map_err(|_| Error::PoserBytes)?;
+        let (rest, origin, skeleton, solved, shares, edges, meeting, rigid) = all;
+        let poser = Self { rest, origin, skeleton, solved, shares, edges, meeting, rigid };
         let sites = poser.rest.len();
         let real = |site: u32| poser.origin.get(site as usize).is_some_and(|origin| origin.is_real());
         let known = |origin: &Origin| match *origin {

@@ -3,7 +3,6 @@
 use std::ops::{Add, Mul};
 
 use glam::{DMat2, DVec2};
-use serde::{Deserialize, Serialize};
 
 /// The least factor that a length may be stretched by: its logarithm must be finite.
 const LEAST: f64 = 1e-9;
@@ -12,7 +11,7 @@ const LEAST: f64 = 1e-9;
 ///
 /// Stretches blend as sums of their logarithms, so a blend of stretches is one, too: lengths stay above 0, and nothing is turned
 /// or turned over (log-Euclidean means: Arsigny et al. 2007).
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Strain {
     /// Along x.
     pub xx: f64,
