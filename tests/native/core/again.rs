@@ -1,6 +1,10 @@
 //! A solver that has solved before, and one that has not.
 
-use c2warp::{Error, Picture, Solution, Solver, project::Project, solve};
+use c2warp::{
+    Error, Picture, Solution, Solver,
+    project::{ImageRef, Project},
+    solve,
+};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -28,6 +32,25 @@ fn check(projects: &[Project], picture: &Picture) -> Result<(), TestCaseError> {
         }
     }
     Ok(())
+}
+
+#[test]
+fn a_picture_of_another_size_has_an_outline_of_its_own() {
+    let mut solver = Solver::new();
+    for (width, height) in [(64, 48), (200, 100)] {
+        let rgba = vec![255; (width * height * 4) as usize];
+        let picture = Picture::new(width, height, &rgba).expect("a picture of fair size");
+        let mut project = Project::new(ImageRef { src: "white.png".into(), width, height });
+        let far = DVec2::new(f64::from(width), f64::from(height)) - 4.0;
+        project.samples = 300;
+        project.handles = vec![handle(0, DVec2::splat(4.0), DVec2::splat(4.0), 0.0), handle(1, far, far, 0.0)];
+        assert!(!solver.has_solved(&project));
+        advance(&mut solver, &project, &picture).expect("handles on the picture");
+        assert!(solver.has_solved(&project));
+        // Of a smaller picture both would be solved as well, but on another outline.
+        project.image.width += 1;
+        assert!(!solver.has_solved(&project));
+    }
 }
 
 proptest! {

@@ -50,6 +50,8 @@ impl Stage {
 
 /// Solves projects of one picture, stage by stage, and keeps for the next solve what does not depend on point handles: the
 /// picture's outline, and the ground of samples and scouts.
+///
+/// A picture is known by its size: another of the same size needs a new solver.
 #[derive(Debug, Default)]
 pub struct Solver {
     outline: Option<(DomainKey, Arc<Outline>)>,
@@ -71,8 +73,8 @@ pub(crate) struct Outline {
     fading: Option<DVec2>,
 }
 
-/// What a domain depends on, apart from the picture.
-type DomainKey = Option<DomainSpec>;
+/// What a domain depends on, apart from the picture's pixels: what the project says of it, and the picture's size.
+type DomainKey = (Option<DomainSpec>, (u32, u32));
 
 /// A solve under way.
 #[derive(Debug)]
@@ -93,7 +95,7 @@ impl Solver {
         Self::default()
     }
 
-    /// Begins a solve, dropping one under way. All calls of one solver must pass the same picture.
+    /// Begins a solve, dropping one under way. All pictures of one size that are passed to a solver must be the same.
     ///
     /// Runs the domain's stage up to the check of what the project asks for.
     ///
@@ -104,9 +106,10 @@ impl Solver {
         self.work = None;
         check_picture(project.image.size(), picture)?;
         let request = Request::new(project)?;
-        if self.outline.as_ref().is_none_or(|(key, _)| *key != project.domain) {
+        let key = domain_key(project);
+        if self.outline.as_ref().is_none_or(|(known, _)| *known != key) {
             let outline = Outline::new(project.domain.as_ref(), picture)?;
-            self.outline = Some((project.domain.clone(), Arc::new(outline)));
+            self.outline = Some((key, Arc::new(outline)));
             (self.ground, self.scouts_ground) = (None, None);
         }
         self.work = Some(Work { request, rest: None, samples: None, regions: None });
@@ -119,7 +122,7 @@ impl Solver {
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
     /// [`Error::BarsOverlap`], [`Error::TooManySites`]. The solve is then over; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
-        let (Some(mut work), Some((_, outline))) = (self.work.take(), &self.outline) else { return Ok(None) };
+        let (Some(mut work), Some((key, outline))) = (self.work.take(), &self.outline) else { return Ok(None) };
         let outline = Arc::clone(outline);
         let stage = match (&work.rest, &work.samples, &work.regions) {
             (None, ..) => {
@@ -137,7 +140,7 @@ impl Solver {
                 Stage::Regions
             }
             _ => {
-                let (key, request) = (self.outline.as_ref().and_then(|(key, _)| key.clone()), work.request.clone());
+                let (key, request) = (key.clone(), work.request.clone());
                 self.solution = Some((key, request, self.finish(work, outline)));
                 return Ok(Some(Stage::Weights));
             }
@@ -225,11 +228,11 @@ impl Solver {
         self.solution.as_ref().map(|(.., solution)| solution).expect("asked for after a solve")
     }
 
-    /// Whether the last solution is that of a project, wherever its handles are posed.
+    /// Whether the last solution is that of a project, wherever its handles are posed. What `image.src` names plays no part.
     #[must_use]
     pub fn has_solved(&self, project: &Project) -> bool {
         self.solution.as_ref().is_some_and(|(domain, request, _)| {
-            *domain == project.domain && Request::new(project).is_ok_and(|other| other == *request)
+            *domain == domain_key(project) && Request::new(project).is_ok_and(|other| other == *request)
         })
     }
 
@@ -238,6 +241,10 @@ impl Solver {
     pub fn into_solution(self) -> Option<Solution> {
         self.solution.map(|(.., solution)| solution)
     }
+}
+
+fn domain_key(project: &Project) -> DomainKey {
+    (project.domain.clone(), project.image.size())
 }
 
 /// The ground of samples that is known, or another where it is not the one that is wanted.
