@@ -115,7 +115,7 @@ impl Suite {
             self.stages(&mut solver, project, &picture)?;
             self.stages(&mut solver, &more, &picture)
         })?;
-        Ok(solve(&stages, solver.solution()))
+        Ok(solve(&stages, solver.solution().expect("every stage has run")))
     }
 
     /// The motions of all sites in the rigid mode, with every rotation left to the solver.

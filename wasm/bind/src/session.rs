@@ -62,19 +62,15 @@ impl Session {
     /// # Errors
     /// Before a solve has finished.
     pub fn solution(&self) -> Result<Solution, JsValue> {
-        match &self.project {
-            Some(project) if self.finished => {
+        match (&self.project, self.solver.solution()) {
+            (Some(project), Some(solution)) if self.finished => {
                 let start = now_ms();
-                let pose = self
-                    .solver
-                    .solution()
-                    .poser()
-                    .pose(&project.handles, project.pose.blend)
-                    .map_err(|error| to_js(&error))?;
+                let pose = solution.poser().pose(&project.handles, project.pose.blend);
+                let pose = pose.map_err(|error| to_js(&error))?;
                 let ms = StageTimes { pose: now_ms() - start, ..self.ms.clone() };
-                let report = Inspection { report: self.solver.solution().report(&pose), ms };
+                let report = Inspection { report: solution.report(&pose), ms };
                 let report = serde_json::to_string(&report).expect("numbers under names are JSON");
-                Ok(Solution::new(self.solver.solution(), report))
+                Ok(Solution::new(solution, report))
             }
             _ => Err(with_code("there is no solution yet", "engine")),
         }
@@ -121,7 +117,7 @@ impl Session {
             self.try_begin(project_json)?;
             while self.try_advance()?.is_some() {}
         }
-        let solution = self.solver.solution();
+        let solution = self.solver.solution().expect("every stage has run");
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         Ok(solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale)?.rgba)
     }

@@ -37,7 +37,7 @@ fn inspect(scene: &Scene) -> Result<Inspection, CliError> {
     while let Some(stage) = solver.advance().map_err(refused)? {
         ms.add(stage, lap_ms(&mut start));
     }
-    let solution = solver.solution();
+    let solution = solver.solution().expect("every stage has run");
     start = Instant::now();
     let pose = scene.pose(solution)?;
     ms.pose = lap_ms(&mut start);

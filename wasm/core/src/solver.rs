@@ -219,13 +219,10 @@ impl Solver {
         }
     }
 
-    /// The last solution.
-    ///
-    /// # Panics
-    /// Before the first solve has finished.
+    /// The last solution; `None` before the first solve has finished.
     #[must_use]
-    pub fn solution(&self) -> &Solution {
-        self.solution.as_ref().map(|(.., solution)| solution).expect("asked for after a solve")
+    pub fn solution(&self) -> Option<&Solution> {
+        self.solution.as_ref().map(|(.., solution)| solution)
     }
 
     /// Whether the last solution is that of a project, wherever its handles are posed. What `image.src` names plays no part.
