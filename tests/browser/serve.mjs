@@ -1,6 +1,6 @@
 /**
  * Serves what the browser tests look at, as it would be deployed: the built editor at /, the harness at /harness/, the element for other
- * people's pages at /element/, and such a page at /plain/.
+ * people's pages at /element/, and such pages at /plain/ and /article/.
  *
  * Built in memory, so that two runs side by side do not disturb each other; served under the strictest Content Security
  * Policy that the program promises to work with.
@@ -30,7 +30,8 @@ const files = new Map();
 await add('', 'vite.config.ts', {});
 await add('harness/', 'vite.config.ts', { root: path('harness'), publicDir: false });
 await add('element/', 'vite.element.config.ts', {});
-files.set('plain/index.html', await readFile(path('plain.html')));
+for (const page of ['plain', 'article'])
+  files.set(`${page}/index.html`, await readFile(path(`${page}.html`)));
 
 createServer(async (request, response) => {
   const { pathname } = new URL(request.url ?? '/', 'http://localhost');

@@ -5,9 +5,10 @@
  * |---|---|
  * | `src` | the address of the picture; a new one is opened in place of what is open |
  * | `project` | the address of the project file that goes with `src`: the two are opened together, and anew when either is set to another |
- * | `tool` | `select`, `point`, `bar`, `polygon` or `hand`: taken up when it is set, when the element comes to a page, and when it is no longer readonly |
+ * | `tool` | `select`, `point`, `bar`, `polygon` or `hand`: taken up when it is set, when the element comes to a page, and when it is no longer `readonly` or `play` |
  * | `readonly` | people look, pan and zoom, and change nothing; methods do |
  * | `disabled` | people can do nothing |
+ * | `play` | the picture and its handles alone, for an article: people pose the handles that are there and nothing else, and the page keeps the wheel, the fingers and the keys that hold none. `readonly` as well: the picture alone |
  * | `theme` | `light` or `dark`; left out: as the system has it |
  * | `hint`, `hint-for` | what a first visitor is told, and the id of the handle that it is about |
  * | `autosave` | a key of the browser's storage: what is open is kept there after every step, and comes back in place of the first `src` |
@@ -28,10 +29,10 @@
  * (the solver could not be started), or what the solver refuses, such as `handle-outside`; then `handles` are the ids of the handles that
  * its message names.
  *
- * Setting `readonly` or `disabled` gives up the drag, the drawing or the number that a person is in the midst of. Several elements
- * may live on one page; one that is removed gives back its worker and its WebGL context, and has its document still when
- * it comes back. Properties may be set before the element is on a page, or known to it at all. Importing this
- * file where there is no DOM does nothing.
+ * Setting `readonly`, `disabled` or `play`, and taking `play` away, gives up the drag, the drawing or the number that a person is in the
+ * midst of. Several elements may live on one page; one that is removed gives back its worker and its WebGL context, and has its document
+ * still when it comes back. Properties may be set before the element is on a page, or known to it at all. Importing this file where there
+ * is no DOM does nothing.
  */
 import type { PropertyValues, TemplateResult } from 'lit';
 import { handleById } from './document/document';
@@ -57,6 +58,7 @@ import { isToolName } from './tools/machine';
 import { chromeStyle } from './ui/chrome-style';
 import { forcedStyle } from './ui/forced-style';
 import { layout } from './ui/layout';
+import { playStyle } from './ui/play-style';
 import { shell } from './ui/shell';
 import { stageStyle } from './ui/stage-style';
 import { theme } from './ui/theme';
@@ -71,7 +73,7 @@ export type NewHandle<H = HandleFile> = H extends HandleFile
   : never;
 
 export class C2Warp extends TypedElement {
-  static override styles = [theme, layout, stageStyle, chromeStyle, touchStyle, forcedStyle];
+  static override styles = [theme, layout, stageStyle, chromeStyle, touchStyle, playStyle, forcedStyle];
 
   static override properties = {
     src: {},
@@ -79,6 +81,7 @@ export class C2Warp extends TypedElement {
     tool: {},
     readonly: { type: Boolean, reflect: true },
     disabled: { type: Boolean, reflect: true },
+    play: { type: Boolean, reflect: true },
     theme: { reflect: true },
     hint: {},
     hintFor: { attribute: 'hint-for' },
@@ -90,6 +93,7 @@ export class C2Warp extends TypedElement {
   declare tool: string | null;
   declare readonly: boolean;
   declare disabled: boolean;
+  declare play: boolean;
   declare theme: string | null;
   declare hint: string | null;
   declare hintFor: string | null;
@@ -114,6 +118,7 @@ export class C2Warp extends TypedElement {
     this.tool = null;
     this.readonly = false;
     this.disabled = false;
+    this.play = false;
     this.theme = null;
     this.hint = null;
     this.hintFor = null;
@@ -272,6 +277,9 @@ export class C2Warp extends TypedElement {
       get disabled() {
         return element.disabled;
       },
+      get play() {
+        return element.play;
+      },
       get dark() {
         return element.#dark;
       },
@@ -291,7 +299,7 @@ export class C2Warp extends TypedElement {
     this.#turn = this.#desk.files.turn();
     this.#receiving = new Receiving(
       this,
-      () => !this.readonly && !this.disabled,
+      () => !this.readonly && !this.disabled && !this.play,
       (files) => void this.#desk?.files.receive(files),
     );
     this.#focusing = new Focusing(this);
@@ -342,11 +350,12 @@ export class C2Warp extends TypedElement {
     if (this.readonly || this.disabled) {
       if (changes.has('readonly') || changes.has('disabled')) desk.stop();
     }
-    if (isToolName(this.tool) && (fresh || changes.has('tool') || changes.has('readonly'))) {
-      desk.choose(this.tool);
-    }
+    const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
+    const rearranged = changes.has('play') || (this.play && changes.has('readonly'));
+    if (stage && !fresh && rearranged) desk.rearrange(stage);
+    const freed = changes.has('readonly') || changes.has('play');
+    if (isToolName(this.tool) && (fresh || freed || changes.has('tool'))) desk.choose(this.tool);
     if (fresh) {
-      const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
       if (stage) desk.attach(stage);
       void this.#beginning.begin(desk, turn);
     } else if (this.#asks(changes)) {

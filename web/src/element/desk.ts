@@ -5,13 +5,14 @@
  * here, so that `dispose` gives all of it back.
  */
 import { blendOf } from '../document/bending';
-import { anchor, nameOf } from '../document/handle';
+import { selectedHandles } from '../document/document';
+import { anchor, corners, nameOf } from '../document/handle';
 import { deviceView, panned } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
 import type { Effect } from '../tools/state';
 import type { CommandName } from '../ui/commands';
-import type { EditorActions, EditorModel, Hint, OverlayFlags } from '../ui/model';
+import type { EditorActions, EditorModel, Hint, Notice, OverlayFlags } from '../ui/model';
 import { showSelected } from '../ui/panel';
 import { Drawing } from './drawing';
 import type { ChangeKind, Editing } from './editing';
@@ -35,6 +36,7 @@ export interface DeskHost {
   readonly root: ShadowRoot;
   readonly readonly: boolean;
   readonly disabled: boolean;
+  readonly play: boolean;
   readonly dark: boolean;
   /** The tool that the page names. */
   readonly tool: string | null;
@@ -49,6 +51,8 @@ export interface DeskHost {
 
 /** What a few words beside a handle take, CSS pixels. */
 const HINT_WIDTH = 170;
+
+const NO_OVERLAYS: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false, reach: false };
 
 /** The step of a drawing. */
 const SET_CORNER = 'Set a corner';
@@ -75,7 +79,7 @@ export class Desk {
   #settling: ReturnType<typeof setTimeout> | undefined;
   #box: EditorModel['box'] = null;
   #comparing = false;
-  #overlays: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false, reach: false };
+  #overlays = NO_OVERLAYS;
   #settings = false;
   #numbers = false;
   #touched = false;
@@ -93,6 +97,10 @@ export class Desk {
       },
       get sheet() {
         return desk.#settings || desk.workbench.editing.document.selection.length > 0;
+      },
+      get bare() {
+        if (!host.play) return null;
+        return host.readonly ? 'picture' : 'handles';
       },
     });
     this.talking = new Talking({
@@ -162,8 +170,38 @@ export class Desk {
     });
     this.#sizing.observe(stage);
     this.viewing.resize({ width: stage.clientWidth, height: stage.clientHeight });
+    this.#input = this.#listen(stage);
+    try {
+      this.#drawing = new Drawing(this.canvas, {
+        view: () => ({
+          ...deviceView(this.viewing.camera, this.viewing.stage, devicePixelRatio),
+          compare: this.#comparing,
+          overlays: this.#shown,
+        }),
+        motions: () => this.posing.motions(),
+        blend: () => blendOf(this.workbench.editing.project),
+        reach: () => (this.#shown.reach ? this.#reaching.reach() : null),
+      });
+    } catch (error) {
+      this.talking.report(error);
+    }
+  }
+
+  /** People edit the picture, or pose its handles alone, as the host has it now. What they are in the midst of is given up. */
+  rearrange(stage: HTMLElement): void {
+    this.stop();
+    const { editing } = this.workbench;
+    if (this.#host.play) editing.apply(editing.machine.choose('select'));
+    this.#input?.release();
+    this.#input = this.#listen(stage);
+    this.viewing.resize({ width: stage.clientWidth, height: stage.clientHeight });
+    this.viewing.fit();
+    this.#looked();
+  }
+
+  #listen(stage: HTMLElement): Input {
     const desk = this;
-    this.#input = new Input(this.#host.root, stage, {
+    return new Input(this.#host.root, stage, {
       editing: this.workbench.editing,
       viewing: this.viewing,
       posing: this.posing,
@@ -173,6 +211,10 @@ export class Desk {
       get disabled() {
         return desk.#host.disabled;
       },
+      get readonly() {
+        return desk.#host.readonly;
+      },
+      playing: this.#host.play,
       get comparing() {
         return desk.#comparing;
       },
@@ -183,20 +225,6 @@ export class Desk {
       say: (text) => this.talking.say(text),
       held: (id, corner) => this.#focus(id, corner),
     });
-    try {
-      this.#drawing = new Drawing(this.canvas, {
-        view: () => ({
-          ...deviceView(this.viewing.camera, this.viewing.stage, devicePixelRatio),
-          compare: this.#comparing,
-          overlays: this.#overlays,
-        }),
-        motions: () => this.posing.motions(),
-        blend: () => blendOf(this.workbench.editing.project),
-        reach: () => (this.#overlays.reach ? this.#reaching.reach() : null),
-      });
-    } catch (error) {
-      this.talking.report(error);
-    }
   }
 
   /** From now on, what is open is kept under this key; under none, no more. */
@@ -277,7 +305,7 @@ export class Desk {
 
   choose(tool: ToolName): void {
     const { editing } = this.workbench;
-    if (this.#host.readonly && tool !== 'hand') return;
+    if (this.#host.play || (this.#host.readonly && tool !== 'hand')) return;
     editing.apply(editing.machine.choose(tool));
     // A line is drawn on the picture: what was selected lets go of the arrow keys.
     if (tool === 'bar' || tool === 'polygon') {
@@ -293,7 +321,8 @@ export class Desk {
   get model(): Omit<EditorModel, 'platform'> {
     const { editing, solving, picture } = this.workbench;
     const { machine } = editing;
-    const { readonly, disabled, dark } = this.#host;
+    const { readonly, disabled, play: playing, dark } = this.#host;
+    const overlays = this.#shown;
     return {
       document: editing.document,
       turns: this.posing.turns(),
@@ -302,6 +331,7 @@ export class Desk {
       tool: machine.tool,
       readonly,
       disabled,
+      playing,
       dark,
       camera: this.viewing.camera,
       stage: this.viewing.stage,
@@ -312,14 +342,14 @@ export class Desk {
       redo: machine.takenBack ? SET_CORNER : machine.draft ? null : editing.redoLabel,
       solved: solving.label,
       progress: this.talking.progress,
-      notice: this.talking.notice,
+      notice: this.#notice,
       hint: this.#hint,
       announcement: this.talking.announcement,
       comparing: this.#comparing,
-      overlays: this.#overlays,
-      sites: this.#overlays.sites || this.#overlays.graph ? this.posing.graph() : null,
-      folded: this.#overlays.folds ? this.posing.folded() : null,
-      folds: this.#overlays.folds || this.guarding.on ? this.posing.folds() : this.#noticing.folds,
+      overlays,
+      sites: overlays.sites || overlays.graph ? this.posing.graph() : null,
+      folded: overlays.folds ? this.posing.folded() : null,
+      folds: overlays.folds || this.guarding.on ? this.posing.folds() : this.#noticing.folds,
       beyond: this.#noticing.beyond,
       guarded: this.guarding.on,
       holding: this.guarding.holding,
@@ -363,7 +393,8 @@ export class Desk {
     hold: (id) => this.#focus(id),
     refuse: (text) => this.talking.notify({ kind: 'info', text }),
     reveal: (at) => {
-      this.viewing.reveal(at);
+      if (this.#host.play) this.viewing.contain([at]);
+      else this.viewing.reveal(at);
       this.#looked();
     },
     dismiss: () => this.talking.dismiss(),
@@ -378,6 +409,16 @@ export class Desk {
 
   get #editable(): boolean {
     return !this.#host.readonly && !this.#host.disabled && this.workbench.picture !== null;
+  }
+
+  /** Those who pose a picture see nothing else of it. */
+  get #shown(): OverlayFlags {
+    return this.#host.play ? NO_OVERLAYS : this.#overlays;
+  }
+
+  /** Nor are they told or offered what is of use to editors. */
+  get #notice(): Notice | null {
+    return this.#host.play ? this.talking.error : this.talking.notice;
   }
 
   /** Until something has been moved. */
@@ -396,7 +437,7 @@ export class Desk {
   #opened(picture: Picture | null): void {
     this.posing.forget();
     this.talking.clear();
-    if (picture) this.talking.say(`${picture.name} is open`);
+    if (picture && !this.#host.play) this.talking.say(`${picture.name} is open`);
     this.#drawing?.setPicture(picture?.bitmap ?? null);
     this.viewing.show(picture);
     this.#looked();
@@ -423,7 +464,7 @@ export class Desk {
     this.#listed = selection;
     if (kind === 'selection') {
       this.#settings = false;
-      if (this.#overlays.reach) this.#drawing?.look();
+      if (this.#shown.reach) this.#drawing?.look();
     } else {
       this.#drawing?.pose();
       this.#noticing.posed();
@@ -432,10 +473,18 @@ export class Desk {
     if (kind === 'change') {
       clearTimeout(this.#settling);
       this.#settling = setTimeout(() => this.workbench.editing.settle(), SETTLE_MS);
+      if (this.#host.play) this.#contain();
     }
     if (kind !== 'input') this.#keep();
     this.#host.edited(kind);
     this.#host.changed();
+  }
+
+  /** What has been moved can be moved back. */
+  #contain(): void {
+    const selected = selectedHandles(this.workbench.editing.document);
+    this.viewing.contain(selected.flatMap((handle) => corners(handle)));
+    this.#looked();
   }
 
   #keep(): void {
@@ -463,7 +512,7 @@ export class Desk {
   /** Takes back what is at hand. Returns whether there was anything. */
   #bail(): boolean {
     const { editing } = this.workbench;
-    const { notice } = this.talking;
+    const notice = this.#notice;
     if (editing.machine.busy || editing.machine.draft) {
       editing.apply(editing.machine.bail());
       this.#looked();

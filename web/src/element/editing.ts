@@ -155,6 +155,7 @@ export class Editing {
   /** Back to rest: what is selected, or everything. */
   reset(all: boolean): void {
     const ids = all ? this.project.handles.map((handle) => handle.id) : this.document.selection;
+    if (!all && ids.length === 0) return;
     const label = all ? 'Reset all handles' : `Reset ${this.#selectionName()}`;
     this.step(label, resetHandles(this.document, ids));
   }
@@ -260,6 +261,12 @@ export class Editing {
   /** What came in a row of nudges is over. */
   settle(): void {
     this.#history.settle();
+  }
+
+  /** Nothing comes of a press in hand, nor of any drawing. */
+  giveUp(): void {
+    this.apply(this.machine.clear());
+    this.#drawn = null;
   }
 
   /**

@@ -8,8 +8,8 @@ import { add, distance, scaled, type Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
 import { hit } from '../tools/hit';
 import type { Grips, Press, Scene } from '../tools/state';
-import type { CommandName } from '../ui/commands';
-import { Pointing, type StagePointer } from '../ui/pointing';
+import { type CommandName, commandsFor } from '../ui/commands';
+import { Pointing, type PointingHost, type StagePointer } from '../ui/pointing';
 import type { Editing } from './editing';
 import { Keyboard } from './keyboard';
 import type { Posing } from './posing';
@@ -21,6 +21,9 @@ export interface InputHost {
   readonly posing: Posing;
   readonly editable: boolean;
   readonly disabled: boolean;
+  readonly readonly: boolean;
+  /** Handles are posed and nothing else; the view stands still, and its gestures and keys are the page's. Never changes. */
+  readonly playing: boolean;
   /** The original is shown, and no handle with it. */
   readonly comparing: boolean;
   /** Camera, cursor or crosshair changed. */
@@ -67,7 +70,7 @@ export class Input {
   constructor(root: ShadowRoot, stage: HTMLElement, host: InputHost) {
     this.#root = root;
     this.#host = host;
-    this.#pointing = new Pointing(stage, {
+    const pointing: PointingHost = {
       get camera() {
         return host.viewing.camera;
       },
@@ -76,20 +79,25 @@ export class Input {
       pressMove: (pointer) => this.#apply(host.editing.machine.move(this.#press(pointer), this.scene)),
       pressUp: (pointer) => this.#up(pointer),
       pressCancel: () => this.#apply(host.editing.machine.cancel()),
+      holds: (pointer) => this.#holds(pointer),
+      pressedBeside: () => host.editable && host.editing.select([]),
       pressedTwice: (pointer) => this.#pressedTwice(this.#press(pointer).at),
       hover: (pointer) => this.#hover(pointer),
-    });
+    };
+    this.#pointing = new Pointing(stage, pointing, host.playing ? 'page' : 'editor');
     this.#keyboard = new Keyboard(root, {
       get disabled() {
         return host.disabled;
+      },
+      get commands() {
+        return commandsFor(host.playing, host.readonly);
       },
       run: (command) => host.run(command),
       compare: (on) => host.compare(on),
       bail: () => host.bail(),
       space: (held) => this.#holdSpace(held),
       arrow: (by) => this.#arrow(by),
-      turn: (degrees) =>
-        host.editable && host.editing.document.selection.length > 0 && host.editing.turn(degrees),
+      turn: (degrees) => this.#turn(degrees),
       place: () => this.#placeByKey(),
     });
   }
@@ -127,16 +135,21 @@ export class Input {
     if (this.#pans || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
     if (machine.draft) return machine.draft.finishing ? 'pointer' : 'crosshair';
     const places = machine.tool !== 'select';
-    const under = this.#hovered ? hit(this.scene, this.#hovered, !places) : null;
+    const under = this.#hovered && this.#shown ? hit(this.scene, this.#hovered, !places) : null;
     if (under?.part === 'ring') return TURN_CURSOR;
     if (under) return machine.busy ? 'grabbing' : 'move';
     return places ? 'crosshair' : 'default';
   }
 
-  /** A press moves the view, whatever the tool: there is nothing to edit, or nothing of it to be seen. */
-  get #pans(): boolean {
+  /** There is something to edit, and it can be seen. */
+  get #shown(): boolean {
     const { editable, comparing } = this.#host;
-    return !editable || comparing || this.#space;
+    return editable && !comparing;
+  }
+
+  /** A press moves the view, whatever the tool. */
+  get #pans(): boolean {
+    return !this.#host.playing && (!this.#shown || this.#space);
   }
 
   /** What is being drawn is done. */
@@ -170,10 +183,10 @@ export class Input {
 
   /** Nothing more comes of what was begun: a drag, a drawing, a number being typed. */
   stop(): void {
-    const { editing } = this.#host;
     this.crosshair = null;
     this.#finishField();
-    this.#apply(editing.machine.clear());
+    this.#host.editing.giveUp();
+    this.#host.looked();
   }
 
   /** The view has perhaps moved under a pointer that stands still: another part of the picture lies there. */
@@ -190,6 +203,11 @@ export class Input {
   #press(pointer: StagePointer): Press {
     const at = toImage(this.#host.viewing.camera, pointer.stage);
     return { at, stage: pointer.stage, shift: pointer.shift, alt: pointer.alt };
+  }
+
+  #holds(pointer: StagePointer): boolean {
+    this.#coarse = pointer.coarse;
+    return this.#shown && hit(this.scene, this.#press(pointer).at) !== null;
   }
 
   #down(pointer: StagePointer, pans: boolean): void {
@@ -262,15 +280,24 @@ export class Input {
     if (this.cursor !== before || machine.draft) this.#host.looked();
   }
 
-  #holdSpace(held: boolean): void {
-    if (this.#space === held) return;
+  #holdSpace(held: boolean): boolean {
+    if (this.#host.playing) return false;
+    if (this.#space === held) return true;
     this.#space = held;
     this.#pointing.space = held;
     this.#host.looked();
+    return true;
+  }
+
+  #turn(degrees: number): boolean {
+    const { editing, editable } = this.#host;
+    if (!editable || editing.document.selection.length === 0) return false;
+    editing.turn(degrees);
+    return true;
   }
 
   /** Nudges the corner that has the focus, else what is selected; with a tool that places, the crosshair; else the picture. */
-  #arrow(by: Vec): void {
+  #arrow(by: Vec): boolean {
     const { editing, viewing, editable } = this.#host;
     const { draft } = editing.machine;
     const corner = this.#focusedCorner;
@@ -284,20 +311,21 @@ export class Input {
       editing.machine.hover(this.#pressAt(this.crosshair), this.scene);
       this.#host.say(`x ${Math.round(this.crosshair[0])}, y ${Math.round(this.crosshair[1])}`);
       this.#host.looked();
-    } else {
-      this.#look(panned(viewing.camera, scaled(by, -ARROW_PAN)));
-    }
+    } else if (this.#host.playing) return false;
+    else this.#look(panned(viewing.camera, scaled(by, -ARROW_PAN)));
+    return true;
   }
 
   /** Places a handle or sets a corner at the crosshair. Where no arrow key has moved it, what is drawn is done. */
-  #placeByKey(): void {
+  #placeByKey(): boolean {
     const { editing, editable } = this.#host;
     const { machine } = editing;
+    if (!editable || !this.#places) return false;
     // A press in hand goes on: it is no place for another.
-    if (!editable || !this.#places || machine.busy) return;
+    if (machine.busy) return true;
     if (machine.draft && !this.crosshair) {
       this.finish();
-      return;
+      return true;
     }
     const press = this.#pressAt(this.crosshair ?? this.#middle);
     // Away from handles' reach does not matter here: what is asked for is a new one.
@@ -307,6 +335,7 @@ export class Input {
     this.crosshair = null;
     const [added] = editing.document.selection;
     if (added && handleById(editing.document, added)) this.#host.held(added);
+    return true;
   }
 
   /** The tool in hand puts something on the picture. */

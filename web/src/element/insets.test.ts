@@ -2,9 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { type Cards, insetsOf } from './insets';
 
 /** What the cards leave free of an element of this size, CSS pixels. */
-const free = (width: number, height: number, cards: Omit<Cards, 'stage'>) => {
+const free = (width: number, height: number, cards: Pick<Cards, 'coarse' | 'sheet'>) => {
   const bars = cards.coarse ? 98 : 82;
-  const { top, right, bottom, left } = insetsOf({ stage: { width, height: height - bars }, ...cards });
+  const { top, right, bottom, left } = insetsOf({
+    stage: { width, height: height - bars },
+    bare: null,
+    ...cards,
+  });
   return { width: width - left - right, height: height - bars - top - bottom };
 };
 
@@ -39,5 +43,13 @@ describe('what the cards leave free', () => {
   it('is more where no sheet is open', () => {
     const room = (sheet: boolean) => free(390, 780, { coarse: true, sheet }).height;
     expect(room(false)).toBe(room(true) + 60);
+  });
+
+  it('is all but a rim for handles where there are none, and all where there are no handles', () => {
+    const around = (bare: 'handles' | 'picture', coarse: boolean) =>
+      insetsOf({ stage: { width: 390, height: 300 }, coarse, sheet: true, bare });
+    expect(around('handles', false)).toEqual({ top: 16, right: 16, bottom: 16, left: 16 });
+    expect(around('handles', true)).toEqual({ top: 24, right: 24, bottom: 24, left: 24 });
+    expect(around('picture', true)).toEqual({ top: 0, right: 0, bottom: 0, left: 0 });
   });
 });

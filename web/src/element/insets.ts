@@ -1,7 +1,7 @@
 /** Room for the cards over the stage. The breakpoints are those of `ui/layout.ts`, which are of the stage with its bars. */
 import type { Insets, Size } from '../geometry/camera';
 
-/** What the cards depend on. */
+/** What the insets depend on. */
 export interface Cards {
   /** CSS pixels. */
   readonly stage: Size;
@@ -9,12 +9,20 @@ export interface Cards {
   readonly coarse: boolean;
   /** The panel is open, where it is a sheet. */
   readonly sheet: boolean;
+  /** What is shown without any bars and cards. */
+  readonly bare: 'handles' | 'picture' | null;
 }
+
+/** A handle at the rim of a bare picture is seen whole, and can be taken hold of. CSS pixels. */
+const RIM = { fine: 16, coarse: 24 } as const;
 
 /** What both bars take of the height, CSS pixels. */
 const BARS = { fine: 82, coarse: 98 } as const;
 
-export function insetsOf({ stage: { width, height }, coarse, sheet }: Cards): Insets {
+const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by });
+
+export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Cards): Insets {
+  if (bare) return even(bare === 'picture' ? 0 : RIM[coarse ? 'coarse' : 'fine']);
   const whole = height + BARS[coarse ? 'coarse' : 'fine'];
   if (width >= 640 && whole < 372) return { top: 16, right: 248, bottom: 16, left: whole < 290 ? 182 : 134 };
   if (width >= 900) return { top: 28, right: 260, bottom: 28, left: 84 };

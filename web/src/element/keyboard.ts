@@ -6,18 +6,20 @@ import { isTyped } from '../ui/untyped';
 export interface KeyboardHost {
   /** People can do nothing. */
   readonly disabled: boolean;
+  /** What keys may ask for: all others are the page's. */
+  readonly commands: readonly CommandName[];
   run(command: CommandName): void;
   /** Escape. Returns whether there was anything to take back: if not, the key is the page's, for a dialog perhaps. */
   bail(): boolean;
   compare(on: boolean): void;
-  /** Space is held over the picture: the next press pans. */
-  space(held: boolean): void;
+  /** Space is held over the picture: the next press pans. Returns, as those below, whether the key means anything here. */
+  space(held: boolean): boolean;
   /** Arrow keys over the picture, in steps of 1 or, with Shift, 10. */
-  arrow(by: Vec): void;
+  arrow(by: Vec): boolean;
   /** Comma and full stop turn by 1° or, with Shift, 15°. */
-  turn(degrees: number): void;
+  turn(degrees: number): boolean;
   /** Enter on the picture itself. */
-  place(): void;
+  place(): boolean;
 }
 
 const ARROWS: Readonly<Record<string, Vec>> = {
@@ -70,7 +72,7 @@ export class Keyboard {
       event.preventDefault();
       return;
     }
-    const command = commandOfKey(event);
+    const command = commandOfKey(event, this.#host.commands);
     if (command === null) return;
     if (command === 'bail') {
       if (this.#host.bail()) event.preventDefault();
@@ -94,25 +96,23 @@ export class Keyboard {
     return true;
   }
 
-  /** Keys that mean something over the picture only. Returns whether this was one. */
+  /** Keys that mean something over the picture only. Returns whether this did. */
   #stageKey(event: KeyboardEvent, target: Element): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const arrow = ARROWS[event.key];
     const turn = TURNS[event.code];
     const step = event.shiftKey;
-    if (event.key === ' ') this.#host.space(true);
-    else if (arrow) this.#host.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
-    else if (turn !== undefined) this.#host.turn(turn * (step ? 15 : 1));
-    else if (event.key === 'Enter' && target.matches('.shell, .stage')) this.#host.place();
-    else return false;
-    return true;
+    if (event.key === ' ') return this.#host.space(true);
+    if (arrow) return this.#host.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
+    if (turn !== undefined) return this.#host.turn(turn * (step ? 15 : 1));
+    return event.key === 'Enter' && target.matches('.shell, .stage') && this.#host.place();
   }
 
   #up(event: KeyboardEvent): void {
     if (event.key === ' ') {
-      this.#host.space(false);
+      const held = this.#host.space(false);
       // A button with the focus would take the release for a click.
-      if ((event.target as Element).closest('.stage')) event.preventDefault();
+      if (held && (event.target as Element).closest('.stage')) event.preventDefault();
     }
     if (event.code === this.#compares) this.#host.compare(false);
   }

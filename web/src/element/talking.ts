@@ -34,6 +34,11 @@ export class Talking {
     return this.#passing ?? this.#error ?? this.#offer;
   }
 
+  /** What went wrong and has not been answered. */
+  get error(): Notice | null {
+    return this.#error;
+  }
+
   get announcement(): string {
     return this.#announcement;
   }

@@ -2,12 +2,15 @@
  * Where the person looks. Until they look elsewhere the whole picture stays in view, whatever the size of the stage: its own rectangle,
  * which is what is exported, and whatever has been bent beyond it.
  */
-import { type Box, boxOfBoth } from '../geometry/box';
+import { type Box, boxOfBoth, reachesBeyond } from '../geometry/box';
 import { type Camera, fitted, type Insets, panned, type Size, scaledAt, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { type Cards, insetsOf } from './insets';
 
 const beyond = (at: number, least: number, most: number): number => at - Math.max(least, Math.min(at, most));
+
+/** Image pixels that rounding takes a pose beyond its picture. */
+const SLACK = 0.5;
 
 /** One notch of the zoom buttons. */
 const NOTCH = Math.SQRT2;
@@ -27,6 +30,8 @@ export class Viewing {
   #fitted = true;
   /** It is beside the sheet. */
   #beside = false;
+  /** What has been bent beyond its rectangle made a bare picture smaller. */
+  #widened = false;
 
   constructor(host: ViewingHost) {
     this.#host = host;
@@ -63,10 +68,9 @@ export class Viewing {
     this.#fitted = true;
     this.#beside = sheet;
     if (!this.#picture) return;
-    const { width, height } = this.#picture;
-    const frame: Box = { min: [0, 0], max: [width, height] };
     const posed = this.#host.bounds();
-    this.camera = fitted(posed ? boxOfBoth(frame, posed) : frame, this.stage, this.#insets(sheet));
+    const all = posed ? boxOfBoth(this.#frame, posed) : this.#frame;
+    this.camera = fitted(all, this.stage, this.#insets(sheet));
   }
 
   /** The same once more, unless the person looks elsewhere. What is selected meanwhile moves nothing. */
@@ -89,6 +93,17 @@ export class Viewing {
     if (x !== 0 || y !== 0) this.look(panned(this.camera, [-x, -y]));
   }
 
+  /**
+   * Nobody can pan or zoom a bare picture: all of it comes into view as soon as one of these places is out of reach, and goes back to its
+   * size with the pose that took it there.
+   */
+  contain(places: readonly Vec[]): void {
+    if (!this.#widened && places.every((at) => this.shows(at))) return;
+    this.fit();
+    const posed = this.#host.bounds();
+    this.#widened = posed !== null && reachesBeyond(posed, this.#frame, SLACK);
+  }
+
   /** Whether a place of the picture is where no card lies, with as much room to the right of it, stage pixels. */
   shows(at: Vec, room = 0): boolean {
     return this.#outside(at, room).every((by) => Math.abs(by) < 1);
@@ -101,9 +116,13 @@ export class Viewing {
     return [beyond(x, left, this.stage.width - right - room), beyond(y, top, this.stage.height - bottom)];
   }
 
+  get #frame(): Box {
+    return { min: [0, 0], max: [this.#picture?.width ?? 0, this.#picture?.height ?? 0] };
+  }
+
   #insets(sheet = this.#host.sheet): Insets {
-    const { coarse } = this.#host;
-    return insetsOf({ stage: this.stage, coarse, sheet });
+    const { coarse, bare } = this.#host;
+    return insetsOf({ stage: this.stage, coarse, sheet, bare });
   }
 
   /** The middle of what the cards leave free, stage pixels. */

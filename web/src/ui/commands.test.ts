@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { ariaKeys, COMMANDS, commandOfKey, type KeyPress, keyHint } from './commands';
+import { ariaKeys, COMMANDS, commandOfKey, commandsFor, type KeyPress, keyHint } from './commands';
 
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
   key,
@@ -35,6 +35,33 @@ describe('commandOfKey', () => {
   it('knows brackets that take Alt to be typed', () => {
     expect(commandOfKey(press('[', { altKey: true, ctrlKey: true }))).toBe('backward');
     expect(commandOfKey(press(']', { altKey: true }))).toBe('forward');
+  });
+
+  it('knows of a picture that plays what poses it, and nothing of one that is only looked at', () => {
+    const playing = commandsFor(true, false);
+    const asked = (key: string, ctrlKey = false) => commandOfKey(press(key, { ctrlKey }), playing);
+    expect([asked('z', true), asked('y', true), asked('a', true)]).toEqual(['undo', 'redo', 'select-all']);
+    expect([asked('r'), asked('o'), asked('Escape')]).toEqual(['reset', 'compare', 'bail']);
+    const ofEditors = [
+      'v',
+      'p',
+      'b',
+      'g',
+      'h',
+      'c',
+      'x',
+      '[',
+      ']',
+      '0',
+      '1',
+      '+',
+      '-',
+      'Delete',
+      'Backspace',
+    ];
+    expect(ofEditors.map((key) => asked(key))).toEqual(ofEditors.map(() => null));
+    expect(['o', 's', 'e'].map((key) => asked(key, true))).toEqual([null, null, null]);
+    expect(commandsFor(true, true)).toEqual([]);
   });
 
   it('leaves alone what it does not know', () => {

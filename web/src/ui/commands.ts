@@ -21,7 +21,7 @@ export const COMMANDS = {
   undo: { label: 'Undo', icon: 'undo', keys: ['Mod+Z'] },
   redo: { label: 'Redo', icon: 'redo', keys: ['Mod+Shift+Z', 'Mod+Y'] },
   'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },
-  reset: { label: 'Reset', icon: 'reset', keys: [] },
+  reset: { label: 'Reset', icon: 'reset', keys: ['R'] },
   remove: { label: 'Delete', icon: 'remove', keys: ['Delete', 'Backspace'] },
   'add-corner': { label: 'Add a corner', icon: 'add-corner', keys: ['C'] },
   'remove-corner': { label: 'Delete the corner', icon: 'remove-corner', keys: ['X'] },
@@ -41,22 +41,37 @@ export type CommandName = keyof typeof COMMANDS;
 
 const NAMES = Object.keys(COMMANDS) as CommandName[];
 
+/** All that there is to ask for where handles are posed and nothing else. */
+const OF_PLAY: readonly CommandName[] = [
+  'undo',
+  'redo',
+  'reset',
+  'reset-all',
+  'select-all',
+  'compare',
+  'bail',
+];
+
+/** What people may ask for. A picture that plays and is readonly is looked at, as any image. */
+export const commandsFor = (playing: boolean, readonly: boolean): readonly CommandName[] =>
+  !playing ? NAMES : readonly ? [] : OF_PLAY;
+
 /** Signs that some keyboards type only with Alt, or with Ctrl and Alt. */
 const SIGNS = ['[', ']'];
 const LETTER_PLACE = /^Key([A-Z])$/;
 
 /**
- * Which command a key asks for. Shift counts only where the table writes it, since "+" may need it to be typed. A letter of another script
+ * Which of these commands a key asks for. Shift counts only where the table writes it, since "+" may need it to be typed. A letter of another script
  * is the Latin one of the same key.
  */
-export function commandOfKey(event: KeyPress): CommandName | null {
+export function commandOfKey(event: KeyPress, commands: readonly CommandName[] = NAMES): CommandName | null {
   const types = event.altKey && SIGNS.includes(event.key);
   if (event.altKey && !types) return null;
   const mod = (event.ctrlKey || event.metaKey) && !types;
   const latin = event.key > '\x7f' ? LETTER_PLACE.exec(event.code)?.[1] : undefined;
   const key = latin ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
   const written = `${mod ? 'Mod+' : ''}${mod && event.shiftKey ? 'Shift+' : ''}${key}`;
-  return NAMES.find((name) => (COMMANDS[name].keys as readonly string[]).includes(written)) ?? null;
+  return commands.find((name) => (COMMANDS[name].keys as readonly string[]).includes(written)) ?? null;
 }
 
 /** What of a KeyboardEvent counts. */

@@ -41,14 +41,14 @@ export function handleLabel(handle: Handle, turns: Turns): string {
 }
 
 export function handleMarks(model: EditorModel): SVGTemplateResult {
-  const { document, camera, stage, grips, turns } = model;
+  const { document, camera, stage, grips, turns, playing } = model;
   const radius = grips.ring * camera.scale;
   return svg`${document.project.handles.map((handle) => {
     const rest = toStage(camera, anchor(handle, 'rest'));
     const posed = toStage(camera, anchor(handle));
     const selected = document.selection.includes(handle.id);
     return svg`
-      ${isLine(handle) ? lineMarks(handle, model, selected) : distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
+      ${isLine(handle) ? lineMarks(handle, model, selected) : !playing && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
       ${selected && !model.readonly ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
   })}`;
 }
@@ -66,12 +66,16 @@ function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemp
 }
 
 /** Where a bar or polygon rests, faintly, as soon as it is elsewhere; and where it is. */
-function lineMarks(handle: LineHandle, { camera, stage }: EditorModel, selected: boolean): SVGTemplateResult {
+function lineMarks(
+  handle: LineHandle,
+  { camera, stage, playing }: EditorModel,
+  selected: boolean,
+): SVGTemplateResult {
   const closed = handle.kind === 'polygon';
   const places = (of: 'rest' | 'posed') => corners(handle, of).map((corner) => toStage(camera, corner));
   const [rest, posed] = [places('rest'), `M${places('posed').join('L')}${closed ? 'Z' : ''}`];
   return svg`
-    ${isInPlace(handle) ? nothing : svg`<g class="rest">${restLine(rest, closed, stage)}</g>`}
+    ${playing || isInPlace(handle) ? nothing : svg`<g class="rest">${restLine(rest, closed, stage)}</g>`}
     <g class="line-handle ${selected ? 'selected' : ''}">
       ${closed ? svg`<path class="body" d=${posed}/>` : nothing}
       <path class="casing" d=${posed}/><path class="line" d=${posed}/>

@@ -20,6 +20,8 @@ export interface EditorModel {
   readonly opening: boolean;
   readonly tool: ToolName;
   readonly readonly: boolean;
+  /** The picture and its handles alone; where it is readonly, the picture alone. */
+  readonly playing: boolean;
   readonly disabled: boolean;
   readonly camera: Camera;
   /** CSS pixels. */

@@ -2,7 +2,8 @@
  * From the pointers, wheel and space bar of a stage to presses of a tool and moves of the camera.
  *
  * One pointer works the tool; space, the middle button or a second finger make it navigate instead. A second finger
- * takes back what the first began: two fingers never edit. Places are the stage's own CSS pixels, however the page scales it.
+ * takes back what the first began: two fingers never edit. Or all that takes hold of nothing is left to the page: it scrolls by the
+ * wheel and by a finger, is pinched by two, and has its menu. Places are the stage's own CSS pixels, however the page scales it.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
@@ -23,6 +24,10 @@ export interface PointingHost {
   pressMove(pointer: StagePointer): void;
   pressUp(pointer: StagePointer): void;
   pressCancel(): void;
+  /** Whether a press there takes hold of something. */
+  holds(pointer: StagePointer): boolean;
+  /** A click that was left to the page. */
+  pressedBeside(): void;
   /** The press that is over was the second of two in one place. */
   pressedTwice(pointer: StagePointer): void;
   hover(pointer: StagePointer | null): void;
@@ -40,6 +45,16 @@ const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
 /** A press that goes farther than this is a drag, which the tools take it for as well. */
 const SLIP = { fine: 3, coarse: 8 } as const;
 
+/** Whose the gestures are that take hold of nothing. */
+export type Owner = 'editor' | 'page';
+
+const kindOf = ({ coarse }: StagePointer): 'coarse' | 'fine' => (coarse ? 'coarse' : 'fine');
+
+/** Of what the browser is at already it tells only. */
+const prevent = (event: Event): void => {
+  if (event.cancelable) event.preventDefault();
+};
+
 interface Click {
   readonly place: Vec;
   readonly time: number;
@@ -48,6 +63,7 @@ interface Click {
 export class Pointing {
   readonly #stage: HTMLElement;
   readonly #host: PointingHost;
+  readonly #owner: Owner;
   readonly #listening = new AbortController();
   readonly #fingers = new Map<number, Vec>();
   #pressing: number | null = null;
@@ -55,21 +71,28 @@ export class Pointing {
   #button = 1;
   /** Where the press in hand began, and where and when the last that was no drag ended. */
   #begun: Vec | null = null;
+  /** The same of a press that is left to the page. */
+  #beside: Vec | null = null;
   #clicked: Click | null = null;
   #navigating = false;
   #space = false;
 
-  constructor(stage: HTMLElement, host: PointingHost) {
+  constructor(stage: HTMLElement, host: PointingHost, owner: Owner) {
     this.#stage = stage;
     this.#host = host;
+    this.#owner = owner;
     const { signal } = this.#listening;
     stage.addEventListener('pointerdown', (event) => this.#down(event), { signal });
     stage.addEventListener('pointermove', (event) => this.#move(event), { signal });
     stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
     stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
-    // Else a click follows, on whatever the press has brought up under the finger.
-    stage.addEventListener('touchend', (event) => this.#unclick(event), { signal, passive: false });
     stage.addEventListener('pointerleave', () => host.hover(null), { signal });
+    if (owner === 'page') {
+      stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
+      return;
+    }
+    // Else a click follows, on whatever the press has brought up under the finger.
+    stage.addEventListener('touchend', (event) => prevent(event), { signal, passive: false });
     stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
     stage.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
   }
@@ -85,6 +108,10 @@ export class Pointing {
 
   #down(event: PointerEvent): void {
     if (event.button > 1) return;
+    if (this.#isOfPage(event)) {
+      this.#leave(event);
+      return;
+    }
     // A handle's button would otherwise start a selection or take the focus away from where the editor puts it.
     event.preventDefault();
     this.#stage.setPointerCapture(event.pointerId);
@@ -118,16 +145,21 @@ export class Pointing {
 
   #up(event: PointerEvent): void {
     this.#lift(event);
+    const pointer = this.#pointer(event);
+    if (this.#beside && distance(this.#beside, pointer.stage) <= SLIP[kindOf(pointer)])
+      this.#host.pressedBeside();
+    this.#beside = null;
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
-    const pointer = this.#pointer(event);
     this.#host.pressUp(pointer);
-    if (this.#isSecond(pointer, event.timeStamp)) this.#host.pressedTwice(pointer);
+    if (this.#owner === 'editor' && this.#isSecond(pointer, event.timeStamp))
+      this.#host.pressedTwice(pointer);
   }
 
   /** Whether a press that ends now makes a double click with the one before it. Of three in a row only the first two do. */
-  #isSecond({ stage, coarse }: StagePointer, time: number): boolean {
-    const [begun, before, kind] = [this.#begun, this.#clicked, coarse ? 'coarse' : 'fine'] as const;
+  #isSecond(pointer: StagePointer, time: number): boolean {
+    const { stage } = pointer;
+    const [begun, before, kind] = [this.#begun, this.#clicked, kindOf(pointer)] as const;
     const isNear = before !== null && distance(before.place, stage) <= TWICE[kind];
     const second = isNear && time - before.time <= TWICE.ms;
     const isClick = begun !== null && distance(begun, stage) <= SLIP[kind];
@@ -135,8 +167,26 @@ export class Pointing {
     return isClick && second;
   }
 
+  /** Presses by the middle button, by a second finger and beside handles, where they are the page's. */
+  #isOfPage(event: PointerEvent): boolean {
+    if (this.#owner === 'editor') return false;
+    return event.button !== 0 || this.#pressing !== null || !this.#host.holds(this.#pointer(event));
+  }
+
+  #leave(event: PointerEvent): void {
+    if (this.#pressing !== null) this.#host.pressCancel();
+    this.#beside = event.button === 0 && this.#pressing === null ? this.#place(event) : null;
+    this.#pressing = null;
+  }
+
+  /** A finger that holds something scrolls nothing. */
+  #keep(event: TouchEvent): void {
+    if (this.#pressing !== null) prevent(event);
+  }
+
   #cancel(event: PointerEvent): void {
     this.#lift(event);
+    this.#beside = null;
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
     this.#clicked = null;
@@ -157,10 +207,6 @@ export class Pointing {
     const [c, d] = after;
     if (a && b && c && d) this.#host.look(pinched(camera, [a, b], [c, d]));
     else if (a && c) this.#host.look(panned(camera, subtract(c, a)));
-  }
-
-  #unclick(event: TouchEvent): void {
-    if (event.cancelable) event.preventDefault();
   }
 
   #wheel(event: WheelEvent): void {

@@ -1,4 +1,4 @@
-/** The whole of the editor as one template: stage, bars, panel, and what floats over them. */
+/** The whole of the editor as one template: stage, bars, panel, and what floats over them; or of a picture that plays, next to nothing of it. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
@@ -17,39 +17,54 @@ import { toolStrip, topBar } from './toolbar';
 
 /** @param canvas what the picture is drawn on; it lives as long as its WebGL context. */
 export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
-  return html`<div class="shell" tabindex="-1" ?inert=${model.disabled}>
-    ${topBar(model, actions)}
+  const { playing } = model;
+  return html`${playing ? room(model) : nothing}
+  <div class="shell" tabindex="-1" ?inert=${model.disabled}>
+    ${playing ? nothing : topBar(model, actions)}
     <div class="middle">
       ${stage(model, actions, canvas)} ${model.picture ? nothing : emptyStage(model, actions)}
-      ${toolStrip(model, actions)} ${panel(model, actions)}
+      ${playing ? nothing : html`${toolStrip(model, actions)} ${panel(model, actions)}`}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint && !model.comparing ? hint(model.hint, model.camera) : nothing}
-      ${draftBar(model, actions)} ${toolHint(model)} ${reachHint(model)}
+      ${playing ? nothing : html`${draftBar(model, actions)} ${toolHint(model)} ${reachHint(model)}`}
       ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
-    ${statusLine(model, actions)}
+    ${playing ? nothing : statusLine(model, actions)}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>
   </div>`;
 }
 
+/** The height that the element has where the page does not say: an image's, or enough for a word on why there is none. */
+function room({ picture }: EditorModel): TemplateResult {
+  const size = picture ? `aspect-ratio: ${picture.width} / ${picture.height}` : 'min-height: 240px';
+  return html`<div .style=${size}></div>`;
+}
+
+/** What is there to be seen by those who edit, by those who pose, and by those who look. */
 function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
-  const { camera } = model;
+  const { camera, playing } = model;
+  const handled = !(playing && model.readonly);
   return html`<div
     class="stage ${model.hint ? 'inviting' : ''} ${model.comparing ? 'comparing' : ''}"
     part="stage"
-    tabindex="0"
-    role="group"
-    aria-label=${model.picture ? `Picture ${model.picture.name}` : 'No picture'}
+    tabindex=${handled ? (playing ? -1 : 0) : nothing}
+    role=${handled ? 'group' : 'img'}
+    aria-label=${stageLabel(model)}
     .style=${`cursor: ${model.cursor}`}
   >
     ${canvas}
     <svg class="marks" aria-hidden="true">
-      ${frame(model)} ${siteOverlay(model.sites, camera, model.overlays)}
-      ${foldOverlay(model.folded, camera)} ${handleMarks(model)} ${draftMarks(model)} ${selectionBox(model)}
-      ${crosshair(model)}
+      ${playing ? nothing : frame(model)} ${siteOverlay(model.sites, camera, model.overlays)}
+      ${foldOverlay(model.folded, camera)} ${handled ? handleMarks(model) : nothing} ${draftMarks(model)}
+      ${selectionBox(model)} ${crosshair(model)}
     </svg>
-    ${handleButtons(model, actions)}
+    ${handled ? handleButtons(model, actions) : nothing}
   </div>`;
+}
+
+function stageLabel({ picture, playing, readonly }: EditorModel): string {
+  if (!picture) return 'No picture';
+  return `Picture ${picture.name}${playing && !readonly ? ', to be posed by its handles' : ''}`;
 }
 
 /** A bubble over the place it speaks of. */
@@ -62,7 +77,7 @@ function emptyStage(model: EditorModel, actions: EditorActions): TemplateResult 
   if (model.progress) return html``;
   if (model.opening)
     return html`<div class="empty opening"><span class="spinner" aria-hidden="true"></span>Opening…</div>`;
-  if (model.readonly) return html``;
+  if (model.readonly || model.playing) return html``;
   return html`<div class="empty">
     <p>Drop a picture here, paste one, or</p>
     <button type="button" class="primary" @click=${() => actions.run('open')}>Open a picture</button>

@@ -1,0 +1,21 @@
+/** A picture that plays in an article: it is as wide as its column and as high as an image would be, and lies on the page itself. */
+import { css } from 'lit';
+
+export const playStyle = css`
+  :host([play]) {
+    --_ground: var(--c2-ground, transparent);
+    --_checker: var(--c2-checker, transparent);
+    min-height: 0;
+  }
+  /* What takes hold of a handle keeps the page still by itself. */
+  :host([play]) .stage {
+    touch-action: auto;
+  }
+  :host([play]) .middle {
+    --_left: 0px;
+    --_right: 0px;
+  }
+  :host([play]) .hint:not(.bubble) {
+    bottom: 16px;
+  }
+`;
