@@ -2,6 +2,7 @@
  * How the picture bends: the settings that go together, as one choice.
  *
  * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the paper's own way.
+ * `Project::bent_rigidly` in wasm/core/src/project has the same settings.
  */
 import type { Blend } from '../geometry/blend';
 import type { Handle, PoseMode, Project, Rotation } from './project';

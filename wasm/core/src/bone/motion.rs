@@ -29,11 +29,11 @@ impl Skeleton {
     /// The maps of all bones. Handles must have the corners that were solved.
     pub(crate) fn motions(&self, handles: &[Handle]) -> Vec<BoneMotion> {
         let joints: Vec<DVec2> =
-            self.joints.iter().map(|anchors| place(anchors, |handle| corners(&handles[handle as usize]))).collect();
+            self.joints.iter().map(|anchors| place(anchors, |handle| handles[handle as usize].shape.posed())).collect();
         let turns: Vec<f64> = handles.iter().map(whole_turn).collect();
         let motion = |bone: &Bone| {
             let [a, b] = bone.rest;
-            let [from, to] = ends(corners(&handles[bone.handle as usize]), bone.segment);
+            let [from, to] = ends(handles[bone.handle as usize].shape.posed(), bone.segment);
             let [c, d] =
                 [0, 1].map(|k| joints[bone.joints[k] as usize] + bone.off_joints[k] + bone.beyond[k] * (to - from));
             let before = b - a;
@@ -62,14 +62,6 @@ impl Skeleton {
         };
         self.joints.iter().flatten().all(|anchor| has(anchor.handle, anchor.segment))
             && self.bones.iter().all(|bone| has(bone.handle, bone.segment))
-    }
-}
-
-/// Where the corners are posed.
-fn corners(handle: &Handle) -> &[DVec2] {
-    match &handle.shape {
-        Shape::Point { posed, .. } => std::slice::from_ref(posed),
-        Shape::Bar { posed, .. } | Shape::Polygon { posed, .. } => posed,
     }
 }
 

@@ -78,6 +78,41 @@ fn default_scale() -> f64 {
 }
 
 impl Handle {
+    /// A point handle at rest, neither turned nor scaled.
+    pub fn point(id: impl Into<String>, rest: impl Into<DVec2>) -> Self {
+        let rest = rest.into();
+        Self::new(id, Shape::Point { rest, posed: rest })
+    }
+
+    /// A bar at rest through two or more corners.
+    pub fn bar(id: impl Into<String>, rest: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
+        let rest: Vec<DVec2> = rest.into_iter().map(Into::into).collect();
+        Self::new(id, Shape::Bar { posed: rest.clone(), rest })
+    }
+
+    /// A polygon at rest through three or more corners.
+    pub fn polygon(id: impl Into<String>, rest: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
+        let rest: Vec<DVec2> = rest.into_iter().map(Into::into).collect();
+        Self::new(id, Shape::Polygon { posed: rest.clone(), rest })
+    }
+
+    fn new(id: impl Into<String>, shape: Shape) -> Self {
+        Self { id: id.into(), shape, rotation: Rotation::default(), scale: default_scale(), depth: 0.0 }
+    }
+
+    /// The same handle with its corners posed at other places, in their order; of a point there is one.
+    ///
+    /// # Panics
+    /// Where there are more places than corners, or fewer.
+    #[must_use]
+    pub fn posed_at(mut self, places: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
+        let places: Vec<DVec2> = places.into_iter().map(Into::into).collect();
+        let posed = self.shape.posed_mut();
+        assert_eq!(places.len(), posed.len(), "each corner is posed at one place");
+        posed.copy_from_slice(&places);
+        self
+    }
+
     pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
         let handle = place.object()?;
         handle.only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth"])?;
@@ -121,6 +156,32 @@ pub(super) fn check(handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectErro
 }
 
 impl Shape {
+    /// The corners before; of a point the one place.
+    #[must_use]
+    pub fn rest(&self) -> &[DVec2] {
+        match self {
+            Self::Point { rest, .. } => std::slice::from_ref(rest),
+            Self::Bar { rest, .. } | Self::Polygon { rest, .. } => rest,
+        }
+    }
+
+    /// The corners after.
+    #[must_use]
+    pub fn posed(&self) -> &[DVec2] {
+        match self {
+            Self::Point { posed, .. } => std::slice::from_ref(posed),
+            Self::Bar { posed, .. } | Self::Polygon { posed, .. } => posed,
+        }
+    }
+
+    /// The corners after, to be moved.
+    pub fn posed_mut(&mut self) -> &mut [DVec2] {
+        match self {
+            Self::Point { posed, .. } => std::slice::from_mut(posed),
+            Self::Bar { posed, .. } | Self::Polygon { posed, .. } => posed,
+        }
+    }
+
     fn read(handle: Object<'_>) -> Result<Self, ProjectError> {
         #[derive(Clone, Copy)]
         enum Kind {

@@ -96,7 +96,30 @@ fn default_samples() -> u32 {
 }
 
 impl Project {
+    /// A project without handles for a picture of this size that has no name, all else left to the format's defaults: the paper's ways.
+    #[must_use]
+    pub fn for_picture(width: u32, height: u32) -> Self {
+        Self::new(ImageRef { src: String::new(), width, height })
+    }
+
+    /// The same project bent as the editor bends new ones: what is dragged keeps its shape, and what is far from it stays. There is the
+    /// rigid mode, 100 virtual sites to bend between, smooth supports; points that nobody has turned turn by themselves.
+    ///
+    /// `web/src/document/bending.ts` has the same settings.
+    #[must_use]
+    pub fn bent_rigidly(mut self) -> Self {
+        self.weighting.support = Support::Smooth;
+        self.pose = PoseSpec { mode: PoseMode::Rigid, density: 100, ..self.pose };
+        for handle in &mut self.handles {
+            if matches!(handle.shape, Shape::Point { .. }) && handle.rotation == Rotation::default() {
+                handle.rotation = Rotation::Auto;
+            }
+        }
+        self
+    }
+
     /// A project without handles, all else left to the format's defaults.
+    #[must_use]
     pub fn new(image: ImageRef) -> Self {
         Self {
             format: Format::default(),
@@ -153,6 +176,7 @@ impl Project {
 
     /// Writes the project with every key that has a value. Reading gives an equal project of one that [`check`](Self::check) takes, and
     /// may refuse what was written of any other.
+    #[must_use]
     pub fn to_json(&self) -> String {
         let mut text = Vec::new();
         self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()))

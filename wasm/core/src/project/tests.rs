@@ -113,6 +113,29 @@ fn refuses_numbers_that_json_does_not_know_and_names_where() {
 }
 
 #[test]
+fn what_is_made_in_code_is_what_is_read() {
+    let mut made = Project::for_picture(4, 3);
+    made.handles = vec![
+        Handle::point("a", [1.0, 2.0]).posed_at([[1.5, 2.0]]),
+        Handle::bar("b", [[0.0, 0.0], [2.0, 0.5]]),
+        Handle::polygon("c", [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0]]),
+    ];
+    let handles = r#"[
+        { "id": "a", "kind": "point", "rest": [1, 2], "posed": [1.5, 2] },
+        { "id": "b", "kind": "bar", "rest": [[0, 0], [2, 0.5]] },
+        { "id": "c", "kind": "polygon", "rest": [[0, 0], [2, 0], [2, 2]] }
+    ]"#;
+    let read = LEAST.replace("a.png", "").replace("[]", handles);
+    assert_eq!(made, Project::from_json(&read).unwrap());
+    let rigid = made.clone().bent_rigidly();
+    let settings = r#""weighting": { "support": "smooth" }, "pose": { "mode": "rigid", "density": 100 }, "handles""#;
+    let read = read.replace("\"handles\"", settings).replace("[1.5, 2]", "[1.5, 2], \"rotation\": \"auto\"");
+    assert_eq!(rigid, Project::from_json(&read).unwrap());
+    made.handles[0].rotation = Rotation::Degrees(20.0);
+    assert_eq!(made.bent_rigidly().handles[0].rotation, Rotation::Degrees(20.0));
+}
+
+#[test]
 fn what_is_made_in_code_follows_the_rules_of_what_is_read() {
     let good = Project::from_json(FULL).unwrap();
     assert_eq!(good.check(), Ok(()));
