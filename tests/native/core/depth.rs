@@ -82,6 +82,38 @@ fn one_bar_covers_another_whole() {
 }
 
 #[test]
+fn what_is_drawn_at_a_point_is_the_nearer_leg() {
+    let at = |depth: f64| {
+        let (solution, pose) = posed(&crossing([0.0, depth, -depth]));
+        solution.rest_at(&pose, DVec2::new(200.0, 250.0)).expect("both legs are there").x
+    };
+    assert!(at(1.0) < 200.0 && at(-1.0) > 200.0, "{} and {}", at(1.0), at(-1.0));
+}
+
+/// The mesh is flat between samples: of a map with second derivative k it is off by h² k / 8 where samples are h apart. Here they are
+/// some 8 px apart, and the bend of 30 px over 200 has a k of about 0.01.
+#[test]
+fn the_way_back_leads_to_where_a_point_came_from() {
+    let corners = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)].map(DVec2::from).to_vec();
+    let mut project = project(&[corners], &[(100.0, 200.0), (300.0, 200.0)].map(DVec2::from), Support::Smooth);
+    project.handles[0] = handle(0, DVec2::new(100.0, 200.0), DVec2::new(110.0, 230.0), 10.0);
+    let (solution, pose) = posed(&project);
+    // On the outline rounding decides whether a vertex is inside.
+    let inner = |&(p, _): &(&DVec2, DVec2)| p.min_element() > 41.0 && p.max_element() < 359.0;
+    let vertices = solution.mesh.vertices.iter().zip(solution.posed_vertices(&pose));
+    for (&p, posed) in vertices.filter(inner).step_by(37) {
+        let back = solution.rest_at(&pose, posed).expect("a vertex of what is drawn");
+        assert!(back.distance(p) < 1e-9, "{p} came back as {back}");
+    }
+    for p in (0..60).map(|i| DVec2::new(60.0 + 4.7 * f64::from(i), 70.0 + 73.0 * f64::from(i % 4) + 0.3)) {
+        let mapped = solution.map(&pose, p).expect("inside");
+        let back = solution.rest_at(&pose, mapped.posed).expect("inside what is drawn");
+        assert!(back.distance(p) < 0.1, "{p} came back as {back}");
+    }
+    assert_eq!(solution.rest_at(&pose, DVec2::ZERO), None);
+}
+
+#[test]
 fn one_depth_for_all_is_none() {
     let flat = drawn(&crossing([0.0; 3]));
     assert!(drawn(&crossing([7.3; 3])) == flat && drawn(&crossing([-1e9; 3])) == flat);

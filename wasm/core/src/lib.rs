@@ -46,6 +46,7 @@ pub mod domain;
 mod drawing_order;
 mod error;
 mod given_mesh;
+mod inverse;
 mod least;
 mod locate;
 mod picture;

@@ -9,6 +9,7 @@ use crate::{
     domain::{Domain, Ring},
     drawing_order::drawn_triangles,
     error::Error,
+    inverse,
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     raster::{self, Warped},
@@ -119,6 +120,26 @@ impl Solution {
         self.expect_own(pose);
         let depths: Vec<f64> = pose.motions().iter().map(|motion| motion.depth).collect();
         drawn_triangles(&self.mesh, &self.weights, &depths)
+    }
+
+    /// The place of the picture at rest that a pose draws at a point: of several that it draws there the last, which covers the others;
+    /// `None` where it draws nothing.
+    ///
+    /// This is the inverse of the mesh as it is drawn, whose triangles are flat, so it gives back what [`map`](Self::map) is given as
+    /// closely as flat triangles follow a picture that bends. Cost: that of [`posed_vertices`](Self::posed_vertices).
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
+    #[must_use]
+    pub fn rest_at(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
+        if self.kinds == [0; 3]
+            && let Some((width, height)) = self.outline.picture
+        {
+            // Then the picture is drawn as it is, with all that is no part of the domain.
+            let size = DVec2::new(f64::from(width), f64::from(height));
+            return (p.cmpge(DVec2::ZERO).all() && p.cmple(size).all()).then_some(p);
+        }
+        inverse::rest_at(&self.mesh.vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), p)
     }
 
     /// The picture, warped by a pose: what [`raster::warp`] draws of the mesh, or, where there is no handle, of the picture as it is, with
