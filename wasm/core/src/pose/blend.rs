@@ -95,8 +95,23 @@ impl Pose {
         Mapped { posed, det: derivative.determinant() }
     }
 
-    /// Sites × 12 for the vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest y, posed x,
-    /// posed y, depth, angle, cosine and sine of half the angle.
+    /// Sites × 12 for a vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest y, posed x,
+    /// posed y, depth, angle, cosine and sine of half the angle. Places are in image pixels, angles in radians.
+    ///
+    /// Vertex v of the mesh, at rest at p, is moved by the sites and weights of its row, `sites[offsets[v]..offsets[v + 1]]` and
+    /// `weights[offsets[v]..offsets[v + 1]]` of [`SparseWeights`](crate::weight::SparseWeights). Site i alone would take it to
+    /// y_i = posed_i + [a c; b d] (p − rest_i). A vertex without a row stays. Of the others
+    ///
+    /// ```text
+    /// linear  p′ = Σ w_i y_i
+    /// rigid   p′ = L + g(|P|²) · P · Σ w_i conj(h_i) (y_i − L)
+    ///         with L = Σ w_i y_i, h_i = cos(θ_i/2) + i sin(θ_i/2), P = Σ w_i h_i
+    ///         g(s) = 1/s for s ≥ ¼, else 4 (3 − 12 s + 16 s²)
+    /// ```
+    ///
+    /// where products are those of complex numbers, x + iy. Texture coordinates are p / (width, height) of the picture, and the depth of
+    /// a triangle is the mean of its corners' Σ w_i depth_i: [`Solution::drawn_triangles`](crate::Solution::drawn_triangles) sorts by it.
+    /// [`Solution::posed_vertices`](crate::Solution::posed_vertices) gives all p′, in the blend of the pose, without any of this.
     #[must_use]
     pub fn packed(&self) -> Vec<f32> {
         let sites = self.rest.iter().zip(&self.linear).zip(&self.motions);
@@ -114,5 +129,55 @@ impl Pose {
     #[must_use]
     pub fn motions(&self) -> &[Motion] {
         &self.motions
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A product of complex numbers.
+    fn times(a: DVec2, b: DVec2) -> DVec2 {
+        a.rotate(b)
+    }
+
+    /// Where a point goes by the formulas in the documentation of [`Pose::packed`].
+    fn by_formula(packed: &[f32], blend: Blend, weights: &[f64], p: DVec2) -> DVec2 {
+        let number = |site: usize, k: usize| f64::from(packed[12 * site + k]);
+        let pair = |site, k| DVec2::new(number(site, k), number(site, k + 1));
+        let y = |site| {
+            let [x_axis, y_axis, rest, posed] = [0, 2, 4, 6].map(|k| pair(site, k));
+            posed + DMat2::from_cols(x_axis, y_axis) * (p - rest)
+        };
+        let sum = |term: &dyn Fn(usize) -> DVec2| (0..weights.len()).map(|site| weights[site] * term(site)).sum();
+        let linear: DVec2 = sum(&y);
+        if blend == Blend::Linear {
+            return linear;
+        }
+        let half: DVec2 = sum(&|site| pair(site, 10));
+        let s = half.length_squared();
+        let g = if s >= 0.25 { 1.0 / s } else { 4.0 * (3.0 - 12.0 * s + 16.0 * s * s) };
+        let conjugate = |z: DVec2| DVec2::new(z.x, -z.y);
+        linear + g * times(half, sum(&|site| times(conjugate(pair(site, 10)), y(site) - linear)))
+    }
+
+    #[test]
+    fn packed_numbers_move_points_by_the_formulas_that_are_told() {
+        let rest: Arc<[DVec2]> = [(10.0, 20.0), (90.0, 30.0), (50.0, 80.0)].map(DVec2::from).into();
+        let p = DVec2::new(45.0, 40.0);
+        let weights = [0.5, 0.3, 0.2];
+        // The last angles are so far apart that the blend is not rigid.
+        for angles in [[0.3, -0.8, 1.5], [0.0, 5.5, 0.4]] {
+            for blend in [Blend::Linear, Blend::Rigid] {
+                let motion = |k: usize| {
+                    Motion::similarity(angles[k], 1.0 + 0.2 * k as f64, DVec2::new(7.0 * k as f64, 3.0), 0.0)
+                };
+                let pose = Pose::new(Arc::clone(&rest), (0..3).map(motion).collect(), blend);
+                let expected = pose.blended(p, weights.into_iter().enumerate());
+                let found = by_formula(&pose.packed(), blend, &weights, p);
+                // The numbers are rounded to 32 bits.
+                assert!(found.distance(expected) < 1e-4, "{blend:?} of {angles:?}: {found}, not {expected}");
+            }
+        }
     }
 }
