@@ -59,7 +59,11 @@ pub struct GivenMesh {
 }
 
 impl GivenMesh {
-    /// Checks a mesh. Places are in pixels; triangles may wind either way round and are turned where they must.
+    /// Checks a mesh. Places are in pixels, each coordinate from −1,000,000 to 1,000,000; triangles may wind either way round and are turned
+    /// where they must.
+    ///
+    /// What counts as one spot is told in pixels, not in shares of the mesh: handles must be 0.01 px apart, and rounding is up to 1e-6 px.
+    /// A mesh in units of 0 to 1 is to be scaled up before, to some hundreds of pixels, and its handles with it.
     ///
     /// The mesh may have several parts, and holes, in each of which may be further parts. No part may touch another.
     ///

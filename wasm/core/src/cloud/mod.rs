@@ -50,7 +50,8 @@ pub struct PointCloud {
 }
 
 impl PointCloud {
-    /// Links every point with its `neighbours` nearest, and with those that it is one of the nearest of. Places are in pixels.
+    /// Links every point with its `neighbours` nearest, and with those that it is one of the nearest of. Places are in pixels, each coordinate from −1,000,000
+    /// to 1,000,000; handles must be 0.01 px apart.
     ///
     /// The paper names no number; 8 is usual. With fewer, distances get longer; with more, links bridge gaps.
     ///

@@ -34,7 +34,8 @@ pub struct Handle {
     pub depth: f64,
 }
 
-/// The shape of a handle before (`rest`) and after (`posed`) in image pixels, as many points in both.
+/// The shape of a handle before (`rest`) and after (`posed`) in image pixels, as many points in both, all finite. Point handles rest at
+/// least 0.01 px from one another and from the line of any other.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Shape {

@@ -18,10 +18,10 @@ const SIDES: RangeInclusive<u32> = 1..=u32::MAX;
 pub struct ImageRef {
     /// The picture's file name, beside the project file; may be empty for a picture that has none.
     pub src: String,
-    /// Width in pixels.
+    /// Width in pixels, 1 or more; the solver takes 2 to 16,384.
     #[schemars(range(min = 1))]
     pub width: u32,
-    /// Height in pixels.
+    /// Height in pixels, likewise.
     #[schemars(range(min = 1))]
     pub height: u32,
 }

@@ -60,7 +60,7 @@ pub struct Project {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "DomainSpec", default, transform = left_out)]
     pub domain: Option<DomainSpec>,
-    /// How many samples the domain gets, about.
+    /// How many samples the domain gets, about: from 100 to 2,000,000.
     #[schemars(default = "default_samples", range(min = LEAST_SAMPLES, max = MOST_SAMPLES))]
     pub samples: u32,
     /// How far a handle reaches and how its weight falls off.

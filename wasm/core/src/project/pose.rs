@@ -20,7 +20,7 @@ pub struct PoseSpec {
     /// How the motions that reach a point are blended.
     #[schemars(default)]
     pub blend: Blend,
-    /// The least number of virtual sites to insert; 0 leaves it to Algorithm 1.
+    /// The least number of virtual sites to insert, up to 4,096; 0 leaves it to Algorithm 1.
     #[schemars(default, range(max = MOST))]
     pub density: u32,
 }

@@ -23,7 +23,7 @@ pub struct Weighting {
     /// α, from 0 (supports as small as they may be) to 1 (as wide as they may be).
     #[schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR))]
     pub shape_factor: f64,
-    /// The degree n of the Bézier polynomial φ; 5 is the least that is C².
+    /// The degree n of the Bézier polynomial φ: from 5, the least that is C², to 32.
     #[schemars(default = "default_degree", range(min = LEAST_DEGREE, max = MOST_DEGREE))]
     pub degree: u32,
     /// Where the control points of φ lie that continuity leaves free.
