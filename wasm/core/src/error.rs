@@ -378,6 +378,29 @@ pub enum Error {
 
 impl Error {
     /// A stable name for programs, in kebab case.
+    ///
+    /// | code | what was refused |
+    /// |---|---|
+    /// | `project` | a project that is none: [`ProjectError`] tells the key |
+    /// | `picture` | a picture of a size that cannot be warped, or not of as many bytes |
+    /// | `picture-mismatch` | a picture of another size than the project's |
+    /// | `scale` | a scale at which no picture comes out, or one too large |
+    /// | `nothing-opaque` | a picture without anything opaque that is large enough |
+    /// | `domain` | rings that are none, or an outline with too many corners |
+    /// | `handle-outside` | a handle outside the domain |
+    /// | `handles-too-close` | two handles on one spot |
+    /// | `bar-too-short` | two corners of a handle on one spot |
+    /// | `bars-overlap` | bars or polygons that run along one another |
+    /// | `on-held-boundary` | a handle where nothing may move |
+    /// | `too-many-handles` | more handles than can be solved |
+    /// | `too-many-corners` | more corners of bars and polygons than can be solved |
+    /// | `too-many-sites` | a scene that needs more sites than there may be |
+    /// | `unsupported` | what a point cloud cannot have |
+    /// | `pose` | handles that are not those that were solved, a pose beyond what can be computed, or one of another solution |
+    /// | `point-outside` | a point outside the domain |
+    /// | `mesh` | a mesh that is none |
+    /// | `cloud` | a point cloud that is none |
+    /// | `poser` | bytes that are no poser |
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
@@ -442,5 +465,22 @@ impl Error {
             }
             _ => Vec::new(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn the_table_of_codes_has_every_code_and_no_other() {
+        let this = include_str!("error.rs");
+        let (_, code) = this.split_once("pub fn code").unwrap();
+        let (code, _) = code.split_once("#[cfg(test)]").unwrap();
+        let codes: BTreeSet<&str> = code.split('"').skip(1).step_by(2).collect();
+        let rows = this.lines().filter_map(|line| line.trim().strip_prefix("/// | `")?.split('`').next());
+        let listed: BTreeSet<&str> = rows.collect();
+        assert_eq!(codes, listed);
+        assert!(codes.contains("pose"));
     }
 }
