@@ -70,6 +70,16 @@ fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
     assert_eq!(refused, Err("domain.threshold: expected a number above 0 and up to 1, found NaN".into()));
 }
 
+/// The crate's own README is compiled and run with its documentation.
+#[test]
+fn the_readme_shows_the_example_that_is_tested() {
+    let example = |text: &'static str| {
+        let (_, code) = text.split_once("```rust\n").expect("an example");
+        code.split_once("```").expect("its end").0
+    };
+    assert_eq!(example(include_str!("../../../README.md")), example(include_str!("../../../wasm/core/README.md")),);
+}
+
 #[test]
 fn the_order_in_which_handles_are_posed_means_nothing() {
     let mut project = made();

@@ -42,7 +42,7 @@ const STRAIGHT: f64 = 1e-12;
 ///         { "id": "left", "kind": "point", "rest": [2, 9] },
 ///         { "id": "right", "kind": "point", "rest": [30, 10], "posed": [30, 15] }
 ///     ]
-/// }"#).map_err(c2warp::Error::from)?;
+/// }"#)?;
 /// let solution = solve_mesh(&project, &mesh)?;
 /// let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 /// let posed = solution.posed_vertices(&pose);

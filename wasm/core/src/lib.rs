@@ -1,43 +1,32 @@
-//! c2warp bends pictures: handles are placed on a picture and dragged, and the picture follows, smoothly, locally and along
-//! the shape of what it shows.
+#![doc = include_str!("../README.md")]
 //!
-//! The method is that of Xian, Jin and Wang, "Efficient C²-Weighting for Image Warping": closed-form weights on intrinsic
-//! distances, virtual handles, harmonic motions. The pipeline, in the order of the modules:
+//! # Start here
+//!
+//! - [`Project`](project::Project) is what is asked for: read from a file ([`from_json`](project::Project::from_json)) or made in code. Its
+//!   fields say their units and ranges; [`check`](project::Project::check) holds them to these.
+//! - [`solve`] solves it for a [`Picture`], [`solve_mesh`] for a mesh that the caller brings, [`solve_cloud`] for a point cloud. A [`Solver`] solves one project of a
+//!   picture after another, stage by stage, and keeps what they have in common.
+//! - [`Solution`] answers for any point of the domain, not for samples only: where it [goes](Solution::map), what [moves](Solution::weights_at)
+//!   it, how [far](Solution::distances) it is from others. It draws the [warped picture](Solution::warped), and tells what is drawn
+//!   [where](Solution::rest_at).
+//! - [`Poser`](pose::Poser) makes a [`Pose`](pose::Pose) from where the handles are taken. It is all that a drag needs.
+//! - [`Error`] is whatever is refused: a sentence for people, and a [code](Error::code) for programs.
+//!
+//! Units: image pixels, pixel centres at +0.5, y down, origin at the top left; radians, but degrees in a project. Places are [`glam::DVec2`]; pairs
+//! of numbers turn into them. The same input gives the same bits on every platform.
+//!
+//! # The method
+//!
+//! It is that of Chuhua Xian, Shuo Jin and Charlie C. L. Wang, "Efficient C²-Weighting for Image Warping", IEEE Computer Graphics and
+//! Applications 38(1), 2018, [doi:10.1109/MCG.2017.2801409](https://doi.org/10.1109/MCG.2017.2801409): closed-form weights on intrinsic
+//! distances, virtual handles, harmonic motions. Weights are evaluated, never interpolated. "Section" and "eq." in these pages mean
+//! that paper's. The pipeline, in the order of the modules:
 //!
 //! ```text
 //! picture ─► domain ─► sample ─► distance ─► site ─► weight ─► pose ─► raster
 //!               Ω      𝒫, mesh    d(p, h)    cells,    eq. 2    eq. 4,   picture
 //!                                          Algorithm 1          eq. 1
 //! ```
-//!
-//! [`solve`] runs it whole; a [`Solver`] runs it stage by stage; [`solve_mesh`] runs it on a mesh that the caller brings, [`solve_cloud`] on a point cloud. [`Solution`] answers for any point of the domain, not for
-//! samples only: distances and weights are evaluated, never interpolated.
-//!
-//! ```
-//! use c2warp::{Picture, project::Project, solve};
-//!
-//! let rgba = vec![255; 64 * 48 * 4];
-//! let picture = Picture::new(64, 48, &rgba)?;
-//! let project = Project::from_json(r#"{
-//!     "format": "c2warp/1",
-//!     "image": { "src": "white.png", "width": 64, "height": 48 },
-//!     "samples": 500,
-//!     "handles": [
-//!         { "id": "left", "kind": "point", "rest": [10, 24] },
-//!         { "id": "right", "kind": "point", "rest": [54, 24], "posed": [54, 30] }
-//!     ]
-//! }"#).map_err(c2warp::Error::from)?;
-//! let solution = solve(&project, &picture)?;
-//! let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-//! let mapped = solution.map(&pose, [54.0, 24.0].into()).expect("inside the picture");
-//! assert_eq!(mapped.posed, [54.0, 30.0].into());
-//! let warped = solution.warped(&picture, &pose, 0.5)?;
-//! assert_eq!((warped.width, warped.height, warped.rgba.len()), (32, 24, 32 * 24 * 4));
-//! # Ok::<(), c2warp::Error>(())
-//! ```
-//!
-//! Units: image pixels, pixel centres at +0.5, y down, origin at the top left; radians. The same input gives the same bits on
-//! every platform.
 
 mod bone;
 pub mod cloud;
@@ -67,6 +56,8 @@ pub mod weight;
 
 pub use error::Error;
 pub use given_mesh::GivenMesh;
+/// The vectors that this crate's places are.
+pub use glam;
 pub use picture::{MAX_PIXELS, MAX_SIDE, MIN_SIDE, Picture, check_size};
 pub use raster::Warped;
 pub use render_mesh::RenderMesh;

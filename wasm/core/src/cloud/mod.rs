@@ -32,7 +32,7 @@ pub use solution::CloudSolution;
 ///         { "id": "left", "kind": "point", "rest": [42, 97] },
 ///         { "id": "right", "kind": "point", "rest": [250, 100], "posed": [250, 130] }
 ///     ]
-/// }"#).map_err(c2warp::Error::from)?;
+/// }"#)?;
 /// let solution = solve_cloud(&project, &cloud)?;
 /// let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
 /// assert_eq!(solution.map(&pose, [250.0, 100.0].into()), Some([250.0, 130.0].into()));

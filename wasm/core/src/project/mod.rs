@@ -138,8 +138,7 @@ impl Project {
     /// # Errors
     /// Anything that is not to the letter of the format, with the way to the offending key.
     pub fn from_json(text: &str) -> Result<Self, ProjectError> {
-        // Editors on Windows put a byte order mark in front, which JSON does not know.
-        let value = Value::parse(text.trim_start_matches('\u{feff}'))?;
+        let value = Value::parse(text)?;
         let top = Place::top(&value);
         let project = top.object()?;
         // First, since a later version may well have keys that are unknown here.

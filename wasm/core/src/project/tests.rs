@@ -227,6 +227,7 @@ fn takes_posed_left_out_for_rest() {
             }
         }
     }
+    assert_eq!(handles_from_json("\u{feff}[]"), Ok(Vec::new()));
     assert_eq!(handles_from_json("[7]").unwrap_err().to_string(), "[0]: expected an object, found 7");
 }
 

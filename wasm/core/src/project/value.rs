@@ -25,7 +25,8 @@ impl Value {
     /// # Errors
     /// Text that is no JSON, a number outside the range of f64, or a key given twice, with the way to it as far as it was read.
     pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
-        let mut json = serde_json::Deserializer::from_str(text);
+        // Editors on Windows put a byte order mark in front, which JSON does not know.
+        let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
         let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
             let path = error.path().to_string();
             ProjectError {
