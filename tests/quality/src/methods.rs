@@ -69,8 +69,8 @@ impl Method {
     pub fn name(self) -> String {
         match self {
             Self::Paper => "paper".into(),
-            Self::Rigid { density, blend: Blend::Linear } => format!("rigid {density}"),
             Self::Rigid { density, blend: Blend::Rigid } => format!("rigid {density}, rigid blend"),
+            Self::Rigid { density, .. } => format!("rigid {density}"),
             Self::Dense => "dense".into(),
             Self::LeastSquares => "least squares".into(),
         }

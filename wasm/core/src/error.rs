@@ -6,6 +6,7 @@ use crate::{pose::Form, project::ProjectError};
 ///
 /// [`Error::code`] is stable and meant for programs; the `Display` text is one sentence meant for a person.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// What was read is not a project, or what was made is none that can be solved or posed: see [`Project::check`](crate::project::Project::check).
     #[error(transparent)]

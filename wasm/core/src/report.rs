@@ -6,6 +6,7 @@ use crate::solver::Stage;
 
 /// The figures of `c2warp inspect --json`, but for the times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Report {
     /// Samples of the domain.
     pub samples: usize,

@@ -22,6 +22,7 @@ pub struct Pose {
 
 /// Where a point goes, and what happens around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Mapped {
     /// The posed place, p′.
     pub posed: DVec2,

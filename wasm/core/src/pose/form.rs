@@ -8,6 +8,7 @@ use crate::project::Shape;
 
 /// The kind of a handle, and the number of its corners. Where they are plays no part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub enum Form {
     /// A point.
     Point,

@@ -13,6 +13,7 @@ use super::{ProjectError, rules};
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 #[schemars(rename = "Domain", deny_unknown_fields)]
+#[non_exhaustive]
 pub enum DomainSpec {
     /// The whole rectangle.
     Image,

@@ -78,6 +78,7 @@ pub struct Project {
 
 /// The version of the format.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub enum Format {
     /// The first, and so far the only one.
     #[default]

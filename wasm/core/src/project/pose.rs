@@ -28,6 +28,7 @@ pub struct PoseSpec {
 /// Where virtual sites get their motions from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum PoseMode {
     /// Harmonic fields on the cell graph, as the paper does (equation 4).
     #[default]
@@ -40,6 +41,7 @@ pub enum PoseMode {
 /// How the motions that reach a point are blended.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Blend {
     /// Linearly, as the paper does (equation 1).
     #[default]

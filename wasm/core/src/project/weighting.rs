@@ -37,6 +37,7 @@ pub struct Weighting {
 /// The two ways of section V.A to place the inner control points of φ.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Filling {
     /// Evenly on the line from b₂ to bₙ₋₂.
     #[default]
@@ -48,6 +49,7 @@ pub enum Filling {
 /// The rule for the radius of a support.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Support {
     /// The paper's: a support ends where the nearest other site is, or where its cell does if that is farther; never beyond a
     /// real site.
