@@ -208,7 +208,7 @@ fn solve(stages: &[Stages], solution: &Solution) -> Solve {
     let of = |part: fn(&Stages) -> f64| least(stages.iter().map(part));
     Solve {
         samples: solution.samples,
-        virtual_sites: solution.sites.iter().filter(|site| !site.origin.is_real()).count(),
+        virtual_sites: solution.sites.iter().filter(|site| !site.kind.is_real()).count(),
         sampling_ms: of(|s| s.sampling),
         regions_ms: of(|s| s.regions),
         weights_ms: of(|s| s.weights),

@@ -6,7 +6,7 @@ use c2warp::{
     Error, Solution,
     pose::Pose,
     project::{Blend, Handle, PoseMode, Project, Rotation, Shape, Support},
-    site::Origin,
+    site::SiteKind,
     solve,
 };
 use c2warp_tests::Scene;
@@ -123,7 +123,7 @@ fn all_weight_on_a_bar_is_its_own_and_sums_to_one() {
             assert!((weights.iter().map(|&(_, weight)| weight).sum::<f64>() - 1.0).abs() <= 1e-12);
             for (site, weight) in weights {
                 assert!(weight >= 0.0);
-                assert!(weight == 0.0 || solution.sites[site].origin.handle() == Some(1));
+                assert!(weight == 0.0 || solution.sites[site].kind.handle() == Some(1));
             }
         }
     }
@@ -482,7 +482,7 @@ fn a_round_polygon_and_a_long_zigzag_are_solved_like_others() {
         let project = square(Support::Smooth, vec![handle]);
         let (solution, pose) = self::posed(&project);
         check_lines(&project, &solution, &pose);
-        let bones: Vec<_> = solution.sites.iter().filter(|site| site.origin.is_real()).collect();
+        let bones: Vec<_> = solution.sites.iter().filter(|site| site.kind.is_real()).collect();
         assert!(bones.len() < 2 * rest.len(), "{} sites on {} corners", bones.len(), rest.len());
         if closed {
             assert!(bones.iter().all(|site| site.cell_radius > 119.9), "a cell ends before the middle");
@@ -555,7 +555,7 @@ fn a_close_point_asks_for_sites_of_a_bar_where_it_is_close_alone() {
         let mut project = square(Support::Paper, vec![long.clone(), close]);
         project.samples = samples;
         let (solution, _) = posed(&project);
-        let on_bar = |site: &&c2warp::site::Site| matches!(site.origin, Origin::Bone { .. });
+        let on_bar = |site: &&c2warp::site::Site| matches!(site.kind, SiteKind::Bone { .. });
         (solution.sites.iter().filter(on_bar).count(), solution.sites.len())
     };
     // The paper's uniform pieces, as long as the gap is wide, would be 32, 320 and 3,200.
@@ -780,7 +780,7 @@ fn check_weights_around_bars(mut project: Project, by: usize) -> Result<(), Test
     }
     for site in &solution.sites {
         // Between bones that meet at a shallow angle, theirs reach over what is left.
-        prop_assert!(site.cell_radius < 1.05 * site.support_radius, "{:?} at {}", site.origin, site.rest);
+        prop_assert!(site.cell_radius < 1.05 * site.support_radius, "{:?} at {}", site.kind, site.rest);
     }
     // Points of every bone, wherever it is in the domain: all weight is of sites that agree there.
     for handle in &project.handles {
@@ -801,7 +801,7 @@ fn check_weights_around_bars(mut project: Project, by: usize) -> Result<(), Test
                 let of: BTreeSet<Option<usize>> = weights
                     .iter()
                     .filter(|&&(_, weight)| weight > 1e-9)
-                    .map(|&(site, _)| solution.sites[site].origin.handle())
+                    .map(|&(site, _)| solution.sites[site].kind.handle())
                     .collect();
                 prop_assert!(!of.contains(&None), "something virtual weighs on {} at {p}", handle.id);
             }

@@ -49,10 +49,10 @@ fn handles_have_all_the_weight_at_their_own_places() {
     let mut places = some_places().to_vec();
     places.push(points[777]);
     let solution = solved_on(points, &places);
-    let real = solution.sites.iter().enumerate().filter(|(_, site)| site.origin.is_real());
+    let real = solution.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
     assert_eq!(real.clone().count(), places.len());
     for (at, site) in real {
-        assert_eq!(site.rest, places[site.origin.handle().expect("real")]);
+        assert_eq!(site.rest, places[site.kind.handle().expect("real")]);
         assert_eq!(solution.weights_at(site.rest), Some(vec![(at, 1.0)]));
     }
     assert_eq!(solution.weights.len(), 1600 + 5);

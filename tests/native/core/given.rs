@@ -80,7 +80,7 @@ fn weights_sum_to_one_and_handles_between_vertices_have_all_of_their_own() {
             assert!((known - weight).abs() < 1e-12, "site {site} at {p}");
         }
     }
-    for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.origin.is_real()) {
+    for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
         assert_eq!(solution.weights_at(real.rest), Some(vec![(site, 1.0)]));
     }
 }

@@ -57,7 +57,7 @@ proptest! {
     #[test]
     fn a_handle_has_all_the_weight_at_its_own_place((rings, places, support) in scenes()) {
         let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
-        for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.origin.is_real()) {
+        for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
             prop_assert_eq!(solution.weights_at(real.rest), Some(vec![(site, 1.0)]));
         }
     }
@@ -65,7 +65,7 @@ proptest! {
     #[test]
     fn every_support_is_clear_of_other_real_sites_and_covers_its_cell((rings, places, support) in scenes()) {
         let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
-        let reals: Vec<DVec2> = solution.sites.iter().filter(|s| s.origin.is_real()).map(|s| s.rest).collect();
+        let reals: Vec<DVec2> = solution.sites.iter().filter(|s| s.kind.is_real()).map(|s| s.rest).collect();
         for site in &solution.sites {
             prop_assert!(site.cell_radius < site.support_radius);
             let others: Vec<DVec2> = reals.iter().copied().filter(|&real| real != site.rest).collect();
@@ -87,7 +87,7 @@ proptest! {
         let beside = corner + 10.0_f64.powf(away) * DVec2::from_angle(angle);
         let places: Vec<DVec2> = places.iter().copied().chain([beside]).collect();
         let Ok(solution) = solved(&project(&rings, &places, support)) else { return Ok(()) };
-        let of_handle = |site: &Site| site.origin.handle() == Some(places.len() - 1);
+        let of_handle = |site: &Site| site.kind.handle() == Some(places.len() - 1);
         let site = solution.sites.iter().position(of_handle).expect("a site for each handle");
         prop_assert_eq!(solution.weights_at(beside), Some(vec![(site, 1.0)]));
         let points: Vec<DVec2> = spread(200).chain(places).filter(|&p| solution.weights_at(p).is_some()).collect();
@@ -167,14 +167,14 @@ proptest! {
         let share = |site: usize, real: u32| {
             solution.harmonic.rows[site].iter().find(|&&(of, _)| of == real).map_or(0.0, |&(_, share)| share)
         };
-        for (real, _) in solution.sites.iter().enumerate().filter(|(_, site)| site.origin.is_real()) {
+        for (real, _) in solution.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
             let mut residual = vec![0.0; solution.sites.len()];
             for (&[i, j], weight) in solution.graph.links.iter().zip(&solution.graph.weights) {
                 let flow = weight * (share(i as usize, real as u32) - share(j as usize, real as u32));
                 residual[i as usize] += flow;
                 residual[j as usize] -= flow;
             }
-            for (site, _) in solution.sites.iter().enumerate().filter(|(_, site)| !site.origin.is_real()) {
+            for (site, _) in solution.sites.iter().enumerate().filter(|(_, site)| !site.kind.is_real()) {
                 prop_assert!(residual[site].abs() <= 1e-10);
             }
         }

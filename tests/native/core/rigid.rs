@@ -226,7 +226,7 @@ fn a_set_rotation_is_kept() {
     let mut project = bent_strip(PoseMode::Rigid);
     project.handles[1].rotation = Rotation::Degrees(25.0);
     let (solution, pose) = pose_of(&project);
-    let site = solution.sites.iter().position(|site| site.origin.handle() == Some(1)).expect("a real site");
+    let site = solution.sites.iter().position(|site| site.kind.handle() == Some(1)).expect("a real site");
     assert_eq!(pose.motions()[site].angle, 25.0_f64.to_radians());
     assert!(pose.motions().iter().any(|motion| motion.angle.abs() > 0.3));
 }

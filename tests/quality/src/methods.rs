@@ -178,7 +178,7 @@ impl Compared {
             method,
             distortion: Distortion::of(&self.fine, &posed),
             off_handles: self.off_handles(&posed, map),
-            virtual_sites: Some(solution.sites.iter().filter(|site| !site.origin.is_real()).count()),
+            virtual_sites: Some(solution.sites.iter().filter(|site| !site.kind.is_real()).count()),
             sites: solution.sites.iter().enumerate().map(site).collect(),
             pose_ms: Some(pose_ms),
             frame_ms,

@@ -1,7 +1,7 @@
 //! The core of c2warp for JavaScript: thin wrappers that turn typed arrays, JSON and errors into each other's terms.
 //!
-//! [`Session`] lives in a worker and solves; [`Poser`] lives in the page and poses what was solved, once a frame. Arrays are
-//! copied out once, into typed arrays that the caller may transfer: views of the module's memory would not outlive its growth.
+//! [`Session`] lives in a worker and solves; [`Poser`] lives in the page and poses a solution once a frame. Arrays are copied
+//! out once, into typed arrays that the caller may transfer: views of the module's memory become invalid when it grows.
 
 mod error;
 mod poser;
@@ -15,10 +15,10 @@ pub use poser::Poser;
 pub use session::Session;
 pub use solution::Solution;
 
-/// Reads a project file and writes it out again with every key.
+/// Reads a project file and writes it again with every key.
 ///
 /// # Errors
-/// Whatever is not to the letter of the format, with the path of the offending key.
+/// Any deviation from the format, with the path of the offending key.
 #[wasm_bindgen]
 pub fn project_check(json: &str) -> Result<String, JsValue> {
     let project = Project::from_json(json).map_err(|reason| error::to_js(&reason.into()))?;

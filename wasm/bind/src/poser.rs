@@ -1,4 +1,4 @@
-//! Poses in the page: motions of all sites, once a frame.
+//! Poses in the page: the motions of all sites, once a frame.
 
 use c2warp::{
     Error, pose,
@@ -18,19 +18,19 @@ impl Poser {
     /// Takes the bytes of a solution's `poser`.
     ///
     /// # Errors
-    /// For other bytes.
+    /// For any other bytes.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, JsValue> {
         pose::Poser::from_bytes(bytes).map(Self).map_err(|error| to_js(&error))
     }
 
-    /// The motions of all sites for the project's `handles` as JSON: sites × 12 numbers, which are
-    /// a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
+    /// The motions of all sites for the project's `handles` as JSON: sites × 12 numbers, which are a, b, c, d, rest x, rest
+    /// y, posed x, posed y, depth, angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
     ///
     /// # Errors
-    /// For handles that are not to the letter of the format, or not those that were solved.
+    /// For handles that deviate from the format, or are not those that were solved.
     pub fn pose(&self, handles_json: &str) -> Result<Vec<f32>, JsValue> {
-        // Motions are the same for either blend: the page does the blending.
+        // Motions do not depend on the blend, which the page computes.
         let pose = handles_from_json(handles_json)
             .map_err(Error::from)
             .and_then(|handles| self.0.pose(&handles, Blend::Linear));

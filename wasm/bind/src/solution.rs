@@ -1,10 +1,10 @@
 //! A solution as typed arrays.
 
-use c2warp::site::Origin;
+use c2warp::site::SiteKind;
 use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
-/// The arrays that the page draws and poses with. Every getter copies once: ask once, then free.
+/// The arrays that the page draws and poses with. Every getter copies: call each once, then free the solution.
 #[wasm_bindgen(inspectable)]
 #[derive(Debug)]
 pub struct Solution {
@@ -29,7 +29,7 @@ impl Solution {
             sites: solution.weights.sites.clone(),
             weights: solution.weights.weights.iter().map(|&weight| weight as f32).collect(),
             site_rest: solution.sites.iter().flat_map(|site| site.rest.to_array()).collect(),
-            site_handle: solution.sites.iter().map(|site| handle_of(site.origin)).collect(),
+            site_handle: solution.sites.iter().map(|site| handle_of(site.kind)).collect(),
             site_edges: solution.graph.links.concat(),
             poser: solution.poser().to_bytes(),
             report,
@@ -37,11 +37,11 @@ impl Solution {
     }
 }
 
-fn handle_of(origin: Origin) -> i32 {
-    match origin {
-        Origin::Point { handle } | Origin::Bone { handle, .. } => handle as i32,
-        Origin::Virtual => -1,
-        Origin::Boundary => -2,
+fn handle_of(kind: SiteKind) -> i32 {
+    match kind {
+        SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => handle as i32,
+        SiteKind::Virtual => -1,
+        SiteKind::Boundary => -2,
     }
 }
 
@@ -57,13 +57,13 @@ impl Solution {
         self.positions.clone()
     }
 
-    /// Triangles × 3 vertex numbers, in drawing order.
+    /// Triangles × 3 vertex indices, in drawing order.
     #[wasm_bindgen(getter)]
     pub fn triangles(&self) -> Vec<u32> {
         self.triangles.clone()
     }
 
-    /// Vertices + 1: where each vertex's entries begin in `sites` and `weights`.
+    /// Vertices + 1: the index of each vertex's first entry in `sites` and `weights`.
     #[wasm_bindgen(getter)]
     pub fn offsets(&self) -> Vec<u32> {
         self.offsets.clone()
@@ -75,7 +75,7 @@ impl Solution {
         self.sites.clone()
     }
 
-    /// Entries: the weight. A vertex's weights sum to 1; a vertex without entries stays.
+    /// Entries: the weight. A vertex's weights sum to 1; a vertex without entries does not move.
     #[wasm_bindgen(getter)]
     pub fn weights(&self) -> Vec<f32> {
         self.weights.clone()
@@ -87,7 +87,7 @@ impl Solution {
         self.site_rest.clone()
     }
 
-    /// Sites: index of the handle in the project, −1 for a virtual site, −2 for one of a held boundary.
+    /// Sites: index of the handle in the project, −1 for a virtual site, −2 for a site of a held boundary.
     #[wasm_bindgen(getter)]
     pub fn site_handle(&self) -> Vec<i32> {
         self.site_handle.clone()

@@ -1,4 +1,4 @@
-//! `c2warp distance`: how far points are from one another within the domain.
+//! `c2warp distance`: intrinsic distances from one point to others.
 
 use std::path::PathBuf;
 

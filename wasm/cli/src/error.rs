@@ -1,4 +1,4 @@
-//! Everything that the command refuses, and why.
+//! The errors of the command.
 
 use std::io;
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use c2warp::project::ProjectError;
 use image::{ImageError, ImageFormat};
 
-/// Why nothing came out, in one sentence that begins with the file it is about.
+/// Why there is no output, in one sentence that begins with the file concerned.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CliError {
     #[error("{}: cannot be read: {reason}", path.display())]

@@ -1,4 +1,4 @@
-//! `c2warp inspect`: what the solver did, and how long it took.
+//! `c2warp inspect`: a report of the solve, and its times.
 
 use std::io::{self, Write};
 use std::time::Instant;
@@ -44,7 +44,7 @@ fn inspect(scene: &Scene) -> Result<Inspection, CliError> {
     Ok(Inspection { report: solution.report(&pose), ms })
 }
 
-/// A line for every value, under its name in words.
+/// One line for every value, after its name in words.
 fn lines(name: &str, value: &Value) -> String {
     if let Value::Object(entries) = value {
         return entries.iter().map(|(key, value)| lines(format!("{name} {key}").trim(), value)).collect();

@@ -1,16 +1,16 @@
-//! Whether a JPEG file has an end. Decoders fill what is missing with grey and say nothing.
+//! Checks that a JPEG file is complete. Decoders fill what is missing with grey and report nothing.
 //!
-//! A walk over the markers of ITU-T T.81, annex B, from the first to "end of image": segments are skipped by their length, and
-//! what follows "start of scan" up to the next marker, in which no marker can occur by chance.
+//! A walk over the markers of ITU-T T.81, annex B, from the first to "end of image": segments are skipped by their length,
+//! and the data after "start of scan" up to the next marker, as no marker can occur in it by chance.
 
 use std::io::{self, BufRead, Read};
 
 const END_OF_IMAGE: u8 = 0xd9;
 
-/// Walks to the end of the image; anything after it does not count.
+/// Walks to the end of the image; anything after it is ignored.
 ///
 /// # Errors
-/// An unexpected end of the file, or what kept it from being read.
+/// An unexpected end of the file, or an error of reading it.
 pub(crate) fn find_end(mut file: impl BufRead) -> io::Result<()> {
     let mut marker = next_marker(&mut file)?;
     while marker != END_OF_IMAGE {
@@ -25,7 +25,7 @@ pub(crate) fn find_end(mut file: impl BufRead) -> io::Result<()> {
     Ok(())
 }
 
-/// The next marker that is more than a byte of a scan or a fresh start in one.
+/// The next marker that is neither a stuffed byte of a scan nor a restart.
 fn next_marker(file: &mut impl BufRead) -> io::Result<u8> {
     loop {
         file.skip_until(0xff)?;
@@ -33,7 +33,7 @@ fn next_marker(file: &mut impl BufRead) -> io::Result<u8> {
         while marker == [0xff] {
             file.read_exact(&mut marker)?;
         }
-        // 0 stands for a byte 0xff of a scan; 0xd0 to 0xd7 restart one, 0xd8 starts the image and 1 means nothing.
+        // 0 is a stuffed byte 0xff of a scan; 0xd0 to 0xd7 restart one, 0xd8 starts the image, and 1 has no meaning.
         if !matches!(marker, [0 | 1 | 0xd0..=0xd8]) {
             return Ok(marker[0]);
         }

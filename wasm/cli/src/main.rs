@@ -1,7 +1,7 @@
 //! The `c2warp` command: warps pictures, and answers questions about a warp.
 //!
-//! One file per subcommand. A refusal is one line on standard error and exit status 1, whatever was wrong with what was read; output
-//! files appear whole or not at all. A command line that makes no sense ends with how it is used, and exit status 2.
+//! One file per subcommand. An error is one line on standard error and exit status 1; output files appear complete or not at
+//! all. An invalid command line prints its usage, and ends with exit status 2.
 
 mod distance;
 mod error;
@@ -49,18 +49,18 @@ fn main() -> ExitCode {
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
-        // Whoever reads the output has seen enough, as `head` does.
+        // The reader of the output has closed it, as `head` does.
         Err(CliError::Print(reason)) if reason.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(error) => {
             let line = one_line(&error.to_string());
-            // Nobody may be listening there either, and there is no third place to complain at.
+            // Standard error may be closed as well, and then there is nowhere to report.
             let _ = writeln!(io::stderr(), "c2warp: {line}");
             ExitCode::FAILURE
         }
     }
 }
 
-/// A message on one line, in which a name can do nothing to the terminal.
+/// A message on one line, without control characters that would affect the terminal.
 fn one_line(message: &str) -> String {
     let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
     words.collect::<Vec<_>>().join(" ")

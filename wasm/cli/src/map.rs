@@ -1,4 +1,4 @@
-//! `c2warp map`: where points go, and how the picture stretches there.
+//! `c2warp map`: the posed places of points, and the determinant of the Jacobian there.
 
 use std::path::PathBuf;
 

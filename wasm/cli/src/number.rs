@@ -1,6 +1,6 @@
-//! Numbers as text, such that reading the text gives the number back to the last bit.
+//! Numbers as text that reads back to the same bits.
 
-/// The shortest such text, with an exponent only where there would be many zeros.
+/// The shortest such text, with an exponent only for very large and very small numbers.
 pub(crate) fn text(number: f64) -> String {
     if number == 0.0 || (1e-5..1e16).contains(&number.abs()) { number.to_string() } else { format!("{number:e}") }
 }

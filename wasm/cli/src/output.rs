@@ -1,4 +1,4 @@
-//! A file that appears whole or not at all.
+//! An output file that appears complete or not at all.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -7,25 +7,25 @@ use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
 
-/// What is being written, under another name beside its place until it is [`finish`](Output::finish)ed.
+/// An output file, under a temporary name beside its path until it is [`finish`](Output::finish)ed.
 ///
-/// Made before the work whose result it takes, it tells at once when there is no place for it.
+/// Created before the work whose result it takes, so that a path that cannot be written is reported at once.
 #[derive(Debug)]
 pub(crate) struct Output {
     writer: BufWriter<File>,
     path: PathBuf,
-    /// The name it has meanwhile; `None` for what is no file, such as `/dev/stdout`, and for what has been finished.
+    /// The temporary name; `None` for a path that is no regular file, such as `/dev/stdout`, and after finishing.
     temporary: Option<PathBuf>,
 }
 
 impl Output {
-    /// Makes sure that the place can be written.
+    /// Checks that the path can be written, and opens the temporary file.
     pub(crate) fn create(path: &Path) -> Result<Self, CliError> {
         Self::open(path).map_err(CliError::write(path))
     }
 
     fn open(path: &Path) -> io::Result<Self> {
-        // A link stays a link to what it names, be that there or not.
+        // A symbolic link is kept and its target written, whether that exists or not.
         let named = |_| fs::read_link(path).map(|to| path.with_file_name("").join(to));
         let path = fs::canonicalize(path).or_else(named).unwrap_or_else(|_| path.to_owned());
         let (file, temporary) = match fs::metadata(&path) {
@@ -40,7 +40,7 @@ impl Output {
         Ok(Self { writer: BufWriter::new(file), path, temporary })
     }
 
-    /// Writes through `write` and gives the file its name.
+    /// Calls `write` and renames the file to its path.
     pub(crate) fn finish(mut self, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> Result<(), CliError> {
         write(&mut self.writer)
             .and_then(|()| self.writer.flush())
@@ -55,7 +55,7 @@ impl Output {
 impl Drop for Output {
     fn drop(&mut self) {
         if let Some(temporary) = &self.temporary {
-            // What is left behind is no harm, and the reason for leaving has been told.
+            // A file left behind does no harm, and the error has been reported already.
             let _ = fs::remove_file(temporary);
         }
     }

@@ -1,7 +1,7 @@
 //! A picture file as straight RGBA, upright.
 //!
-//! The type is told from the contents, not from the name. The size is checked before any pixel is decoded. As in a
-//! browser, the orientation that a camera noted is applied. Colour profiles are not.
+//! The type is detected from the contents, not from the name. The size is checked before any pixel is decoded. As in a
+//! browser, the orientation recorded by the camera is applied, and colour profiles are not.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -13,7 +13,7 @@ use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Li
 use crate::error::CliError;
 use crate::jpeg;
 
-/// Enough for the largest picture at 16 bits a channel, and for a decoder's own copy of it.
+/// Memory limit of decoders: enough for the largest picture at 16 bits a channel, and a decoder's own copy of it.
 const DECODER_BYTES: u64 = 2 << 30;
 
 /// Reads a picture.
@@ -42,7 +42,7 @@ pub(crate) fn read(path: &Path) -> Result<RgbaImage, CliError> {
     let mut decoder = reader.into_decoder().map_err(refusal)?;
     let (width, height) = decoder.dimensions();
     check_size(width, height).map_err(CliError::refused(path))?;
-    // Broken notes of a camera are no reason to refuse its picture.
+    // Invalid metadata is no reason to refuse a picture.
     let orientation = decoder.orientation().ok();
     let mut image = DynamicImage::from_decoder(decoder).map_err(refusal)?;
     if let Some(orientation) = orientation {

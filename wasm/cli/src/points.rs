@@ -6,14 +6,14 @@ use glam::DVec2;
 
 use crate::error::CliError;
 
-/// Reads points; the header must be there, and nothing but two finite numbers on every line.
+/// Reads points: the header, then exactly two finite numbers on every line.
 pub(crate) fn read(path: &Path) -> Result<Vec<DVec2>, CliError> {
     let failed = |reason: csv::Error| match reason.into_kind() {
         csv::ErrorKind::Io(reason) => CliError::Read { path: path.to_owned(), reason },
         _ => CliError::PointsText { path: path.to_owned() },
     };
     let mut lines = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_path(path).map_err(failed)?;
-    // Spreadsheets put a byte order mark in front.
+    // Spreadsheets write a byte order mark.
     let header = lines.headers().map_err(failed)?;
     if header.iter().map(|name| name.trim_start_matches('\u{feff}')).ne(["x", "y"]) {
         return Err(CliError::PointsHeader { path: path.to_owned() });

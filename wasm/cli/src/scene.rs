@@ -1,4 +1,4 @@
-//! A project with its picture: what every subcommand starts from.
+//! A project with its picture: the input of every subcommand.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,14 +26,14 @@ pub(crate) struct Files {
 #[derive(Debug)]
 pub(crate) struct Scene {
     pub(crate) project: Project,
-    /// Where the project stands, for refusals of what it says.
+    /// Path of the project, for errors about its content.
     project_path: PathBuf,
     image: RgbaImage,
     image_path: PathBuf,
 }
 
 impl Scene {
-    /// Reads both.
+    /// Reads the project and its picture.
     pub(crate) fn open(files: &Files) -> Result<Self, CliError> {
         let path = &files.project;
         let bytes = fs::read(path).map_err(CliError::read(path))?;
@@ -53,18 +53,18 @@ impl Scene {
             .map_err(CliError::refused(&self.image_path))
     }
 
-    /// Solves the whole.
+    /// Solves the project.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
         c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))
     }
 
-    /// The project's pose of its solution.
+    /// The pose of the project's handles.
     pub(crate) fn pose(&self, solution: &Solution) -> Result<Pose, CliError> {
         let Project { handles, pose, .. } = &self.project;
         solution.poser().pose(handles, pose.blend).map_err(|reason| self.refused(reason))
     }
 
-    /// A refusal of what the project asks for.
+    /// An error about the project's content.
     pub(crate) fn refused(&self, reason: c2warp::Error) -> CliError {
         CliError::Refused { path: self.project_path.clone(), reason }
     }

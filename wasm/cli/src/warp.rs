@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let pose = scene.pose(&solution)?;
     let warped = solution.warped(&picture, &pose, arguments.scale).map_err(|reason| scene.refused(reason))?;
     output.finish(|writer| {
-        // A quarter more bytes than the default, in a third of its time.
+        // A quarter more bytes than with the default, in a third of its time.
         PngEncoder::new_with_quality(writer, CompressionType::Fast, FilterType::Adaptive)
             .write_image(&warped.rgba, warped.width, warped.height, ExtendedColorType::Rgba8)
             .map_err(|reason| match reason {

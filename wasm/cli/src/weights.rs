@@ -1,4 +1,4 @@
-//! `c2warp weights`: which sites move a point, and how much each counts.
+//! `c2warp weights`: the sites that move a point, with their weights.
 
 use std::path::PathBuf;
 
@@ -33,9 +33,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
             for (index, weight) in solution.weights_at(place).unwrap_or_default().into_iter().filter(|&(_, w)| w > 0.0)
             {
                 let site = &solution.sites[index];
-                let kind = if site.origin.is_real() { "real" } else { "virtual" };
-                // A held boundary is real, and no handle's.
-                let handle = site.origin.handle().map_or("", |handle| scene.project.handles[handle].id.as_str());
+                let kind = if site.kind.is_real() { "real" } else { "virtual" };
+                // Sites of a held boundary are real, but belong to no handle.
+                let handle = site.kind.handle().map_or("", |handle| scene.project.handles[handle].id.as_str());
                 table.write_record([
                     &point.to_string(),
                     &index.to_string(),

@@ -1,8 +1,8 @@
-//! A triangle mesh that the caller brings in place of a picture's outline and samples (paper, section V-B).
+//! A triangle mesh from the caller in place of a picture's outline and samples (section V-B).
 //!
-//! Its boundary is the outline of the domain, so distances and weights are as exact as on a mesh of the solver's own: they are
-//! evaluated, not carried along edges. Cells are found on samples of the solver's own, as many as the project asks for, and do not
-//! depend on the vertices inside. The vertices are the samples, no more and no fewer.
+//! The mesh's boundary is the outline of the domain, so distances and weights are as exact as on the solver's own mesh: they
+//! are evaluated, not propagated along edges. Cells are located on the solver's own samples, as many as the project requests,
+//! and do not depend on inner vertices. The mesh's vertices are the samples, no more and no fewer.
 //!
 //! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
 
@@ -18,14 +18,14 @@ use crate::{
     triangulation::{NONE, Triangulation},
 };
 
-/// The greatest coordinate: there rounding is four digits below what counts as on the outline.
+/// The greatest coordinate: its rounding is four digits below the tolerance of the outline.
 pub(crate) const FARTHEST: f64 = 1e6;
-/// A triangle's least area in square pixels, and in squares of its longest edge: less is rounding.
-const LEAST_AREA: f64 = 1e-12;
-/// Turns of the boundary smaller than this (sine of the angle) are straight, as they are for paths.
+/// Least area of a triangle, in square pixels and in squares of its longest edge: less is rounding.
+const MIN_AREA: f64 = 1e-12;
+/// Turns of the boundary smaller than this (sine of the angle) are straight, as for paths.
 const STRAIGHT: f64 = 1e-12;
 
-/// A checked triangle mesh, to be solved by [`solve_mesh`](crate::solve_mesh).
+/// A checked triangle mesh, for [`solve_mesh`](crate::solve_mesh).
 ///
 /// ```
 /// use c2warp::{GivenMesh, project::Project, solve_mesh};
@@ -59,16 +59,16 @@ pub struct GivenMesh {
 }
 
 impl GivenMesh {
-    /// Checks a mesh. Places are in pixels, each coordinate from −1,000,000 to 1,000,000; triangles may wind either way round and are turned
-    /// where they must.
+    /// Checks a mesh. Places are in pixels, each coordinate from −1,000,000 to 1,000,000; triangles may have either orientation
+    /// and are reoriented where necessary.
     ///
-    /// What counts as one spot is told in pixels, not in shares of the mesh: handles must be 0.01 px apart, and rounding is up to 1e-6 px.
-    /// A mesh in units of 0 to 1 is to be scaled up before, to some hundreds of pixels, and its handles with it.
+    /// Tolerances are in pixels, not relative to the mesh: handles must be at least 0.01 px apart, and rounding is up to
+    /// 1e-6 px. Scale up a mesh in units of 0 to 1, with its handles, to some hundreds of pixels.
     ///
-    /// The mesh may have several parts, and holes, in each of which may be further parts. No part may touch another.
+    /// The mesh may have several parts and holes, with further parts inside holes. No part may touch another.
     ///
     /// # Errors
-    /// One of the `Mesh…` errors, naming triangle or vertex.
+    /// One of the `Mesh…` errors, with the triangle or vertex.
     pub fn new(vertices: Vec<DVec2>, mut triangles: Vec<[u32; 3]>) -> Result<Self, Error> {
         if triangles.is_empty() {
             return Err(Error::MeshEmpty);
@@ -86,7 +86,7 @@ impl GivenMesh {
             let [p, q, r] = corners.map(|v| vertices[v as usize]);
             let area = (q - p).perp_dot(r - p) / 2.0;
             let longest = p.distance_squared(q).max(q.distance_squared(r)).max(r.distance_squared(p));
-            if area.abs() <= LEAST_AREA * longest.max(1.0) {
+            if area.abs() <= MIN_AREA * longest.max(1.0) {
                 return Err(Error::MeshTriangleFlat { triangle });
             }
             if area < 0.0 {
@@ -110,14 +110,15 @@ impl GivenMesh {
         Ok(Self { mesh, rings, outline: Arc::new(Outline::hard(domain)) })
     }
 
-    /// The samples that the vertices are.
+    /// The vertices as samples.
     pub(crate) fn samples(&self) -> Samples {
-        // Nothing is known of the distance between vertices.
+        // The distance between vertices is unknown.
         Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), f64::NAN)
     }
 }
 
-/// The triangles across the edges. Triangles wind positively, so two neighbours run along their edge in opposite directions.
+/// The triangles across the edges. Triangles have positive orientation, so two neighbours run along their edge in opposite
+/// directions.
 fn neighbours(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
     let mut beside: HashMap<[u32; 2], usize> = HashMap::with_capacity(triangles.len() * 3);
     for (triangle, corners) in triangles.iter().enumerate() {
@@ -132,7 +133,7 @@ fn neighbours(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
     Ok(triangles.iter().map(|&[a, b, c]| [across(a, b), across(b, c), across(c, a)]).collect())
 }
 
-/// The rings of vertices along the boundary, the mesh on their right hand.
+/// The rings of vertices along the boundary, the mesh to their right.
 fn boundary(mesh: &Triangulation) -> Result<Vec<Vec<u32>>, Error> {
     let mut next = vec![NONE; mesh.vertices.len()];
     for (corners, neighbours) in mesh.triangles.iter().zip(&mesh.neighbours) {
@@ -158,7 +159,7 @@ fn boundary(mesh: &Triangulation) -> Result<Vec<Vec<u32>>, Error> {
     Ok(rings)
 }
 
-/// The vertices at which a ring turns: between the others it is straight, and paths would gain nothing by knowing them.
+/// The vertices at which a ring turns; the others are of no use to paths.
 fn turns(vertices: &[DVec2], ring: &[u32]) -> Vec<u32> {
     let n = ring.len();
     let place = |i: usize| vertices[ring[i % n] as usize];
@@ -169,7 +170,7 @@ fn turns(vertices: &[DVec2], ring: &[u32]) -> Vec<u32> {
     (0..n).filter(|&i| is_turn(i)).map(|i| ring[i]).collect()
 }
 
-/// A refusal of the outline's rings in terms of the mesh.
+/// An error of the outline's rings in terms of the mesh.
 fn in_terms_of(error: Error, corners: &[Vec<u32>]) -> Error {
     let vertex = |ring: usize, point: usize| corners[ring][point] as usize;
     match error {

@@ -1,7 +1,8 @@
-//! Which triangle a point lies in: triangles in a uniform grid.
+//! Point location: a uniform grid over the triangles of a mesh.
 //!
-//! Cost: a handful of triangles a look-up. Building it takes a look at each cell of the box around each triangle, and four bytes for each
-//! that the triangle may touch; a long triangle across the grid has a box of up to as many cells as there are triangles.
+//! Cost: a handful of triangles a look-up. Construction visits each cell of the box around each triangle, and takes four
+//! bytes for each cell that the triangle may touch; a long triangle across the grid has a box of up to as many cells as there
+//! are triangles.
 
 use std::iter;
 
@@ -9,8 +10,8 @@ use glam::DVec2;
 
 use crate::{rows::Rows, triangulation::Triangulation};
 
-/// Points this far outside every triangle, in pixels, still count as inside: the rounding of a point computed to lie on
-/// the outline, with room to spare, and far below what anyone sees.
+/// Points this far outside every triangle, in pixels, still count as inside: above the rounding of a point computed to lie on
+/// the outline, and far below what is visible.
 pub(crate) const ON_OUTLINE: f64 = 1e-6;
 
 /// An index over the triangles of one mesh.
@@ -32,16 +33,16 @@ impl Locator {
         let wanted = mesh.triangles.len().clamp(1, 1 << 18) as f64;
         let cell = (size.x * size.y / wanted).sqrt().max(size.max_element() / 4096.0);
         let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
-        let mut grid = Self { low, cell, columns, rows, cells: Rows::sorted(0, iter::empty) };
+        let mut grid = Self { low, cell, columns, rows, cells: Rows::from_pairs(0, iter::empty) };
         let mut entries = Vec::with_capacity(mesh.triangles.len() * 3);
         for t in 0..mesh.triangles.len() {
             grid.for_cells(mesh.corners(t), |cell| entries.push((cell, t as u32)));
         }
-        grid.cells = Rows::sorted(columns * rows, || entries.iter().copied());
+        grid.cells = Rows::from_pairs(columns * rows, || entries.iter().copied());
         grid
     }
 
-    /// The triangle that holds a point, allowing [`ON_OUTLINE`].
+    /// The triangle that contains a point, within [`ON_OUTLINE`].
     pub(crate) fn locate(&self, mesh: &Triangulation, p: DVec2) -> Option<usize> {
         let (x, y) = self.cell_of(p)?;
         let mut best = (-ON_OUTLINE, None);
@@ -57,11 +58,11 @@ impl Locator {
         best.1
     }
 
-    /// A triangle not far from a point, of a mesh with any triangles.
+    /// A triangle not far from a point. The mesh must have triangles.
     pub(crate) fn near(&self, p: DVec2) -> usize {
         let cell = ((p - self.low) / self.cell).max(DVec2::ZERO);
         let (x, y) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
-        // A cell outside the mesh has none of its own: then that of a later cell.
+        // A cell outside the mesh is empty: the triangle of a later cell is returned.
         let (triangles, at) = (self.cells.items(), self.cells.range(y * self.columns + x).start);
         triangles[at.min(triangles.len() - 1)] as usize
     }

@@ -1,12 +1,12 @@
-//! The picture to warp: its size and its pixels, borrowed.
+//! The picture to warp: its size and its borrowed pixels.
 
 use crate::error::Error;
 
-/// Least number of pixels on a side: below it there is nothing to bend.
+/// Least number of pixels on a side: smaller pictures have nothing to bend.
 pub const MIN_SIDE: u32 = 2;
 /// Greatest number of pixels on a side: the texture limit of most graphics hardware.
 pub const MAX_SIDE: u32 = 16_384;
-/// Greatest number of pixels: 400 MB of RGBA, which a browser tab can still hold twice.
+/// Greatest number of pixels: 400 MB of RGBA, which a browser tab can hold twice.
 pub const MAX_PIXELS: u64 = 100_000_000;
 
 /// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom.
@@ -63,7 +63,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// Whether a picture of this size can be warped: to be asked before its pixels are decoded.
+/// Whether a picture of this size can be warped: a check before its pixels are decoded.
 ///
 /// # Errors
 /// [`Error::PictureSide`] and [`Error::PictureArea`].

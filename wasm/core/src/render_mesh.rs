@@ -1,4 +1,4 @@
-//! The mesh that is drawn: the samples' mesh and the rim around it, in drawing order.
+//! The drawn mesh: the samples' mesh and the rim around it, in drawing order.
 
 use std::collections::HashMap;
 
@@ -8,30 +8,29 @@ use crate::{
     pose::HarmonicFields,
     rows::Rows,
     sample::Samples,
-    site::{Origin, Site},
+    site::{Site, SiteKind},
 };
 
-/// Triangles to draw, later ones over earlier ones as long as no handle has a depth.
+/// Triangles, drawn later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RenderMesh {
-    /// Rest places: the samples, then the rim's.
+    /// Rest places: the samples, then the rim's vertices.
     pub vertices: Vec<DVec2>,
-    /// Triangles × 3 vertex numbers.
+    /// Triangles × 3 vertex indices.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl RenderMesh {
-    /// Orders triangles by the [part](leading_parts) that leads their first corner, those of parts further down over others, and each
-    /// part's rim first: so where the picture comes to lie over itself one part covers the other whole, whatever the order of the
-    /// handles.
+    /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each part's rim
+    /// before its mesh: where the picture covers itself, one part covers the other completely, in any order of the handles.
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
         let Samples { mesh, rim, .. } = samples;
         let layers = [&rim.triangles, &mesh.triangles];
-        // The first corner of every triangle is a sample. By part and then by layer.
+        // The first corner of every triangle is a sample. Rows are sorted by part, then by layer.
         let parts = leading.iter().max().map_or(0, |&last| last as usize + 1);
         let row = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
         let of_layer = |layer: usize| layers[layer].iter().map(move |t| (row(layer, t), *t));
-        let triangles = Rows::sorted(parts * layers.len(), || (0..layers.len()).flat_map(of_layer)).into_items();
+        let triangles = Rows::from_pairs(parts * layers.len(), || (0..layers.len()).flat_map(of_layer)).into_items();
         let mut vertices = mesh.vertices;
         vertices.reserve_exact(rim.vertices.len());
         vertices.extend_from_slice(&rim.vertices);
@@ -39,8 +38,8 @@ impl RenderMesh {
     }
 }
 
-/// The number of the part that each sample goes with: of the sample's cell, the one that has the largest share. A part is a point, a
-/// straight piece of a bar or polygon, or all of a held outline.
+/// For each sample the part with the largest share in the motion of its cell. A part is a point, a straight piece of a bar or
+/// polygon, or all of a held outline.
 pub(crate) fn leading_parts(nearest: &[u32], sites: &[Site], harmonic: &HarmonicFields) -> Vec<u32> {
     let parts = parts(sites);
     let mut sums = vec![0.0; sites.len()];
@@ -57,16 +56,16 @@ pub(crate) fn leading_parts(nearest: &[u32], sites: &[Site], harmonic: &Harmonic
     nearest.iter().map(|&site| leaders.get(site as usize).copied().unwrap_or(0)).collect()
 }
 
-/// The part of each real site. Parts are numbered by their first sites, which come from top to bottom; those of one handle follow one
-/// another.
+/// The part of each real site. Parts are numbered by their first sites, from top to bottom; those of one handle are
+/// consecutive.
 fn parts(sites: &[Site]) -> Vec<u32> {
-    let (mut of_handles, mut of_origins) = (HashMap::new(), HashMap::new());
+    let (mut of_handles, mut of_kinds) = (HashMap::new(), HashMap::new());
     let first = |(at, site): (usize, &Site)| {
-        let handle = match site.origin {
-            Origin::Point { handle } | Origin::Bone { handle, .. } => Some(handle),
-            Origin::Boundary | Origin::Virtual => None,
+        let handle = match site.kind {
+            SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => Some(handle),
+            SiteKind::Boundary | SiteKind::Virtual => None,
         };
-        (*of_handles.entry(handle).or_insert(at), *of_origins.entry(site.origin).or_insert(at))
+        (*of_handles.entry(handle).or_insert(at), *of_kinds.entry(site.kind).or_insert(at))
     };
     let firsts: Vec<(usize, usize)> = sites.iter().enumerate().map(first).collect();
     let mut order = firsts.clone();

@@ -1,4 +1,4 @@
-//! What a project asks of the solver, and what of it can be solved.
+//! The part of a project that a solve depends on, and its checks.
 
 use glam::DVec2;
 
@@ -14,10 +14,11 @@ use crate::{
     solver::Outline,
 };
 
-/// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] but for rounding, so that what is placed so far apart is not.
-const ONE_SPOT: f64 = MIN_SEPARATION - 1e-9;
+/// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that far
+/// apart pass.
+const MIN_HANDLE_DISTANCE: f64 = MIN_SEPARATION - 1e-9;
 
-/// What is asked for, apart from where the handles are posed.
+/// Everything a solve depends on: not where the handles are posed.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Request {
     pub(crate) samples: usize,
@@ -25,7 +26,7 @@ pub(crate) struct Request {
     pub(crate) mode: PoseMode,
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
-    /// Handles of all kinds.
+    /// The handles of all kinds.
     pub(crate) handles: Vec<Solved>,
     points: Vec<PointHandle>,
     lines: Vec<Line>,
@@ -38,11 +39,11 @@ struct PointHandle {
     rest: DVec2,
 }
 
-/// The rest places of all handles, checked, as the domain has them.
+/// The rest places of all handles in the domain, checked.
 #[derive(Debug)]
 pub(crate) struct Rest<P = Place> {
-    /// Point handles: where they rest, their place, their index. From top to bottom, whatever their order in the project: the
-    /// result must not depend on that.
+    /// Point handles: rest place, location, index. From top to bottom, so that the result does not depend on their order in
+    /// the project.
     pub(crate) points: Vec<(DVec2, P, u32)>,
     pub(crate) skeleton: Skeleton,
     /// Parts of lines outside the domain.
@@ -50,12 +51,12 @@ pub(crate) struct Rest<P = Place> {
 }
 
 impl Rest {
-    /// Where the point handles rest.
+    /// Rest places of the point handles.
     pub(crate) fn sites(&self) -> Vec<DVec2> {
         self.points.iter().map(|&(rest, ..)| rest).collect()
     }
 
-    /// Where the bones do.
+    /// Rest places of the bones.
     pub(crate) fn bones(&self) -> Vec<[DVec2; 2]> {
         self.skeleton.bones.iter().map(|bone| bone.rest).collect()
     }
@@ -63,8 +64,8 @@ impl Rest {
 
 impl Request {
     /// # Errors
-    /// [`Error::Project`] for what [`Project::check`] refuses; [`Error::TooManyHandles`]; [`Error::TooManyCorners`] where bars and polygons have more straight pieces than there may be sites,
-    /// of which each needs one.
+    /// [`Error::Project`] for what [`Project::check`] refuses; [`Error::TooManyHandles`]; [`Error::TooManyCorners`] where bars and
+    /// polygons have more straight pieces than there may be sites, as each piece needs one.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         project.check()?;
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
@@ -101,7 +102,7 @@ impl Request {
         })
     }
 
-    /// The handles in a domain.
+    /// Locates the handles in a domain and cuts lines into bones.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
@@ -119,7 +120,7 @@ impl Request {
         for point in &self.points {
             for bone in &rest.skeleton.bones {
                 let distance = bone.distance(point.rest);
-                if distance < ONE_SPOT {
+                if distance < MIN_HANDLE_DISTANCE {
                     let line = self.lines.iter().find(|line| line.handle == bone.handle);
                     let line = line.expect("bones are pieces of lines").id.clone();
                     return Err(Error::HandlesTooClose { first: point.id.clone(), second: line, distance });
@@ -129,8 +130,7 @@ impl Request {
         Ok(rest)
     }
 
-    /// The same where there are point handles alone, for what tells the place of a point and the point in it, or that it lies
-    /// outside.
+    /// Point handles alone. `locate` maps a point to its place and to the point moved into the domain, or to `None` outside.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`].
@@ -145,7 +145,7 @@ impl Request {
         for (at, &(p, _, of_p)) in points.iter().enumerate() {
             for &(q, _, of_q) in points[at + 1..].iter().take_while(|(q, ..)| q.y - p.y < MIN_SEPARATION) {
                 let distance = p.distance(q);
-                if distance < ONE_SPOT {
+                if distance < MIN_HANDLE_DISTANCE {
                     let id = |handle: u32| {
                         let known = self.points.iter().find(|point| point.handle == handle);
                         known.expect("a handle of the request").id.clone()
@@ -158,7 +158,7 @@ impl Request {
         Ok(Rest { points, skeleton: Skeleton::default(), outside: Vec::new() })
     }
 
-    /// Refuses what a bare point cloud cannot have.
+    /// Refuses lines and a held boundary, which a bare point cloud cannot have.
     pub(crate) fn check_points_only(&self) -> Result<(), Error> {
         if let Some(line) = self.lines.first() {
             let path = format!("handles[{}].kind", line.handle);

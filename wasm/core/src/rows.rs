@@ -1,27 +1,27 @@
-//! Lists of different lengths in one piece of memory: compressed rows.
+//! Lists of different lengths in one allocation: compressed sparse rows.
 
 use std::ops::Range;
 
 /// Rows of items.
 #[derive(Debug, Clone)]
 pub(crate) struct Rows<T> {
-    /// Rows + 1: where the items of each begin.
+    /// Rows + 1: the index of each row's first item.
     start: Vec<u32>,
     items: Vec<T>,
 }
 
 impl<T: Clone + Default> Rows<T> {
-    /// So many rows of what is told, each item with the number of its row; in a row they keep the order in which they are told.
+    /// Builds `rows` compressed rows from `(row, item)` pairs, keeping the order of the pairs within a row. Counting sort:
+    /// `pairs` is called twice and must yield the same sequence.
     ///
-    /// A counting sort. `told` is gone through twice, and must tell the same.
-    pub(crate) fn sorted<I: Iterator<Item = (usize, T)>>(rows: usize, told: impl Fn() -> I) -> Self {
+    pub(crate) fn from_pairs<I: Iterator<Item = (usize, T)>>(rows: usize, pairs: impl Fn() -> I) -> Self {
         let mut start = vec![0_u32; rows + 1];
-        told().for_each(|(row, _)| start[row + 1] += 1);
+        pairs().for_each(|(row, _)| start[row + 1] += 1);
         for row in 0..rows {
             start[row + 1] += start[row];
         }
         let (mut fill, mut items) = (start.clone(), vec![T::default(); start[rows] as usize]);
-        told().for_each(|(row, item)| {
+        pairs().for_each(|(row, item)| {
             items[fill[row] as usize] = item;
             fill[row] += 1;
         });
@@ -35,17 +35,17 @@ impl<T> Rows<T> {
         &self.items[self.range(row)]
     }
 
-    /// Which items of all are those of a row.
+    /// The range of a row's items among [`items`](Self::items).
     pub(crate) fn range(&self, row: usize) -> Range<usize> {
         self.start[row] as usize..self.start[row + 1] as usize
     }
 
-    /// The items of all rows, one row after another.
+    /// The items of all rows, row by row.
     pub(crate) fn items(&self) -> &[T] {
         &self.items
     }
 
-    /// The same, handed over.
+    /// The items of all rows, row by row.
     pub(crate) fn into_items(self) -> Vec<T> {
         self.items
     }
@@ -56,8 +56,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn items_come_by_row_in_the_order_they_are_told_in() {
-        let rows = Rows::sorted(4, || [(2, 'a'), (0, 'b'), (2, 'c'), (3, 'd'), (2, 'e')].into_iter());
+    fn items_come_by_row_in_the_order_of_the_pairs() {
+        let rows = Rows::from_pairs(4, || [(2, 'a'), (0, 'b'), (2, 'c'), (3, 'd'), (2, 'e')].into_iter());
         let all: Vec<&[char]> = (0..4).map(|row| rows.row(row)).collect();
         assert_eq!(all, [&['b'][..], &[], &['a', 'c', 'e'], &['d']]);
         assert_eq!((rows.range(1), rows.into_items()), (1..1, vec!['b', 'a', 'c', 'e', 'd']));

@@ -1,8 +1,8 @@
-//! Distance to a straight piece.
+//! Distance to a line segment.
 
 use glam::DVec2;
 
-/// The point of the segment from `a` to `b` that is nearest to `p`. The segment may have no length.
+/// The point of the segment from `a` to `b` that is nearest to `p`. The segment may have length 0.
 pub(crate) fn nearest_on_segment(p: DVec2, a: DVec2, b: DVec2) -> DVec2 {
     let along = b - a;
     let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);

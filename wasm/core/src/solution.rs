@@ -18,7 +18,7 @@ use crate::{
     request::check_picture,
     site::{Site, SiteGraph},
     solver::Outline,
-    weight::{Influence, SparseWeights, Weights},
+    weight::{Influence, SparseWeights, WeightFunctions},
 };
 
 /// The result of a solve. It does not depend on where the handles are posed: its [`poser`](Self::poser) makes the poses that it takes,
@@ -47,7 +47,7 @@ pub struct Solution {
     pub(crate) kinds: [usize; 3],
     pub(crate) outside: Vec<Outside>,
     pub(crate) poser: Poser,
-    pub(crate) functions: Weights,
+    pub(crate) functions: WeightFunctions,
     pub(crate) outline: Arc<Outline>,
 }
 
@@ -179,7 +179,7 @@ impl Solution {
     /// Where the pose is of another solution.
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
-        let real = self.sites.iter().filter(|site| site.origin.is_real()).count();
+        let real = self.sites.iter().filter(|site| site.kind.is_real()).count();
         let entries = self.weights.offsets[self.samples] as usize;
         let covers = self.weights.offsets[..=self.samples].windows(2).map(|row| (row[1] - row[0]) as usize);
         let reached = self.phi_sums.iter().zip(&self.nearest).filter(|&(_, &nearest)| nearest != u32::MAX);

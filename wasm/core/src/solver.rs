@@ -1,4 +1,4 @@
-//! The façade: from a project and its picture to a solution, stage by stage. Alone in seeing every stage.
+//! The façade: from a project and its picture to a solution, stage by stage. The only module that knows every stage.
 
 use std::sync::Arc;
 
@@ -19,10 +19,10 @@ use crate::{
     sample::{Ground, Samples, Scouts, scouts_wanted},
     site::{Obstacles, Regions, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
-    weight::{Basis, Swept, Weights, support_radii},
+    weight::{Basis, Swept, WeightFunctions, support_radii},
 };
 
-/// A part of the solve. Between two of them a caller may look for newer requests.
+/// A stage of the solve. Between two stages a caller may look for newer requests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// The outline: from the picture's alpha or the project's rings.
@@ -49,9 +49,9 @@ impl Stage {
 }
 
 /// Solves projects of one picture, stage by stage, and keeps for the next solve what does not depend on point handles: the
-/// picture's outline, and the ground of samples and scouts.
+/// outline, and the samples and scouts without handles.
 ///
-/// A picture is known by its size: another of the same size needs a new solver.
+/// A picture is identified by its size: another one of the same size needs a new solver.
 #[derive(Debug, Default)]
 pub struct Solver {
     outline: Option<(DomainKey, Arc<Outline>)>,
@@ -67,16 +67,16 @@ pub struct Solver {
 pub(crate) struct Outline {
     pub(crate) domain: Domain,
     pub(crate) navigation: Navigation,
-    /// The picture's size, where there is a picture.
+    /// The picture's size, if there is a picture.
     pub(crate) picture: Option<(u32, u32)>,
-    /// The same, where it fades out beyond the outline.
+    /// The same, if it fades out beyond the outline.
     fading: Option<DVec2>,
 }
 
-/// What a domain depends on, apart from the picture's pixels: what the project says of it, and the picture's size.
+/// Everything a domain depends on besides the picture's pixels: its definition, and the picture's size.
 type DomainKey = (Option<DomainSpec>, (u32, u32));
 
-/// A solve under way.
+/// A solve in progress.
 #[derive(Debug)]
 struct Work {
     request: Request,
@@ -95,9 +95,10 @@ impl Solver {
         Self::default()
     }
 
-    /// Begins a solve, dropping one under way. All pictures of one size that are passed to a solver must be the same.
+    /// Begins a solve, dropping one in progress. All pictures of one size that are passed to a solver must be the same.
     ///
-    /// Runs the domain's stage up to the check of what the project asks for.
+    /// Finds the outline unless it is kept from the last solve. The first call of [`advance`](Self::advance) then checks the
+    /// handles and reports [`Stage::Domain`].
     ///
     /// # Errors
     /// [`Error::PictureMismatch`]; [`Error::Project`] for what [`Project::check`] refuses; [`Error::TooManyHandles`],
@@ -116,7 +117,7 @@ impl Solver {
         Ok(())
     }
 
-    /// Runs the next stage of the solve and tells which it was; `None` when there is none left.
+    /// Runs the next stage of the solve and returns it; `None` when none is left.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
@@ -152,7 +153,7 @@ impl Solver {
     fn scouts(&mut self, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
         let count = scouts_wanted(request.samples, request.density);
         let ground = match &self.ground {
-            // As a rule they are as many as the samples, and begin as those do.
+            // Usually the count is that of the samples, and so is the ground.
             Some(known) if known.is_for(&rest.bones(), count) => known,
             _ => ground(&mut self.scouts_ground, outline, rest, count, None),
         };
@@ -168,9 +169,9 @@ impl Solver {
         regions.insert_real_sites(&rest.points)?;
         let scores = insert_virtual_sites(&mut regions, request.density)?;
         regions.measure_cells();
-        // Radii as far as is known; what is seen on the way only makes them smaller.
+        // Upper bounds of the radii: obstacles found while fields are extended only reduce them.
         for (site, radius) in support_radii(&request.weighting, &regions.sites).into_iter().enumerate() {
-            regions.look_out(site, radius);
+            regions.extend_field(site, radius);
         }
         Ok((regions.sites, scores))
     }
@@ -190,7 +191,7 @@ impl Solver {
         }
         let kinds = request.kinds();
         let basis = Basis::new(weighting.degree, weighting.filling);
-        let functions = Weights::new(navigation, &sites, &skeleton, basis);
+        let functions = WeightFunctions::new(navigation, &sites, &skeleton, basis);
         let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(&sites, &samples);
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
@@ -225,7 +226,7 @@ impl Solver {
         self.solution.as_ref().map(|(.., solution)| solution)
     }
 
-    /// Whether the last solution is that of a project, wherever its handles are posed. What `image.src` names plays no part.
+    /// Whether the last solution is that of a project, apart from its pose and `image.src`.
     #[must_use]
     pub fn has_solved(&self, project: &Project) -> bool {
         self.solution.as_ref().is_some_and(|(domain, request, _)| {
@@ -233,7 +234,7 @@ impl Solver {
         })
     }
 
-    /// The last solution, handed over.
+    /// The last solution, by value.
     #[must_use]
     pub fn into_solution(self) -> Option<Solution> {
         self.solution.map(|(.., solution)| solution)
@@ -244,7 +245,7 @@ fn domain_key(project: &Project) -> DomainKey {
     (project.domain.clone(), project.image.size())
 }
 
-/// The ground of samples that is known, or another where it is not the one that is wanted.
+/// The kept ground of samples, replaced if it is not the requested one.
 fn ground<'a>(
     known: &'a mut Option<Ground>,
     outline: &Outline,
@@ -259,7 +260,7 @@ fn ground<'a>(
     known.get_or_insert_with(|| Ground::new(&outline.domain, &outline.navigation, &bones, count, fading))
 }
 
-/// Solves a project at once.
+/// Solves a project in one call.
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`].
@@ -270,7 +271,8 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
     Ok(solver.into_solution().expect("every stage has run"))
 }
 
-/// Intrinsic distances in a project's domain, in pixels, from one point to others; `None` where no path leads. Handles play no part.
+/// Intrinsic distances in a project's domain, in pixels, from one point to others; `None` where no path leads. Handles are
+/// ignored.
 ///
 /// # Errors
 /// [`Error::PictureMismatch`], an error of [`Domain::new`], or [`Error::PointOutside`] where the first point lies outside the domain.
@@ -280,11 +282,11 @@ pub fn distances(project: &Project, picture: &Picture, from: DVec2, at: &[DVec2]
     Propagation::default().distances(&outline.navigation, from, at)
 }
 
-/// Solves a project at once on a mesh that the caller brings: its vertices are the samples, and the first and only
-/// vertices of the solution's mesh, in the caller's order. Handles need not stand on vertices.
+/// Solves a project in one call on a mesh from the caller: its vertices are the samples, and the only vertices of the
+/// solution's mesh, in the caller's order. Handles need not lie on vertices.
 ///
-/// What the project says of picture and domain plays no part, and its number of samples is that of the scouts: of the points, at
-/// most, on which cells are found.
+/// The project's picture and domain are ignored, and its number of samples is the upper limit for the scouts, on which cells
+/// are located.
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
@@ -298,9 +300,9 @@ pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error
     Ok(solver.finish(work, outline))
 }
 
-/// Solves a project at once on a point cloud, as the paper does: see [`cloud`](crate::cloud).
+/// Solves a project in one call on a point cloud, as the paper does: see [`cloud`](crate::cloud).
 ///
-/// What the project says of picture, domain and number of samples plays no part.
+/// The project's picture, domain and number of samples are ignored.
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings; [`Error::Unsupported`] for bars,
@@ -314,7 +316,7 @@ pub fn solve_cloud(project: &Project, cloud: &PointCloud) -> Result<CloudSolutio
 }
 
 impl Outline {
-    /// The outline of a domain beyond which there is nothing to draw.
+    /// The outline of a domain with nothing to draw beyond it.
     pub(crate) fn hard(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
         Self { domain, navigation, picture: None, fading: None }

@@ -1,15 +1,15 @@
 /**
- * What is drawn over what where a posed picture covers itself: triangles from the farthest to the nearest, equally deep ones
- * in the order of the mesh. The rule is told in `wasm/core/src/drawing_order.rs`.
+ * The drawing order of triangles where a posed picture covers itself: from the farthest to the nearest, equally deep ones in
+ * the order of the mesh. `wasm/core/src/drawing_order.rs` defines the rule.
  *
  * Cost: a look at every site's depth; where one has changed, linear in stored weights and triangles.
  */
 import { MOTION_STRIDE, type Skin } from './skin';
 
-/** Steps from the farthest site to the nearest. */
-const STEPS = 1024;
-/** Depths that differ by less than this share of the greatest are the same. */
-const SAME = 1e-6;
+/** Depth steps from the farthest site to the nearest. */
+const DEPTH_STEPS = 1024;
+/** Depths that differ by less than this share of the greatest are equal. */
+const SAME_DEPTH = 1e-6;
 
 /** The drawing order of one skin, kept as long as the depths stay. */
 export class DrawingOrder {
@@ -46,7 +46,7 @@ function sorted(skin: Skin, depths: Float32Array): Uint32Array {
     if (offsets[vertex] === offsets[vertex + 1]) include(0);
   }
   const range = high - low;
-  if (!(range > SAME * Math.max(Math.abs(low), Math.abs(high)))) return triangles;
+  if (!(range > SAME_DEPTH * Math.max(Math.abs(low), Math.abs(high)))) return triangles;
 
   const deep = new Float64Array(offsets.length - 1).map((_, vertex) => {
     const [from, to] = [offsets[vertex] ?? 0, offsets[vertex + 1] ?? 0];
@@ -59,16 +59,16 @@ function sorted(skin: Skin, depths: Float32Array): Uint32Array {
   const depth = (corner: number) => deep[triangles[corner] ?? 0] ?? 0;
   const steps = new Int32Array(triangles.length / 3).map((_, triangle) => {
     const sum = depth(3 * triangle) + depth(3 * triangle + 1) + depth(3 * triangle + 2);
-    return Math.round((sum / (3 * range)) * STEPS);
+    return Math.round((sum / (3 * range)) * DEPTH_STEPS);
   });
   return countingSort(triangles, steps);
 }
 
 /** Triangles by step, stably. */
 function countingSort(triangles: Uint32Array, steps: Int32Array): Uint32Array {
-  const start = new Uint32Array(STEPS + 2);
+  const start = new Uint32Array(DEPTH_STEPS + 2);
   for (const step of steps) start[step + 1] = (start[step + 1] ?? 0) + 1;
-  for (let step = 0; step <= STEPS; step++) start[step + 1] = (start[step + 1] ?? 0) + (start[step] ?? 0);
+  for (let step = 0; step <= DEPTH_STEPS; step++) start[step + 1] = (start[step + 1] ?? 0) + (start[step] ?? 0);
   const result = new Uint32Array(triangles.length);
   steps.forEach((step, triangle) => {
     const at = start[step] ?? 0;

@@ -1,4 +1,6 @@
-//! Where lines turn and meet: cuts them into pieces between joints.
+//! Cuts lines into pieces where they turn and meet.
+//!
+//! Cost: O(n²) in the segments of all lines.
 
 use glam::DVec2;
 
@@ -9,20 +11,20 @@ use crate::{
     site::{MAX_SITES, MIN_SEPARATION},
 };
 
-/// Two touches of the same two pieces this far apart, in pixels, are an overlap: they run along each other.
+/// Two segments that touch at places this far apart, in pixels, run along each other.
 const OVERLAP: f64 = 10.0 * MIN_SEPARATION;
 
 /// A piece of a line between two joints.
 pub(super) struct Piece {
     pub(super) handle: u32,
     pub(super) segment: u32,
-    /// Where on the segment it begins and ends, 0 to 1.
+    /// The shares of the segment at which it begins and ends, 0 to 1.
     pub(super) shares: [f64; 2],
     pub(super) joints: [u32; 2],
 }
 
 impl Piece {
-    /// Where a piece of `line` begins and ends.
+    /// The ends of a piece of `line`.
     pub(super) fn ends(&self, line: &Line) -> [DVec2; 2] {
         let (a, b) = line.segment(self.segment as usize);
         self.shares.map(|share| a.lerp(b, share))
@@ -34,13 +36,13 @@ pub(super) struct Cuts {
     pub(super) joints: Vec<Vec<Anchor>>,
 }
 
-/// A straight piece of a line with the places where it is cut.
+/// A segment of a line with the places where it is cut.
 struct Segment<'a> {
     line: &'a Line,
     number: usize,
     a: DVec2,
     b: DVec2,
-    /// Share of the segment, and the node there.
+    /// Shares of the segment, each with the node there.
     stops: Vec<(f64, usize)>,
 }
 
@@ -53,7 +55,7 @@ impl Cuts {
         for &line in lines {
             let first = nodes.anchors.len();
             for corner in 0..line.corners.len() {
-                // The last corner of an open line is the end of the last piece.
+                // The last corner of an open line is the end of the last segment.
                 let (segment, share) =
                     if corner < line.segments() { (corner, 0.0) } else { (line.segments() - 1, 1.0) };
                 nodes.add(Anchor { handle: line.handle, segment: segment as u32, share });
@@ -109,7 +111,7 @@ impl Cuts {
 }
 
 impl Segment<'_> {
-    /// The node at a place on the segment: one that is there, or a new one.
+    /// The node at a place on the segment: an existing one nearby, or a new one.
     fn stop(&mut self, p: DVec2, nodes: &mut Nodes) -> usize {
         let along = self.b - self.a;
         let share = ((p - self.a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
@@ -129,7 +131,7 @@ enum Meeting {
     Along,
 }
 
-/// Where two segments are within [`MIN_SEPARATION`] of each other.
+/// How two segments come within [`MIN_SEPARATION`] of each other.
 fn meeting(s: &Segment, t: &Segment) -> Meeting {
     let ((a, b), (c, d)) = ((s.a, s.b), (t.a, t.b));
     let slack = DVec2::splat(MIN_SEPARATION);
@@ -149,11 +151,11 @@ fn meeting(s: &Segment, t: &Segment) -> Meeting {
     if touches.iter().any(|touch| touch.distance(first) > OVERLAP) { Meeting::Along } else { Meeting::At(first) }
 }
 
-/// Places on lines, joined into joints.
+/// Places on lines, merged into joints (union-find).
 #[derive(Default)]
 struct Nodes {
     anchors: Vec<Anchor>,
-    /// A node of the same joint nearer to its first one; at the end, the joint's number.
+    /// A node of the same joint, nearer to its root.
     parent: Vec<usize>,
     joint: Vec<u32>,
 }
@@ -177,7 +179,7 @@ impl Nodes {
         self.parent[a.max(b)] = a.min(b);
     }
 
-    /// Numbers the joints and lists what each is made of.
+    /// Numbers the joints and lists the anchors of each.
     fn joints(&mut self) -> Vec<Vec<Anchor>> {
         let mut number = vec![u32::MAX; self.anchors.len()];
         let mut joints: Vec<Vec<Anchor>> = Vec::new();

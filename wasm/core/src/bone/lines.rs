@@ -1,4 +1,4 @@
-//! The line of a bar, or of a polygon, at rest.
+//! The line of a bar or polygon at rest.
 
 use glam::DVec2;
 
@@ -17,12 +17,12 @@ impl Line {
         self.corners.iter().flat_map(|corner| [corner.y, corner.x])
     }
 
-    /// Number of pieces between corners.
+    /// Number of segments between corners.
     pub(crate) fn segments(&self) -> usize {
         if self.closed { self.corners.len() } else { self.corners.len() - 1 }
     }
 
-    /// The ends of a piece.
+    /// The ends of a segment.
     pub(crate) fn segment(&self, at: usize) -> (DVec2, DVec2) {
         (self.corners[at], self.corners[(at + 1) % self.corners.len()])
     }

@@ -190,7 +190,7 @@ impl Skeleton {
     }
 
     /// Whether the straight way between two places crosses a bone that neither lies on. Its ends count.
-    pub(crate) fn is_between(&self, p: DVec2, q: DVec2) -> bool {
+    pub(crate) fn separates(&self, p: DVec2, q: DVec2) -> bool {
         self.bones.iter().any(|bone| {
             let [a, b] = bone.rest;
             let (along, way) = (b - a, q - p);

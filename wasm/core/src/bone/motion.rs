@@ -1,4 +1,4 @@
-//! What a bone does when its handle is posed: it turns, it stretches along itself, and it is carried along.
+//! The map of a bone when its handle is posed: it rotates, stretches along itself, and moves.
 
 use std::f64::consts::TAU;
 
@@ -7,26 +7,26 @@ use glam::DVec2;
 use super::{Bone, Skeleton, ends, place};
 use crate::project::{Handle, Rotation, Shape};
 
-/// What is posed to less than this, in pixels, has no length: its direction would be rounding.
+/// A bone posed to a length below this, in pixels, has no length: its direction would be rounding.
 const NO_LENGTH: f64 = 1e-9;
 
-/// The map of a bone: the place `rest` goes to `posed`, and around it all is turned and stretched.
+/// The map of a bone: `rest` goes to `posed`, and the surroundings are rotated and stretched.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BoneMotion {
     pub(crate) rest: DVec2,
     pub(crate) posed: DVec2,
     /// Unit direction of the bone at rest.
     pub(crate) along: DVec2,
-    /// Radians, of any number of turns.
+    /// Rotation in radians, not limited to one turn.
     pub(crate) angle: f64,
-    /// Growth along the bone, 0 or more.
+    /// Stretch along the bone, 0 or more.
     pub(crate) stretch: f64,
-    /// Growth across it.
+    /// Stretch across it.
     pub(crate) across: f64,
 }
 
 impl Skeleton {
-    /// The maps of all bones. Handles must have the corners that were solved.
+    /// The maps of all bones. Handles must have as many corners as when they were solved.
     pub(crate) fn motions(&self, handles: &[Handle]) -> Vec<BoneMotion> {
         let joints: Vec<DVec2> =
             self.joints.iter().map(|anchors| place(anchors, |handle| handles[handle as usize].shape.posed())).collect();
@@ -38,7 +38,7 @@ impl Skeleton {
                 [0, 1].map(|k| joints[bone.joints[k] as usize] + bone.off_joints[k] + bone.beyond[k] * (to - from));
             let before = b - a;
             let after = if c.distance(d) < NO_LENGTH { DVec2::ZERO } else { d - c };
-            // A bone without length has the direction of its handle.
+            // A bone without length has the rotation of its handle.
             let turn = turns[bone.handle as usize];
             let angle = libm::atan2(before.perp_dot(after), before.dot(after));
             let angle = if after == DVec2::ZERO { turn } else { angle + TAU * libm::round((turn - angle) / TAU) };
@@ -54,7 +54,7 @@ impl Skeleton {
         self.bones.iter().map(motion).collect()
     }
 
-    /// Whether handles have the corners that bones and anchors name.
+    /// Whether handles have the corners that bones and anchors refer to.
     pub(crate) fn fits(&self, handles: &[Handle]) -> bool {
         let has = |handle: u32, segment: u32| match &handles[handle as usize].shape {
             Shape::Point { .. } => false,
@@ -65,8 +65,8 @@ impl Skeleton {
     }
 }
 
-/// How far a handle is turned as a whole, in radians: each of its bones is turned by the angle nearest to that. Of an
-/// automatic one the rotation that fits its corners best.
+/// The rotation of a handle as a whole, in radians: each of its bones is rotated by the equivalent angle nearest to it. For
+/// an automatic rotation, the one that fits the corners best.
 fn whole_turn(handle: &Handle) -> f64 {
     let (rest, posed) = match &handle.shape {
         Shape::Point { .. } => return 0.0,

@@ -1,4 +1,4 @@
-//! Intrinsic distance to a bone: the pieces of it in the triangles that distances are known by.
+//! Intrinsic distance to a bone, from its parts in the triangles of the navigation mesh.
 
 use glam::DVec2;
 
@@ -13,7 +13,7 @@ pub(crate) struct Track {
 }
 
 impl Track {
-    /// Cost: a look at every triangle of the outline.
+    /// Cost: a look at every triangle of the navigation mesh.
     pub(crate) fn new(navigation: &Navigation, bone: &Bone) -> Self {
         let [a, b] = bone.rest;
         let middle = navigation.place(a.midpoint(b)).expect("bones lie in the domain");
@@ -31,7 +31,7 @@ impl Track {
     }
 }
 
-/// The part of a segment in a triangle, as shares of it.
+/// The part of a segment in a triangle, as shares of the segment.
 fn within_triangle(a: DVec2, b: DVec2, corners: [DVec2; 3]) -> Option<[f64; 2]> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for k in 0..3 {

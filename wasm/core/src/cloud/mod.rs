@@ -1,11 +1,12 @@
-//! A bare point cloud in place of a picture's outline and mesh (paper, section V-B).
+//! A bare point cloud in place of a picture's outline and mesh (section V-B).
 //!
-//! A graph over the k nearest neighbours of each point stands for the domain. As in the paper, distances are shortest paths on
-//! it, cells and Algorithm 1 know its points only, and between points weights are interpolated. So all of it is an
-//! approximation: distances are some per cent too long however dense the points are, weights jump a little where another point becomes one of the
-//! k nearest, and a symmetric cloud may be divided asymmetrically. Where there is an outline or a mesh, bring that.
+//! A graph over the k nearest neighbours of each point represents the domain. As in the paper, distances are shortest paths
+//! on it, cells and Algorithm 1 use its points only, and weights are interpolated between points. So everything is an
+//! approximation: distances are some per cent too long however dense the points are, weights jump a little where the set of
+//! the k nearest points changes, and a symmetric cloud may be divided asymmetrically. Where there is an outline or a mesh,
+//! use that.
 //!
-//! Cost: n log n for the graph; two passes of Dijkstra's algorithm over all of it for each site.
+//! Cost: O(n log n) for the graph; two runs of Dijkstra's algorithm over all of it for each site.
 
 mod regions;
 mod solution;
@@ -18,7 +19,7 @@ use crate::{distance::graph::Graph, error::Error, given_mesh::FARTHEST, triangul
 
 pub use solution::CloudSolution;
 
-/// Points and the graph over their nearest neighbours, to be solved by [`solve_cloud`](crate::solve_cloud).
+/// Points and the graph over their nearest neighbours, for [`solve_cloud`](crate::solve_cloud).
 ///
 /// ```
 /// use c2warp::{cloud::PointCloud, project::Project, solve_cloud};
@@ -43,17 +44,17 @@ pub use solution::CloudSolution;
 pub struct PointCloud {
     points: Vec<DVec2>,
     graph: Graph,
-    /// Connected part of each point.
+    /// Index of the connected part of each point.
     part: Vec<u32>,
     neighbours: usize,
     tree: Tree,
 }
 
 impl PointCloud {
-    /// Links every point with its `neighbours` nearest, and with those that it is one of the nearest of. Places are in pixels, each coordinate from −1,000,000
-    /// to 1,000,000; handles must be 0.01 px apart.
+    /// Links every point with its `neighbours` nearest, in either direction. Places are in pixels, each coordinate from
+    /// −1,000,000 to 1,000,000; handles must be at least 0.01 px apart.
     ///
-    /// The paper names no number; 8 is usual. With fewer, distances get longer; with more, links bridge gaps.
+    /// The paper gives no number; 8 is usual. With fewer, distances get longer; with more, links bridge gaps.
     ///
     /// # Errors
     /// [`Error::CloudNeighbours`], [`Error::CloudPoint`], [`Error::CloudDuplicate`].
@@ -101,8 +102,8 @@ impl PointCloud {
         &self.graph
     }
 
-    /// Whether a place belongs to the domain that the cloud stands for: it is no farther from the nearest point than the
-    /// longest link of that point is long.
+    /// Whether a place belongs to the domain that the cloud represents: its distance to the nearest point is at most the
+    /// length of that point's longest link.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {
         self.tree.nearest(&self.points, p, 1).first().is_some_and(|&(square, point)| {
@@ -112,8 +113,8 @@ impl PointCloud {
         })
     }
 
-    /// The cloud with further points: each linked with its nearest neighbours of the cloud, and with those of the others that
-    /// are nearer. Also tells which point each of them is; one that coincides with a point of the cloud is that.
+    /// The cloud with further points, each linked with its nearest neighbours of the cloud and with those further points that
+    /// are nearer. Also returns the index of each; a place that coincides with a point of the cloud gets that point's.
     fn with(&self, places: &[DVec2]) -> (Self, Vec<u32>) {
         let mut points = self.points.clone();
         let links = |from: usize| self.graph.of(from).iter().map(move |&to| (from as u32, to));
@@ -138,7 +139,7 @@ impl PointCloud {
     }
 }
 
-/// The number of the connected part that each node of a graph lies in.
+/// The index of the connected part of each node.
 fn parts(graph: &Graph, nodes: usize) -> Vec<u32> {
     let (mut part, mut count) = (vec![NONE; nodes], 0);
     for seed in 0..nodes {

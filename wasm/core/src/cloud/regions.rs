@@ -1,23 +1,25 @@
-//! Cells and Algorithm 1 on the points of a cloud (paper, sections IV-A and V-B).
+//! Cells and Algorithm 1 on the points of a cloud (sections IV-A and V-B).
 //!
 //! While some cell is larger than its site's support may reach, the farthest point of the worst cell becomes a site. A point
-//! becomes a site once at most, so this ends; where the points are too sparse for how close handles are, it ends with all
-//! points around them being sites (the paper's "failure").
+//! becomes a site at most once, so this ends; where the points are too sparse for close handles, it ends with all points
+//! around them being sites (the paper's "failure").
+//!
+//! Cost: for each insertion one run of Dijkstra's algorithm and a pass over all points.
 
 use super::PointCloud;
 use crate::{
     distance::{DistanceField, Place},
     error::Error,
-    site::{MAX_SITES, Origin, Site, SiteGraph, allowed_score, score},
+    site::{MAX_SITES, Site, SiteGraph, SiteKind, allowed_score, score},
     triangulation::NONE,
 };
 
 pub(super) struct Regions<'a> {
     cloud: &'a PointCloud,
     pub(super) sites: Vec<Site>,
-    /// The point that each site is.
+    /// The point of each site.
     pub(super) points: Vec<u32>,
-    /// The nearest site of each point, [`NONE`] in a part without sites, and its distance.
+    /// The nearest site of each point, [`NONE`] in a part without sites; then its distance.
     pub(super) nearest: Vec<u32>,
     distance: Vec<f64>,
 }
@@ -29,17 +31,17 @@ impl<'a> Regions<'a> {
         Self { cloud, sites: Vec::new(), points: Vec::new(), nearest, distance }
     }
 
-    pub(super) fn insert(&mut self, point: u32, origin: Origin) {
+    pub(super) fn insert(&mut self, point: u32, kind: SiteKind) {
         let (at, new) = (point as usize, self.sites.len() as u32);
         let from = self.cloud.graph.distances(&self.cloud.points, at);
         let (separation, mut clearance) = (self.distance[at], f64::INFINITY);
         for (site, &point) in self.sites.iter_mut().zip(&self.points) {
             let d = from[point as usize];
             site.separation = site.separation.min(d);
-            if origin.is_real() {
+            if kind.is_real() {
                 site.clearance = site.clearance.min(d);
             }
-            if site.origin.is_real() {
+            if site.kind.is_real() {
                 clearance = clearance.min(d);
             }
         }
@@ -52,7 +54,7 @@ impl<'a> Regions<'a> {
         self.points.push(point);
         self.sites.push(Site {
             rest,
-            origin,
+            kind,
             separation,
             clearance,
             cell_radius: 0.0,
@@ -65,7 +67,7 @@ impl<'a> Regions<'a> {
         });
     }
 
-    /// Algorithm 1. Gives the worst score before each insertion, and sets the cells' radii.
+    /// Algorithm 1. Returns the worst score before each insertion, and sets the cells' radii.
     pub(super) fn insert_virtual_sites(&mut self, density: usize) -> Result<Vec<f64>, Error> {
         let (real, mut scores) = (self.sites.len(), Vec::new());
         loop {
@@ -87,11 +89,11 @@ impl<'a> Regions<'a> {
             if self.sites.len() >= MAX_SITES {
                 return Err(Error::TooManySites);
             }
-            self.insert(farthest[next].1, Origin::Virtual);
+            self.insert(farthest[next].1, SiteKind::Virtual);
         }
     }
 
-    /// For each site the distance of the farthest point of its cell, and that point.
+    /// For each site the farthest point of its cell, after its distance.
     fn farthest(&self) -> Vec<(f64, u32)> {
         let mut farthest: Vec<(f64, u32)> = self.points.iter().map(|&point| (0.0, point)).collect();
         for (point, (&site, &d)) in
@@ -105,7 +107,8 @@ impl<'a> Regions<'a> {
         farthest
     }
 
-    /// The dual graph of the cells, links all alike (section V-C): two sites are linked where a link joins their cells.
+    /// The dual graph of the cells with uniform weights (section V-C): two sites are linked where a link of the cloud joins
+    /// their cells.
     pub(super) fn dual(&self) -> SiteGraph {
         let cell = |point: usize| self.nearest[point];
         let across = |a: usize| self.cloud.graph.of(a).iter().map(move |&b| [cell(a), cell(b as usize)]);
@@ -118,7 +121,7 @@ impl<'a> Regions<'a> {
     }
 }
 
-/// The greatest of some numbers and where it is, the first of several.
+/// The greatest number and its index, the first one of ties.
 fn greatest(ranks: impl Iterator<Item = f64>) -> (f64, usize) {
     ranks.enumerate().fold((f64::NEG_INFINITY, 0), |best, (at, rank)| if rank > best.0 { (rank, at) } else { best })
 }

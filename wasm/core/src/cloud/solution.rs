@@ -1,4 +1,4 @@
-//! A solved cloud: weights of its points by eq. 2, and of any place by interpolation.
+//! A solved cloud: weights of its points by eq. 2, and of any place by interpolation (section V-B).
 
 use std::collections::BTreeMap;
 
@@ -10,14 +10,14 @@ use crate::{
     error::Error,
     pose::{HarmonicFields, Pose, Poser},
     request::Request,
-    site::{Origin, Site, SiteGraph},
+    site::{Site, SiteGraph, SiteKind},
     weight::{Basis, SparseWeights, support_radii},
 };
 
 /// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on where the handles are posed.
 #[derive(Debug)]
 pub struct CloudSolution {
-    /// The weights of the cloud's points in the caller's order, then of handles that stand between them.
+    /// The weights of the cloud's points in the caller's order, then those of handles between them.
     pub weights: SparseWeights,
     /// Real sites from top to bottom, then virtual ones as they were inserted.
     pub sites: Vec<Site>,
@@ -27,17 +27,18 @@ pub struct CloudSolution {
     pub harmonic: HarmonicFields,
     /// The nearest site of each point, `u32::MAX` in a part of the cloud without sites.
     pub nearest: Vec<u32>,
-    /// The worst score δ / r_d before each insertion of Algorithm 1.
+    /// The score δ / r_d of the worst cell before each insertion, as in the paper's figure 3 (right), with δ = r_d minus the
+    /// greatest radius that the cell may have, in place of r_d − r_h.
     pub scores: Vec<f64>,
     points: usize,
     given: PointCloud,
-    /// The same with the handles, whose short links make it smaller around them.
+    /// The cloud with the handles as points; their short links would make `contains` narrower around them.
     cloud: PointCloud,
     poser: Poser,
 }
 
 impl CloudSolution {
-    /// Solves for `handles`, each a number and a place in the cloud, that are apart and sorted.
+    /// Solves for `handles`, each with its index and its place in the cloud, distinct and sorted.
     pub(crate) fn new(cloud: &PointCloud, handles: &[(u32, DVec2)], request: Request) -> Result<Self, Error> {
         let Request { weighting, density, mode, handles: solved, .. } = request;
         let points = cloud.points.len();
@@ -46,7 +47,7 @@ impl CloudSolution {
         let (cloud, at) = cloud.with(&places);
         let mut regions = Regions::new(&cloud);
         for (&(handle, _), &point) in handles.iter().zip(&at) {
-            regions.insert(point, Origin::Point { handle });
+            regions.insert(point, SiteKind::Point { handle });
         }
         let scores = regions.insert_virtual_sites(density)?;
         let graph = regions.dual();
@@ -74,8 +75,8 @@ impl CloudSolution {
 
     /// The sites that move a place and their weights, ascending by site; `None` outside the cloud.
     ///
-    /// Interpolated by reciprocal distances (the paper's \[18\]) from the nearest points, of one part of the cloud. At a point
-    /// they are that point's.
+    /// Interpolated by reciprocal distances (the paper's \[18\]) from the nearest points of one connected part. At a point of
+    /// the cloud they are that point's.
     #[must_use]
     pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
         let cloud = &self.cloud;
@@ -101,20 +102,20 @@ impl CloudSolution {
         Some(weights.into_iter().collect())
     }
 
-    /// Where a place goes (eq. 1); `None` outside the cloud.
+    /// The posed place of a place (eq. 1); `None` outside the cloud.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
         self.expect_own(pose);
         Some(pose.blended(p, self.weights_at(p)?.into_iter()))
     }
 
-    /// Where the cloud's points go.
+    /// The posed places of the cloud's points.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose belongs to another solution.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose) -> Vec<DVec2> {
         self.expect_own(pose);

@@ -1,10 +1,10 @@
-//! The points nearest to a place: a k-d tree in one array, the middle of each range being its root.
+//! The points nearest to a place: a k-d tree in one array, in which the middle of each range is its root.
 //!
 //! Cost: n log n to build, about log n for a query of a few points.
 
 use glam::DVec2;
 
-/// The order of some points in a tree that halves them by x and by y in turn.
+/// A permutation of the points into a tree that is split by x and y alternately.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
     order: Vec<u32>,
@@ -17,7 +17,7 @@ impl Tree {
         Self { order }
     }
 
-    /// The `count` points nearest to a place, ascending by squared distance, and by number where that is the same.
+    /// The `count` points nearest to a place, ascending by squared distance, then by index.
     pub(super) fn nearest(&self, points: &[DVec2], p: DVec2, count: usize) -> Vec<(f64, u32)> {
         let mut found = Vec::with_capacity(count + 1);
         search(points, &self.order, 0, (p, count), &mut found);

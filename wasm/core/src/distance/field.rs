@@ -1,4 +1,6 @@
 //! The distance from one source to any point, in closed form.
+//!
+//! Cost of a query: a binary search for the triangle, and its windows up to the first one that begins beyond the result.
 
 use std::ops::Range;
 
@@ -7,14 +9,14 @@ use glam::DVec2;
 use super::{Navigation, Place};
 use crate::segment::segment_distance;
 
-/// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray
-/// must fall into one of them whatever the rounding. A path that cuts a corner by this much is shorter by at most as much.
+/// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray must
+/// lie in one of them despite rounding. A path that cuts a corner by this much is shorter by at most as much.
 pub(crate) const WINDOW_SLACK: f64 = 1e-9;
 
-/// Paths whose lengths differ by no more, in pixels, are as long: above rounding, as [`WINDOW_SLACK`] is.
-const TIE: f64 = 1e-9;
+/// Paths whose lengths differ by no more, in pixels, are tied: above rounding, as [`WINDOW_SLACK`] is.
+const DISTANCE_TIE_PX: f64 = 1e-9;
 
-/// What a pseudo-source sees of one triangle: a cone of directions (Mitchell et al.'s interval of optimality).
+/// The part of one triangle that a pseudo-source sees: a cone of directions (Mitchell et al.'s interval of optimality).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Window {
     /// The pseudo-source.
@@ -25,7 +27,7 @@ pub(crate) struct Window {
     pub(crate) first: DVec2,
     /// Unit direction of the cone's last ray.
     pub(crate) last: DVec2,
-    /// Least distance to any point that the window may reach; windows of a triangle are sorted by it.
+    /// Least distance of any point in the window; the windows of a triangle are sorted by it.
     pub(crate) nearest: f64,
 }
 
@@ -35,10 +37,10 @@ impl Window {
         self.first.perp_dot(to) >= -WINDOW_SLACK && to.perp_dot(self.last) >= -WINDOW_SLACK
     }
 
-    /// Whether a point of a box may be seen, and nearer than `radius`.
+    /// Whether the window may contain a point of a box nearer than `radius`.
     pub(crate) fn may_reach(&self, low: DVec2, high: DVec2, radius: f64) -> bool {
         let (to_low, to_high) = (low - self.source, high - self.source);
-        // The corners that lie farthest to the left of the first ray, and to the right of the last.
+        // The corners of the box farthest to the left of the first ray, and to the right of the last.
         let left = |ray: DVec2| {
             DVec2::new(
                 if ray.y > 0.0 { to_low.x } else { to_high.x }, //
@@ -51,8 +53,8 @@ impl Window {
             && self.offset + nearest < radius + WINDOW_SLACK
     }
 
-    /// The part of a segment that lies in the cone.
-    fn seen_of(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
+    /// The part of a segment inside the cone.
+    fn seen_part(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         let (to_a, to_b) = (a - self.source, b - self.source);
         let sides = [
             (self.first.perp_dot(to_a), self.first.perp_dot(to_b)),
@@ -73,27 +75,28 @@ impl Window {
     }
 }
 
-/// The last straight piece of the shortest path to a point.
+/// How the shortest path reaches a point: its length, and the vertex it bends at last.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Foot {
-    /// Intrinsic distance, in pixels.
+pub struct PathEnd {
+    /// Length of the path: the intrinsic distance, in pixels.
     pub distance: f64,
-    /// Where that piece begins: the source, or the corner the path bent at last.
+    /// The last vertex of the path: the source, or a corner of the outline.
     pub pseudo_source: DVec2,
     /// Intrinsic distance from the source to the pseudo-source.
     pub offset: f64,
 }
 
-impl Foot {
-    /// The gradient of the distance at the point that this is the foot of, from the windows of its place: the mean of several where
-    /// several paths are as short. At the source, and at a corner that nothing else sees, it is 0.
+impl PathEnd {
+    /// The gradient of the distance at `p`, the point that this path leads to, from the windows of its place. Where several
+    /// paths are equally short, the mean of their gradients; 0 at the source, and at a corner that no other pseudo-source
+    /// sees.
     pub(crate) fn gradient_in(&self, windows: &[Window], p: DVec2) -> DVec2 {
         let (mut sum, mut count) = (DVec2::ZERO, 0.0);
-        for window in windows.iter().take_while(|window| window.nearest <= self.distance + TIE) {
+        for window in windows.iter().take_while(|window| window.nearest <= self.distance + DISTANCE_TIE_PX) {
             let to = p - window.source;
             let length = to.length();
-            // A path to a corner ends there: the corner's own windows tell of the paths beyond.
-            if window.offset + length <= self.distance + TIE && length > TIE && window.sees(p) {
+            // A path to a corner ends there: the corner's own windows hold the paths beyond.
+            if window.offset + length <= self.distance + DISTANCE_TIE_PX && length > DISTANCE_TIE_PX && window.sees(p) {
                 sum += to / length;
                 count += 1.0;
             }
@@ -102,26 +105,26 @@ impl Foot {
     }
 }
 
-/// Exact intrinsic distances from one source, up to a bound. Made by [`Propagation::field`](super::Propagation::field).
+/// Exact intrinsic distances from one source, up to a bound. Computed by [`Propagation::field`](super::Propagation::field).
 ///
-/// 64 bytes a window; a window for each pseudo-source and triangle of the outline that it may be nearest in.
+/// 64 bytes a window; one window for each pseudo-source and triangle of the outline in which it may be the nearest.
 #[derive(Debug, Clone)]
 pub struct DistanceField {
     pub(crate) source: DVec2,
     pub(crate) bound: f64,
-    /// Triangles reached, ascending, with the start of their windows.
+    /// Triangles reached, ascending, each with the index of its first window.
     pub(crate) triangles: Vec<(u32, u32)>,
     pub(crate) windows: Vec<Window>,
 }
 
 impl DistanceField {
-    /// Where distances are measured from.
+    /// The point that distances are measured from.
     #[must_use]
     pub fn source(&self) -> DVec2 {
         self.source
     }
 
-    /// Distances up to here are exact; beyond they are infinite.
+    /// Distances up to this bound are exact; greater ones are reported as infinite.
     #[must_use]
     pub fn bound(&self) -> f64 {
         self.bound
@@ -143,43 +146,43 @@ impl DistanceField {
         if best <= self.bound { best } else { f64::INFINITY }
     }
 
-    /// The last piece of the shortest path to a point, if the distance is within the bound.
+    /// How the shortest path reaches a point, if the distance is within the bound.
     #[must_use]
-    pub fn foot(&self, place: Place, p: DVec2) -> Option<Foot> {
-        self.foot_in(self.windows_in(place), p)
+    pub fn path_end(&self, place: Place, p: DVec2) -> Option<PathEnd> {
+        self.path_end_in(self.windows_in(place), p)
     }
 
-    /// The distance to a point and its gradient there, if it is within the bound.
+    /// The distance to a point and its gradient, if the distance is within the bound.
     pub(crate) fn slope(&self, place: Place, p: DVec2) -> Option<(f64, DVec2)> {
         let windows = self.windows_in(place);
-        self.foot_in(windows, p).map(|foot| (foot.distance, foot.gradient_in(windows, p)))
+        self.path_end_in(windows, p).map(|path| (path.distance, path.gradient_in(windows, p)))
     }
 
-    /// The [`foot`](Self::foot) of a point in a place whose windows are at hand.
-    pub(crate) fn foot_in(&self, windows: &[Window], p: DVec2) -> Option<Foot> {
-        let mut best: Option<Foot> = None;
+    /// [`path_end`](Self::path_end) for a point whose `windows` are known.
+    pub(crate) fn path_end_in(&self, windows: &[Window], p: DVec2) -> Option<PathEnd> {
+        let mut best: Option<PathEnd> = None;
         for window in windows {
-            let least = best.map_or(f64::INFINITY, |foot| foot.distance);
+            let least = best.map_or(f64::INFINITY, |path| path.distance);
             if window.nearest >= least {
                 break;
             }
             let distance = window.offset + window.source.distance(p);
             if distance < least && window.sees(p) {
-                best = Some(Foot { distance, pseudo_source: window.source, offset: window.offset });
+                best = Some(PathEnd { distance, pseudo_source: window.source, offset: window.offset });
             }
         }
-        best.filter(|foot| foot.distance <= self.bound)
+        best.filter(|path| path.distance <= self.bound)
     }
 
-    /// To ask about points of which many that follow one another are in the same place.
-    pub(crate) fn in_turn(&self) -> InTurn<'_> {
-        InTurn { field: self, known: None }
+    /// For queries at points of which consecutive ones are often in the same place.
+    pub(crate) fn cached_lookup(&self) -> CachedLookup<'_> {
+        CachedLookup { field: self, last: None }
     }
 
-    /// The last pieces of all paths to a point that are known: that of the shortest, and of others that are shortest nearby.
-    pub(crate) fn feet(&self, place: Place, p: DVec2) -> impl Iterator<Item = Foot> + '_ {
+    /// The ends of all known paths to a point: the shortest one, and others that are shortest nearby.
+    pub(crate) fn path_ends(&self, place: Place, p: DVec2) -> impl Iterator<Item = PathEnd> + '_ {
         let seeing = self.windows_in(place).iter().filter(move |window| window.sees(p));
-        seeing.map(move |window| Foot {
+        seeing.map(move |window| PathEnd {
             distance: window.offset + window.source.distance(p),
             pseudo_source: window.source,
             offset: window.offset,
@@ -188,16 +191,16 @@ impl DistanceField {
 
     /// The point halfway along the shortest path to a point, if the distance is within the bound.
     pub(crate) fn halfway(&self, navigation: &Navigation, place: Place, p: DVec2) -> Option<DVec2> {
-        let mut foot = self.foot(place, p)?;
-        let (half, mut end) = (foot.distance / 2.0, p);
-        while foot.offset > half {
-            end = foot.pseudo_source;
-            // Its own windows see a corner, too.
-            let before = navigation.around(end).flat_map(|place| self.feet(place, end));
-            let before = before.filter(|foot| foot.pseudo_source != end);
-            foot = before.reduce(|best, foot| if foot.distance < best.distance { foot } else { best })?;
+        let mut path = self.path_end(place, p)?;
+        let (half, mut end) = (path.distance / 2.0, p);
+        while path.offset > half {
+            end = path.pseudo_source;
+            // A corner lies in its own windows, too.
+            let before = navigation.around(end).flat_map(|place| self.path_ends(place, end));
+            let before = before.filter(|path| path.pseudo_source != end);
+            path = before.reduce(|best, path| if path.distance < best.distance { path } else { best })?;
         }
-        Some(foot.pseudo_source.lerp(end, (half - foot.offset) / (foot.distance - foot.offset)))
+        Some(path.pseudo_source.lerp(end, (half - path.offset) / (path.distance - path.offset)))
     }
 
     /// The least distance to a point of the segment from `a` to `b`, which lies in one place; infinite beyond the bound and
@@ -208,54 +211,55 @@ impl DistanceField {
             if window.nearest >= best {
                 break;
             }
-            if let Some((from, to)) = window.seen_of(a, b) {
+            if let Some((from, to)) = window.seen_part(a, b) {
                 best = best.min(window.offset + segment_distance(window.source, from, to));
             }
         }
         if best <= self.bound { best } else { f64::INFINITY }
     }
 
-    /// Triangles that hold a point nearer than `radius`, ascending, and the windows of each; perhaps some more.
+    /// Triangles with a point nearer than `radius`, ascending, and the range of windows of each; possibly a few triangles
+    /// more.
     pub(crate) fn windows_within(&self, radius: f64) -> impl Iterator<Item = (u32, Range<u32>)> + '_ {
         let nearest = move |(_, windows): &(u32, Range<u32>)| self.windows[windows.start as usize].nearest < radius;
-        (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.windows_of(at))).filter(nearest)
+        (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.range_at(at))).filter(nearest)
     }
 
     fn windows_in(&self, place: Place) -> &[Window] {
         match self.triangles.binary_search_by_key(&place.0, |&(triangle, _)| triangle) {
-            Ok(at) => self.windows(self.windows_of(at)),
+            Ok(at) => self.windows(self.range_at(at)),
             Err(_) => &[],
         }
     }
 
-    /// Windows of a triangle, as told by [`windows_within`](Self::windows_within).
+    /// The windows of a triangle, from a range of [`windows_within`](Self::windows_within).
     pub(crate) fn windows(&self, range: Range<u32>) -> &[Window] {
         &self.windows[range.start as usize..range.end as usize]
     }
 
-    /// The windows of a triangle of the list.
-    fn windows_of(&self, at: usize) -> Range<u32> {
+    /// The range of windows of the triangle at an index of `triangles`.
+    fn range_at(&self, at: usize) -> Range<u32> {
         let end = self.triangles.get(at + 1).map_or(self.windows.len() as u32, |&(_, start)| start);
         self.triangles[at].1..end
     }
 }
 
-/// A field that is asked about one point after another.
-pub(crate) struct InTurn<'a> {
+/// Queries of a field that look up the windows of a place once for consecutive points.
+pub(crate) struct CachedLookup<'a> {
     field: &'a DistanceField,
-    /// The last place, and its windows.
-    known: Option<(Place, &'a [Window])>,
+    /// The last place and its windows.
+    last: Option<(Place, &'a [Window])>,
 }
 
-impl InTurn<'_> {
-    /// What [`DistanceField::foot`] tells.
-    pub(crate) fn foot(&mut self, place: Place, p: DVec2) -> Option<Foot> {
-        let windows = match self.known {
+impl CachedLookup<'_> {
+    /// As [`DistanceField::path_end`].
+    pub(crate) fn path_end(&mut self, place: Place, p: DVec2) -> Option<PathEnd> {
+        let windows = match self.last {
             Some((known, windows)) if known == place => windows,
             _ => self.field.windows_in(place),
         };
-        self.known = Some((place, windows));
-        self.field.foot_in(windows, p)
+        self.last = Some((place, windows));
+        self.field.path_end_in(windows, p)
     }
 }
 

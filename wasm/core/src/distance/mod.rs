@@ -17,7 +17,7 @@ pub mod graph;
 mod navigation;
 mod propagate;
 
-pub use field::{DistanceField, Foot};
+pub use field::{DistanceField, PathEnd};
 pub(crate) use field::{WINDOW_SLACK, Window};
 pub use navigation::{Navigation, Place};
 pub use propagate::Propagation;

@@ -1,4 +1,6 @@
-//! The domain as distances see it: a triangulation of its outline, with no other vertices.
+//! The navigation mesh: a triangulation of the domain's outline, with no other vertices. Distances are computed on it.
+//!
+//! Cost: O(n log n) for n corners; a point is located in a handful of triangles.
 
 use glam::DVec2;
 
@@ -11,33 +13,35 @@ use crate::{
     triangulation::{NONE, Triangulation},
 };
 
-/// A triangle of the navigation mesh that holds a given point.
+/// The triangle of the navigation mesh that contains a given point.
 ///
-/// Finding it is the costly half of asking for a distance, so samples keep theirs.
+/// Locating a point is the costly half of a distance query, so samples store their place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Place(pub(crate) u32);
 
-/// Turns smaller than this (sine of the angle) are straight: no path gains by bending there.
+/// Turns smaller than this (sine of the angle) are straight: no path becomes shorter by bending there.
 const STRAIGHT: f64 = 1e-12;
 
-/// A point this far beside its place, in pixels, need not be moved into it: windows allow for as much.
-const BESIDE: f64 = WINDOW_SLACK / 2.0;
-/// A point this near to a corner, in pixels, is taken to be it: which of the edges that meet there it lies on could not be told.
+/// A point this far outside its place, in pixels, is not moved into it: windows allow for as much.
+const PLACE_SLACK: f64 = WINDOW_SLACK / 2.0;
+/// A point this near to a corner, in pixels, is replaced by it: which of the edges that meet there it lies on would be
+/// decided by rounding.
 const ON_CORNER: f64 = 1e-8;
 
-/// The constrained Delaunay triangulation of a domain's outline, and what lies around each corner.
+/// The constrained Delaunay triangulation of a domain's outline, and the surroundings of each corner.
 #[derive(Debug, Clone)]
 pub struct Navigation {
     pub(crate) mesh: Triangulation,
     /// Island of each triangle.
     pub(crate) island: Vec<u32>,
     pub(crate) corners: Vec<Corner>,
-    /// Triangles around each corner in the sense of positive angles, from its wall `next` to its wall `prev`.
+    /// Triangles around each corner in positive order, from its wall `next` to its wall `prev`.
     fans: Rows<(u32, u8)>,
     locator: Locator,
 }
 
-/// A vertex of the outline. The domain fills the angle from the direction of `next`, turning positively, to that of `prev`.
+/// A vertex of the outline. The domain fills the angle from the direction `next`, turning positively, to the direction
+/// `prev`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Corner {
     pub(crate) next: DVec2,
@@ -68,36 +72,37 @@ impl Navigation {
         Self { mesh, island, corners, fans, locator }
     }
 
-    /// The place of a point, or `None` outside the domain; on the outline, a millionth of a pixel is allowed for rounding.
+    /// The place of a point, or `None` outside the domain; up to a millionth of a pixel outside the outline counts as
+    /// rounding.
     #[must_use]
     pub fn place(&self, p: DVec2) -> Option<Place> {
         self.locator.locate(&self.mesh, p).map(|t| Place(t as u32))
     }
 
-    /// The place of a point that comes from elsewhere, and the point in it: moved onto the outline where it stands beside by no more than
-    /// its place [allows](Self::place). `None` outside.
+    /// The place of a point from the caller, and the point inside it: moved onto the outline where it lies outside by no more
+    /// than [`place`](Self::place) allows. `None` outside.
     #[must_use]
     pub fn locate(&self, p: DVec2) -> Option<(Place, DVec2)> {
         self.place(p).map(|place| (place, self.onto(place, p)))
     }
 
-    /// The point of a place that is nearest to another, or a corner that this is next to. Mostly it is the other itself.
+    /// The point of a place that is nearest to `p`, or the corner next to it. Usually `p` itself.
     pub(crate) fn onto(&self, place: Place, p: DVec2) -> DVec2 {
         let corners = self.mesh.corners(place.0 as usize);
         let edges = (0..3).map(|k| (corners[k], corners[(k + 1) % 3]));
         let beyond = edges.filter(|&(a, b)| (b - a).perp_dot(p - a) < 0.0);
         let nearer = |one: DVec2, other: DVec2| if other.distance(p) < one.distance(p) { other } else { one };
         let on_rim = beyond.map(|(a, b)| nearest_on_segment(p, a, b)).reduce(nearer);
-        let inside = on_rim.filter(|on_rim| on_rim.distance(p) > BESIDE).unwrap_or(p);
+        let inside = on_rim.filter(|on_rim| on_rim.distance(p) > PLACE_SLACK).unwrap_or(p);
         corners.into_iter().find(|p| p.distance_squared(inside) <= ON_CORNER * ON_CORNER).unwrap_or(inside)
     }
 
-    /// Whether a point of a place is, as far as rounding goes, on its border: perhaps as much in another one.
-    pub(crate) fn is_between(&self, place: Place, p: DVec2) -> bool {
-        depth_in(self.mesh.corners(place.0 as usize), p) <= BESIDE
+    /// Whether a point of a place lies, within rounding, on its border, and so perhaps in another place as well.
+    pub(crate) fn is_on_edge(&self, place: Place, p: DVec2) -> bool {
+        depth_in(self.mesh.corners(place.0 as usize), p) <= PLACE_SLACK
     }
 
-    /// The places that meet in a corner of the outline.
+    /// The places that meet at a corner of the outline.
     pub(crate) fn around(&self, corner: DVec2) -> impl Iterator<Item = Place> + '_ {
         let is_corner = move |&v: &u32| self.mesh.vertices[v as usize] == corner;
         let of_place = self.place(corner).map(|place| self.mesh.triangles[place.0 as usize]);
@@ -110,7 +115,7 @@ impl Navigation {
         (0..self.mesh.triangles.len()).map(|t| (Place(t as u32), self.mesh.corners(t)))
     }
 
-    /// Number of the connected part of the domain that a place lies in.
+    /// Index of the connected part of the domain that a place lies in.
     #[must_use]
     pub fn island_of(&self, place: Place) -> usize {
         self.island[place.0 as usize] as usize
@@ -128,14 +133,14 @@ impl Navigation {
         corners.filter(|(corner, _)| corner.reflex).map(|(_, &p)| p)
     }
 
-    /// Triangles around a corner, each with the number of the corner in it.
+    /// Triangles around a corner, each with the index of the corner in it.
     pub(crate) fn fan(&self, corner: usize) -> &[(u32, u8)] {
         self.fans.row(corner)
     }
 }
 
 fn fans(mesh: &Triangulation) -> Rows<(u32, u8)> {
-    // The triangle in which the edge from the corner to its next one along the outline lies.
+    // The triangle on the edge from the corner to its next one along the outline.
     let mut first = vec![(NONE, 0_u8); mesh.vertices.len()];
     for (t, (corners, neighbours)) in mesh.triangles.iter().zip(&mesh.neighbours).enumerate() {
         for k in 0..3 {
@@ -155,7 +160,7 @@ fn fans(mesh: &Triangulation) -> Rows<(u32, u8)> {
         let fan = std::iter::successors(Some(first[corner]).filter(|&(t, _)| t != NONE), next);
         fan.map(move |at| (corner, at))
     };
-    Rows::sorted(first.len(), || (0..first.len()).flat_map(around))
+    Rows::from_pairs(first.len(), || (0..first.len()).flat_map(around))
 }
 
 fn islands(mesh: &Triangulation) -> Vec<u32> {

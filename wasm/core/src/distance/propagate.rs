@@ -1,9 +1,9 @@
-//! Finds the windows of a distance field: continuous Dijkstra over the navigation mesh.
+//! Computes the windows of a distance field: continuous Dijkstra over the navigation mesh.
 //!
-//! Windows and corners are taken in the order of their least distance. A window crosses its triangle, lets the corner
-//! ahead know its distance, and goes on through the far edges it sees; a reflex corner becomes a pseudo-source for the
-//! part of its surroundings that the path turning around it newly sees. A window that a path through a known corner
-//! beats over all its width is dropped. What is left at the end are true paths only, and among them every shortest one.
+//! Windows and corners are processed in the order of their least distance. A window crosses its triangle, reports a distance
+//! to the opposite corner, and continues through the far edges that it sees; a reflex corner becomes a pseudo-source for the
+//! part of its surroundings that only a path around it sees. A window is dropped where a path through a known corner is
+//! shorter over all its width. All windows that remain are true paths, and every shortest path is among them.
 //!
 //! Cost: about ten windows for each corner of the outline within the bound, some 50 ns each.
 
@@ -15,17 +15,18 @@ use super::{
     field::{DistanceField, Window},
     navigation::{Navigation, Place},
 };
-use crate::{error::Error, least::Least, segment::segment_distance, triangulation::NONE};
+use crate::{error::Error, min_entry::MinEntry, segment::segment_distance, triangulation::NONE};
 
-/// Sines of angles, and pixels in comparisons of distances, below this are zero: rounding stays two orders below.
+/// Sines of angles, and differences of distances in pixels, below this are zero: rounding stays two orders of magnitude
+/// below.
 const EPSILON: f64 = 1e-12;
-/// A source this near to an edge, in pixels, lies on it.
+/// A source this near to an edge, in pixels, lies on the edge.
 const ON_EDGE: f64 = 1e-9;
 
-/// Working memory for making distance fields, to be used for many.
+/// Working memory for distance fields, to be reused.
 #[derive(Debug, Default)]
 pub struct Propagation {
-    /// Distance of each corner of the outline, and the pseudo-source before it, as far as known.
+    /// Distance of each corner of the outline and the pseudo-source before it, as far as known.
     corners: Vec<(f64, DVec2)>,
     touched: Vec<u32>,
     queue: BinaryHeap<Event>,
@@ -33,7 +34,7 @@ pub struct Propagation {
     found: Vec<(u32, Window)>,
 }
 
-/// A window about to enter a triangle through the edge from corner `edge` to the next.
+/// A window about to enter a triangle through the edge from corner `edge` to the next one.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
     triangle: u32,
@@ -41,8 +42,8 @@ struct Crossing {
     window: Window,
 }
 
-/// What happens next, by distance: a crossing's index, or a corner's from [`CORNER`] on.
-type Event = Least<u32>;
+/// An event, keyed by its distance: the index of a crossing, or [`CORNER`] plus the index of a corner.
+type Event = MinEntry<u32>;
 
 const CORNER: u32 = 1 << 31;
 
@@ -53,7 +54,7 @@ impl Propagation {
         let source = navigation.onto(place, source);
         self.reset(navigation.mesh.vertices.len());
         self.start(navigation, place, source, bound);
-        while let Some(Least { key: distance, item: what }) = self.queue.pop() {
+        while let Some(MinEntry { key: distance, item: what }) = self.queue.pop() {
             if what < CORNER {
                 self.cross(navigation, self.pending[what as usize], bound);
             } else if distance <= self.corners[(what - CORNER) as usize].0 {
@@ -92,7 +93,8 @@ impl Propagation {
         self.found.clear();
     }
 
-    /// Sees all of the triangle that holds the source, and out of it; also of those across an edge or corner it lies on.
+    /// Opens windows over all of the triangle that contains the source and out of it; also over those across an edge or
+    /// corner that the source lies on.
     fn start(&mut self, navigation: &Navigation, place: Place, source: DVec2, bound: f64) {
         let mesh = &navigation.mesh;
         let mut around = vec![place.0];
@@ -100,7 +102,7 @@ impl Propagation {
         while let Some(&t) = around.get(next) {
             next += 1;
             let corners = mesh.corners(t as usize);
-            // The half turn about any direction holds a triangle seen from within or from its rim.
+            // A half plane through the source contains a triangle that the source lies in or on.
             for half in [DVec2::X, DVec2::NEG_X] {
                 let window = Window { source, offset: 0.0, first: half, last: -half, nearest: 0.0 };
                 self.found.push((t, window));
@@ -125,7 +127,7 @@ impl Propagation {
         }
     }
 
-    /// A corner learns of a path to it.
+    /// Updates the distance of a corner by a path to it.
     fn reach(&mut self, corner: u32, distance: f64, from: DVec2, bound: f64) {
         let known = &mut self.corners[corner as usize];
         if distance < known.0 && distance <= bound {
@@ -133,17 +135,18 @@ impl Propagation {
                 self.touched.push(corner);
             }
             *known = (distance, from);
-            self.queue.push(Least { key: distance, item: CORNER + corner });
+            self.queue.push(MinEntry { key: distance, item: CORNER + corner });
         }
     }
 
-    /// Sends a window out of triangle `from` through its edge `k`, unless a path through a corner beats it everywhere.
+    /// Sends a window out of triangle `from` through its edge `k`, unless a path through a corner is shorter over all its
+    /// width.
     ///
-    /// The window's cone must not reach beyond the edge.
+    /// The window's cone must not extend beyond the edge.
     fn enter(&mut self, navigation: &Navigation, from: u32, k: usize, window: Window, bound: f64) {
         let mesh = &navigation.mesh;
         let triangle = mesh.neighbours[from as usize][k];
-        // Without width; a cone of almost π has a small sine too.
+        // No width; a cone of almost π has a small sine too.
         let empty = window.first.perp_dot(window.last) <= EPSILON && window.first.dot(window.last) > 0.0;
         if triangle == NONE || empty {
             return;
@@ -164,10 +167,10 @@ impl Propagation {
         let edge = edge.expect("neighbours know each other") as u8;
         let what = self.pending.len() as u32;
         self.pending.push(Crossing { triangle, edge, window: Window { nearest, ..window } });
-        self.queue.push(Least { key: nearest, item: what });
+        self.queue.push(MinEntry { key: nearest, item: what });
     }
 
-    /// A window crosses its triangle.
+    /// Processes a window that crosses its triangle.
     fn cross(&mut self, navigation: &Navigation, Crossing { triangle, edge, window }: Crossing, bound: f64) {
         self.found.push((triangle, window));
         let ahead = usize::from(edge + 2) % 3;
@@ -179,7 +182,8 @@ impl Propagation {
         if after_first >= -EPSILON && before_last >= -EPSILON {
             self.reach(corner, window.offset + distance, window.source, bound);
         }
-        // Seen from the source, the next edge begins on the side of the first ray, the one after ends on that of the last.
+        // Seen from the source, the next edge begins on the side of the first ray, and the one after it ends on that of the
+        // last.
         let (right, left) = (usize::from(edge + 1) % 3, ahead);
         if after_first > 0.0 {
             let last = if before_last > 0.0 { direction } else { window.last };
@@ -191,7 +195,7 @@ impl Propagation {
         }
     }
 
-    /// A settled corner passes on what turns around it.
+    /// Processes a settled corner: opens a cone for the paths that bend there.
     fn bend(&mut self, navigation: &Navigation, corner: usize, bound: f64) {
         let walls = navigation.corners[corner];
         if !walls.reflex {
@@ -199,9 +203,9 @@ impl Propagation {
         }
         let (offset, before) = self.corners[corner];
         let source = navigation.mesh.vertices[corner];
-        // A source on the corner itself has seen all around it already.
+        // A source on the corner itself sees all around it already.
         let Some(ahead) = (source - before).try_normalize() else { return };
-        // From nearby, a source on a wall stands off it by more than rounding of directions.
+        // A nearby source on a wall may deviate from its line by an angle above rounding.
         let slack = EPSILON.max(ON_EDGE / before.distance(source));
         let sides = (ahead.perp_dot(walls.next), ahead.perp_dot(walls.prev));
         if sides.0 >= -slack && sides.1 >= -slack {
@@ -229,7 +233,7 @@ impl Propagation {
                 let to = mesh.vertices[v as usize] - source;
                 (to.length(), to.normalize())
             });
-            // The triangle's own angle, cut by the cone; both are less than π.
+            // The triangle's angle at the corner, cut by the cone; both are less than π.
             let window_first = if in_cone(first, last, a) { a } else { first };
             let window_last = if in_cone(first, last, b) { b } else { last };
             if !in_cone(a, b, window_first) || !in_cone(a, b, window_last) {
@@ -247,7 +251,7 @@ impl Propagation {
         }
     }
 
-    /// The windows found, by triangle, each triangle's nearest first.
+    /// Sorts the windows by triangle, and within each by least distance.
     fn collect(&mut self, source: DVec2, bound: f64) -> DistanceField {
         self.found.sort_by(|(t, a), (u, b)| t.cmp(u).then(a.nearest.total_cmp(&b.nearest)));
         let mut triangles: Vec<(u32, u32)> = Vec::new();
@@ -261,22 +265,22 @@ impl Propagation {
     }
 }
 
-/// Whether a direction lies in the cone from `first` to `last`, which is less than π, rays included.
+/// Whether a direction lies in the cone from `first` to `last`, which is narrower than π, rays included.
 fn in_cone(first: DVec2, last: DVec2, direction: DVec2) -> bool {
     first.perp_dot(direction) >= -EPSILON
         && direction.perp_dot(last) >= -EPSILON
         && (first + last).dot(direction) >= 0.0
 }
 
-/// Where a ray meets an edge that it is known to cross.
+/// The intersection of a ray with an edge that it is known to cross.
 fn on_edge(source: DVec2, ray: DVec2, a: DVec2, b: DVec2) -> DVec2 {
     let along = b - a;
     let t = ray.perp_dot(a - source) / along.perp_dot(ray);
-    // Along the edge itself any point of it will do: the window has no width there.
+    // For a ray along the edge any of its points will do: the window has no width there.
     if t.is_finite() { a + along * t.clamp(0.0, 1.0) } else { a }
 }
 
-/// Whether a point of a triangle lies on its edge from `a` to `b`, or beyond.
+/// Whether a point of a triangle lies on its edge from `a` to `b`, or beyond it.
 fn is_on_edge(p: DVec2, a: DVec2, b: DVec2) -> bool {
     let along = b - a;
     let (across, t) = (along.perp_dot(p - a), along.dot(p - a));
@@ -308,8 +312,8 @@ mod tests {
             ..ProptestConfig::default()
         })]
 
-        /// A window that is missing, or one too many, on one side of an edge makes distances jump there. Sources are on edges or next to
-        /// them, near to corners or not, by a few pixels or by less than rounding.
+        /// A missing or superfluous window on one side of an edge makes distances jump there. Sources lie on edges or next to
+        /// them, near corners or not, by a few pixels or by less than rounding.
         #[test]
         fn distances_do_not_jump_on_edges_nor_beside_corners(
             outer in proptest::collection::vec(70.0..190.0_f64, 6..30),

@@ -1,36 +1,36 @@
 //! Sub-pixel contours of the alpha channel by marching squares.
 //!
-//! Pixel centres are the nodes; outside the picture alpha is zero. Contours are closed, simple and disjoint, with the
-//! opaque side on the right hand in the y-down image: outer contours have positive area, holes negative. At saddles the
-//! mean of the four nodes decides, so that a stroke one pixel wide on the diagonal holds together.
+//! Pixel centres are the nodes; outside the picture alpha is zero. Contours are closed, simple and disjoint, with the opaque
+//! side on the right in the y-down image: outer contours have positive area, holes negative area. At saddles the mean of the
+//! four nodes decides, so that a diagonal stroke one pixel wide stays connected.
 //!
-//! Cost: one look at each pixel, and one byte of memory for it, besides the contour under way.
+//! Cost: one look at each pixel, and one byte of memory for each, besides the current contour.
 
 use glam::DVec2;
 
 use super::Ring;
 use crate::picture::Picture;
 
-/// Crossings keep this share of an edge away from its nodes, so that no two crossings of a contour coincide, even
-/// where a pixel's alpha is just the threshold.
+/// Least distance of crossings from the nodes of their edge, as a share of the edge, so that no two crossings of a contour
+/// coincide, even where a pixel's alpha equals the threshold.
 const NODE_CLEARANCE: f64 = 1.0 / 64.0;
-/// Crossings lie at multiples of this many pixels, far below what a step of alpha moves them by: so those of a picture and of its
-/// mirror image are mirrored to the last bit.
+/// Crossings are rounded to multiples of this many pixels, far below the effect of one step of alpha: so the crossings of a
+/// picture and of its mirror image are mirrored to the last bit.
 const GRAIN: f64 = 1.0 / 65_536.0;
 
-/// Contours of `alpha ≥ threshold`, with the threshold in (0, 1], one by one.
+/// Contours of `alpha ≥ threshold`, with the threshold in (0, 1].
 pub(super) fn alpha_contours<'a>(picture: &'a Picture<'a>, threshold: f64) -> impl Iterator<Item = Ring> + 'a {
     let field = Alpha { picture, threshold };
     let (width, height) = (i64::from(picture.width()), i64::from(picture.height()));
     let mut seen = vec![false; (width * height) as usize];
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y))).filter_map(move |(x, y)| {
-        // Every contour passes some node whose left neighbour is outside.
+        // Every contour passes a node whose left neighbour is outside.
         let is_new = field.inside(x, y) && !field.inside(x - 1, y) && !seen[(y * width + x) as usize];
         is_new.then(|| field.trace(x, y, |x, y| seen[(y * width + x) as usize] = true))
     })
 }
 
-/// A cell of four nodes, named by its top left one.
+/// A cell of four nodes, identified by its top left one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Cell {
     x: i64,
@@ -85,7 +85,7 @@ impl Alpha<'_> {
     /// The cell beyond this one along the contour, and the side by which it is entered.
     fn next(&self, cell: Cell, entry: Side) -> (Cell, Side) {
         let Cell { x, y } = cell;
-        // The inside lies on the right hand: entering by the bottom, the bottom right node is inside.
+        // The inside is on the right: entering from below, the bottom right node is inside.
         let [top_left, top_right, bottom_right, bottom_left] =
             [self.inside(x, y), self.inside(x + 1, y), self.inside(x + 1, y + 1), self.inside(x, y + 1)];
         let (ahead_left, ahead_right) = match entry {
@@ -98,19 +98,19 @@ impl Alpha<'_> {
             (false, false) => true,
             (false, true) => return straight(cell, entry),
             (true, true) => false,
-            // Saddle: joined inside, the contour turns about the outside node behind on the left.
+            // Saddle: if the inside is connected, the contour turns left.
             (true, false) => !self.saddle_inside(cell),
         };
         if turn_right { right(cell, entry) } else { left(cell, entry) }
     }
 
     fn saddle_inside(&self, Cell { x, y }: Cell) -> bool {
-        // By diagonals, so that the sum is the same to the last bit in a mirror.
+        // Summed by diagonals, so that a mirror image gives the same bits.
         let sum = (self.at(x, y) + self.at(x + 1, y + 1)) + (self.at(x + 1, y) + self.at(x, y + 1));
         sum / 4.0 >= self.threshold
     }
 
-    /// Where the contour crosses a side, kept within the picture.
+    /// The crossing of the contour with a side, clamped to the picture.
     fn crossing(&self, Cell { x, y }: Cell, side: Side) -> DVec2 {
         let ((ax, ay), (bx, by)) = match side {
             Side::Top => ((x, y), (x + 1, y)),

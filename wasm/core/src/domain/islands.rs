@@ -1,15 +1,17 @@
-//! Which rings are islands and which are holes, and which are too small to matter.
+//! Classifies rings as islands, holes and specks.
+//!
+//! Cost: O(rings × corners) for the nesting of a project's rings, O(corners) for specks.
 
 use glam::DVec2;
 
 use super::{Ring, contains, signed_area};
 
-/// Regions smaller than this, in square pixels, are specks: dust of a few pixels that no one could put a handle on.
+/// Regions smaller than this, in square pixels, are specks: a few pixels, too small for a handle.
 const SPECK_AREA: f64 = 4.0;
 /// In large pictures specks may be larger: this share of the picture's area (a 10 × 10 px spot in 10 megapixels).
 const SPECK_SHARE: f64 = 1e-5;
 
-/// Rings worth keeping, and the number of those dropped.
+/// The rings that are kept, and the number of those dropped.
 pub(super) struct Kept {
     pub(super) rings: Vec<Ring>,
     pub(super) specks: usize,
@@ -22,7 +24,7 @@ pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area:
     let least = SPECK_AREA.max(SPECK_SHARE * picture_area);
     let mut specks = 0;
     let is_kept = |ring: &Ring| {
-        // A hole is larger than a speck only if the island around it is, so no hole is left without its island.
+        // A hole is larger than a speck only if the island around it is, so no hole remains without its island.
         let is_kept = signed_area(ring).abs() >= least;
         specks += usize::from(!is_kept);
         is_kept
@@ -31,7 +33,7 @@ pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area:
     Kept { rings, specks }
 }
 
-/// The same rings with outer rings of positive area and holes of negative area, by how deep they are nested.
+/// The rings with positive area for outer rings and negative area for holes, by their nesting depth.
 pub(super) fn oriented(rings: &[Ring]) -> Vec<Ring> {
     let depth = |at: usize, p: DVec2| {
         rings.iter().enumerate().filter(|&(other, ring)| other != at && contains(ring, p)).count()

@@ -1,7 +1,7 @@
-//! Ω: the closed region that is warped, as rings in image pixels (paper, section III-A).
+//! Ω: the closed region that is warped, as rings in image pixels (section III-A).
 //!
-//! A domain is made of islands, each an outer ring with holes. Rings never cross or touch. They come from the
-//! picture's rectangle, from its alpha (`contour` then `simplify`), or from the project (`polygon`).
+//! A domain consists of islands, each an outer ring with holes. Rings never cross or touch. They come from the picture's
+//! rectangle, from its alpha (`contour`, then `simplify`), or from the project (`polygon`).
 
 mod contour;
 mod islands;
@@ -12,10 +12,11 @@ use glam::DVec2;
 
 use crate::{error::Error, picture::Picture, project::DomainSpec, segment::segment_distance};
 
-/// Most corners an outline may have. Each corner can bend shortest paths, so this bounds the cost of a distance field.
+/// Greatest number of corners of an outline. Each corner can bend shortest paths, so this bounds the cost of a distance
+/// field.
 pub const MAX_CORNERS: usize = 20_000;
 
-/// A closed chain of points, at least three, without repetition of the first.
+/// A closed chain of at least three points, the first not repeated.
 ///
 /// Outer rings have positive [`signed_area`], holes negative: walking along a ring in the y-down image, the
 /// domain lies on the right hand.
@@ -30,8 +31,8 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// The domain that a project asks for: by default the alpha of a picture with transparency and the whole
-    /// rectangle of any other.
+    /// The domain that a project specifies: by default the opaque part of a picture with transparency and the whole rectangle
+    /// of any other.
     ///
     /// # Errors
     /// Those of [`Domain::from_alpha`] and [`Domain::from_polygon`].
@@ -53,7 +54,7 @@ impl Domain {
         Self::of_oriented(vec![ring], 0)
     }
 
-    /// Where the picture's alpha reaches `threshold` (in (0, 1]), by sub-pixel contours.
+    /// The region where the picture's alpha reaches `threshold` (in (0, 1]), bounded by sub-pixel contours.
     ///
     /// # Errors
     /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`]; [`Error::Project`] for what is no threshold.
@@ -67,7 +68,7 @@ impl Domain {
                 specks => Error::OnlySpecks { threshold, specks },
             });
         }
-        // Each ring keeps three.
+        // Simplification keeps at least three corners of each ring.
         let check = |corners| if corners > MAX_CORNERS { Err(Error::OutlineTooFine { corners }) } else { Ok(()) };
         check(3 * kept.rings.len())?;
         let rings = simplify::simplified(&kept.rings);
@@ -87,7 +88,7 @@ impl Domain {
         Ok(Self::of_oriented(islands::oriented(rings), 0))
     }
 
-    /// The region on the right hand of rings of finite points.
+    /// The region to the right of rings of finite points.
     ///
     /// # Errors
     /// [`Error::RingsTooFine`], [`Error::RingDuplicate`], [`Error::RingsCross`]; [`Error::RingFlat`] for a ring that is an
@@ -99,7 +100,7 @@ impl Domain {
         turned.map_or_else(|| Ok(Self::of_oriented(rings, 0)), |ring| Err(Error::RingFlat { ring }))
     }
 
-    /// Checked rings, each with the domain on its right hand.
+    /// From checked rings, each with the domain to its right.
     fn of_oriented(rings: Vec<Ring>, specks: usize) -> Self {
         let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
         Self { rings, islands, specks }
@@ -167,12 +168,13 @@ pub(crate) fn edges(ring: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_
 }
 
 impl Domain {
-    /// The pieces of the outline between its corners.
+    /// The edges of the outline.
     pub(crate) fn edges(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
         self.rings.iter().flat_map(|ring| edges(ring))
     }
 
-    /// Straight distance of a point to the outline. For a point of the domain also the intrinsic one: nothing is between.
+    /// Straight distance of a point to the outline. For a point of the domain also the intrinsic distance: nothing lies
+    /// between.
     pub(crate) fn distance_to_outline(&self, p: DVec2) -> f64 {
         self.edges().map(|(a, b)| segment_distance(p, a, b)).fold(f64::INFINITY, f64::min)
     }

@@ -1,7 +1,7 @@
-//! Checks of the rings that a project draws: inside the picture, simple and disjoint.
+//! Checks that the rings of a project lie inside the picture, are simple and disjoint.
 //!
-//! Sides are told exactly, as the triangulation tells them. Besides, rings are to be clear of themselves and of one another by
-//! [`CLEARANCE`], so that the same holds of the samples along their edges, whose places are rounded.
+//! Orientations are computed exactly, as in the triangulation. In addition, rings must keep [`RING_CLEARANCE`] from
+//! themselves and from one another, so that the same holds for the samples along their edges, whose places are rounded.
 //!
 //! Cost: a sweep over the edges sorted by their left ends; quadratic only where very many edges overlap in x.
 
@@ -11,11 +11,11 @@ use robust::{Coord, orient2d};
 use super::{Ring, edges, signed_area};
 use crate::{error::Error, segment::segment_distance};
 
-/// Rings that enclose less, in square pixels, enclose nothing.
-const LEAST_AREA: f64 = 1e-6;
-/// Points this near to one another, in pixels, stand on one spot, and edges touch; neighbours whose angle has so small a sine lie on one
-/// another. Twice what rounding moves samples by where coordinates are largest, a million pixels in a mesh that is given.
-const CLEARANCE: f64 = 1e-9;
+/// Rings with an area below this, in square pixels, enclose nothing.
+const MIN_AREA: f64 = 1e-6;
+/// Points this near to one another, in pixels, coincide, and edges touch; consecutive edges whose angle has a sine below this
+/// overlap. Twice the rounding of samples where coordinates are largest, a million pixels in a mesh from the caller.
+const RING_CLEARANCE: f64 = 1e-9;
 
 /// Checks rings of at least three finite points.
 ///
@@ -31,7 +31,7 @@ pub(super) fn check(rings: &[Ring], width: u32, height: u32) -> Result<(), Error
         }
     }
     check_simple(rings)?;
-    let flat = rings.iter().position(|ring| signed_area(ring).abs() < LEAST_AREA);
+    let flat = rings.iter().position(|ring| signed_area(ring).abs() < MIN_AREA);
     flat.map_or(Ok(()), |ring| Err(Error::RingFlat { ring }))
 }
 
@@ -49,8 +49,8 @@ fn check_distinct(rings: &[Ring]) -> Result<(), Error> {
     }
     points.sort_by(|(a, ..), (b, ..)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     for (at, &(p, ring, point)) in points.iter().enumerate() {
-        let mut beside = points[at + 1..].iter().take_while(|(q, ..)| q.x - p.x < CLEARANCE);
-        if let Some(&(_, other_ring, other_point)) = beside.find(|(q, ..)| p.distance(*q) < CLEARANCE) {
+        let mut beside = points[at + 1..].iter().take_while(|(q, ..)| q.x - p.x < RING_CLEARANCE);
+        if let Some(&(_, other_ring, other_point)) = beside.find(|(q, ..)| p.distance(*q) < RING_CLEARANCE) {
             let ((other_ring, other_point), (ring, point)) =
                 ((ring, point).min((other_ring, other_point)), (ring, point).max((other_ring, other_point)));
             return Err(Error::RingDuplicate { ring, point, other_ring, other_point });
@@ -82,7 +82,7 @@ fn check_crossings(rings: &[Ring]) -> Result<(), Error> {
     }
     all.sort_by(|a, b| a.from.x.min(a.to.x).total_cmp(&b.from.x.min(b.to.x)));
     for (at, edge) in all.iter().enumerate() {
-        let right = edge.from.x.max(edge.to.x) + CLEARANCE;
+        let right = edge.from.x.max(edge.to.x) + RING_CLEARANCE;
         for other in all[at + 1..].iter().take_while(|other| other.from.x.min(other.to.x) <= right) {
             if conflict(edge, other) {
                 let (second, first) =
@@ -99,7 +99,7 @@ fn check_crossings(rings: &[Ring]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether two edges, whose boxes overlap in x, meet anywhere but in the point that neighbours share, or nearly so.
+/// Whether two edges, whose boxes overlap in x, meet or nearly meet, except at the common point of neighbours.
 fn conflict(a: &Edge, b: &Edge) -> bool {
     if a.follows(b) {
         return folds_back(b.from, a.from, a.to);
@@ -109,19 +109,19 @@ fn conflict(a: &Edge, b: &Edge) -> bool {
     }
     let (a_low, a_high) = (a.from.y.min(a.to.y), a.from.y.max(a.to.y));
     let (b_low, b_high) = (b.from.y.min(b.to.y), b.from.y.max(b.to.y));
-    if a_low - b_high > CLEARANCE || b_low - a_high > CLEARANCE {
+    if a_low - b_high > RING_CLEARANCE || b_low - a_high > RING_CLEARANCE {
         return false;
     }
     let (a1, a2) = (side(a.from, a.to, b.from), side(a.from, a.to, b.to));
     let (b1, b2) = (side(b.from, b.to, a.from), side(b.from, b.to, a.to));
     let crosses = a1 * a2 < 0.0 && b1 * b2 < 0.0;
     crosses
-        || [b.from, b.to].iter().any(|&end| segment_distance(end, a.from, a.to) < CLEARANCE)
-        || [a.from, a.to].iter().any(|&end| segment_distance(end, b.from, b.to) < CLEARANCE)
+        || [b.from, b.to].iter().any(|&end| segment_distance(end, a.from, a.to) < RING_CLEARANCE)
+        || [a.from, a.to].iter().any(|&end| segment_distance(end, b.from, b.to) < RING_CLEARANCE)
 }
 
-/// On which side of the line from p through q a point is: 1, 0 or −1, without rounding. Areas themselves may be so small that their
-/// product is 0.
+/// The side of the line from p through q on which r lies: 1, 0 or −1, without rounding. The sign, since the product of two
+/// tiny areas may underflow to 0.
 fn side(p: DVec2, q: DVec2, r: DVec2) -> f64 {
     let [p, q, r] = [p, q, r].map(|DVec2 { x, y }| Coord { x, y });
     let area = orient2d(p, q, r);
@@ -131,7 +131,7 @@ fn side(p: DVec2, q: DVec2, r: DVec2) -> f64 {
 /// Whether the chain p → q → r returns onto itself.
 fn folds_back(p: DVec2, q: DVec2, r: DVec2) -> bool {
     let (before, after) = (q - p, r - q);
-    before.dot(after) < 0.0 && before.perp_dot(after).abs() <= CLEARANCE * (before.length() * after.length())
+    before.dot(after) < 0.0 && before.perp_dot(after).abs() <= RING_CLEARANCE * (before.length() * after.length())
 }
 
 #[cfg(test)]
@@ -148,10 +148,10 @@ mod tests {
         let edge = [[8.676_470_058_428_729, 20.407_480_568_925_045], [76.093_982_495_697_9, 41.446_550_677_428_22]];
         let ring = [edge[0], edge[1], [90.0, 90.0], [10.0, 90.0]];
         let apex = [45.146_904_038_154_07, 31.788_855_966_021_476];
-        // The edge to the apex from the left is the first to meet the other.
+        // The edge to the apex from the left meets the other first.
         let crossing = Some(Error::RingsCross { ring: 1, point: 2, other_ring: 0, other_point: 0 });
         assert_eq!(refused(&[&ring, &[apex, [60.0, 5.0], [40.0, 5.0]]]), crossing);
-        // Nor may it be beside the edge by as little: samples along this are rounded, too.
+        // Nor may it be that near to the edge: samples along it are rounded, too.
         let beside = |by: f64| refused(&[&ring, &[[apex[0], apex[1] - by], [60.0, 5.0], [40.0, 5.0]]]);
         assert_eq!(beside(1e-13), crossing);
         assert_eq!(beside(1e-8), None);

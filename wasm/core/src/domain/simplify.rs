@@ -1,15 +1,15 @@
-//! Fewer points on the outline, with the same topology.
+//! Simplification of the outline that preserves its topology.
 //!
-//! A point is dropped while the chord that replaces it stays within [`TOLERANCE`] of every original point, and while
-//! the triangle that the outline sweeps on the way holds no other point of any ring. The second condition makes every
-//! step a deformation that touches nothing, so rings stay simple and disjoint: gaps are not bridged, thin parts not cut.
+//! A point is dropped if the chord that replaces it stays within [`TOLERANCE`] of every original point, and if the triangle
+//! that the outline sweeps contains no other point of any ring. The second condition makes every step a deformation without
+//! contact, so rings stay simple and disjoint: gaps are not bridged, thin parts not cut.
 //!
-//! Of two points that cost the same, the one nearer to its ring's middle goes first, and those as near go in one round. So what is
-//! symmetric stays symmetric, wherever a ring begins and whichever way it runs.
+//! Of two points with the same cost, the one nearer to the centre of its ring's box goes first; points at the same distance
+//! go in one round. So a symmetric outline stays symmetric, wherever a ring begins and in either orientation.
 //!
-//! Cost: O(n log n) for n contour points, as a rule, with a grid over the points: each step looks at the original points under its chord,
-//! at the ends alone of what is exactly straight, and at the cells that its triangle touches. A contour that is nowhere straight and
-//! yet within the tolerance of a chord over thousands of points takes that many looks for each.
+//! Cost: usually O(n log n) for n contour points, with a grid over the points: each step visits the original points under its
+//! chord (only the ends of exactly straight runs) and the cells that its triangle touches. A contour that is nowhere exactly
+//! straight, yet within the tolerance of a chord over thousands of points, costs that many visits for each of them.
 
 use std::collections::BinaryHeap;
 
@@ -17,16 +17,17 @@ use glam::DVec2;
 use robust::{Coord, orient2d};
 
 use super::Ring;
-use crate::{least::Least, segment::segment_distance};
+use crate::{min_entry::MinEntry, segment::segment_distance};
 
-/// Greatest distance of an original point from the simplified outline, in pixels. Below the half pixel that the eye
-/// sees on an edge; a circle of radius 100 px keeps some 40 corners.
+/// Greatest distance of an original point from the simplified outline, in pixels. Below the half pixel that is visible on an
+/// edge; a circle of radius 100 px keeps some 40 corners.
 const TOLERANCE: f64 = 0.35;
 
-/// Costs are compared to this many pixels, above rounding and far below the tolerance: in a mirror they are the same.
+/// Costs are rounded to this many pixels, above rounding errors and far below the tolerance: so they are the same in a mirror
+/// image.
 const GRAIN: f64 = 1.0 / (1_u64 << 30) as f64;
 
-/// The rings with fewer points. Rings must be simple and disjoint, and stay so.
+/// Simplifies rings, which must be simple and disjoint, and stay so.
 pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
     let mut chains = Chains::new(rings);
     let mut queue: BinaryHeap<Candidate> = (0..chains.points.len()).filter_map(|at| chains.candidate(at)).collect();
@@ -45,7 +46,7 @@ pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
         let mut around = Vec::new();
         for candidate in &round {
             if chains.is_current(candidate) {
-                around.extend(chains.drop_with_twin(candidate, rounds));
+                around.extend(chains.drop_with_neighbour(candidate, rounds));
             }
         }
         queue.extend(around.into_iter().flatten().filter_map(|at| chains.candidate(at)));
@@ -53,27 +54,27 @@ pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
     chains.rings(rings)
 }
 
-/// A point that could go, by what that costs: how far from its ring's middle it is, where among all points, and its stamp.
-type Candidate = Least<(Remoteness, usize, u32)>;
+/// A point that may be dropped, keyed by its cost; then its remoteness, its index among all points, and its stamp.
+type Candidate = MinEntry<(Remoteness, usize, u32)>;
 
-/// The bits of a squared distance, which are in order as the distances are.
+/// Squared distance from the centre of the ring's box, as bits, which are ordered as the numbers are.
 type Remoteness = u64;
 
 /// All rings as doubly linked chains over the original points.
 struct Chains {
     points: Vec<DVec2>,
-    /// First point and length of each point's ring.
+    /// The first point and the length of each point's ring.
     ring: Vec<(usize, usize)>,
     prev: Vec<usize>,
     next: Vec<usize>,
     alive: Vec<bool>,
-    /// Counts the changes around a point, so that outdated candidates are known.
+    /// Number of changes around each point, to recognise outdated candidates.
     stamp: Vec<u32>,
-    /// The last round that each point was in, and its stamp then.
+    /// The last round of each point, and its stamp then.
     tied: Vec<(u32, u32)>,
     left: Vec<usize>,
     remoteness: Vec<Remoteness>,
-    /// How many original points farther on the ring goes on exactly straight from each point: 1 or more.
+    /// Number of original points from each point to the end of the exactly straight run that begins there: 1 or more.
     straight: Vec<usize>,
     grid: PointGrid,
 }
@@ -105,20 +106,20 @@ impl Chains {
         Self { points, ring, prev, next, alive, stamp, tied, left, remoteness, straight, grid }
     }
 
-    /// The cost of dropping a point, if it is there and that stays within the tolerance.
+    /// The candidate for dropping a point, if it is still there and the cost is within the tolerance.
     fn candidate(&self, at: usize) -> Option<Candidate> {
         let cost = if self.alive[at] { self.cost(self.prev[at], self.next[at], 1) } else { None };
-        cost.map(|key| Least { key, item: (self.remoteness[at], at, self.stamp[at]) })
+        cost.map(|key| MinEntry { key, item: (self.remoteness[at], at, self.stamp[at]) })
     }
 
-    /// Nothing around the point has changed since.
-    fn is_current(&self, &Least { item: (_, at, stamp), .. }: &Candidate) -> bool {
+    /// Whether nothing around the point has changed since.
+    fn is_current(&self, &MinEntry { item: (_, at, stamp), .. }: &Candidate) -> bool {
         self.alive[at] && self.stamp[at] == stamp
     }
 
-    /// Drops a point if nothing is in the way, and with it a neighbour that is tied, as on both sides of an axis: those stay or go
-    /// together, and more than two in a row stay. Gives the points on both sides of what is gone.
-    fn drop_with_twin(&mut self, candidate: &Candidate, round: u32) -> Option<[usize; 2]> {
+    /// Drops a point if nothing is in the way, together with a tied neighbour, as on both sides of an axis: they go or stay
+    /// together, and more than two in a row stay. Returns the points on both sides of those dropped.
+    fn drop_with_neighbour(&mut self, candidate: &Candidate, round: u32) -> Option<[usize; 2]> {
         let (_, at, _) = candidate.item;
         let is_tied = |other: usize| self.alive[other] && self.tied[other] == (round, self.stamp[other]);
         let mut dropped = vec![at];
@@ -138,7 +139,7 @@ impl Chains {
         let is_clear = dropped.iter().zip(dropped.iter().skip(1).chain([&to])).all(|(&at, &next)| {
             let triangle = [from, at, next].map(|i| self.points[i]);
             let counts = |other: usize| self.alive[other] && other != from && other != to && !dropped.contains(&other);
-            // On a straight way the outline stays where it is.
+            // On a straight run the outline does not move.
             is_straight(triangle) || !self.grid.any_in_triangle(triangle, counts, &self.points)
         });
         if !is_clear {
@@ -150,8 +151,8 @@ impl Chains {
         Some([from, to])
     }
 
-    /// The cost of a chord in place of all points between two, of which so many are left, if it stays within the tolerance and at least
-    /// three points of the ring are left.
+    /// The cost of a chord in place of all points between two, `dropped` of which are left, if it is within the tolerance and
+    /// at least three points of the ring remain.
     fn cost(&self, from: usize, to: usize, dropped: usize) -> Option<f64> {
         let (start, len) = self.ring[from];
         if self.left[start] < 3 + dropped {
@@ -167,7 +168,7 @@ impl Chains {
             if cost > TOLERANCE {
                 return None;
             }
-            // Of points on a straight way none is farther off than both its ends.
+            // No point of a straight run is farther from the chord than both its ends.
             steps = if steps < last { (steps + self.straight[i]).min(last) } else { steps + 1 };
         }
         Some(cost)
@@ -195,11 +196,11 @@ impl Chains {
     }
 }
 
-/// For each point of a ring the number of points from it, along the ring, to the end of the straight way that begins there.
+/// For each point of a ring the number of points to the end of the exactly straight run that begins there.
 fn straight_runs(ring: &[DVec2]) -> Vec<usize> {
     let n = ring.len();
     let mut runs = vec![1; n];
-    // Twice around, as the straight way at the last points may go on at the first.
+    // Twice around, as the run at the last points may continue at the first.
     for i in (0..2 * n).rev() {
         let [a, b, c] = [i, i + 1, i + 2].map(|i| i % n);
         runs[a] = if is_straight([a, b, c].map(|i| ring[i])) { (runs[b] + 1).min(n) } else { 1 };
@@ -207,13 +208,13 @@ fn straight_runs(ring: &[DVec2]) -> Vec<usize> {
     runs
 }
 
-/// Whether the way by three points goes straight on, without rounding.
+/// Whether three points lie on a straight line in this order, without rounding.
 fn is_straight([a, b, c]: [DVec2; 3]) -> bool {
     let [p, q, r] = [a, b, c].map(|DVec2 { x, y }| Coord { x, y });
     (b - a).dot(c - b) > 0.0 && orient2d(p, q, r) == 0.0
 }
 
-/// The middle of the box around a ring.
+/// The centre of the box around a ring.
 fn middle(ring: &[DVec2]) -> DVec2 {
     let (low, high) =
         ring.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)));
@@ -228,9 +229,9 @@ struct PointGrid {
     next: Vec<u32>,
 }
 
-const CELL: f64 = 4.0;
-/// Points this near to the box around a triangle, in pixels, touch it if they are also on the inner side of each edge's line, or beyond
-/// by so little: in square pixels, their distance from the line times the edge's length. Far above rounding, far below the tolerance.
+const CELL_PX: f64 = 4.0;
+/// Tolerance of the triangle test: in pixels around the triangle's box, and in square pixels for twice the area over each
+/// edge. Far above rounding, far below the tolerance of the outline.
 const TOUCHING: f64 = 1e-6;
 const END: u32 = u32::MAX;
 
@@ -238,7 +239,7 @@ impl PointGrid {
     fn new(points: &[DVec2]) -> Self {
         let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
         let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
-        let cells = ((high - low) / CELL).floor() + 1.0;
+        let cells = ((high - low) / CELL_PX).floor() + 1.0;
         let columns = cells.x as usize;
         let mut grid =
             Self { low, columns, head: vec![END; columns * cells.y as usize], next: vec![END; points.len()] };
@@ -252,18 +253,18 @@ impl PointGrid {
     }
 
     fn cell(&self, p: DVec2) -> (usize, usize) {
-        let cell = (p - self.low) / CELL;
+        let cell = (p - self.low) / CELL_PX;
         (cell.x as usize, cell.y as usize)
     }
 
-    /// Whether a point that `counts` lies in a closed triangle. Row by row, as such triangles are long and thin.
+    /// Whether a point accepted by `counts` lies in a closed triangle. Row by row, as such triangles are long and thin.
     fn any_in_triangle(&self, triangle: [DVec2; 3], counts: impl Fn(usize) -> bool, points: &[DVec2]) -> bool {
         let [a, b, c] = triangle;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
         let ((_, first), (_, last)) = (self.cell(low), self.cell(high));
         (first..=last).any(|row| {
-            let top = self.low.y + row as f64 * CELL;
-            let Some((left, right)) = extent(triangle, top, top + CELL) else { return false };
+            let top = self.low.y + row as f64 * CELL_PX;
+            let Some((left, right)) = extent(triangle, top, top + CELL_PX) else { return false };
             let column = |x: f64| self.cell(DVec2::new(x, top)).0.min(self.columns - 1);
             (column(left)..=column(right)).any(|column| {
                 let mut i = self.head[row * self.columns + column];
@@ -279,7 +280,7 @@ impl PointGrid {
     }
 }
 
-/// Least and greatest x of a triangle between two rows, if it reaches them.
+/// Least and greatest x of a triangle between two heights, if it reaches them.
 fn extent(triangle: [DVec2; 3], top: f64, bottom: f64) -> Option<(f64, f64)> {
     let mut extent: Option<(f64, f64)> = None;
     for (a, b) in super::edges(&triangle) {
@@ -287,7 +288,7 @@ fn extent(triangle: [DVec2; 3], top: f64, bottom: f64) -> Option<(f64, f64)> {
         if b.y < top || a.y > bottom {
             continue;
         }
-        // The part of the edge between the rows; a level edge lies there whole.
+        // The part of the edge between the heights; a level edge lies there completely.
         let at = |y: f64| a.lerp(b, ((y - a.y) / (b.y - a.y)).clamp(0.0, 1.0)).x;
         let (p, q) = if a.y == b.y { (a.x, b.x) } else { (at(top), at(bottom)) };
         let (left, right) = extent.unwrap_or((p, p));
@@ -316,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_ways_are_known_by_their_ends_wherever_the_ring_begins() {
+    fn straight_runs_are_known_by_their_ends_wherever_the_ring_begins() {
         let square = |i: i32| match i.rem_euclid(40) {
             i @ 0..10 => DVec2::new(f64::from(i), 0.0),
             i @ 10..20 => DVec2::new(10.0, f64::from(i - 10)),
@@ -334,7 +335,8 @@ mod tests {
 
     #[test]
     fn very_many_equal_rings_and_very_long_edges_take_no_time() {
-        // Looking each point up among all that are tied, or at each point of an edge for each that is dropped, would take minutes.
+        // A search for each point among all tied ones, or among all points of an edge for each that is dropped, would take
+        // minutes.
         let diamond = |i: i32| -> Ring {
             let middle = DVec2::new(f64::from(i % 100), f64::from(i / 100)) * 20.0;
             let side = |from: DVec2, to: DVec2| (0..6).map(move |k| middle + from.lerp(to, f64::from(k) / 6.0) * 8.0);

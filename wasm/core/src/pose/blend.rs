@@ -1,4 +1,6 @@
-//! Where points go: linearly, p′ = Σ w_i(p) T_i(p) (paper, eq. 1), or by the rigid blend of [`dual`](super::dual).
+//! The posed place of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual).
+//!
+//! Cost: some floating-point operations for each site that moves the point.
 
 use std::sync::Arc;
 
@@ -10,23 +12,23 @@ use super::{
 };
 use crate::{project::Blend, weight::Influence};
 
-/// Where every site is taken: T_i(p) = posed_i + [a c; b d] (p − rest_i).
+/// The maps of all sites: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 #[derive(Debug, Clone)]
 pub struct Pose {
     rest: Arc<[DVec2]>,
     linear: Vec<DMat2>,
     motions: Vec<Motion>,
-    /// By site, for the rigid blend.
+    /// For the rigid blend: one for each site.
     duals: Option<Vec<Dual>>,
 }
 
-/// Where a point goes, and what happens around it.
+/// The posed place of a point, and the local change of area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Mapped {
     /// The posed place, p′.
     pub posed: DVec2,
-    /// Determinant of the map's derivative: the area's growth, negative where the picture has turned over.
+    /// Determinant of the Jacobian: the factor by which areas grow, negative where the picture is inverted.
     pub det: f64,
 }
 
@@ -53,10 +55,10 @@ impl Pose {
         rest + self.motions[site].translation + self.linear[site] * (p - rest)
     }
 
-    /// Where a point goes, from weights alone. With no weights it stays.
+    /// The posed place of a point, from weights alone. A point without weights stays.
     ///
     /// # Panics
-    /// For a site that the solution has not.
+    /// If the solution has no such site.
     #[must_use]
     pub fn blended(&self, p: DVec2, weights: impl Iterator<Item = (usize, f64)>) -> DVec2 {
         if let Some(duals) = &self.duals {
@@ -71,10 +73,10 @@ impl Pose {
         sum.unwrap_or(p)
     }
 
-    /// Where a point goes, and the derivative of that. With no influence the point stays.
+    /// The posed place of a point and the determinant of the Jacobian there. A point without influences stays.
     ///
     /// # Panics
-    /// For a site that the solution has not.
+    /// If the solution has no such site.
     #[must_use]
     pub fn map(&self, p: DVec2, influences: &[Influence]) -> Mapped {
         if influences.is_empty() {
@@ -90,7 +92,7 @@ impl Pose {
             let (moved, linear) = (self.moved(site, p), self.linear[site]);
             posed += weight * moved;
             derivative += weight * linear;
-            // Gradients sum to zero: relative to p, fewer digits cancel.
+            // Gradients sum to zero: relative to p, fewer digits are lost to cancellation.
             derivative += DMat2::from_cols((moved - p) * gradient.x, (moved - p) * gradient.y);
         }
         Mapped { posed, det: derivative.determinant() }

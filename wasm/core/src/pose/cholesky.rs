@@ -1,30 +1,30 @@
-//! A symmetric positive definite matrix as a factorisation L D Lᵀ: Cholesky's, sparse, in one fixed order of sums.
+//! The factorisation L D Lᵀ of a symmetric positive definite matrix: sparse Cholesky, with a fixed order of all sums.
 //!
-//! Rows come in groups of up to three, the numbers of one site. The group with the fewest neighbours goes first (minimum degree: Tinney
-//! and Walker 1967). Columns of a group have their entries in the same rows, so they are kept and gone through together
-//! (supernodes). Unlike an [`elimination`](super::elimination) it takes entries of any sign, and is as exact as the matrix is well
-//! conditioned.
+//! Rows come in groups of up to three, the unknowns of one site. The group with the fewest neighbours is eliminated first
+//! (minimum degree: Tinney and Walker 1967). The columns of a group have their entries in the same rows, so they are stored
+//! and processed together (supernodes). Unlike [`elimination`](super::elimination) it accepts entries of any sign, and its
+//! accuracy depends on the condition of the matrix.
 //!
-//! Cost: for 200 sites of three rows, 40,000 entries and some 50 µs a solution.
+//! Cost: for 200 sites of three rows, 40,000 entries and some 50 µs for a solution.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 
-/// Most rows of a group.
-const WIDEST: usize = 3;
+/// Greatest number of rows in a group.
+const MAX_WIDTH: usize = 3;
 
 /// A group of columns.
 #[derive(Debug, Clone)]
 struct Supernode {
-    /// Number of columns. Their rows on the diagonal follow those of the supernode before.
+    /// Number of columns. Their diagonal rows follow those of the previous supernode.
     width: usize,
-    /// Where the rows below end; they begin where those of the supernode before end.
+    /// End of the rows below; they begin at the end of the previous supernode's.
     end: u32,
-    /// Below the diagonal within the group: (1, 0), (2, 0), (2, 1).
+    /// Entries below the diagonal within the group: (1, 0), (2, 0), (2, 1).
     inner: [f64; 3],
     /// Reciprocals of D.
-    inverses: [f64; WIDEST],
+    inverses: [f64; MAX_WIDTH],
 }
 
 #[derive(Debug, Clone)]
@@ -32,23 +32,24 @@ pub(super) struct Cholesky {
     /// Row of the matrix that each pivot eliminates.
     pivots: Vec<u32>,
     supernodes: Vec<Supernode>,
-    /// Pivots of the rows below each supernode.
+    /// The rows below each supernode, as pivot numbers.
     rows: Vec<u32>,
-    /// For each of these rows as many values as the supernode is wide.
+    /// For each of these rows one value for each column of the supernode.
     values: Vec<f64>,
 }
 
-/// A factorisation under way: columns one by one.
+/// The columns finished so far.
 struct Columns {
-    /// Where the entries of each end; they begin where those of the one before end.
+    /// End of the entries of each column; they begin at the end of the previous column's.
     ends: Vec<usize>,
-    /// Below the diagonal: pivot, value.
+    /// Entries below the diagonal: pivot number, value.
     entries: Vec<(u32, f64)>,
     inverses: Vec<f64>,
 }
 
 impl Cholesky {
-    /// Factorises the matrix with these lower entries (row, column, value); `groups` are the rows of each group, one to three.
+    /// Factorises the matrix with the given lower entries (row, column, value); `groups` are the rows of each group, one to
+    /// three.
     pub(super) fn new(groups: &[Vec<u32>], lower: &BTreeMap<(u32, u32), f64>) -> Self {
         let count = groups.iter().map(Vec::len).sum();
         let mut group_of = vec![0; count];
@@ -66,7 +67,7 @@ impl Cholesky {
             matrix[i.min(j) as usize].push((i.max(j), value));
         }
         let mut columns = Columns { ends: Vec::with_capacity(count), entries: Vec::new(), inverses: Vec::new() };
-        // For each pivot the columns before that have an entry there, and which of their entries it is.
+        // For each pivot the earlier columns with an entry in its row, and the index of that entry.
         let mut before: Vec<Vec<(usize, usize)>> = vec![Vec::new(); count];
         let mut sums = vec![0.0; count];
         let (mut supernodes, mut rows, mut values) = (Vec::new(), Vec::new(), Vec::new());
@@ -94,7 +95,7 @@ impl Cholesky {
         Self { pivots, supernodes, rows, values }
     }
 
-    /// Solves for a right hand side, which becomes the solution.
+    /// Replaces a right hand side by the solution.
     pub(super) fn solve(&self, x: &mut [DVec2]) {
         let mut y: Vec<DVec2> = self.pivots.iter().map(|&row| x[row as usize]).collect();
         let (mut first, mut start, mut value) = (0, 0, 0);
@@ -128,19 +129,20 @@ impl Cholesky {
 }
 
 impl Columns {
-    /// Ends a column, whose entries in the rows of `structure`, itself first, are in `sums`. Those are 0 again afterwards.
-    fn close(&mut self, structure: &[u32], sums: &mut [f64], mut tell: impl FnMut(usize, usize)) {
+    /// Finishes the column whose entries in the rows of `structure`, its own first, are in `sums`, and resets these to 0.
+    /// Calls `visit` with the row and the index of each entry.
+    fn close(&mut self, structure: &[u32], sums: &mut [f64], mut visit: impl FnMut(usize, usize)) {
         let diagonal = std::mem::take(&mut sums[structure[0] as usize]);
         let inverse = if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 };
         for &row in &structure[1..] {
-            tell(row as usize, self.entries.len());
+            visit(row as usize, self.entries.len());
             self.entries.push((row, std::mem::take(&mut sums[row as usize]) * inverse));
         }
         self.ends.push(self.entries.len());
         self.inverses.push(inverse);
     }
 
-    /// The last columns, so many, as one supernode with entries in the rows `below`.
+    /// The last `width` columns as a supernode with entries in the rows `below`.
     fn last(&self, width: usize, below: &[u32], values: &mut Vec<f64>) -> Supernode {
         let first = self.ends.len() - width;
         let column = |at: usize| {
@@ -150,7 +152,7 @@ impl Columns {
         for row in width..width + below.len() {
             values.extend((0..width).map(|at| column(at)[row - at - 1].1));
         }
-        let mut supernode = Supernode { width, end: 0, inner: [0.0; 3], inverses: [0.0; WIDEST] };
+        let mut supernode = Supernode { width, end: 0, inner: [0.0; 3], inverses: [0.0; MAX_WIDTH] };
         for (inner, (row, at)) in supernode.inner.iter_mut().zip([(1, 0), (2, 0), (2, 1)]) {
             if row < width {
                 *inner = column(at)[row - at - 1].1;
@@ -161,7 +163,7 @@ impl Columns {
     }
 }
 
-/// y ← L⁻¹ y for the columns of one supernode, and those of D⁻¹.
+/// y ← L⁻¹ y for the columns of one supernode, then D⁻¹ for their own rows.
 fn forward<const WIDTH: usize>(node: &Supernode, first: usize, rows: &[u32], values: &[f64], y: &mut [DVec2]) {
     let mut own: [DVec2; WIDTH] = std::array::from_fn(|column| y[first + column]);
     if WIDTH > 1 {
@@ -196,7 +198,7 @@ fn backward<const WIDTH: usize>(node: &Supernode, first: usize, rows: &[u32], va
     y[first..first + WIDTH].copy_from_slice(&own);
 }
 
-/// The groups in the order of their elimination, each with its neighbours at that time.
+/// The groups in the order of elimination, each with its neighbours at that time.
 fn elimination_order(count: usize, pairs: impl Iterator<Item = (u32, u32)>) -> Vec<(u32, BTreeSet<u32>)> {
     let mut near: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); count];
     for (a, b) in pairs.filter(|(a, b)| a != b) {

@@ -1,169 +1,177 @@
-//! Descent to a minimum: L-BFGS (Nocedal 1980) on top of an approximate inverse of the second derivative.
+//! Descent to a minimum: L-BFGS (Nocedal 1980), preconditioned by an approximate inverse of the Hessian.
 //!
-//! For as-rigid-as-possible that inverse is the Laplacian's. A step by it alone is a turn of the local/global iteration
-//! (Sorkine and Alexa 2007), which forgets everything and so crawls along the directions in which rotations give way. The
-//! last few steps tell how they do (Liu, Bouaziz and Kavan 2017): the energy of a bent strip settles in a quarter of the
-//! turns, that of an unrolled spiral in a tenth.
+//! For as-rigid-as-possible that inverse is the Laplacian's. A step by it alone is one iteration of the local/global method
+//! (Sorkine and Alexa 2007), which keeps no history and so crawls along the directions in which rotations yield. The last few
+//! steps carry that information (Liu, Bouaziz and Kavan 2017): the energy of a bent strip settles in a quarter of the
+//! iterations, that of an unrolled spiral in a tenth.
 //!
-//! What is lowered here is known along a whole line once it is known in which direction the line goes, so looking for the place to
-//! stop costs little. Every step is checked: the energy never rises.
+//! Once a direction is set, the energy is known along the whole line, so the line search is cheap. Every step is checked: the
+//! energy never rises.
 
 use std::collections::VecDeque;
 
 use glam::DVec2;
 
-/// Steps that are remembered. With 5 a spiral takes a quarter more turns, with 20 no fewer, but longer ones.
+/// Number of stored steps. With 5 a spiral takes a quarter more iterations; with 20 no fewer, but longer ones.
 const MEMORY: usize = 8;
-/// Share of the decrease foreseen by the slope that a step must bring.
-const DECREASE: f64 = 1e-4;
-/// Relative rounding of an energy: where it drowns the decrease, the slopes decide (Hager and Zhang 2005).
-const ROUNDING: f64 = 1e-13;
-/// Looks along a line before the descent takes the best that it saw.
-const LOOKS: usize = 12;
-/// Between two lengths no look is closer to either than this share of what is between them.
-const MARGIN: f64 = 0.1;
+/// Sufficient decrease (first Wolfe condition): the least decrease of a step, as a share of what the initial slope predicts.
+const SUFFICIENT_DECREASE: f64 = 1e-4;
+/// Relative rounding of an energy: where the decrease is below it, the slopes decide (Hager and Zhang 2005).
+const ENERGY_ROUNDING: f64 = 1e-13;
+/// Samples along a line before the search settles for the best one.
+const MAX_SAMPLES: usize = 12;
+/// In a bracket no sample is closer to either end than this share of its width.
+const BRACKET_MARGIN: f64 = 0.1;
 
-/// How much farther to look where nothing says how far, and at most.
-const FARTHER: f64 = 3.0;
+/// Growth of the length where the curvature suggests none, and the greatest growth otherwise.
+const MAX_GROWTH: f64 = 3.0;
 
-/// What is lowered, seen from a place.
-pub(super) trait Landscape {
-    /// Turns to a direction.
-    fn face(&mut self, by: &[DVec2]);
-    /// What is seen in that direction at a length of it.
-    fn look(&self, length: f64) -> View;
-    /// Goes there.
-    fn go(&mut self, length: f64);
-    /// Writes down the gradient there.
+/// The energy to be lowered, with its current point.
+pub(super) trait Objective {
+    /// Sets the direction of the line through the current point.
+    fn set_direction(&mut self, direction: &[DVec2]);
+    /// The energy on that line, at the current point plus `length` times the direction.
+    fn along_line(&self, length: f64) -> LineSample;
+    /// Moves the current point to there.
+    fn advance(&mut self, length: f64);
+    /// Writes the gradient at the current point.
     fn gradient(&mut self, gradient: &mut [DVec2]);
 }
 
-/// Energy, and its first two derivatives by the length.
+/// The energy at a point of a line, and its first and second derivative with respect to the length.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct View {
-    pub(super) height: f64,
-    pub(super) slope: f64,
-    pub(super) curvature: f64,
+pub(super) struct LineSample {
+    pub(super) value: f64,
+    pub(super) first: f64,
+    pub(super) second: f64,
 }
 
-impl View {
-    /// What c₀ + c₁ t + c₂ t² is at t.
+impl LineSample {
+    /// c₀ + c₁ t + c₂ t² at t.
     pub(super) fn of_polynomial([c0, c1, c2]: [f64; 3], t: f64) -> Self {
-        Self { height: (c2 * t + c1) * t + c0, slope: 2.0 * c2 * t + c1, curvature: 2.0 * c2 }
+        Self { value: (c2 * t + c1) * t + c0, first: 2.0 * c2 * t + c1, second: 2.0 * c2 }
     }
 }
 
-/// How far to go down.
+/// When the descent and its line searches end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
-    /// Turns at most.
-    pub(super) turns: usize,
-    /// A turn whose direction moves no place by more than this is the last.
+    pub(super) max_iterations: usize,
+    /// The descent ends with an iteration whose direction moves no place by more than this,
     pub(super) settled: f64,
-    /// So is one that lowers the energy by no more than this share of it.
+    /// or that lowers the energy by no more than this share of it.
     pub(super) gain: f64,
-    /// A step ends where the slope is this share of what it was at its start.
-    pub(super) level: f64,
+    /// Curvature condition (strong Wolfe): a line search ends where the slope is this share of the initial one.
+    pub(super) curvature_condition: f64,
 }
 
-/// A step that was made, and how the gradient changed.
-struct Step {
-    by: Vec<DVec2>,
+/// A correction pair of L-BFGS: a step s, and the change y of the gradient along it.
+struct Correction {
+    step: Vec<DVec2>,
     change: Vec<DVec2>,
-    /// Reciprocal of their product.
-    curvature: f64,
+    /// 1 / s·y.
+    reciprocal: f64,
 }
 
-/// Lowers an energy of so many places. `solve` takes a gradient to about the step that brings it to 0.
-pub(super) fn descend(landscape: &mut impl Landscape, places: usize, solve: impl Fn(&mut [DVec2]), limits: Limits) {
-    let mut by = vec![DVec2::ZERO; places];
-    let (mut gradient, mut next_gradient) = (by.clone(), by.clone());
-    let mut steps = VecDeque::with_capacity(MEMORY);
-    landscape.gradient(&mut gradient);
-    for turn in 1..=limits.turns {
-        direction(&steps, &solve, &gradient, &mut by);
-        landscape.face(&by);
-        let Some((length, [before, after])) = search(landscape, limits.level) else { return };
-        landscape.go(length);
-        let farthest = by.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
-        if turn == limits.turns || farthest <= limits.settled || before - after <= limits.gain * after {
+/// Lowers an energy of `places` unknowns. `solve` applies the approximate inverse of the Hessian.
+pub(super) fn descend(objective: &mut impl Objective, places: usize, solve: impl Fn(&mut [DVec2]), limits: Limits) {
+    let mut direction = vec![DVec2::ZERO; places];
+    let (mut gradient, mut next_gradient) = (direction.clone(), direction.clone());
+    let mut corrections = VecDeque::with_capacity(MEMORY);
+    objective.gradient(&mut gradient);
+    for iteration in 1..=limits.max_iterations {
+        search_direction(&corrections, &solve, &gradient, &mut direction);
+        objective.set_direction(&direction);
+        let Some((length, [before, after])) = line_search(objective, limits.curvature_condition) else { return };
+        objective.advance(length);
+        let farthest = direction.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
+        if iteration == limits.max_iterations || farthest <= limits.settled || before - after <= limits.gain * after {
             return;
         }
-        landscape.gradient(&mut next_gradient);
-        let mut step = if steps.len() < MEMORY { Step::new() } else { steps.pop_front().unwrap_or_else(Step::new) };
-        step.set(length, &by, &gradient, &next_gradient);
-        if step.curvature > 0.0 {
-            steps.push_back(step);
+        objective.gradient(&mut next_gradient);
+        let reused = if corrections.len() < MEMORY { None } else { corrections.pop_front() };
+        let mut correction = reused.unwrap_or_else(Correction::new);
+        correction.set(length, &direction, &gradient, &next_gradient);
+        if correction.reciprocal > 0.0 {
+            corrections.push_back(correction);
         }
         std::mem::swap(&mut gradient, &mut next_gradient);
     }
 }
 
-/// A length at which the energy has fallen and is level, with the energies before and there; the best seen where none is, if any is lower.
-fn search(landscape: &impl Landscape, level: f64) -> Option<(f64, [f64; 2])> {
-    let start = landscape.look(0.0);
+/// Line search for the strong Wolfe conditions. Returns the step length and the energies before and after it, or the best
+/// decrease found.
+fn line_search(objective: &impl Objective, curvature_condition: f64) -> Option<(f64, [f64; 2])> {
+    let start = objective.along_line(0.0);
     let (mut low, mut high) = ((0.0, start), f64::INFINITY);
-    let mut length = next(low, high).unwrap_or(1.0);
-    for _ in 0..LOOKS {
-        let view = landscape.look(length);
-        let is_as_high = (view.height - start.height).abs() <= ROUNDING * start.height.abs();
-        let falls = view.height <= start.height + DECREASE * length * start.slope
-            || is_as_high && view.slope.abs() <= start.slope.abs();
-        if falls && view.slope.abs() <= level * start.slope.abs() {
-            return Some((length, [start.height, view.height]));
+    let mut length = newton_length(low, high).unwrap_or(1.0);
+    for _ in 0..MAX_SAMPLES {
+        let sample = objective.along_line(length);
+        let is_as_high = (sample.value - start.value).abs() <= ENERGY_ROUNDING * start.value.abs();
+        let falls = sample.value <= start.value + SUFFICIENT_DECREASE * length * start.first
+            || is_as_high && sample.first.abs() <= start.first.abs();
+        if falls && sample.first.abs() <= curvature_condition * start.first.abs() {
+            return Some((length, [start.value, sample.value]));
         }
-        if falls && view.slope < 0.0 {
-            low = (length, view);
+        if falls && sample.first < 0.0 {
+            low = (length, sample);
         } else {
             high = length;
         }
-        let newton = next((length, view), high).filter(|&next| next > low.0);
+        let newton = newton_length((length, sample), high).filter(|&next| next > low.0);
         let width = high - low.0;
         length = match newton {
-            Some(next) if width.is_finite() => next.clamp(low.0 + MARGIN * width, high - MARGIN * width),
-            Some(next) => next.min(FARTHER * length),
-            None if width.is_finite() => low.0 + MARGIN * width,
-            None => FARTHER * length,
+            Some(next) if width.is_finite() => {
+                next.clamp(low.0 + BRACKET_MARGIN * width, high - BRACKET_MARGIN * width)
+            }
+            Some(next) => next.min(MAX_GROWTH * length),
+            None if width.is_finite() => low.0 + BRACKET_MARGIN * width,
+            None => MAX_GROWTH * length,
         };
     }
-    (low.0 > 0.0).then_some((low.0, [start.height, low.1.height]))
+    (low.0 > 0.0).then_some((low.0, [start.value, low.1.value]))
 }
 
-/// Where the parabola through a view is lowest, if it is before the end.
-fn next((at, view): (f64, View), end: f64) -> Option<f64> {
-    let next = at - view.slope / view.curvature;
-    (view.curvature > 0.0 && next < end).then_some(next)
+/// The minimum of the parabola through a sample, if there is one before `end`.
+fn newton_length((at, sample): (f64, LineSample), end: f64) -> Option<f64> {
+    let next = at - sample.first / sample.second;
+    (sample.second > 0.0 && next < end).then_some(next)
 }
 
-impl Step {
+impl Correction {
     fn new() -> Self {
-        Self { by: Vec::new(), change: Vec::new(), curvature: 0.0 }
+        Self { step: Vec::new(), change: Vec::new(), reciprocal: 0.0 }
     }
 
-    /// Curvature stays 0 where the gradient did not rise along the step, which then teaches nothing.
-    fn set(&mut self, length: f64, by: &[DVec2], gradient: &[DVec2], next_gradient: &[DVec2]) {
-        self.by.clear();
-        self.by.extend(by.iter().map(|&by| length * by));
+    /// The reciprocal stays 0 where the slope did not rise along the step: such a pair says nothing about the curvature.
+    fn set(&mut self, length: f64, direction: &[DVec2], gradient: &[DVec2], next_gradient: &[DVec2]) {
+        self.step.clear();
+        self.step.extend(direction.iter().map(|&by| length * by));
         self.change.clear();
         self.change.extend(next_gradient.iter().zip(gradient).map(|(&next, &before)| next - before));
-        let product = dot(&self.by, &self.change);
-        self.curvature = if product > 0.0 { 1.0 / product } else { 0.0 };
+        let product = dot(&self.step, &self.change);
+        self.reciprocal = if product > 0.0 { 1.0 / product } else { 0.0 };
     }
 }
 
-/// The step that the gradient and the steps before suggest: the two loops of L-BFGS.
-fn direction(steps: &VecDeque<Step>, solve: impl Fn(&mut [DVec2]), gradient: &[DVec2], by: &mut [DVec2]) {
-    for (by, &gradient) in by.iter_mut().zip(gradient) {
+/// The two loops of L-BFGS.
+fn search_direction(
+    corrections: &VecDeque<Correction>,
+    solve: impl Fn(&mut [DVec2]),
+    gradient: &[DVec2],
+    direction: &mut [DVec2],
+) {
+    for (by, &gradient) in direction.iter_mut().zip(gradient) {
         *by = -gradient;
     }
     let mut shares = [0.0; MEMORY];
-    for (step, share) in steps.iter().zip(&mut shares).rev() {
-        *share = step.curvature * dot(&step.by, by);
-        add(by, -*share, &step.change);
+    for (correction, share) in corrections.iter().zip(&mut shares).rev() {
+        *share = correction.reciprocal * dot(&correction.step, direction);
+        add(direction, -*share, &correction.change);
     }
-    solve(by);
-    for (step, share) in steps.iter().zip(&shares) {
-        add(by, share - step.curvature * dot(&step.change, by), &step.by);
+    solve(direction);
+    for (correction, share) in corrections.iter().zip(&shares) {
+        add(direction, share - correction.reciprocal * dot(&correction.change, direction), &correction.step);
     }
 }
 
@@ -173,7 +181,7 @@ fn add(sum: &mut [DVec2], factor: f64, terms: &[DVec2]) {
     }
 }
 
-/// In two chains, which a processor can work on at once.
+/// In two independent sums, which a processor can run in parallel.
 fn dot(a: &[DVec2], b: &[DVec2]) -> f64 {
     let sum = a.iter().zip(b).fold(DVec2::ZERO, |sum, (&a, &b)| sum + a * b);
     sum.x + sum.y
@@ -183,40 +191,40 @@ fn dot(a: &[DVec2], b: &[DVec2]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Σ (x² − 1)² / 4 + y² over some places: two valleys each, and a ridge between them.
-    struct Valleys {
+    /// Σ (x² − 1)² / 4 + y² over some places: two minima each, and a ridge between them.
+    struct DoubleWell {
         at: Vec<DVec2>,
-        by: Vec<DVec2>,
-        heights: Vec<f64>,
+        direction: Vec<DVec2>,
+        energies: Vec<f64>,
     }
 
-    impl Valleys {
+    impl DoubleWell {
         fn new(at: &[DVec2]) -> Self {
-            let mut valleys = Self { at: at.to_vec(), by: vec![DVec2::ZERO; at.len()], heights: Vec::new() };
-            valleys.heights.push(valleys.look(0.0).height);
-            valleys
+            let mut well = Self { at: at.to_vec(), direction: vec![DVec2::ZERO; at.len()], energies: Vec::new() };
+            well.energies.push(well.along_line(0.0).value);
+            well
         }
     }
 
-    impl Landscape for Valleys {
-        fn face(&mut self, by: &[DVec2]) {
-            self.by = by.to_vec();
+    impl Objective for DoubleWell {
+        fn set_direction(&mut self, direction: &[DVec2]) {
+            self.direction = direction.to_vec();
         }
 
-        fn look(&self, length: f64) -> View {
-            let mut view = View { height: 0.0, slope: 0.0, curvature: 0.0 };
-            for (at, by) in self.at.iter().zip(&self.by) {
+        fn along_line(&self, length: f64) -> LineSample {
+            let mut sample = LineSample { value: 0.0, first: 0.0, second: 0.0 };
+            for (at, by) in self.at.iter().zip(&self.direction) {
                 let p = at + length * by;
-                view.height += (p.x * p.x - 1.0).powi(2) / 4.0 + p.y * p.y;
-                view.slope += (p.x * p.x - 1.0) * p.x * by.x + 2.0 * p.y * by.y;
-                view.curvature += (3.0 * p.x * p.x - 1.0) * by.x * by.x + 2.0 * by.y * by.y;
+                sample.value += (p.x * p.x - 1.0).powi(2) / 4.0 + p.y * p.y;
+                sample.first += (p.x * p.x - 1.0) * p.x * by.x + 2.0 * p.y * by.y;
+                sample.second += (3.0 * p.x * p.x - 1.0) * by.x * by.x + 2.0 * by.y * by.y;
             }
-            view
+            sample
         }
 
-        fn go(&mut self, length: f64) {
-            self.heights.push(self.look(length).height);
-            for (at, by) in self.at.iter_mut().zip(&self.by) {
+        fn advance(&mut self, length: f64) {
+            self.energies.push(self.along_line(length).value);
+            for (at, by) in self.at.iter_mut().zip(&self.direction) {
                 *at += length * by;
             }
         }
@@ -228,15 +236,15 @@ mod tests {
         }
     }
 
-    const LIMITS: Limits = Limits { turns: 40, settled: 1e-9, gain: 0.0, level: 0.1 };
+    const LIMITS: Limits = Limits { max_iterations: 40, settled: 1e-9, gain: 0.0, curvature_condition: 0.1 };
     const START: [DVec2; 3] = [DVec2::new(0.02, 3.0), DVec2::new(-5.0, 0.1), DVec2::new(0.5, -40.0)];
 
     #[test]
-    fn it_ends_in_valleys_however_wrong_the_first_steps_are() {
+    fn it_ends_in_minima_however_wrong_the_first_steps_are() {
         for scale in [1e-3, 1.0, 100.0] {
-            let mut valleys = Valleys::new(&START);
-            descend(&mut valleys, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
-            for at in &valleys.at {
+            let mut well = DoubleWell::new(&START);
+            descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
+            for at in &well.at {
                 assert!((at.x.abs() - 1.0).abs() < 1e-6 && at.y.abs() < 1e-6, "{at} by steps of {scale}");
             }
         }
@@ -245,26 +253,26 @@ mod tests {
     #[test]
     fn the_energy_never_rises() {
         for scale in [0.1, 30.0] {
-            let mut valleys = Valleys::new(&START);
-            descend(&mut valleys, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
-            assert!(valleys.heights.windows(2).all(|pair| pair[1] <= pair[0]), "{:?}", valleys.heights);
+            let mut well = DoubleWell::new(&START);
+            descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
+            assert!(well.energies.windows(2).all(|pair| pair[1] <= pair[0]), "{:?}", well.energies);
         }
     }
 
     #[test]
     fn a_small_gain_ends_it() {
-        let turns = |gain| {
-            let mut valleys = Valleys::new(&START);
-            descend(&mut valleys, START.len(), |_| {}, Limits { gain, ..LIMITS });
-            valleys.heights.len()
+        let iterations = |gain| {
+            let mut well = DoubleWell::new(&START);
+            descend(&mut well, START.len(), |_| {}, Limits { gain, ..LIMITS });
+            well.energies.len()
         };
-        assert!(turns(10.0) < turns(0.0));
+        assert!(iterations(10.0) < iterations(0.0));
     }
 
     #[test]
     fn uphill_it_stays() {
-        let mut valleys = Valleys::new(&START);
-        descend(&mut valleys, START.len(), |values| values.iter_mut().for_each(|value| *value = -*value), LIMITS);
-        assert_eq!(valleys.at, START);
+        let mut well = DoubleWell::new(&START);
+        descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value = -*value), LIMITS);
+        assert_eq!(well.at, START);
     }
 }

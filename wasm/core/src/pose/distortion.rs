@@ -1,25 +1,28 @@
-//! How much a map distorts: the symmetric Dirichlet energy of its derivative J, |J|² + |J⁻¹|² (Smith and Schaefer 2015).
+//! Distortion of a map: the symmetric Dirichlet energy of its Jacobian J, |J|² + |J⁻¹|² (Smith and Schaefer 2015).
 //!
-//! It is least for rotations. Near one it counts strains as as-rigid-as-possible does, but it also rises beyond all bounds where
-//! J loses an axis, so what it shapes does not collapse. As |J⁻¹|² = |J|² / det² in the plane, it is made finite, and steep
-//! towards recovery, where J has turned over: det gives way to χ(det) = (det + √(det² + δ²)) / 2 > 0 (Garanzha et al. 2021).
+//! Rotations have the least energy. Near a rotation it measures strain as as-rigid-as-possible does, but it also grows
+//! without bound where J becomes singular, so shapes do not collapse. In the plane |J⁻¹|² = |J|² / det². To be finite for an
+//! inverted J too, with a steep gradient towards recovery, it has χ(det) = (det + √(det² + δ²)) / 2 > 0 in place of det
+//! (Garanzha et al. 2021).
+//!
+//! Cost: one square root and one division for each evaluation.
 
 use glam::DMat2;
 
-/// The energy for one softness δ.
+/// The energy for one regularisation δ.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Distortion {
     /// δ².
-    softness: f64,
-    /// Of the second term: without it the softer det would make the least a little larger than a rotation.
+    regularisation: f64,
+    /// Factor of the second term: without it, χ in place of det would shift the minimum to a scale a little above 1.
     factor: f64,
     /// The energy of a rotation.
     least: f64,
 }
 
-/// The energy of one J, and its derivatives.
+/// The energy of one J, and its derivatives with respect to det J and |J|².
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Height {
+pub(super) struct EnergyDerivatives {
     pub(super) energy: f64,
     pub(super) by_det: f64,
     pub(super) by_square: f64,
@@ -28,24 +31,24 @@ pub(super) struct Height {
 }
 
 impl Distortion {
-    /// `softness` must be below 1.
-    pub(super) fn new(softness: f64) -> Self {
-        let softness = softness * softness;
-        let root = (1.0 + softness).sqrt();
+    /// `regularisation` is δ, below 1.
+    pub(super) fn new(regularisation: f64) -> Self {
+        let regularisation = regularisation * regularisation;
+        let root = (1.0 + regularisation).sqrt();
         let chi = (1.0 + root) / 2.0;
-        // Where the derivative by a uniform scale is 0 at a scale of 1; χ′ = χ / √(det² + δ²).
+        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1; χ′ = χ / √(det² + δ²).
         let factor = chi * chi / (2.0 / root - 1.0);
-        Self { softness, factor, least: 2.0 * (1.0 + factor / (chi * chi)) }
+        Self { regularisation, factor, least: 2.0 * (1.0 + factor / (chi * chi)) }
     }
 
-    /// The energy by det J and |J|², scaled and shifted so that a J near a rotation R has about |J − R|² / 2.
-    pub(super) fn of(&self, det: f64, square: f64) -> Height {
-        let root = (det * det + self.softness).sqrt();
+    /// The energy as a function of det J and |J|², scaled and shifted to about |J − R|² / 2 near a rotation R.
+    pub(super) fn of(&self, det: f64, square: f64) -> EnergyDerivatives {
+        let root = (det * det + self.regularisation).sqrt();
         let chi = (det + root) / 2.0;
         // One division for all.
         let share = 1.0 / (chi * chi * root);
         let (inverse, by_root) = (self.factor * share * root, share * chi * chi);
-        Height {
+        EnergyDerivatives {
             energy: ((1.0 + inverse) * square - self.least) / 8.0,
             by_det: -0.25 * inverse * by_root * square,
             by_square: (1.0 + inverse) / 8.0,
@@ -55,7 +58,7 @@ impl Distortion {
     }
 }
 
-/// The gradient by J, from the derivatives by its det and square.
+/// The gradient with respect to J, from the derivatives with respect to det J and |J|².
 pub(super) fn gradient(j: DMat2, by_det: f64, by_square: f64) -> DMat2 {
     let by_square = 2.0 * by_square;
     DMat2::from_cols(
@@ -75,21 +78,21 @@ mod tests {
 
     use super::*;
 
-    const SOFTNESS: [f64; 3] = [0.01, 0.2, 0.5];
+    const REGULARISATIONS: [f64; 3] = [0.01, 0.2, 0.5];
 
     fn energy(distortion: &Distortion, j: DMat2) -> f64 {
         distortion.of(j.determinant(), square(j)).energy
     }
 
     fn slope(distortion: &Distortion, j: DMat2) -> DMat2 {
-        let Height { by_det, by_square, .. } = distortion.of(j.determinant(), square(j));
+        let EnergyDerivatives { by_det, by_square, .. } = distortion.of(j.determinant(), square(j));
         gradient(j, by_det, by_square)
     }
 
     #[test]
-    fn rotations_have_none() {
-        for (softness, angle) in SOFTNESS.into_iter().zip([0.3, 2.0, -3.0]) {
-            let (distortion, rotation) = (Distortion::new(softness), DMat2::from_angle(angle));
+    fn rotations_have_no_energy() {
+        for (regularisation, angle) in REGULARISATIONS.into_iter().zip([0.3, 2.0, -3.0]) {
+            let (distortion, rotation) = (Distortion::new(regularisation), DMat2::from_angle(angle));
             let (energy, gradient) = (energy(&distortion, rotation), slope(&distortion, rotation));
             assert!(energy.abs() < 1e-15 && gradient.abs_diff_eq(DMat2::ZERO, 1e-15), "{energy} {gradient}");
         }
@@ -124,7 +127,7 @@ mod tests {
 
     #[test]
     fn what_turns_over_costs_more_than_what_is_squeezed() {
-        for distortion in SOFTNESS.map(Distortion::new) {
+        for distortion in REGULARISATIONS.map(Distortion::new) {
             let of = |x| energy(&distortion, DMat2::from_diagonal(DVec2::new(1.0, x)));
             let energies = [1.0, 0.5, 0.2, 0.0, -0.2, -0.5].map(of);
             assert!(energies.windows(2).all(|pair| pair[0] < pair[1] && pair[1].is_finite()), "{energies:?}");

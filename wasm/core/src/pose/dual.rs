@@ -1,25 +1,29 @@
 //! The rigid blend: rigid motions blend to a rigid motion, by dual complex numbers.
 //!
-//! A turn by θ and a move, y = p² x + 2pq with p = exp(iθ/2), is the dual complex number p + qε; the blend is their weighted sum,
-//! scaled back to |p| = 1 (Matsuda, Kaji and Ochiai, "Anti-commutative dual complex numbers and 2D rigid transformation", 2014;
-//! dual quaternion skinning, Kavan et al. 2008, in space). Of one point x that sites take to y_i, this says
+//! A rotation by θ with a translation, y = p² x + 2pq with p = exp(iθ/2), is the dual complex number p + qε; the blend is
+//! their weighted sum, normalised to |p| = 1 (Matsuda, Kaji and Ochiai, "Anti-commutative dual complex numbers and 2D rigid
+//! transformation", 2014; in space: dual quaternion skinning, Kavan et al. 2008). For one point x that sites take to y_i this
+//! is
 //!
 //! ```text
 //! y = Σ w_i p̄_i y_i / Σ w_i p̄_i
 //! ```
 //!
-//! a mean with complex weights, and so it does not matter where the origin is. Stretches are in the y_i alone: at each point a
-//! motion counts as the turn by θ_i that takes the point to y_i.
+//! a mean with complex weights, so it does not depend on the origin. Stretches enter through the y_i alone: at each point a
+//! motion counts as the rotation by θ_i that takes the point to y_i.
 //!
-//! Guaranteed: motions that are all the same give that motion, a site with all the weight its own; what all motions take to
-//! one place goes there. Where nothing is stretched and the angles that meet at a point lie within 240° of one another, it goes by a rigid motion, about the
-//! pivot that two motions share if there are two. The result depends smoothly (C²) on places, weights and angles, through any
-//! number of turns.
+//! Guaranteed: equal motions blend to that motion; a site with all the weight moves its point; a point that all motions take
+//! to one place goes there. Where nothing is stretched and the angles at a point lie within 240° of one another, the point
+//! moves by a rigid motion, about the common pivot if there are two motions with one. The result depends smoothly (C²) on
+//! places, weights and angles, through any number of turns.
 //!
-//! Limits: that motion is one for the weights of one point; weights change from point to point, so a picture still bends. Beyond
-//! 240° the sum P = Σ w p may come near 0, where no rigid motion can be chosen without a jump: as one of two angles goes round, at
-//! one weight the blend has to go round with it and at another to come back. From |P|² = 1/4 to 0 the result goes over to the linear blend, which
-//! shrinks what it turns. Angles a whole turn apart (P = 0 at equal weights) are the same rotation, and the linear blend of these is rigid.
+//! Limits: weights change from point to point, and with them the rigid motion, so a picture still bends. Beyond 240° the sum
+//! P = Σ w p may come near 0, where no choice of a rigid motion is continuous: as one of two angles makes a full turn, the
+//! blend has to follow it at one weight and return at another. From |P|² = 1/4 to 0 the result changes over to the linear
+//! blend, which shrinks what it rotates. Angles a whole turn apart (P = 0 at equal weights) are the same rotation, whose
+//! linear blend is rigid.
+//!
+//! Cost: one complex and one matrix product for each site that moves the point, and one division.
 
 use std::ops::{Add, Mul};
 
@@ -27,10 +31,10 @@ use glam::{DMat2, DVec2};
 
 use super::{Motion, motion::turn};
 
-/// |P|² from which the blend is rigid: cos² of 60°, the least for angles within 240°.
+/// The blend is rigid from this |P|² on: cos² of 60°, the least for angles within 240°.
 const RIGID: f64 = 0.25;
 
-/// A motion with its half turn. Complex numbers are vectors, [`DVec2::rotate`] is their product.
+/// A motion with half its rotation. Complex numbers are vectors, with [`DVec2::rotate`] as product.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Dual {
     rest: DVec2,
@@ -45,7 +49,7 @@ impl Dual {
         Self { rest, posed: rest + motion.translation, linear: motion.linear(), half: half_turn(motion.angle) }
     }
 
-    /// What the site adds to the sums at a point, for a weight of 1.
+    /// The site's term of the sums at a point, for a weight of 1.
     pub(super) fn term(&self, p: DVec2) -> Sums {
         let posed = self.posed + self.linear * (p - self.rest);
         Sums { posed, half: self.half, moved: conjugate(self.half).rotate(posed - p) }
@@ -64,15 +68,16 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// Where p goes.
+    /// The posed place of p.
     pub(super) fn place(&self, p: DVec2) -> DVec2 {
         self.place_along(p, &[]).0
     }
 
-    /// Where p goes, and the derivatives of that by whatever the sums' `changes` are derivatives by.
+    /// The posed place of p, and its derivatives with respect to the same variables as `changes`, the derivatives of the
+    /// sums.
     fn place_along<const N: usize>(&self, p: DVec2, changes: &[Self; N]) -> (DVec2, [DVec2; N]) {
         let Self { posed, half, moved } = *self;
-        // How far the rigid blend is from the linear one, times P̄.
+        // The rigid blend minus the linear one, times P̄.
         let apart = moved - conjugate(half).rotate(posed - p);
         let square = half.length_squared();
         let back = half * reciprocal(square);
@@ -87,17 +92,17 @@ impl Sums {
     }
 }
 
-/// Where p goes and the derivative of that, from the weight and its gradient of each site.
+/// The posed place of p and the Jacobian there, from each site's weight and its gradient.
 pub(super) fn mapped<'a>(p: DVec2, sites: impl Iterator<Item = (&'a Dual, f64, DVec2)>) -> (DVec2, DMat2) {
     let (mut sums, mut changes) = (Sums::default(), [Sums::default(); 2]);
     for (dual, weight, gradient) in sites {
         let term = dual.term(p);
         sums = sums + weight * term;
-        // Gradients sum to zero: relative to p, fewer digits cancel.
+        // Gradients sum to zero: relative to p, fewer digits are lost to cancellation.
         let relative = Sums { posed: term.posed - p, ..term };
         for (change, (axis, slope)) in changes.iter_mut().zip([(DVec2::X, gradient.x), (DVec2::Y, gradient.y)]) {
             *change = *change + slope * relative;
-            // As the point moves on from p, what is relative to p stays so.
+            // Values relative to p do not change as the point moves away from p.
             let moved = dual.linear * axis;
             change.posed += weight * moved;
             change.moved += weight * conjugate(dual.half).rotate(moved);
@@ -107,7 +112,7 @@ pub(super) fn mapped<'a>(p: DVec2, sites: impl Iterator<Item = (&'a Dual, f64, D
     (place, DMat2::from_cols(x, y))
 }
 
-/// 1/s, from [`RIGID`] down continued by its quadratic: C², and never beyond 3/[`RIGID`].
+/// 1/s, continued below [`RIGID`] by its second-order Taylor polynomial: C², and never above 3/[`RIGID`].
 fn reciprocal(s: f64) -> f64 {
     let u = s / RIGID;
     if u >= 1.0 { 1.0 / s } else { (3.0 - 3.0 * u + u * u) / RIGID }
@@ -119,7 +124,7 @@ fn reciprocal_slope(s: f64) -> f64 {
     if u >= 1.0 { -1.0 / (s * s) } else { (2.0 * u - 3.0) / (RIGID * RIGID) }
 }
 
-/// exp(iθ/2), with its sign: angles are known beyond a turn.
+/// exp(iθ/2) with its sign: angles are not limited to one turn.
 pub(super) fn half_turn(angle: f64) -> DVec2 {
     turn(angle / 2.0)
 }
@@ -157,7 +162,7 @@ mod tests {
         Dual::new(rest, &Motion { angle, translation, ..Motion::default() })
     }
 
-    /// A turn about a pivot, as the motion of a site elsewhere.
+    /// A rotation about a pivot, as the motion of a site elsewhere.
     fn about(pivot: DVec2, rest: DVec2, angle: f64) -> Dual {
         let turn = half_turn(2.0 * angle);
         rigid(rest, angle, pivot + turn.rotate(rest - pivot) - rest)
@@ -175,7 +180,7 @@ mod tests {
             let rest = DVec2::new(40.0, 30.0);
             for p in POINTS {
                 let expected = rest + motion.translation + motion.linear() * (p - rest);
-                // The same motion as another site at the same place has it, a turn further or not.
+                // The same motion at another site of the same place, one turn further or not.
                 let further = Dual::new(rest, &Motion { angle: angle + TAU, ..motion });
                 for other in [Dual::new(rest, &motion), further] {
                     let found = blend(p, &[(Dual::new(rest, &motion), 0.4), (other, 0.6)]);
@@ -219,7 +224,7 @@ mod tests {
     fn nothing_jumps_as_angles_go_round_and_round() {
         let (step, radius) = (0.002, 100.0);
         for weight in [0.02, 0.3, 0.5, 0.501, 0.9] {
-            // One turns beside one that rests, and two turn in opposite ways.
+            // One site rotates beside one at rest, and two rotate in opposite directions.
             for opposite in [0.0, -1.0] {
                 let at = |angle: f64| {
                     let still = rigid(DVec2::ZERO, opposite * angle, DVec2::new(30.0, 0.0));
@@ -229,7 +234,7 @@ mod tests {
                 let mut before = at(-20.0 * TAU);
                 for tick in 1..=(40.0 * TAU / step) as u32 {
                     let now = at(f64::from(tick) * step - 20.0 * TAU);
-                    // No faster than 10 times a point that both turn as fast.
+                    // No faster than 10 times a point that rotates rigidly.
                     assert!(now.distance(before) < 10.0 * step * radius, "{before} to {now}");
                     before = now;
                 }

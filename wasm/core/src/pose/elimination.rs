@@ -1,12 +1,12 @@
-//! The inverse of a grounded Laplacian, as a factorisation L D Lᵀ: Gaussian elimination on the graph.
+//! LDLᵀ of a grounded graph Laplacian (a symmetric M-matrix), by minimum-degree elimination without subtractions.
 //!
-//! A vertex is eliminated by linking its neighbours to one another, by as much as flowed between them by way of it. The one
-//! with the fewest neighbours goes first (minimum degree: Tinney and Walker 1967), which keeps the factor of a graph in the
-//! plane sparse. What a vertex passes to the ground is kept in place of its diagonal entry (Grassmann, Taksar and Heyman
-//! 1985), so every number here is a sum, product or quotient of positive ones. Nothing cancels: each entry of the factor is right to the
-//! last digits, however much the weights differ, and so are solutions for right hand sides of one sign.
+//! A vertex is eliminated by linking its neighbours to one another, with the conductance of the paths through it. The one
+//! with the fewest neighbours goes first (minimum degree: Tinney and Walker 1967), which keeps the factor of a planar graph
+//! sparse. The conductance of a vertex to the ground is stored in place of its diagonal entry (Grassmann, Taksar and Heyman
+//! 1985), so every number is a sum, product or quotient of positive ones. Nothing cancels: each entry of the factor is
+//! accurate to the last digits, however much the weights differ, and so are solutions for right hand sides of one sign.
 //!
-//! Cost: for n vertices in the plane, some n √n to eliminate and n log n a solution. For 200 sites: 0.2 ms, and 5 µs.
+//! Cost: for a planar graph of n vertices, some n √n to factorise and n log n for a solution. For 200 sites: 0.2 ms and 5 µs.
 
 use std::{
     collections::BTreeSet,
@@ -17,23 +17,23 @@ use std::{
 #[derive(Debug, Clone)]
 struct Pivot {
     vertex: u32,
-    /// Where its shares end; they begin where those of the pivot before end.
+    /// End of its shares; they begin at the end of the previous pivot's.
     end: u32,
-    /// Reciprocal of the diagonal entry; 0 for a vertex that nothing links to the ground.
+    /// Reciprocal of the diagonal entry; 0 for a vertex without a path to the ground.
     inverse: f64,
 }
 
-/// A factorised Laplacian.
+/// A factorised grounded Laplacian.
 #[derive(Debug, Clone)]
-pub(super) struct Elimination {
+pub(super) struct GroundedLaplacian {
     pivots: Vec<Pivot>,
-    /// For each pivot the neighbours it had when it was eliminated, and the share of its value that each is owed.
+    /// For each pivot its neighbours at its elimination, and the share of its value that each receives.
     shares: Vec<(u32, f64)>,
 }
 
-impl Elimination {
-    /// Factorises the Laplacian of weighted links between vertices, each linked to the ground by its entry of `ground`.
-    /// Weights are not negative.
+impl GroundedLaplacian {
+    /// Factorises the Laplacian of weighted links between vertices, each linked to the ground with its entry of `ground`.
+    /// Weights must not be negative.
     pub(super) fn new(mut ground: Vec<f64>, links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
         let mut near: Vec<Vec<(u32, f64)>> = vec![Vec::new(); ground.len()];
         for (i, j, weight) in links {
@@ -48,13 +48,13 @@ impl Elimination {
         let mut merged = Vec::new();
         while let Some((_, vertex)) = queue.pop_first() {
             let around = std::mem::take(&mut near[vertex as usize]);
-            let earth = ground[vertex as usize];
-            let diagonal = around.iter().fold(earth, |sum, &(_, weight)| sum + weight);
+            let to_ground = ground[vertex as usize];
+            let diagonal = around.iter().fold(to_ground, |sum, &(_, weight)| sum + weight);
             let inverse = if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 };
             for &(at, weight) in &around {
                 let share = weight * inverse;
                 shares.push((at, share));
-                ground[at as usize] += share * earth;
+                ground[at as usize] += share * to_ground;
                 let list = &mut near[at as usize];
                 queue.remove(&(list.len(), at));
                 link(list, &around, (vertex, at), share, &mut merged);
@@ -66,7 +66,7 @@ impl Elimination {
         Self { pivots, shares }
     }
 
-    /// Solves for a right hand side, which becomes the solution.
+    /// Replaces a right hand side by the solution.
     pub(super) fn solve<V>(&self, x: &mut [V])
     where
         V: Copy + AddAssign + MulAssign<f64>,
@@ -92,7 +92,8 @@ impl Elimination {
     }
 }
 
-/// The links of a vertex `at` once `gone` is eliminated: `around` are those of `gone`, of which `at` takes over a share.
+/// Computes the links of a vertex `at` after `gone` is eliminated: its own `list`, and `share` times `around`, the links of
+/// `gone`.
 fn link(list: &[(u32, f64)], around: &[(u32, f64)], (gone, at): (u32, u32), share: f64, merged: &mut Vec<(u32, f64)>) {
     merged.clear();
     let mut kept = list.iter().filter(|&&(vertex, _)| vertex != gone).peekable();
@@ -144,7 +145,7 @@ mod tests {
         let (ground, links) = grid();
         let right: Vec<f64> = (0..ground.len()).map(|i| libm::cos(i as f64)).collect();
         let mut x = right.clone();
-        Elimination::new(ground.clone(), links.iter().copied()).solve(&mut x);
+        GroundedLaplacian::new(ground.clone(), links.iter().copied()).solve(&mut x);
         let largest = x.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
         for (product, right) in product(&ground, &links, &x).iter().zip(&right) {
             assert!((product - right).abs() <= 1e-14 * largest, "{product} in place of {right}");
@@ -154,31 +155,31 @@ mod tests {
     #[test]
     fn shares_of_the_ground_sum_to_1_to_the_last_digits() {
         let (ground, links) = grid();
-        let elimination = Elimination::new(ground.clone(), links.iter().copied());
+        let laplacian = GroundedLaplacian::new(ground.clone(), links.iter().copied());
         let mut sums = vec![0.0; ground.len()];
         for grounded in 0..SIDE {
             let mut field = vec![0.0; ground.len()];
             field[grounded] = ground[grounded];
-            elimination.solve(&mut field);
+            laplacian.solve(&mut field);
             assert!(field.iter().all(|&share| share > 0.0));
             sums.iter_mut().zip(field).for_each(|(sum, share)| *sum += share);
         }
-        // With a condition of some 1e16 other factorisations have no digit left.
+        // With a condition number of some 1e16 other factorisations have no correct digit.
         assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 1e-12), "{sums:?}");
     }
 
     #[test]
     fn a_grid_stays_sparse() {
         let (ground, links) = grid();
-        let elimination = Elimination::new(ground, links.into_iter());
-        assert!(elimination.shares.len() < 3000, "{}", elimination.shares.len());
+        let laplacian = GroundedLaplacian::new(ground, links.into_iter());
+        assert!(laplacian.shares.len() < 3000, "{}", laplacian.shares.len());
     }
 
     #[test]
     fn what_nothing_holds_stays_at_0() {
-        let elimination = Elimination::new(vec![0.0, 0.0, 2.0], [(0, 1, 1.0)].into_iter());
+        let laplacian = GroundedLaplacian::new(vec![0.0, 0.0, 2.0], [(0, 1, 1.0)].into_iter());
         let mut x = [0.0, 0.0, 3.0];
-        elimination.solve(&mut x);
+        laplacian.solve(&mut x);
         assert_eq!(x, [0.0, 0.0, 1.5]);
     }
 }

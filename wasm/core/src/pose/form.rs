@@ -1,4 +1,4 @@
-//! What a handle was solved as: its name, its kind, and how many corners it has.
+//! The id of a handle, its kind and its number of corners, which a pose must match.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::project::Shape;
 
-/// The kind of a handle, and the number of its corners. Where they are plays no part.
+/// The kind of a handle and its number of corners, without their places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Form {
@@ -25,7 +25,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The forms of a handle at rest and posed. Of one that was read from a project they are the same.
+    /// The forms of a handle at rest and posed. They are equal for a handle read from a project.
     pub(crate) fn of(shape: &Shape) -> [Self; 2] {
         match shape {
             Shape::Point { .. } => [Self::Point; 2],

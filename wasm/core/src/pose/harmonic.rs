@@ -1,10 +1,10 @@
-//! ϖ_i: how much of each handle's motion a virtual site takes (paper, sections IV-B and V-C).
+//! ϖ_i: the share of handle i in the motion of each virtual site (sections IV-B and V-C, eq. 4).
 //!
-//! On the cell graph, ϖ_i is 1 at handle i, 0 at the others and harmonic elsewhere. The paper iterates the Laplacian "tens of
-//! times"; here it is factorised once for all fields, in a way that adds and multiplies positive numbers only. So every
-//! share is right to the last digits, however small, none is negative, and they sum to 1.
+//! On the cell graph ϖ_i is 1 at handle i, 0 at the others and harmonic elsewhere. The paper iterates the Laplacian "tens of
+//! times"; here it is factorised once for all fields, with additions and multiplications of positive numbers only. So every
+//! share is accurate to the last digits, however small, none is negative, and they sum to 1.
 //!
-//! Cost: see [`Elimination`](super::elimination); one solution for each real site that is linked to virtual ones.
+//! Cost: see [`elimination`](super::elimination); one solution for each real site that is linked to virtual ones.
 
 use super::laplacian::Laplacian;
 use crate::site::{Site, SiteGraph};
@@ -12,13 +12,13 @@ use crate::site::{Site, SiteGraph};
 /// The harmonic fields at all sites.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct HarmonicFields {
-    /// For each site its real sites and their shares, ascending: itself alone for a real site.
+    /// For each site the real sites and their shares, ascending: for a real site, itself alone.
     pub rows: Vec<Vec<(u32, f64)>>,
 }
 
 impl HarmonicFields {
     pub(crate) fn new(sites: &[Site], graph: &SiteGraph) -> Self {
-        let is_real: Vec<bool> = sites.iter().map(|site| site.origin.is_real()).collect();
+        let is_real: Vec<bool> = sites.iter().map(|site| site.kind.is_real()).collect();
         let laplacian = Laplacian::new(&is_real, graph.iter());
         let alone = |(site, real): (u32, &bool)| if *real { vec![(site, 1.0)] } else { Vec::new() };
         let mut rows: Vec<Vec<(u32, f64)>> = (0..).zip(&is_real).map(alone).collect();

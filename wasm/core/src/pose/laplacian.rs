@@ -1,6 +1,7 @@
-//! The Laplacian of the cell graph over its virtual sites, with the real ones as boundary; factorised once.
+//! The Laplacian of the cell graph over the virtual sites, with the real ones as boundary (section V-C); factorised once. Its
+//! weights are those of the links, not the paper's uniform ones: see `site/graph.rs`.
 
-use super::elimination::Elimination;
+use super::elimination::GroundedLaplacian;
 
 #[derive(Debug, Clone)]
 pub(super) struct Laplacian {
@@ -8,12 +9,12 @@ pub(super) struct Laplacian {
     pub(super) free: Vec<u32>,
     /// Links from real sites: real site, unknown, weight.
     pub(super) boundary: Vec<(u32, u32, f64)>,
-    /// Takes a right hand side to the unknowns.
-    pub(super) inverse: Elimination,
+    /// The factorisation.
+    pub(super) inverse: GroundedLaplacian,
 }
 
 impl Laplacian {
-    /// The Laplacian of weighted links between sites of which some are real.
+    /// The Laplacian of weighted links between sites; `is_real` marks the boundary.
     pub(super) fn new(is_real: &[bool], links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
         let mut unknown = vec![None; is_real.len()];
         let mut free = Vec::new();
@@ -33,6 +34,6 @@ impl Laplacian {
         for &(_, row, weight) in &boundary {
             ground[row as usize] += weight;
         }
-        Self { free, boundary, inverse: Elimination::new(ground, inner.into_iter()) }
+        Self { free, boundary, inverse: GroundedLaplacian::new(ground, inner.into_iter()) }
     }
 }

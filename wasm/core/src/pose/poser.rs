@@ -16,7 +16,7 @@ use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
     project::{Blend, Handle, PoseMode, Rotation, Shape, check_handles},
-    site::{Origin, Site, SiteGraph},
+    site::{Site, SiteGraph, SiteKind},
 };
 
 /// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples.
@@ -25,7 +25,7 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Poser {
     rest: Arc<[DVec2]>,
-    origin: Vec<Origin>,
+    origin: Vec<SiteKind>,
     skeleton: Skeleton,
     /// What each handle was solved as.
     solved: Vec<Solved>,
@@ -51,14 +51,14 @@ impl Poser {
         quadrature: Option<Quadrature>,
     ) -> Self {
         let edges = effective_links(sites, graph, harmonic);
-        let freedom = |site: &Site| match site.origin {
-            Origin::Virtual => Freedom::Whole,
-            Origin::Point { .. } => Freedom::Linear,
-            Origin::Bone { bone, .. } if !skeleton.bones[bone as usize].of_loop => {
+        let freedom = |site: &Site| match site.kind {
+            SiteKind::Virtual => Freedom::Whole,
+            SiteKind::Point { .. } => Freedom::Linear,
+            SiteKind::Bone { bone, .. } if !skeleton.bones[bone as usize].of_loop => {
                 let [a, b] = skeleton.bones[bone as usize].rest;
                 Freedom::Across((b - a).normalize())
             }
-            Origin::Bone { .. } | Origin::Boundary => Freedom::None,
+            SiteKind::Bone { .. } | SiteKind::Boundary => Freedom::None,
         };
         let freedom = sites.iter().map(freedom).collect();
         let rigid = match mode {
@@ -67,7 +67,7 @@ impl Poser {
         };
         Self {
             rest: sites.iter().map(|site| site.rest).collect(),
-            origin: sites.iter().map(|site| site.origin).collect(),
+            origin: sites.iter().map(|site| site.kind).collect(),
             skeleton,
             solved,
             shares: harmonic.rows.clone(),
@@ -122,10 +122,10 @@ impl Poser {
             motions[site] = Motion::blended(self.shares[site].iter().filter_map(here));
         }
         if let Some(rigid) = &self.rigid {
-            let is_free = |origin: &Origin| match origin {
-                Origin::Virtual => true,
-                Origin::Point { handle } => handles[*handle as usize].rotation == Rotation::Auto,
-                Origin::Bone { .. } | Origin::Boundary => false,
+            let is_free = |origin: &SiteKind| match origin {
+                SiteKind::Virtual => true,
+                SiteKind::Point { handle } => handles[*handle as usize].rotation == Rotation::Auto,
+                SiteKind::Bone { .. } | SiteKind::Boundary => false,
             };
             let is_free: Vec<bool> = self.origin.iter().map(is_free).collect();
             rigid.settle(&self.rest, &mut motions, &is_free, &self.scales(handles));
@@ -160,10 +160,10 @@ impl Poser {
     /// The motions of the real sites, but for automatic rotations; none of the virtual ones yet.
     fn real_motions(&self, handles: &[Handle]) -> Vec<Motion> {
         let bones = self.skeleton.motions(handles);
-        let motion = |(&rest, origin): (&DVec2, &Origin)| match *origin {
-            Origin::Point { handle } => of_point(rest, &handles[handle as usize]),
-            Origin::Bone { handle, bone } => of_bone(rest, &bones[bone as usize], handles[handle as usize].depth),
-            Origin::Boundary | Origin::Virtual => Motion::default(),
+        let motion = |(&rest, origin): (&DVec2, &SiteKind)| match *origin {
+            SiteKind::Point { handle } => of_point(rest, &handles[handle as usize]),
+            SiteKind::Bone { handle, bone } => of_bone(rest, &bones[bone as usize], handles[handle as usize].depth),
+            SiteKind::Boundary | SiteKind::Virtual => Motion::default(),
         };
         self.rest.iter().zip(&self.origin).map(motion).collect()
     }
@@ -171,7 +171,7 @@ impl Poser {
     /// Finds automatic rotations.
     fn turn_automatic(&self, handles: &[Handle], motions: &mut [Motion]) {
         for site in 0..motions.len() {
-            if let Origin::Point { handle } = self.origin[site]
+            if let SiteKind::Point { handle } = self.origin[site]
                 && handles[handle as usize].rotation == Rotation::Auto
             {
                 motions[site].angle = self.turn_of_edges(site, motions);
@@ -248,14 +248,14 @@ impl Poser {
         let poser = Self { rest, origin, skeleton, solved, shares, edges, meeting, rigid };
         let sites = poser.rest.len();
         let real = |site: u32| poser.origin.get(site as usize).is_some_and(|origin| origin.is_real());
-        let known = |origin: &Origin| match *origin {
-            Origin::Point { handle } => {
+        let known = |origin: &SiteKind| match *origin {
+            SiteKind::Point { handle } => {
                 poser.solved.get(handle as usize).is_some_and(|solved| solved.form == Form::Point)
             }
-            Origin::Bone { handle, bone } => {
+            SiteKind::Bone { handle, bone } => {
                 (handle as usize) < poser.solved.len() && (bone as usize) < poser.skeleton.bones.len()
             }
-            Origin::Boundary | Origin::Virtual => true,
+            SiteKind::Boundary | SiteKind::Virtual => true,
         };
         let whole = poser.origin.len() == sites
             && poser.shares.len() == sites
@@ -288,7 +288,7 @@ fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
 fn meeting(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<[u32; 2]> {
     let leader = |row: &Vec<(u32, f64)>| {
         let (real, _) = row.iter().copied().reduce(|most, one| if one.1 > most.1 { one } else { most })?;
-        sites[real as usize].origin.handle()
+        sites[real as usize].kind.handle()
     };
     let leaders: Vec<Option<usize>> = harmonic.rows.iter().map(leader).collect();
     let pair = |(i, j, _): (usize, usize, f64)| {
@@ -301,12 +301,12 @@ fn meeting(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<
 /// The cell graph seen from its real sites alone: a link's weight is what flows between two handles, directly and by way of
 /// virtual sites (the Schur complement of the Laplacian). Links of point handles, that is; of the others there may be a million.
 fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<(u32, u32, f64)> {
-    let is_point = |site: usize| matches!(sites[site].origin, Origin::Point { .. });
+    let is_point = |site: usize| matches!(sites[site].kind, SiteKind::Point { .. });
     let mut flow = std::collections::BTreeMap::<(u32, u32), f64>::new();
     for (i, j, weight) in graph.iter() {
         for (real, other) in [(i, j), (j, i)] {
             // Links between two real sites count from both ends, as flows by way of virtual sites do.
-            if !sites[real].origin.is_real() {
+            if !sites[real].kind.is_real() {
                 continue;
             }
             for &(to, share) in &harmonic.rows[other] {

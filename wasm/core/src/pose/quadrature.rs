@@ -18,8 +18,8 @@ use super::motion::turn;
 use crate::{
     distance::{Navigation, Place},
     sample::Samples,
-    site::{Origin, Site},
-    weight::{Influence, SparseWeights, Weights},
+    site::{Site, SiteKind},
+    weight::{Influence, SparseWeights, WeightFunctions},
 };
 
 /// Sites whose weights differ by no more weigh the same: a sample on an axis of symmetry counts for both sides. One that weighs no more
@@ -68,12 +68,12 @@ impl Quadrature {
         sites: &[Site],
         samples: &Samples,
         weights: &SparseWeights,
-        functions: &Weights,
+        functions: &WeightFunctions,
     ) -> Self {
         let vertices = &samples.mesh.vertices;
-        let outline = sites.iter().position(|site| site.origin == Origin::Boundary);
+        let outline = sites.iter().position(|site| site.kind == SiteKind::Boundary);
         let counted = |influence: Influence| {
-            let stays = sites[influence.site].origin == Origin::Boundary;
+            let stays = sites[influence.site].kind == SiteKind::Boundary;
             Influence { site: outline.filter(|_| stays).unwrap_or(influence.site), ..influence }
         };
         // Samples that follow one another are often of the same part.
@@ -104,7 +104,7 @@ impl Quadrature {
         });
         let node = |at: DVec2, place: Place, area: f64| {
             let mut terms: Vec<Influence> = Vec::new();
-            let here = match navigation.is_between(place, at) {
+            let here = match navigation.is_on_edge(place, at) {
                 true => functions.across(navigation, sites, (place, at), STEP * area.sqrt()),
                 false => functions.at(sites, place, at),
             };
@@ -122,7 +122,7 @@ impl Quadrature {
             // A centroid may lie in a gap of the domain: then the parts around it tell what there is to tell.
             let Some(one) = inside(moments.centroid(), moments.area) else { continue };
             let reaching = one.terms.iter().map(|&(site, ..)| &sites[site as usize]);
-            let supports = reaching.filter(|site| site.origin != Origin::Boundary).map(|site| site.support_radius);
+            let supports = reaching.filter(|site| site.kind != SiteKind::Boundary).map(|site| site.support_radius);
             let two = moments.halves(LONG * supports.fold(f64::INFINITY, f64::min));
             match two.map(|halves| halves.map(|at| inside(at, moments.area / 2.0))) {
                 Some([Some(one), Some(other)]) => nodes.extend([one, other]),
@@ -132,7 +132,7 @@ impl Quadrature {
                 has_place[first as usize] = true;
             }
         }
-        let is_alone = |&site: &usize| !has_place[site] && sites[site].origin != Origin::Boundary;
+        let is_alone = |&site: &usize| !has_place[site] && sites[site].kind != SiteKind::Boundary;
         let alone = (0..sites.len()).filter(is_alone);
         nodes.extend(alone.filter_map(|site| node(sites[site].rest, sites[site].place, around[site])));
         Self { nodes }

@@ -1,16 +1,16 @@
-//! How a site stretches what is around it, as a logarithm.
+//! The stretch around a site, as a logarithm.
 
 use std::ops::{Add, Mul};
 
 use glam::{DMat2, DVec2};
 
-/// The least factor that a length may be stretched by: its logarithm must be finite.
-const LEAST: f64 = 1e-9;
+/// The least stretch of a length: its logarithm must be finite.
+const MIN_STRETCH: f64 = 1e-9;
 
-/// The logarithm of a stretch: a symmetric matrix, [xx xy; xy yy], by its three numbers.
+/// The logarithm of a stretch: a symmetric matrix [xx xy; xy yy].
 ///
-/// Stretches blend as sums of their logarithms, so a blend of stretches is one, too: lengths stay above 0, and nothing is turned
-/// or turned over (log-Euclidean means: Arsigny et al. 2007).
+/// Stretches blend as sums of their logarithms, so a blend of stretches is a stretch, too: lengths stay above 0, and nothing
+/// is rotated or inverted (log-Euclidean means: Arsigny et al. 2007).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Strain {
     /// Along x.
@@ -22,33 +22,33 @@ pub struct Strain {
 }
 
 impl Strain {
-    /// The same stretch in all directions.
+    /// A uniform stretch.
     #[must_use]
     pub fn uniform(scale: f64) -> Self {
         let log = libm::log(scale);
         Self { xx: log, xy: 0.0, yy: log }
     }
 
-    /// A stretch by `along` in a direction of length 1 and by `across` at right angles to it; by 1e-9 at least.
+    /// A stretch by `along` in a unit direction and by `across` at right angles to it; at least 1e-9 each.
     #[must_use]
     pub fn of_bone(direction: DVec2, along: f64, across: f64) -> Self {
         // Written so that NaN is passed on.
-        let log = |stretch: f64| libm::log(if stretch < LEAST { LEAST } else { stretch });
+        let log = |stretch: f64| libm::log(if stretch < MIN_STRETCH { MIN_STRETCH } else { stretch });
         let (along, across) = (log(along), log(across));
         let DVec2 { x, y } = direction;
-        // ln(along) uuᵀ + ln(across) nnᵀ, written so that equal ones give exactly a multiple of the identity.
+        // ln(along) uuᵀ + ln(across) nnᵀ, written so that equal ones give an exact multiple of the identity.
         let excess = along - across;
         Self { xx: across + excess * x * x, xy: excess * x * y, yy: across + excess * y * y }
     }
 
-    /// The stretch itself: the exponential, in closed form, exact for a multiple of the identity.
+    /// The stretch: the exponential in closed form, exact for a multiple of the identity.
     #[must_use]
     pub fn stretch(&self) -> DMat2 {
-        // What nearly all sites of nearly all poses do.
+        // The most frequent case by far.
         if *self == Self::default() {
             return DMat2::IDENTITY;
         }
-        // With the mean m and D the rest, D² = r² I: exp(m I + D) = eᵐ (cosh r I + (sinh r / r) D).
+        // With mean m and trace-free part D, D² = r² I: exp(m I + D) = eᵐ (cosh r I + (sinh r / r) D).
         let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
         let r = libm::hypot(half, self.xy);
         let (even, odd) = (libm::cosh(r), if r == 0.0 { 1.0 } else { libm::sinh(r) / r });
@@ -56,7 +56,7 @@ impl Strain {
         libm::exp(mean) * DMat2::from_cols_array(&[even + odd * half, across, across, even - odd * half])
     }
 
-    /// The same stretch, but that nothing is shrunk below a share of what is stretched most, nor of its own size.
+    /// The stretch with its lesser principal stretch raised to at least `share` of the greater one, but not above 1.
     #[must_use]
     pub fn shrunk_by_at_most(&self, share: f64) -> Self {
         let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
@@ -71,7 +71,7 @@ impl Strain {
         Self { xx: middle + excess * half, xy: excess * self.xy, yy: middle - excess * half }
     }
 
-    /// Logarithm of the uniform scale that makes areas grow as much.
+    /// Logarithm of the uniform scale with the same change of area.
     #[must_use]
     pub fn mean(&self) -> f64 {
         (self.xx + self.yy) / 2.0

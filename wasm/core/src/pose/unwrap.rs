@@ -13,7 +13,7 @@ use std::{
     f64::consts::{PI, TAU},
 };
 
-use crate::least::Least;
+use crate::min_entry::MinEntry;
 
 /// Shifts the angles that are free by whole turns.
 pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl Iterator<Item = (usize, usize)> + Clone) {
@@ -40,7 +40,7 @@ struct Unwrapping<'a> {
     /// Whose angle is final.
     is_known: Vec<bool>,
     /// Links from known ones, by how far angles differ: to which, and from which.
-    queue: BinaryHeap<Least<(usize, usize)>>,
+    queue: BinaryHeap<MinEntry<(usize, usize)>>,
 }
 
 impl<'a> Unwrapping<'a> {
@@ -59,12 +59,12 @@ impl<'a> Unwrapping<'a> {
         let unknown = self.neighbours[at].iter().filter(|&&next| !self.is_known[next]);
         self.queue.extend(unknown.map(|&next| {
             let apart = self.angles[next] - self.angles[at];
-            Least { key: (apart - TAU * libm::round(apart / TAU)).abs(), item: (next, at) }
+            MinEntry { key: (apart - TAU * libm::round(apart / TAU)).abs(), item: (next, at) }
         }));
     }
 
     fn spread(&mut self) {
-        while let Some(Least { item: (at, from), .. }) = self.queue.pop() {
+        while let Some(MinEntry { item: (at, from), .. }) = self.queue.pop() {
             if !self.is_known[at] {
                 let turns = libm::round((self.angles[from] - self.angles[at]) / TAU);
                 self.angles[at] += TAU * turns;

@@ -1,4 +1,4 @@
-//! Which part of the picture is warped: Ω of the paper.
+//! The part of the picture that is warped: Ω of the paper.
 
 use glam::DVec2;
 use schemars::JsonSchema;
@@ -33,7 +33,7 @@ pub enum DomainSpec {
 }
 
 impl DomainSpec {
-    /// The threshold where none is named.
+    /// The default threshold.
     pub(crate) const THRESHOLD: f64 = 0.5;
 
     pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {

@@ -5,7 +5,7 @@ use std::fmt;
 /// A project that was refused: the offending key and one sentence about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProjectError {
-    /// The way to the offending key, as `handles[2].rest[0]`; empty for the project as a whole.
+    /// Path of the offending key, as `handles[2].rest[0]`; empty for the project as a whole.
     pub path: String,
     /// What is wrong there.
     pub message: String,

@@ -1,4 +1,4 @@
-//! What the person places on the picture: H_i of the paper.
+//! Handles, placed on the picture by the person: H_i of the paper.
 
 use std::collections::BTreeSet;
 

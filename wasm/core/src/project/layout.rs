@@ -1,15 +1,15 @@
-//! How a project is laid out as text: one key of the project a line, one handle a line, so that a change of a handle is
-//! a change of a line.
+//! The layout of a project as text: one key of the project a line, one handle a line, so that a change of a handle is a
+//! change of one line.
 
 use std::io::{self, Write};
 
 use serde_json::ser::Formatter;
 
-/// Breaks lines in the outermost object and in the lists directly inside it, and writes the rest in one line each.
+/// Breaks lines in the outermost object and in the lists directly inside it; everything else is on one line each.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     depth: usize,
-    /// Whether the innermost list or object has anything in it.
+    /// Whether the innermost list or object has any content.
     filled: bool,
 }
 

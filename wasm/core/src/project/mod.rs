@@ -1,12 +1,12 @@
 //! The project file, `*.c2warp.json`: a picture, the part of it that bends, and the handles that bend it.
 //!
-//! This is the one definition of the format. The JSON schema and the TypeScript types are generated from the types
-//! here; their ranges are what [`Project::check`] enforces. Reading is strict: a key that is unknown or given twice, a value of the
-//! wrong type or out of its range, and a later version of the format are refused with the way to the offending key.
-//! Writing writes every key, so that a file says everything about how its picture comes about.
+//! The only definition of the format. The JSON schema and the TypeScript types are generated from the types here; their
+//! ranges are enforced by [`Project::check`]. Reading is strict: an unknown key, a key given twice, a value of the wrong type or
+//! out of range, and a later version of the format are refused with the path of the offending key. Writing writes every key, so
+//! that a file states everything that its picture depends on.
 //!
-//! A project is checked here as far as it can be without the picture, whether it was read or made in code: whether a handle lies on
-//! the domain is the solver's to say.
+//! A project is checked here as far as possible without the picture, whether it was read or made in code: whether a handle lies
+//! in the domain is checked by the solver.
 
 mod domain;
 mod error;
@@ -42,9 +42,9 @@ use self::path::Path;
 use self::place::Place;
 use self::value::Value;
 
-/// Fewer samples would tell little of where cells are.
+/// With fewer samples cells would be poorly resolved.
 const LEAST_SAMPLES: u32 = 100;
-/// With more, a browser tab has no room for mesh and weights.
+/// With more, mesh and weights exceed the memory of a browser tab.
 const MOST_SAMPLES: u32 = 2_000_000;
 const SAMPLES: RangeInclusive<u32> = LEAST_SAMPLES..=MOST_SAMPLES;
 
@@ -86,8 +86,7 @@ pub enum Format {
     V1,
 }
 
-/// For a key whose value, left out, depends on others: takes away the default that stands for "left out", as it is no
-/// value of the format.
+/// For a key whose default depends on other keys: removes the default of the schema, which would not be a valid value.
 fn left_out(schema: &mut Schema) {
     schema.remove("default");
 }
@@ -97,14 +96,14 @@ fn default_samples() -> u32 {
 }
 
 impl Project {
-    /// A project without handles for a picture of this size that has no name, all else left to the format's defaults: the paper's ways.
+    /// A project without handles for a picture of this size that has no name, with the format's defaults, which are the paper's.
     #[must_use]
     pub fn for_picture(width: u32, height: u32) -> Self {
         Self::new(ImageRef { src: String::new(), width, height })
     }
 
-    /// The same project bent as the editor bends new ones: what is dragged keeps its shape, and what is far from it stays. There is the
-    /// rigid mode, 100 virtual sites to bend between, smooth supports; points that nobody has turned turn by themselves.
+    /// The same project with the editor's settings for new projects: rigid mode, at least 100 virtual sites, smooth supports, and
+    /// automatic rotations for points that have none. What is dragged keeps its shape, and what is far from it stays.
     ///
     /// `web/src/document/bending.ts` has the same settings.
     #[must_use]
@@ -119,7 +118,7 @@ impl Project {
         self
     }
 
-    /// A project without handles, all else left to the format's defaults.
+    /// A project without handles and with the format's defaults.
     #[must_use]
     pub fn new(image: ImageRef) -> Self {
         Self {
@@ -137,12 +136,12 @@ impl Project {
     /// Reads a project file.
     ///
     /// # Errors
-    /// Anything that is not to the letter of the format, with the way to the offending key.
+    /// Any deviation from the format, with the path of the offending key.
     pub fn from_json(text: &str) -> Result<Self, ProjectError> {
         let value = Value::parse(text)?;
         let top = Place::top(&value);
         let project = top.object()?;
-        // First, since a later version may well have keys that are unknown here.
+        // Checked first, since a later version may have unknown keys.
         let format = project.required("format").and_then(Format::read)?;
         project.only(&["format", "image", "domain", "samples", "weighting", "pose", "fix_boundary", "handles"])?;
         let project = Self {
@@ -159,11 +158,11 @@ impl Project {
         Ok(project)
     }
 
-    /// Whether the project is one that a file may hold: reading asks this, and so does whatever solves a project.
+    /// Checks that a file may hold the project: reading calls this, and so does everything that solves a project.
     ///
     /// # Errors
-    /// The first number out of its range or not finite, line with too few points, or name that is empty or given twice, with the way
-    /// to its key.
+    /// The first number out of range or not finite, line with too few points, or id that is empty or given twice, with the path of
+    /// its key.
     pub fn check(&self) -> Result<(), ProjectError> {
         let Self { format: Format::V1, image, domain, samples, weighting, pose, fix_boundary: _, handles } = self;
         image.check(&Path::Top.key("image"))?;
@@ -174,8 +173,8 @@ impl Project {
         check_handles(handles)
     }
 
-    /// Writes the project with every key that has a value. Reading gives an equal project of one that [`check`](Self::check) takes, and
-    /// may refuse what was written of any other.
+    /// Writes the project with every key that has a value. Reading the text returns an equal project if [`check`](Self::check)
+    /// accepts it, and may refuse it otherwise.
     #[must_use]
     pub fn to_json(&self) -> String {
         let mut text = Vec::new();
@@ -186,10 +185,10 @@ impl Project {
     }
 }
 
-/// Reads a list of handles as a project has it under `handles`, for a pose that changes nothing else.
+/// Reads a list of handles as under `handles` in a project, for a pose that changes nothing else.
 ///
 /// # Errors
-/// As [`Project::from_json`], the way starting at the list: `[2].rest[0]`.
+/// As [`Project::from_json`], with paths that begin at the list: `[2].rest[0]`.
 pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
     let handles = handles(Place::top(&Value::parse(text)?))?;
     handle::check(&handles, &Path::Top)?;

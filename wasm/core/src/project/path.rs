@@ -1,17 +1,17 @@
-//! The way from the top of a project to a value in it, kept on the stack until an error wants it in words.
+//! The path from the top of a project to a value in it, kept on the stack and written out only for an error.
 
 use std::fmt;
 
 use super::ProjectError;
 
-/// A way into the project, one step longer than its parent's.
+/// A path into the project, one step longer than its parent.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Path<'a> {
     /// The project itself.
     Top,
     /// A key of an object.
     Key(&'a Path<'a>, &'a str),
-    /// A place in a list, from 0.
+    /// An index in a list, from 0.
     Index(&'a Path<'a>, usize),
 }
 
@@ -33,7 +33,7 @@ impl Path<'_> {
 }
 
 impl fmt::Display for Path<'_> {
-    /// Writes `handles[2].rest[0]`; a key that is no plain word is quoted: `image["a b"]`.
+    /// Writes `handles[2].rest[0]`; a key that is not a plain word is quoted: `image["a b"]`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Path::Top => Ok(()),

@@ -1,4 +1,4 @@
-//! Typed reading of a [`Value`]: every getter knows the way to where it stands, so that every refusal can name it.
+//! Typed reading of a [`Value`]: every getter knows the path of its value, so that every error can state it.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -10,7 +10,7 @@ use super::path::Path;
 use super::rules;
 use super::value::Value;
 
-/// A value in the file and the way to it.
+/// A value in the file and its path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<'a> {
     value: &'a Value,
@@ -23,7 +23,7 @@ impl<'a> Place<'a> {
         Self { value, path: Path::Top }
     }
 
-    /// Refuses what stands here.
+    /// An error about this value.
     pub(super) fn refuse<T>(&self, message: impl Display) -> Result<T, ProjectError> {
         self.path.refuse(message)
     }
@@ -46,7 +46,7 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// A number; JSON has none that is not finite.
+    /// A number; numbers in JSON are finite.
     pub(super) fn number(&self) -> Result<f64, ProjectError> {
         match self.value {
             Value::Number(number) => Ok(*number),
@@ -65,7 +65,7 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// One of a few names, each standing for a value.
+    /// One of a few names, each with its value.
     pub(super) fn one_of<T: Copy>(&self, names: &[(&str, T)]) -> Result<T, ProjectError> {
         if let Value::Text(text) = self.value
             && let Some((_, value)) = names.iter().find(|(name, _)| name == text)
@@ -103,7 +103,7 @@ impl<'a> Place<'a> {
         items.iter().enumerate().map(|(index, item)| read(self.item(index, item))).collect()
     }
 
-    /// An object, its keys not yet looked at.
+    /// An object, its keys not checked yet.
     pub(super) fn object(&self) -> Result<Object<'_>, ProjectError> {
         match self.value {
             Value::Object(entries) => Ok(Object { entries, path: &self.path }),
@@ -116,7 +116,7 @@ impl<'a> Place<'a> {
     }
 }
 
-/// An object in the file and the way to it.
+/// An object in the file and its path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Object<'a> {
     entries: &'a [(String, Value)],
@@ -143,7 +143,7 @@ impl<'a> Object<'a> {
             .ok_or_else(|| ProjectError { path: Path::Key(self.path, key).to_string(), message: "missing".to_owned() })
     }
 
-    /// What `read` makes of a key, or `default` where the key is left out.
+    /// The value of a key by `read`, or `default` if the key is missing.
     pub(super) fn or<T>(
         &self,
         key: &'a str,

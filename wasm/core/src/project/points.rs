@@ -1,4 +1,4 @@
-//! Points as the file has them: `[x, y]`.
+//! Points in the format of the file: `[x, y]`.
 
 use glam::DVec2;
 use schemars::JsonSchema;

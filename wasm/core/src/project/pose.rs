@@ -1,4 +1,4 @@
-//! How the motions of virtual sites follow from the handles', and how motions are blended.
+//! How the motions of virtual sites are computed from the handles, and how motions are blended.
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -7,8 +7,8 @@ use super::path::Path;
 use super::place::Place;
 use super::{ProjectError, rules};
 
-/// Half of the sites that there may be: those that handles need besides have room.
-const MOST: u32 = crate::site::MAX_SITES as u32 / 2;
+/// Greatest density: half of the greatest number of sites, so that the sites that handles require have room.
+const MAX_DENSITY: u32 = crate::site::MAX_SITES as u32 / 2;
 
 /// How a pose is made from the handles.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
@@ -21,7 +21,7 @@ pub struct PoseSpec {
     #[schemars(default)]
     pub blend: Blend,
     /// The least number of virtual sites to insert, up to 4,096; 0 leaves it to Algorithm 1.
-    #[schemars(default, range(max = MOST))]
+    #[schemars(default, range(max = MAX_DENSITY))]
     pub density: u32,
 }
 
@@ -30,7 +30,7 @@ pub struct PoseSpec {
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum PoseMode {
-    /// Harmonic fields on the cell graph, as the paper does (equation 4).
+    /// Harmonic fields on the cell graph, as the paper does (eq. 4).
     #[default]
     Harmonic,
     /// As rigid as possible on the cell graph, and then with as little stretch of the blended picture as may be (its symmetric
@@ -43,7 +43,7 @@ pub enum PoseMode {
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Blend {
-    /// Linearly, as the paper does (equation 1).
+    /// Linearly, as the paper does (eq. 1).
     #[default]
     Linear,
     /// As rotations and translations.
@@ -62,11 +62,11 @@ impl PoseSpec {
             blend: pose.or("blend", default.blend, |place| {
                 place.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
             })?,
-            density: pose.or("density", default.density, |place| place.whole_number(&(0..=MOST)))?,
+            density: pose.or("density", default.density, |place| place.whole_number(&(0..=MAX_DENSITY)))?,
         })
     }
 
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
-        rules::whole_number(&at.key("density"), self.density, &(0..=MOST))
+        rules::whole_number(&at.key("density"), self.density, &(0..=MAX_DENSITY))
     }
 }

@@ -1,4 +1,4 @@
-//! The turn of a handle, as the file has it.
+//! The rotation of a handle in the format of the file.
 
 use std::borrow::Cow;
 
@@ -8,12 +8,12 @@ use serde::{Serialize, Serializer};
 use super::ProjectError;
 use super::place::Place;
 
-/// How far a handle is turned.
+/// The rotation of a handle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rotation {
-    /// By so many degrees, clockwise on the screen since y points down.
+    /// In degrees, clockwise on the screen since y points down.
     Degrees(f64),
-    /// By as much as suits the handles around it.
+    /// Automatic: fitted to the handles around it.
     Auto,
 }
 

@@ -1,4 +1,4 @@
-//! The format from outside: what is read, what is written, what is refused and how.
+//! Tests of the format: what is read, what is written, and what is refused with which message.
 
 use glam::DVec2;
 

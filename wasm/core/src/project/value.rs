@@ -1,5 +1,5 @@
-//! A JSON document as a tree that keeps the order of its keys and refuses a key given twice, which
-//! `serde_json::Value` silently lets the last one win.
+//! A JSON document as a tree that keeps the order of its keys and refuses a key given twice, for which `serde_json::Value`
+//! silently keeps the last value.
 
 use std::{collections::HashSet, fmt};
 
@@ -23,14 +23,14 @@ impl Value {
     /// Parses a whole document.
     ///
     /// # Errors
-    /// Text that is no JSON, a number outside the range of f64, or a key given twice, with the way to it as far as it was read.
+    /// Text that is not JSON, a number outside the range of f64, or a key given twice, with its path as far as it was read.
     pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
         // Editors on Windows put a byte order mark in front, which JSON does not know.
         let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
         let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
             let path = error.path().to_string();
             ProjectError {
-                // serde_path_to_error writes the top as "." and a value it could not place as "?".
+                // serde_path_to_error writes the top as "." and a value without a path as "?".
                 path: path.trim_end_matches(['.', '?']).to_owned(),
                 message: error.into_inner().to_string(),
             }
@@ -41,7 +41,7 @@ impl Value {
 }
 
 impl fmt::Display for Value {
-    /// Describes the value in an error: short ones as they stand, long ones by their kind.
+    /// Describes the value in an error: short ones as they are written, long ones by their kind.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const LONGEST_QUOTE: usize = 40;
         match self {
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn a_key_given_twice_is_found_among_very_many() {
-        // Each key beside each other one would be minutes.
+        // Comparing each key with each other would take minutes.
         let keys: Vec<String> = (0..300_000).map(|i| format!("\"k{i}\":0")).collect();
         let error = Value::parse(&format!("{{{},\"k7\":0}}", keys.join(","))).unwrap_err();
         assert!(error.message.contains(r#"the key "k7" is given twice"#), "{error}");

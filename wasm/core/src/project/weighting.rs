@@ -1,4 +1,4 @@
-//! How far a handle reaches and how its weight falls off: section III and V.A of the paper.
+//! How far a handle reaches and how its weight falls off (sections III-B and V-A).
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -7,13 +7,13 @@ use super::path::Path;
 use super::place::Place;
 use super::{ProjectError, rules};
 
-/// α of supports as small as they may be.
+/// α of the smallest supports.
 const LEAST_FACTOR: u32 = 0;
-/// α of supports as wide as they may be.
+/// α of the widest supports.
 const MOST_FACTOR: u32 = 1;
-/// The least n for which φ is C² (paper, section V-A).
+/// The least n for which φ is C² (section V-A).
 const LEAST_DEGREE: u32 = 5;
-/// Far beyond what changes the picture.
+/// Far above what changes the picture.
 const MOST_DEGREE: u32 = 32;
 
 /// The parameters of the weights.
@@ -34,7 +34,7 @@ pub struct Weighting {
     pub support: Support,
 }
 
-/// The two ways of section V.A to place the inner control points of φ.
+/// The two ways of section V-A to place the inner control points of φ.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
@@ -51,8 +51,8 @@ pub enum Filling {
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Support {
-    /// The paper's: a support ends where the nearest other site is, or where its cell does if that is farther; never beyond a
-    /// real site.
+    /// Eq. 3 towards real sites. A support may pass a nearby virtual site where its own cell reaches as far; it never reaches
+    /// another real site.
     #[default]
     Paper,
     /// Supports of virtual sites may overlap one another and keep clear of real sites only: a smoother picture.

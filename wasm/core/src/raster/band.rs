@@ -1,4 +1,5 @@
-//! A few rows of the result while they are drawn: colours per pixel, and per coverage sample where triangles meet in one.
+//! A few rows of the result during drawing: one colour per pixel, or one per coverage sample where triangles meet in the
+//! pixel.
 
 use std::ops::Range;
 
@@ -8,16 +9,16 @@ use super::facet::{Facet, GRID};
 use super::texture::{OPAQUE, Texture};
 
 const SAMPLES: usize = GRID * GRID;
-/// Which samples of a pixel are covered, a bit each.
+/// The covered samples of a pixel, one bit each.
 type Mask = u16;
 
-/// Rows of pixels, premultiplied as [`Texture`] gives them.
+/// Rows of pixels, premultiplied as in [`Texture`].
 pub(super) struct Band {
     width: usize,
     rows: Range<usize>,
-    /// The colour of a pixel whose samples are all alike.
+    /// The colour of a pixel whose samples are all equal.
     pixels: Vec<Vec4>,
-    /// For a pixel whose samples differ, where they are in `splits`, counted from 1; else 0.
+    /// For a pixel whose samples differ, its index in `splits` plus 1; otherwise 0.
     split: Vec<u32>,
     splits: Vec<[Vec4; SAMPLES]>,
 }
@@ -33,7 +34,7 @@ impl Band {
         }
     }
 
-    /// Starts anew, empty, at another row of the result.
+    /// Clears the band and moves it to another row of the result.
     pub(super) fn clear(&mut self, first_row: usize) {
         self.rows = first_row..first_row + self.rows.len();
         self.pixels.fill(Vec4::ZERO);
@@ -41,7 +42,7 @@ impl Band {
         self.splits.clear();
     }
 
-    /// Draws a triangle over what is there.
+    /// Draws a triangle over the current colours.
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
         let rows = facet.rows(self.rows.end);
         for row in rows.start.max(self.rows.start)..rows.end {
@@ -79,7 +80,7 @@ impl Band {
         }
     }
 
-    /// Writes the rows as straight RGBA; fewer of them where the result ends.
+    /// Writes the rows as straight RGBA, as many as fit.
     pub(super) fn resolve(&self, rgba: &mut [u8]) {
         for ((bytes, &pixel), &split) in rgba.chunks_exact_mut(4).zip(&self.pixels).zip(&self.split) {
             let colour = match split {
@@ -91,7 +92,7 @@ impl Band {
     }
 }
 
-/// The samples of a pixel that lie within the spans of its rows of samples.
+/// The samples of a pixel inside the spans of its sample rows.
 fn mask(spans: &[Range<usize>; GRID], x: usize) -> Mask {
     let mut mask = 0;
     for (row, span) in spans.iter().enumerate() {
@@ -115,7 +116,7 @@ fn over(upper: Vec4, lower: Vec4) -> Vec4 {
     if upper.w >= OPAQUE { upper } else { upper + lower * (1.0 - upper.w / OPAQUE) }
 }
 
-/// Bytes with the opacity divided out; what is too faint for a byte of opacity is transparent black.
+/// Straight RGBA bytes; a colour too faint for a byte of opacity is transparent black.
 fn straight(colour: Vec4) -> [u8; 4] {
     let opacity = colour.w / 255.0;
     let opacity_byte = (opacity + 0.5) as u8;

@@ -1,4 +1,4 @@
-//! A triangle made ready for drawing: which samples it covers, and where in the picture they come from.
+//! A triangle prepared for drawing: the samples that it covers, and the places in the picture that they come from.
 
 use std::ops::Range;
 
@@ -7,28 +7,28 @@ use glam::{DMat2, DVec2};
 /// Coverage samples along a pixel's side.
 pub(super) const GRID: usize = 4;
 
-/// Corners are snapped to 1/256 px, as fine as graphics hardware does, so that coverage is decided in integers.
+/// Corners are rounded to 1/256 px, as on graphics hardware, so that coverage is computed in integers.
 const SUBPIXELS: f64 = 256.0;
-/// Distance between samples in subpixels; the first lies half of it inside the pixel.
+/// Distance between samples in subpixels; the first sample is half of that inside the pixel.
 const SAMPLE_STEP: i64 = 64;
-/// Corners up to here keep every product below 2⁶⁰.
+/// Greatest coordinate of a corner: keeps every product below 2⁶⁰.
 const FARTHEST_PX: f64 = 1_048_576.0;
 
 /// A triangle with its corners in pixels of the result.
 #[derive(Debug)]
 pub(super) struct Facet {
-    /// Corners in subpixels, in the order that makes the enclosed area positive.
+    /// Corners in subpixels, in positive orientation.
     corners: [[i64; 2]; 3],
-    /// Takes a place in the result to its place in the picture.
+    /// Maps a place in the result to its place in the picture.
     inverse: DMat2,
     origin: DVec2,
     lod: f32,
 }
 
 impl Facet {
-    /// `None` for a triangle that covers nothing: one without area, or with a corner that is out of reach.
+    /// `None` for a triangle that covers nothing: without area, or with a corner out of range.
     pub(super) fn new(rest: [DVec2; 3], posed: [DVec2; 3]) -> Option<Self> {
-        // Written so that NaN is out of reach, too.
+        // Written so that NaN is out of range, too.
         if !posed.iter().all(|p| p.abs().max_element() <= FARTHEST_PX) {
             return None;
         }
@@ -44,12 +44,12 @@ impl Facet {
         inverse.is_finite().then(|| Self { corners, inverse, origin: rest[0] - inverse * posed[0], lod: lod(inverse) })
     }
 
-    /// The level of detail to read the picture at: 0 is the picture, every further one half the size.
+    /// The level of detail at which the picture is read: 0 is full size, every further level half the size.
     pub(super) fn lod(&self) -> f32 {
         self.lod
     }
 
-    /// The place in the picture that a place in the result comes from.
+    /// The place in the picture that is drawn at a place in the result.
     pub(super) fn source(&self, place: DVec2) -> DVec2 {
         self.inverse * place + self.origin
     }
@@ -62,9 +62,9 @@ impl Facet {
         row(top)..row(bottom + SUBPIXELS as i64 - 1)
     }
 
-    /// The samples that the triangle covers in one row of samples, counted from the left edge of the result.
+    /// The samples that the triangle covers in one sample row, counted from the left edge of the result.
     ///
-    /// Of two triangles that share an edge, exactly one covers a sample on it: the one that has it as its left or its top edge.
+    /// Of two triangles that share an edge, exactly one covers a sample on it: the one whose left or top edge it is.
     pub(super) fn span(&self, sample_row: usize, width: usize) -> Range<usize> {
         let y = sample_row as i64 * SAMPLE_STEP + SAMPLE_STEP / 2;
         let (mut start, mut end) = (0, (width * GRID) as i64);
@@ -72,7 +72,7 @@ impl Facet {
             let [ax, ay] = self.corners[i];
             let [bx, by] = self.corners[(i + 1) % 3];
             let (dx, dy) = (bx - ax, by - ay);
-            // Twice the area of the edge and the row's first sample, positive inside; it changes by `-dy` a subpixel.
+            // Twice the area over the edge and the row's first sample, positive inside; it changes by `-dy` per subpixel.
             let area = dx * (y - ay) - dy * (SAMPLE_STEP / 2 - ax);
             let least = i64::from(!(dy < 0 || (dy == 0 && dx > 0)));
             let step = SAMPLE_STEP * dy.abs();
@@ -87,8 +87,9 @@ impl Facet {
     }
 }
 
-/// As OpenGL ES 3.0 chooses it (section 3.8.10.1): by the longer of the two steps that one pixel to the right and
-/// one down make in the picture. In steps of 1/256, as hardware has them, so that a rounding error asks for no smaller level.
+/// The level as in OpenGL ES 3.0 (section 3.8.10.1): from the longer of the two steps in the picture that correspond to one
+/// pixel to the right and one down. Rounded to 1/256, as on hardware, so that a rounding error does not select a smaller
+/// level.
 fn lod(inverse: DMat2) -> f32 {
     let step = inverse.x_axis.length().max(inverse.y_axis.length());
     let lod = (libm::log2(step) * 256.0).round() / 256.0;

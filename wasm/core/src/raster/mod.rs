@@ -1,19 +1,20 @@
-//! The warp on the CPU, at full quality: for export, and for pictures to compare a GPU's with.
+//! The warp on the CPU at full quality: for export, and as the reference for GPU rendering.
 //!
-//! Every triangle of the mesh is drawn from its rest place to its posed place, later ones over earlier ones. The result
-//! is what a WebGL2 renderer draws with a premultiplied texture, `LINEAR_MIPMAP_LINEAR` and multisampling: 4×4 coverage
-//! samples a pixel, shaded once per pixel and triangle at the pixel's centre. Samples are shared out by the top-left
-//! rule in fixed-point arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture
-//! has no seams. Colours are bytes without any gamma, as in a browser's canvas.
+//! Every triangle of the mesh is drawn from its rest place to its posed place, later ones over earlier ones. The result is
+//! that of a WebGL2 renderer with a premultiplied texture, `LINEAR_MIPMAP_LINEAR` and multisampling: 4×4 coverage samples a
+//! pixel, shaded once per pixel and triangle at the pixel's centre. Coverage follows the top-left rule in fixed-point
+//! arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture has no seams. Colours are
+//! bytes without gamma correction, as in a browser's canvas.
 //!
-//! Only integers and f64 or f32 addition, multiplication, division and square roots are used (and `libm`'s logarithm):
-//! the same picture comes out on every machine.
+//! Only integers and f64 or f32 addition, multiplication, division and square roots are used (and `libm`'s logarithm): the
+//! result has the same bits on every machine.
 //!
-//! Cost: linear in the pixels drawn; 12 megapixels take about a second. Besides the result it needs a third of the
+//! Cost: linear in the pixels drawn; 12 megapixels take about a second. Besides the result, memory for a third of the
 //! picture's pixels at 8 bytes (only where something shrinks), some 110 bytes a triangle, and a band of 16 rows.
 //!
-//! Limits: minification is isotropic, so what shrinks in one direction only is blurred in both; a triangle with a corner more than a
-//! million pixels out is left out; pixels without opacity come out as transparent black, whatever colour lay hidden there.
+//! Limits: minification is isotropic, so a triangle that shrinks in one direction only is blurred in both; triangles with a
+//! corner more than a million pixels out are not drawn; pixels without opacity become transparent black, whatever their
+//! colour.
 
 mod band;
 mod facet;
@@ -29,7 +30,7 @@ use self::texture::Texture;
 use crate::error::Error;
 use crate::picture::{MAX_PIXELS, MAX_SIDE, Picture};
 
-/// Rows that are worked at a time: enough to set triangles up rarely, few enough to stay in a cache.
+/// Rows in a band: enough to set up triangles rarely, few enough for the cache.
 const BAND_ROWS: usize = 16;
 
 /// A warped picture.
@@ -46,7 +47,7 @@ pub struct Warped {
 /// The size in pixels of a picture warped at a scale: `round(width × scale)` by `round(height × scale)`.
 ///
 /// # Errors
-/// [`Error::Scale`] where the scale is no positive number, or where nothing or more than a picture may have would come out.
+/// [`Error::Scale`] if the scale is not a positive number, or the result would have no pixel or more than a picture may have.
 pub fn warped_size(width: u32, height: u32, scale: f64) -> Result<(u32, u32), Error> {
     size(width, height, scale).ok_or(Error::Scale { scale, width, height })
 }
@@ -54,26 +55,26 @@ pub fn warped_size(width: u32, height: u32, scale: f64) -> Result<(u32, u32), Er
 fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
     let side = |length: u32| {
         let side = (f64::from(length) * scale).round();
-        // NaN is in no range.
+        // NaN is not in the range.
         (1.0..=f64::from(MAX_SIDE)).contains(&side).then_some(side as u32)
     };
     let (width, height) = (side(width)?, side(height)?);
     (u64::from(width) * u64::from(height) <= MAX_PIXELS).then_some((width, height))
 }
 
-/// Draws a mesh from its rest place in the picture to its posed place.
+/// Draws a mesh from its rest places in the picture to its posed places.
 ///
-/// `rest` and `posed` are the mesh's vertices in image pixels, as many in both; `triangles` index them and are drawn in order,
-/// whichever way round they are. `scale` is pixels of the result per pixel of the picture.
+/// `rest` and `posed` are the mesh's vertices in image pixels, in the same number; `triangles` index them and are drawn in
+/// order, in either orientation. `scale` is pixels of the result per pixel of the picture.
 ///
-/// Gives a picture of the size that [`warped_size`] names, transparent where no triangle lies. Where the mesh rests at scale 1, the
-/// bytes are the picture's.
+/// The result has the size [`warped_size`] and is transparent where there is no triangle. A mesh at rest with scale 1 returns the
+/// picture's bytes.
 ///
 /// # Errors
 /// [`Error::Scale`] as [`warped_size`].
 ///
 /// # Panics
-/// Where `rest` and `posed` are not as many, and where a triangle names a vertex that does not exist.
+/// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
 pub fn warp(
     picture: &Picture<'_>,
     rest: &[DVec2],
@@ -81,7 +82,7 @@ pub fn warp(
     triangles: &[[u32; 3]],
     scale: f64,
 ) -> Result<Warped, Error> {
-    assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and one where it is posed");
+    assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and a posed one");
     let size = warped_size(picture.width(), picture.height(), scale)?;
     let (width, height) = (size.0 as usize, size.1 as usize);
 
@@ -110,7 +111,7 @@ pub fn warp(
     Ok(Warped { width: size.0, height: size.1, rgba })
 }
 
-/// The facets that touch each band of rows, in the order in which they are drawn.
+/// The facets that touch each band of rows, in drawing order.
 fn facets_by_band(facets: &[Facet], height: usize) -> Vec<Vec<u32>> {
     let mut bins = vec![Vec::new(); height.div_ceil(BAND_ROWS)];
     for (index, facet) in (0..).zip(facets) {

@@ -1,4 +1,4 @@
-//! What comes out of the rasteriser, seen as pictures.
+//! Tests of the rasteriser on whole pictures.
 
 use glam::DVec2;
 

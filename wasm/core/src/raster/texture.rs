@@ -1,7 +1,7 @@
-//! The picture as something to read colours from at any place and any size: bilinear within a level, linear between levels.
+//! The picture as a texture, read at any place and level of detail: bilinear within a level, linear between levels.
 //!
-//! Colours are premultiplied by their opacity and stand on a scale from 0 to 255² = 65,025, on which the product of two
-//! bytes is exact: what is read at the centre of a texel gives its bytes back.
+//! Colours are premultiplied by their opacity on a scale from 0 to 255² = 65,025, on which the product of two bytes is exact:
+//! a read at the centre of a texel returns its bytes.
 
 use glam::{DVec2, Vec4};
 
@@ -10,14 +10,14 @@ use crate::picture::Picture;
 /// Full opacity.
 pub(super) const OPAQUE: f32 = 65_025.0;
 
-/// Places between texels are told apart to 1/256, as hardware does; it also makes a rounding error beside a texel's centre harmless.
+/// Places between texels are rounded to 1/256, as on hardware, which also absorbs rounding errors beside a texel's centre.
 const FRACTIONS: f64 = 256.0;
 
 /// A picture and its reductions.
 #[derive(Debug)]
 pub(super) struct Texture<'a> {
     picture: Picture<'a>,
-    /// Half the size, a quarter of the size, and so on, as far as they are needed.
+    /// Half the size, a quarter of the size, and so on, as far as needed.
     reductions: Vec<Reduction>,
 }
 
@@ -29,7 +29,7 @@ struct Reduction {
 }
 
 impl<'a> Texture<'a> {
-    /// Prepares reading at levels of detail up to `greatest_lod`.
+    /// Prepares levels of detail up to `greatest_lod`.
     pub(super) fn new(picture: Picture<'a>, greatest_lod: f32) -> Self {
         let mut texture = Self { picture, reductions: Vec::new() };
         let last = picture.width().max(picture.height()).ilog2();
@@ -40,7 +40,7 @@ impl<'a> Texture<'a> {
         texture
     }
 
-    /// The colour at a place, in pixels of the picture, at a level of detail; beyond the rim, the rim's.
+    /// The colour at a place, in pixels of the picture, at a level of detail; beyond the border, that of the border.
     pub(super) fn sample(&self, place: DVec2, lod: f32) -> Vec4 {
         let lod = lod.min(self.reductions.len() as f32);
         let level = lod as usize;
@@ -85,7 +85,7 @@ impl<'a> Texture<'a> {
         }
     }
 
-    /// Half the size of a level; every texel of the level counts alike, also where a side is odd.
+    /// The next level, at half the size; every texel of the level has the same total weight, also where a side is odd.
     fn halved(&self, level: usize) -> Reduction {
         let (from_width, from_height) = self.size(level);
         let (width, height) = ((from_width / 2).max(1), (from_height / 2).max(1));
@@ -106,7 +106,7 @@ impl<'a> Texture<'a> {
     }
 }
 
-/// How much the two or three texels under a texel of half their number count in it.
+/// Weights of the two or three texels under a texel of the next level.
 struct Shares {
     first: usize,
     count: usize,
@@ -114,13 +114,13 @@ struct Shares {
 }
 
 impl Shares {
-    /// For the texel `index` of a row that halves one of `length` texels.
+    /// For the texel `index` of a row with half of `length` texels.
     fn new(index: usize, length: usize) -> Self {
         let half = length / 2;
         let (count, shares) = match (length, length % 2) {
             (1, _) => (1, [1.0, 0.0, 0.0]),
             (_, 0) => (2, [0.5, 0.5, 0.0]),
-            // A texel lies over `length / half` texels, a little more than two.
+            // A texel covers `length / half` texels, slightly more than two.
             _ => (3, [half - index, half, index + 1].map(|part| part as f32 / length as f32)),
         };
         Self { first: 2 * index, count, shares }
@@ -131,8 +131,8 @@ impl Shares {
     }
 }
 
-/// The two texels beside a place and how far it lies from the first to the second, in a row of `length` texels that shows
-/// `whole` pixels of the picture.
+/// The two texels beside a place, and its position from the first to the second (0 to 1), in a row of `length` texels that
+/// shows `whole` pixels of the picture.
 fn taps(place: f64, whole: usize, length: usize) -> (usize, usize, f32) {
     let length_px = length as f64;
     let centre = (place * (length_px / whole as f64)).clamp(0.5, length_px - 0.5) - 0.5;

@@ -1,35 +1,37 @@
 //! Samples along bones: a bar that stays straight is drawn straight.
+//!
+//! Cost: the samples of the bones, each a look at the grid cells around it.
 
 use glam::DVec2;
 
-use super::{grid::PointGrid, lattice::CLEARANCE};
+use super::{grid::PointGrid, lattice::LATTICE_CLEARANCE};
 use crate::{domain::Domain, locate::ON_OUTLINE};
 
-/// Samples along a bone are nearer to one another than those beside it to the bone: the circle over two of them is then empty,
-/// and the edge between them is one of the Delaunay mesh.
-const ALONG: f64 = 1.9 * CLEARANCE;
-/// Samples of a bone keep this share of the spacing away from others, which are there already.
-const APART: f64 = 0.3;
+/// Spacing along a bone, over that of the lattice: less than twice the distance that other samples keep from the bone, so
+/// that the circle over two neighbours is empty and the edge between them belongs to the Delaunay mesh.
+const BONE_SPACING: f64 = 1.9 * LATTICE_CLEARANCE;
+/// Least distance of a bone's samples from earlier ones, over the spacing.
+const MIN_DISTANCE: f64 = 0.3;
 
-/// Adds samples evenly along each bone, both ends included. Returns those that lie on the outline, between its vertices: they are to divide
-/// its edges.
+/// Adds samples evenly along each bone, both ends included. Returns those on the outline between its vertices: they must
+/// split its edges.
 pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing: f64, domain: &Domain) -> Vec<DVec2> {
     let mut on_outline: Vec<DVec2> = Vec::new();
     if bones.is_empty() {
         return on_outline;
     }
     let outline = PointGrid::new(spacing, vertices);
-    let mut known = PointGrid::new(APART * spacing, vertices);
+    let mut known = PointGrid::new(MIN_DISTANCE * spacing, vertices);
     for &[a, b] in bones {
-        let pieces = (a.distance(b) / (ALONG * spacing)).ceil().max(1.0);
+        let pieces = (a.distance(b) / (BONE_SPACING * spacing)).ceil().max(1.0);
         let along = (0..=pieces as u32).map(|i| a.lerp(b, f64::from(i) / pieces));
         for p in along {
             // A bone shorter than the spacing keeps its first end alone.
-            if known.around(p, APART * spacing).any(|q| q.distance(p) < APART * spacing) {
+            if known.around(p, MIN_DISTANCE * spacing).any(|q| q.distance(p) < MIN_DISTANCE * spacing) {
                 continue;
             }
             known.insert(p);
-            // What is on the outline is between two samples of it.
+            // A point on the outline lies between two samples of it.
             let may_be_on_it = outline.around(p, spacing).next().is_some();
             let is_on_it = may_be_on_it && domain.distance_to_outline(p) <= ON_OUTLINE;
             if is_on_it { &mut on_outline } else { &mut *vertices }.push(p);
@@ -61,9 +63,9 @@ mod tests {
         // The same by comparing each with all.
         let (mut inner, mut outer) = (outline, Vec::new());
         for [a, b] in bones {
-            let pieces = (a.distance(b) / (ALONG * spacing)).ceil().max(1.0);
+            let pieces = (a.distance(b) / (BONE_SPACING * spacing)).ceil().max(1.0);
             for p in (0..=pieces as u32).map(|i| a.lerp(b, f64::from(i) / pieces)) {
-                if inner.iter().chain(&outer).all(|q: &DVec2| q.distance(p) >= APART * spacing) {
+                if inner.iter().chain(&outer).all(|q: &DVec2| q.distance(p) >= MIN_DISTANCE * spacing) {
                     let is_within = domain.distance_to_outline(p) > ON_OUTLINE;
                     if is_within { &mut inner } else { &mut outer }.push(p);
                 }

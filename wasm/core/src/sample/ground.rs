@@ -1,8 +1,8 @@
-//! The samples of a domain before its point handles are among them.
+//! The samples of a domain before point handles are inserted.
 //!
-//! Nearly all that sampling costs is the triangulation of the lattice. It does not depend on point handles, so a solver keeps it;
-//! handles are inserted into a copy, one by one, in a solve from nothing just as in one that follows another: so what was
-//! solved before changes no bit.
+//! The triangulation of the lattice is nearly all of the cost of sampling. It does not depend on point handles, so a solver
+//! keeps it; handles are inserted into a copy one by one, in a first solve just as in a later one, so earlier solves change
+//! no bit.
 
 use std::sync::Arc;
 
@@ -27,9 +27,10 @@ pub(crate) struct Ground {
 }
 
 impl Ground {
-    /// About `count` samples: see [`Samples::new`]. With a rim where the picture, of size `fading`, fades out beyond the outline.
+    /// About `count` samples: see [`Samples::new`]. With a rim where the picture, of size `fading`, fades out beyond the
+    /// outline.
     ///
-    /// Cost: O(n log n); nearly all of it is the triangulation.
+    /// Cost: O(n log n), nearly all of it for the triangulation.
     pub(crate) fn new(
         domain: &Domain,
         navigation: &Navigation,
@@ -41,7 +42,7 @@ impl Ground {
         let Outline { mut vertices, segments, rings } = Outline::new(domain, spacing);
         let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
         let mut inner = lattice::inner_points(domain, bones, spacing, &vertices, &segments);
-        // What asks about samples in turn then asks for the same place again and again.
+        // Consecutive samples then often lie in the same place.
         inner.sort_by_cached_key(|&p| navigation.place(p).map(|place| place.0));
         vertices.extend(inner);
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
@@ -54,20 +55,20 @@ impl Ground {
         Self { samples, locator, count, bones: bones.to_vec(), fading }
     }
 
-    /// Whether it is what [`new`](Self::new) would make, in the same domain.
+    /// Whether [`new`](Self::new) would return the same in the same domain.
     pub(crate) fn is_for(&self, bones: &[[DVec2; 2]], count: usize) -> bool {
         self.count == count && self.bones == bones
     }
 
-    /// The samples with every site among them, and finer lattices where sites are close to one another. `sites` must lie in the
-    /// domain, be distinct, and come in an order that does not depend on what came before.
+    /// The samples including every site, with finer lattices around close sites. `sites` must lie in the domain, be distinct,
+    /// and come in an order that does not depend on earlier solves.
     ///
-    /// Cost: a copy, and a walk from a triangle nearby for each vertex that is added. Each patch looks at all vertices, and each of its
-    /// nodes at those near: half a second for 250 sites, all closer to others than 10,000 samples resolve.
+    /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex. Each patch looks at all vertices, and each
+    /// of its nodes at those nearby: half a second for 250 sites that are all closer to others than 10,000 samples resolve.
     pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
         let Samples { mesh, places, outline, rim, spacing, .. } = &self.samples;
         let mut samples = Samples {
-            mesh: mesh.with_room(sites.len() + rim.vertices.len()),
+            mesh: mesh.with_capacity_for(sites.len() + rim.vertices.len()),
             places: places.clone(),
             outline: outline.clone(),
             rim: Rim::default(),
@@ -81,7 +82,7 @@ impl Ground {
             }
         }
         samples.rim = match self.fading {
-            // The outline has more samples than it had.
+            // Samples were inserted on the outline.
             Some(size) if samples.outline != self.samples.outline => Rim::new(&samples.mesh, &samples.outline, size),
             _ => rim.renumbered(self.samples.len(), samples.len()),
         };
@@ -89,7 +90,7 @@ impl Ground {
     }
 }
 
-/// Adds a point of the domain to samples; on the outline, to that too.
+/// Inserts a point of the domain into the samples and, if it lies on the outline, into that.
 fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: DVec2) -> u32 {
     let inserted = samples.mesh.insert(locator.near(p), p);
     if let Inserted::OnBoundary { vertex, between } = inserted {

@@ -1,12 +1,15 @@
-//! The triangular lattice inside the domain.
+//! The triangular lattice inside the domain (section V-B).
+//!
+//! Cost: O(n) for n nodes of the bounding box, and the rows that each edge of the outline crosses. Limits: the number of
+//! samples is approximate.
 
 use glam::DVec2;
 
 use crate::{domain::Domain, segment::segment_distance};
 
-/// Lattice points keep this share of the spacing away from the outline, and from bones: nearer ones make slivers.
-/// Not one half, so that outlines parallel to the lattice do not leave the choice to rounding.
-pub(super) const CLEARANCE: f64 = 0.47;
+/// Least distance of lattice points from the outline and from bones, over the spacing: nearer ones make slivers. Not one
+/// half, so that for outlines parallel to the lattice rounding does not decide.
+pub(super) const LATTICE_CLEARANCE: f64 = 0.47;
 /// Height of a lattice row over the spacing: √3 / 2.
 pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
 
@@ -20,19 +23,19 @@ pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     let perimeter: f64 = lengths.sum();
     let corners: usize = domain.rings().iter().map(Vec::len).sum();
     let wanted = (count as f64 - corners as f64).max(count as f64 / 4.0);
-    // With u = 1 / spacing: the lattice has (area − CLEARANCE · perimeter / u) · u² / ROW points, the outline perimeter · u.
-    positive_root(area / ROW, perimeter * (1.0 - CLEARANCE / ROW), wanted)
+    // With u = 1 / spacing: the lattice has (area − LATTICE_CLEARANCE · perimeter / u) · u² / ROW points, the outline perimeter · u.
+    positive_root(area / ROW, perimeter * (1.0 - LATTICE_CLEARANCE / ROW), wanted)
 }
 
 /// The positive x with `quadratic / x² + linear / x = wanted`, of positive numbers.
 fn positive_root(quadratic: f64, linear: f64, wanted: f64) -> f64 {
     let root = (linear * linear + 4.0 * quadratic * wanted).sqrt();
     let apart = root - linear;
-    // Two ways to write the same. In a domain that is nearly all outline the difference would have no digits.
+    // Two forms of the same root. Where the domain is nearly all outline, the difference would have no correct digits.
     if apart > CANCELLED * root { 2.0 * quadratic / apart } else { (root + linear) / (2.0 * wanted) }
 }
 
-/// Lattice points inside the domain and clear of the outline's `segments` and of the bones.
+/// Lattice points inside the domain, clear of the outline's `segments` and of the bones.
 pub(super) fn inner_points(
     domain: &Domain,
     bones: &[[DVec2; 2]],
@@ -42,7 +45,7 @@ pub(super) fn inner_points(
 ) -> Vec<DVec2> {
     let lattice = Lattice::new(domain, spacing);
     let mut inside = lattice.inside(domain);
-    let clearance = CLEARANCE * spacing;
+    let clearance = LATTICE_CLEARANCE * spacing;
     for &[a, b] in segments {
         lattice.clear_around(&mut inside, vertices[a], vertices[b], clearance);
     }
@@ -53,7 +56,7 @@ pub(super) fn inner_points(
     nodes.filter(|&(row, column)| inside[row * lattice.columns + column]).map(|(r, c)| lattice.node(r, c)).collect()
 }
 
-/// Nodes of the lattice over a domain's bounding box; a node lies at its centre.
+/// The lattice over a domain's bounding box; one node lies at its centre.
 struct Lattice {
     centre: DVec2,
     spacing: f64,
@@ -70,7 +73,7 @@ impl Lattice {
         Self { centre: (low + high) / 2.0, spacing, rows, columns: columns + 1 }
     }
 
-    /// Steps of a node from the centre: rows, and columns with the half step of odd rows.
+    /// The place of a node, counted from the centre; odd rows are shifted by half a step.
     fn node(&self, row: usize, column: usize) -> DVec2 {
         let (j, i) = (self.row_step(row), column as f64 - (self.columns / 2) as f64);
         let shift = if self.is_shifted(row) { 0.5 } else { 0.0 };
@@ -103,7 +106,7 @@ impl Lattice {
             for span in crossings.chunks_exact(2) {
                 for column in self.columns_within(row, span[0], span[1]) {
                     let x = self.node(row, column).x;
-                    // What lies between two spans, close to both, is looked at twice.
+                    // A node between two spans, close to both, is visited twice.
                     inside[row * self.columns + column] |= span[0] < x && x < span[1];
                 }
             }
@@ -138,7 +141,7 @@ impl Lattice {
     }
 }
 
-/// Whole numbers from just below `low` to just above `high`, within `0..count`.
+/// The integers from just below `low` to just above `high`, within `0..count`.
 fn range(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
     (low.floor().max(0.0) as usize)..((high.ceil() + 1.0).max(0.0) as usize).min(count)
 }
@@ -170,7 +173,7 @@ mod tests {
             let lattice = Lattice::new(&domain, spacing);
             let nodes = (0..lattice.rows).flat_map(|row| (0..lattice.columns).map(move |column| (row, column)));
             let is_inside = |p: DVec2| domain.rings().iter().filter(|ring| contains(ring, p)).count() == 1;
-            let is_clear = |p: &DVec2| is_inside(*p) && domain.distance_to_outline(*p) >= CLEARANCE * spacing;
+            let is_clear = |p: &DVec2| is_inside(*p) && domain.distance_to_outline(*p) >= LATTICE_CLEARANCE * spacing;
             let expected: Vec<DVec2> = nodes.map(|(row, column)| lattice.node(row, column)).filter(is_clear).collect();
             assert_eq!(found, expected, "a hole from {at}, {width} wide");
         }

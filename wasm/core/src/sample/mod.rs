@@ -1,7 +1,7 @@
-//! 𝒫: points all over the domain, with a constrained Delaunay mesh over them (paper, section V-B).
+//! 𝒫: points all over the domain, with a constrained Delaunay mesh over them (section V-B).
 //!
-//! Samples carry the drawn mesh, and a few of their own, the scouts, the cells. Distances and weights do not depend on them:
-//! those are evaluated.
+//! Samples are the vertices of the drawn mesh; a separate, coarser set, the scouts, locates cells. Distances and weights do
+//! not depend on either: they are evaluated.
 
 mod bones;
 mod grid;
@@ -29,13 +29,13 @@ pub(crate) use scouts::{Scouts, scouts_wanted};
 pub struct Samples {
     /// The mesh over the samples.
     pub mesh: Triangulation,
-    /// Where each sample lies on the navigation mesh.
+    /// The place of each sample on the navigation mesh.
     pub places: Vec<Place>,
     /// Chains of samples along the outline, as closed rings in the order of the domain's rings.
     pub outline: Vec<Vec<u32>>,
-    /// The sample at each point handle; empty where the samples were there before the handles.
+    /// The sample at each point handle; empty where the caller's mesh provides the samples.
     pub at_sites: Vec<u32>,
-    /// The skirt around the mesh.
+    /// The skirt around the mesh, for soft edges.
     pub rim: Rim,
     /// Distance between samples away from the outline and from close sites, in pixels.
     pub spacing: f64,
@@ -46,16 +46,16 @@ impl Samples {
     /// sampled symmetrically; points along the outline with all its corners; every site; and finer lattices where sites
     /// are closer to one another than the lattice resolves (the paper's up-sampling).
     ///
-    /// `sites` must lie in the domain and be distinct; `bones` are straight lines in it, along which there are edges of the
-    /// mesh wherever nothing else is close.
+    /// `sites` must lie in the domain and be distinct; `bones` are straight lines in it, along which the mesh has edges
+    /// wherever nothing else is close.
     ///
-    /// Cost: O(n log n); nearly all of it is the triangulation.
+    /// Cost: O(n log n), nearly all of it for the triangulation.
     #[must_use]
     pub fn new(domain: &Domain, navigation: &Navigation, sites: &[DVec2], bones: &[[DVec2; 2]], count: usize) -> Self {
         Ground::new(domain, navigation, bones, count, None).with_sites(domain, navigation, sites)
     }
 
-    /// The samples that the vertices of a mesh are. Its `outline` is given as rings of vertices.
+    /// The vertices of a mesh as samples. `outline` lists them in rings.
     pub(crate) fn from_mesh(
         mesh: Triangulation,
         navigation: &Navigation,
@@ -73,7 +73,7 @@ impl Samples {
         self.mesh.vertices.len()
     }
 
-    /// Whether there is no sample, which no domain has.
+    /// Whether there are no samples. Every domain has some.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.mesh.vertices.is_empty()

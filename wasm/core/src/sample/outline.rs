@@ -6,9 +6,9 @@ use glam::DVec2;
 /// The outline's samples.
 pub(super) struct Outline {
     pub(super) vertices: Vec<DVec2>,
-    /// Pieces of the outline between samples.
+    /// Segments of the outline between samples.
     pub(super) segments: Vec<[usize; 2]>,
-    /// Samples along each ring.
+    /// Indices of the samples along each ring.
     pub(super) rings: Vec<Vec<u32>>,
 }
 

@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use crate::{distance::Navigation, domain::Domain, segment::segment_distance};
 
-use super::lattice::{CLEARANCE, ROW};
+use super::lattice::{LATTICE_CLEARANCE, ROW};
 
 /// Samples wanted across the gap between two sites, and across the distance to them.
 const RESOLUTION: f64 = 6.0;
@@ -57,7 +57,7 @@ impl Patch {
         let outline = domain.edges();
         let walls: Vec<(DVec2, DVec2)> =
             outline.filter(|&(a, b)| segment_distance(self.centre, a, b) < self.radius + self.spacing).collect();
-        let clearance = CLEARANCE * self.spacing;
+        let clearance = LATTICE_CLEARANCE * self.spacing;
         // Nodes of two patches of one spacing are farther from one another than the clearance, so neither has to give way: what
         // comes first does not matter, and a symmetric scene has symmetric nodes.
         let is_own = |rival: &DVec2, p: DVec2| {

@@ -1,33 +1,36 @@
-//! A narrow skirt around an alpha outline, so that the soft edge of the picture is drawn with it.
+//! A narrow skirt around an alpha outline, so that the soft edge of the picture is drawn, too.
 //!
-//! The outline runs where alpha passes the threshold; the pixels that fade out beyond it belong to the picture too. Each
-//! outline sample gets a twin outside that moves with the sample's weights. Twins stay clear of the middle of a gap, so
-//! that no part draws the fringe of another.
+//! The outline runs where alpha crosses the threshold; the pixels that fade out beyond it belong to the picture as well. Each
+//! outline sample gets an offset vertex outside, which moves with the sample's weights. Offset vertices stay on their half of
+//! a gap, so that no part draws the fringe of another.
+//!
+//! Cost: O(n log n) in the outline's samples. Limits: edges softer than [`WIDTH`] are cut off there, and those of a narrow
+//! gap at its middle.
 
 use glam::DVec2;
 
 use crate::{segment::segment_distance, triangulation::Triangulation};
 
-/// How far the rim reaches out, in pixels: an antialiased edge fades within one, a softly drawn one within three.
+/// Width of the rim, in pixels: an antialiased edge fades within one, a softly drawn one within three.
 const WIDTH: f64 = 3.0;
-/// Greatest length of a corner's twin over the width.
-const MITRE: f64 = 2.0;
+/// Greatest distance of a corner's offset vertex, over the width.
+const MAX_MITRE: f64 = 2.0;
 
-/// The skirt: twins of outline samples, and the triangles between.
+/// The skirt: offset vertices of the outline's samples, and the triangles between.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Rim {
-    /// Places of the twins.
+    /// Rest places of the offset vertices.
     pub vertices: Vec<DVec2>,
-    /// The outline sample that each twin belongs to.
+    /// The outline sample of each offset vertex.
     pub owners: Vec<u32>,
-    /// Triangles; vertex numbers from the mesh's count on are twins.
+    /// Triangles; vertex indices from the mesh's vertex count on are offset vertices.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Rim {
-    /// The rim of a mesh whose `outline` is given as rings of its vertices, kept within a picture of `size`.
+    /// The rim of a mesh whose `outline` is given as rings of its vertices, clamped to a picture of `size`.
     pub(crate) fn new(mesh: &Triangulation, outline: &[Vec<u32>], size: DVec2) -> Self {
-        let pieces = Pieces::new(mesh, outline);
+        let segments = Segments::new(mesh, outline);
         let mut rim = Self::default();
         for ring in outline {
             let n = ring.len();
@@ -36,7 +39,7 @@ impl Rim {
                 let around = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]];
                 let [prev, at, next] = around.map(|v| mesh.vertices[v as usize]);
                 let out = mitre(prev, at, next);
-                let reach = (pieces.gap(at, around, out) / 2.0).min(WIDTH);
+                let reach = (segments.gap(at, around, out) / 2.0).min(WIDTH);
                 rim.vertices.push((at + out * reach).clamp(DVec2::ZERO, size));
                 rim.owners.push(ring[i]);
             }
@@ -49,32 +52,32 @@ impl Rim {
         rim
     }
 
-    /// The same rim of a mesh that has more vertices by now, none of them on the outline.
+    /// The same rim for a mesh that has got more vertices, none of them on the outline.
     pub(crate) fn renumbered(&self, before: usize, now: usize) -> Self {
         let number = |v: u32| if (v as usize) < before { v } else { v + (now - before) as u32 };
         Self { triangles: self.triangles.iter().map(|t| t.map(number)).collect(), ..self.clone() }
     }
 }
 
-/// Outward from a corner of the outline, as long as makes both neighbouring edges move out by one.
+/// The offset of an outline corner that moves both its edges outwards by one, limited to [`MAX_MITRE`].
 fn mitre(prev: DVec2, at: DVec2, next: DVec2) -> DVec2 {
     // The domain lies on the side of `perp`.
     let out = |a: DVec2, b: DVec2| -(b - a).normalize().perp();
     let (before, after) = (out(prev, at), out(at, next));
     let middle = (before + after).try_normalize().unwrap_or(before);
-    middle * (1.0 / middle.dot(after)).clamp(1.0, MITRE)
+    middle * (1.0 / middle.dot(after)).clamp(1.0, MAX_MITRE)
 }
 
-/// Pieces of the outline in square cells as wide as twins may look for a gap.
-struct Pieces<'a> {
+/// Segments of the outline in a grid of square cells, as wide as a gap is searched.
+struct Segments<'a> {
     mesh: &'a Triangulation,
-    /// Row and column of each cell that a piece touches, ascending, with the piece.
+    /// Row and column of each cell that a segment touches, ascending, with the segment.
     cells: Vec<([i32; 2], [u32; 2])>,
 }
 
-const CELL: f64 = 2.0 * MITRE * WIDTH;
+const CELL: f64 = 2.0 * MAX_MITRE * WIDTH;
 
-impl<'a> Pieces<'a> {
+impl<'a> Segments<'a> {
     fn new(mesh: &'a Triangulation, outline: &[Vec<u32>]) -> Self {
         let mut cells = Vec::new();
         for ring in outline {
@@ -92,7 +95,7 @@ impl<'a> Pieces<'a> {
         Self { mesh, cells }
     }
 
-    /// Distance from a sample to the nearest piece of the outline that lies outward of it.
+    /// Distance from a sample to the nearest segment of the outline on its outer side.
     fn gap(&self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
         let cell = (at / CELL).floor();
         let (x, y) = (cell.x as i32, cell.y as i32);

@@ -1,7 +1,8 @@
-//! Scouts: a few samples of their own on which cells and their farthest points are found (paper, section IV-A).
+//! Scouts: a separate, coarse set of samples on which cells and their farthest points are located (section IV-A).
 //!
-//! Where sites go must not depend on how finely the picture is drawn, and does not: farthest points are found exactly, however few
-//! scouts there are. So scouts are as many as make that quick, however many more samples are asked for.
+//! The places of virtual sites must not depend on how finely the picture is drawn, and do not: farthest points are exact,
+//! however few scouts there are. So the number of scouts is the one that makes the search fast, however many samples are
+//! requested.
 
 use std::sync::Arc;
 
@@ -16,22 +17,22 @@ use crate::{
     triangulation::Triangulation,
 };
 
-/// Scouts of a domain at most, where sites are not closer than they resolve. With 1,000 more triangles have to be looked into than that saves
-/// distances of scouts; with 10,000 a solve of the benchmark's figure takes half as long again.
-const MOST: usize = 2_500;
-/// Scouts for each virtual site that is asked for: some across each cell.
-const PER_SITE: usize = 16;
+/// Upper limit of scouts, unless close sites need finer ones. With 1,000, more triangles must be searched than the saved
+/// distances are worth; with 10,000, a benchmark solve takes half as long again.
+const MAX_SCOUTS: usize = 2_500;
+/// Scouts for each requested virtual site: a few across each cell.
+const SCOUTS_PER_SITE: usize = 16;
 
-/// How many scouts a scene has that asks for so many samples and virtual sites: no more than samples.
+/// The number of scouts for a number of samples and a requested number of virtual sites: no more than samples.
 pub(crate) fn scouts_wanted(samples: usize, density: usize) -> usize {
-    samples.min(MOST.max(PER_SITE * density))
+    samples.min(MAX_SCOUTS.max(SCOUTS_PER_SITE * density))
 }
 
-/// Samples, and what lies around each.
+/// The scouts, and the surroundings of each.
 #[derive(Debug)]
 pub(crate) struct Scouts {
     pub(crate) mesh: Triangulation,
-    /// Where each scout lies on the navigation mesh.
+    /// The place of each scout on the navigation mesh.
     pub(crate) places: Vec<Place>,
     /// Edges of the mesh.
     pub(crate) graph: Graph,
@@ -41,12 +42,12 @@ pub(crate) struct Scouts {
     pub(crate) reach: Vec<f64>,
     /// Length of the longest edge of all.
     pub(crate) longest_edge: f64,
-    /// Of the ground.
+    /// The locator of the ground.
     locator: Arc<Locator>,
 }
 
 impl Scouts {
-    /// The scouts of a scene with such sites.
+    /// The scouts of a scene with these point handles.
     pub(crate) fn new(ground: &Ground, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Self {
         let Samples { mesh, places, .. } = ground.with_sites(domain, navigation, sites);
         let graph = Graph::of_mesh(&mesh);
@@ -66,7 +67,7 @@ impl Scouts {
         self.fans.row(scout)
     }
 
-    /// The triangle that holds a point of the domain.
+    /// The triangle that contains a point of the domain.
     pub(crate) fn triangle_at(&self, p: DVec2) -> usize {
         self.mesh.triangle_at(self.locator.near(p), p)
     }
@@ -79,5 +80,5 @@ impl Scouts {
 
 fn fans(mesh: &Triangulation) -> Rows<u32> {
     let corners = |(triangle, corners): (u32, &[u32; 3])| corners.map(|corner| (corner as usize, triangle));
-    Rows::sorted(mesh.vertices.len(), || (0..).zip(&mesh.triangles).flat_map(corners))
+    Rows::from_pairs(mesh.vertices.len(), || (0..).zip(&mesh.triangles).flat_map(corners))
 }

@@ -1,29 +1,29 @@
-//! 𝒱(h_i): which scouts are nearer to a site than to any other (paper, section III-B).
+//! 𝒱(h_i): which scouts are nearer to a site than to any other (section III-B).
 //!
-//! Cells are kept while sites are added: a new site takes over the scouts around it that it is nearer to, and nothing
-//! else is looked at. Cost of an insertion: its cell, a margin of one scout around it, and the cells it takes from.
+//! Cells are updated as sites are inserted: a new site takes over the scouts around it that are nearer to it, and no others
+//! are visited. Cost of an insertion: its cell, a margin of one scout around it, and the cells that lose scouts to it.
 
 use glam::DVec2;
 
-use super::marks::Marks;
-use crate::{distance::Foot, sample::Scouts, triangulation::NONE};
+use super::visit_stamps::VisitStamps;
+use crate::{distance::PathEnd, sample::Scouts, triangulation::NONE};
 
 /// The cells of all sites, over the scouts.
 #[derive(Debug, Clone)]
 pub(crate) struct Cells {
     /// The nearest site of each scout; [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
-    /// Its distance.
+    /// The distance of each scout to that site.
     pub(crate) distance: Vec<f64>,
-    /// The pseudo-source that the path from it bends at last.
-    pub(crate) apex: Vec<DVec2>,
-    /// The scouts of each cell as linked lists: first scout of each site, next scout of each scout.
+    /// The last vertex at which the path from that site bends.
+    pub(crate) pseudo_source: Vec<DVec2>,
+    /// The scouts of each cell as linked lists: the first scout of each site, and the next scout of each scout.
     first: Vec<u32>,
     next: Vec<u32>,
     /// The farthest scout of each cell, or [`NONE`].
     farthest: Vec<u32>,
-    /// The scouts that the last insertion saw.
-    seen: Marks,
+    /// The scouts that the last insertion visited.
+    seen: VisitStamps,
     stack: Vec<u32>,
 }
 
@@ -32,18 +32,23 @@ impl Cells {
         Self {
             nearest: vec![NONE; scouts],
             distance: vec![f64::INFINITY; scouts],
-            apex: vec![DVec2::ZERO; scouts],
+            pseudo_source: vec![DVec2::ZERO; scouts],
             first: Vec::new(),
             next: vec![NONE; scouts],
             farthest: Vec::new(),
-            seen: Marks::new(scouts),
+            seen: VisitStamps::new(scouts),
             stack: Vec::new(),
         }
     }
 
-    /// Gives a new site its cell: the scouts nearer to it than to all before. `start` are scouts around the site and
-    /// `foot` tells how a scout is reached from it.
-    pub(crate) fn insert(&mut self, scouts: &Scouts, start: [u32; 3], mut foot: impl FnMut(usize) -> Option<Foot>) {
+    /// Inserts a site: its cell consists of the scouts nearer to it than to all sites before. `start` are the scouts around
+    /// the site, `path_end` gives the path from the site to a scout.
+    pub(crate) fn insert(
+        &mut self,
+        scouts: &Scouts,
+        start: [u32; 3],
+        mut path_end: impl FnMut(usize) -> Option<PathEnd>,
+    ) {
         let site = self.first.len() as u32;
         self.first.push(NONE);
         self.farthest.push(NONE);
@@ -56,9 +61,9 @@ impl Cells {
             if !self.seen.mark(sample) {
                 continue;
             }
-            let Some(Foot { distance: d, pseudo_source, .. }) = foot(at) else { continue };
+            let Some(PathEnd { distance: d, pseudo_source, .. }) = path_end(at) else { continue };
             let known = self.distance[at];
-            // The path to a scout of the cell crosses triangles, none of whose corners is farther from it than an edge.
+            // The path to a scout of the cell crosses only triangles whose corners are at most an edge farther from the site.
             if d < known + 2.0 * scouts.reach[at] {
                 self.stack.extend(scouts.graph.of(at));
             }
@@ -67,7 +72,7 @@ impl Cells {
                 if loser != NONE && !losers.contains(&loser) {
                     losers.push(loser);
                 }
-                (self.nearest[at], self.distance[at], self.apex[at]) = (site, d, pseudo_source);
+                (self.nearest[at], self.distance[at], self.pseudo_source[at]) = (site, d, pseudo_source);
                 if d > radius {
                     (farthest, radius) = (sample, d);
                 }
@@ -77,13 +82,13 @@ impl Cells {
             first = self.release(loser, site, first);
         }
         if losers.is_empty() && farthest != NONE {
-            // The first site of an island: no list to take scouts from.
+            // The first site of an island: there is no list to take scouts from.
             first = self.collect(site);
         }
         (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
     }
 
-    /// Moves the scouts that `site` took from `loser` to the list that begins with `first`.
+    /// Moves the scouts that `site` took from `loser` to the list that begins with `first`. Returns the new first.
     fn release(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
         let (mut kept, mut farthest, mut radius) = (NONE, NONE, -1.0);
         let mut sample = self.first[loser as usize];
@@ -111,7 +116,7 @@ impl Cells {
         first
     }
 
-    /// Whether the last insertion saw these scouts. The last cell enters no triangle that has others.
+    /// Whether the last insertion visited all three scouts. The new cell has no point in any other triangle.
     pub(crate) fn saw(&self, scouts: [u32; 3]) -> bool {
         scouts.iter().all(|&at| self.seen.has(at))
     }
@@ -122,7 +127,7 @@ impl Cells {
         std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
     }
 
-    /// The farthest scout of a cell. A cell between the scouts has none.
+    /// The farthest scout of a cell; `None` for a cell that contains no scout.
     pub(crate) fn farthest_sample(&self, site: usize) -> Option<usize> {
         (self.farthest[site] != NONE).then_some(self.farthest[site] as usize)
     }

@@ -34,7 +34,7 @@ pub(super) struct Contacts {
 impl Contacts {
     /// The widest that are still open, more than one where there is a tie; empty where there is none.
     pub(super) fn widest(&mut self, regions: &Regions) -> Vec<FarPoint> {
-        let real_sites = regions.sites.iter().filter(|site| site.origin.is_real()).count();
+        let real_sites = regions.sites.iter().filter(|site| site.kind.is_real()).count();
         if self.real_sites != real_sites {
             *self = Self { list: regions.contacts(), real_sites, sites: regions.sites.len() };
         }
@@ -71,7 +71,7 @@ impl Regions<'_> {
         let sites = of_a.into_iter().flat_map(move |s| of_b.clone().into_iter().map(move |t| [s, t]));
         sites.filter_map(move |[s, t]| {
             let (a, b) = (&self.sites[s], &self.sites[t]);
-            let are_apart = s != t && self.is_obstacle(t, a.island, self.body(a.origin));
+            let are_apart = s != t && self.is_obstacle(t, a.island, self.body(a.kind));
             are_apart.then(|| self.on_border(self.between(scouts, a, b), a, b)).flatten()
         })
     }
@@ -81,7 +81,7 @@ impl Regions<'_> {
         let (place, p) = (self.scouts.places[scout], self.scouts.mesh.vertices[scout]);
         let within = self.cells.distance[scout] * (1.0 + TIE);
         let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(place, p) <= within;
-        let real = self.sites.iter().enumerate().filter(|(_, site)| site.origin.is_real());
+        let real = self.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
         real.filter(|(_, site)| is_near(site)).map(|(at, _)| at).collect()
     }
 
@@ -108,6 +108,6 @@ impl Regions<'_> {
             place = self.navigation.place(p)?;
         }
         let (distance, site) = self.nearest(place, p)?;
-        site.origin.is_real().then_some(FarPoint { at: p, place, distance })
+        site.kind.is_real().then_some(FarPoint { at: p, place, distance })
     }
 }

@@ -1,14 +1,18 @@
 //! The farthest points of a cell in a triangle.
 //!
-//! The distance to a site is the least of a few cones `offset + |p − pseudo_source|`. In a triangle a cell's farthest point lies
-//! where cones meet: three of them, or two on an edge; or in a corner. A sequence of linear programs finds it: each step climbs one
-//! of the site's cones as far as the tangent planes say that it stays the least of all. It converges as Newton's method does.
+//! The distance to a site is the minimum of a few cones `offset + |p − pseudo_source|`. In a triangle a cell's farthest point
+//! lies where cones intersect: three of them, or two on an edge; or at a corner. A sequence of linear programs (each cone
+//! replaced by its tangent plane, as in successive linear programming) finds it: each step ascends one of the site's cones as
+//! far as, by the tangent planes, it remains the minimum. It converges as Newton's method does.
 //!
 //! So the places of virtual sites hardly depend on where the scouts happen to lie.
+//!
+//! Cost: for each of about five steps all pairs of cones, or for more than [`MAX_SIDES_IN_PAIRS`] cones a few passes over
+//! them.
 
 use glam::DVec2;
 
-/// A cone `offset + |p − apex|`: the distance by way of one pseudo-source.
+/// A cone `offset + |p − apex|`: the length of the paths that bend last at one pseudo-source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cone {
     pub(super) apex: DVec2,
@@ -25,41 +29,43 @@ impl Cone {
     }
 }
 
-/// The cones that see a place.
+/// The cones at a place.
 #[derive(Debug)]
 pub(super) struct Cones {
-    /// Those of the cell's own site.
+    /// Cones of the cell's own site.
     pub(super) own: Vec<Cone>,
-    /// Those of others.
+    /// Cones of other sites.
     pub(super) others: Vec<Cone>,
 }
 
-/// Cones that there is room for from the beginning; a few meet, as a rule.
-const ROOM: usize = 16;
-/// Steps at most. Three meeting cones take five; more are only spent where cones touch.
-const STEPS: usize = 16;
-/// A step shorter than this share of the longest edge ends the climb.
+/// Initial capacity for cones; usually only a few meet.
+const CAPACITY: usize = 16;
+/// Greatest number of steps. Three meeting cones take five; more are spent only where cones touch.
+const MAX_STEPS: usize = 16;
+/// A step shorter than this share of the longest edge ends the ascent.
 const CONVERGED: f64 = 1e-12;
-/// Where cones meet at a small angle, rounding keeps steps longer than that; beyond this share the climb has failed.
-const SETTLED: f64 = 1e-6;
+/// Where cones meet at a small angle, rounding keeps steps longer than that; an ascent whose last step is longer than this
+/// share has failed.
+const ACCEPTED: f64 = 1e-6;
 
-/// Climbs a cell's own cones where they are the least of all, in a triangle that winds positively. `cones_at` puts down the cones that
-/// see a place. Where two ways lead as far, as they do from an axis of symmetry, it goes both. Empty where nothing is found.
-pub(super) fn climb(corners: &[DVec2; 3], from: DVec2, mut cones_at: impl FnMut(DVec2, &mut Cones)) -> Vec<DVec2> {
-    let first = climb_one(corners, from, &mut cones_at, Fork::First);
-    let other = first.filter(|&(_, forked)| forked).and_then(|_| climb_one(corners, from, &mut cones_at, Fork::Last));
-    first.into_iter().chain(other).map(|(top, _)| top).collect()
+/// Ascends a cell's own cones where they are the minimum of all, in a triangle of positive orientation. `cones_at` lists the
+/// cones at a place. Where two ascents lead equally far, as from an axis of symmetry, it follows both. Empty where none
+/// converges.
+pub(super) fn ascend(corners: &[DVec2; 3], from: DVec2, mut cones_at: impl FnMut(DVec2, &mut Cones)) -> Vec<DVec2> {
+    let first = ascend_once(corners, from, &mut cones_at, Fork::First);
+    let other = first.filter(|&(_, forked)| forked).and_then(|_| ascend_once(corners, from, &mut cones_at, Fork::Last));
+    first.into_iter().chain(other).map(|(maximum, _)| maximum).collect()
 }
 
-/// Which of several steps that go as far is taken.
+/// Which of several equally good steps is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Fork {
     First,
     Last,
 }
 
-/// One way up, and whether there was another.
-fn climb_one(
+/// One ascent, and whether there was another.
+fn ascend_once(
     corners: &[DVec2; 3],
     from: DVec2,
     cones_at: &mut impl FnMut(DVec2, &mut Cones),
@@ -68,28 +74,29 @@ fn climb_one(
     let [a, b, c] = *corners;
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let (mut p, mut forked) = (from, false);
-    let mut cones = Cones { own: Vec::with_capacity(ROOM), others: Vec::with_capacity(ROOM) };
-    let mut sides = Vec::with_capacity(2 * ROOM);
+    let mut cones = Cones { own: Vec::with_capacity(CAPACITY), others: Vec::with_capacity(CAPACITY) };
+    let mut sides = Vec::with_capacity(2 * CAPACITY);
     let mut last = f64::INFINITY;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         cones.own.clear();
         cones.others.clear();
         cones_at(p, &mut cones);
-        // Of several own cones the one on which the way leads farther: they meet where paths on both sides of a hole are as long.
+        // Of several own cones the one whose step leads farthest: they meet where paths on both sides of a hole are equally
+        // long.
         let mut best: Option<(f64, DVec2, bool)> = None;
         for cone in &cones.own {
             let (value, gradient) = (cone.value(p), cone.gradient(p));
-            // How far a step within the triangle goes in a direction, at most.
-            let room = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, f64::max);
+            // The greatest component of a step within the triangle in a direction.
+            let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, f64::max);
             let side = |other: &Cone| {
-                let side = Side::new(gradient, gradient - other.gradient(p), other.value(p) - value);
-                (side.limit < room(side.normal)).then_some(side)
+                let side = Constraint::new(gradient, gradient - other.gradient(p), other.value(p) - value);
+                (side.limit < extent(side.normal)).then_some(side)
             };
             sides.clear();
             sides.extend(cones.others.iter().chain(&cones.own).filter(|other| *other != cone).filter_map(side));
             sides.extend([(a, b), (b, c), (c, a)].map(|(from, to)| {
                 let normal = -(to - from).normalize().perp();
-                Side::new(gradient, normal, normal.dot(from - p))
+                Constraint::new(gradient, normal, normal.dot(from - p))
             }));
             let Some((step, other)) = farthest_step(gradient, &sides, longest, fork) else { continue };
             let reached = value + gradient.dot(step);
@@ -105,58 +112,59 @@ fn climb_one(
             break;
         }
     }
-    (last <= SETTLED * longest).then_some((p, forked))
+    (last <= ACCEPTED * longest).then_some((p, forked))
 }
 
-/// The condition `normal · step ≤ limit`.
+/// The constraint `normal · step ≤ limit`.
 #[derive(Debug, Clone, Copy)]
-struct Side {
+struct Constraint {
     normal: DVec2,
     limit: f64,
-    /// On which side of the direction of the climb the normal stands: positive to the left.
+    /// Constraint of the ascent direction on which the normal lies: positive to the left.
     turn: f64,
 }
 
-impl Side {
+impl Constraint {
     fn new(direction: DVec2, normal: DVec2, limit: f64) -> Self {
         Self { normal, limit, turn: direction.perp_dot(normal) }
     }
 }
 
-/// Sides whose normals stand to the left and to the right of a direction; along it within this sine, both.
-const ALONG: f64 = 1e-5;
-/// Steps differ, and gains do not, by this share of the reach.
+/// Constraints count as left or right of the direction by their normal; within this sine of it, as both.
+const ALONG_SINE: f64 = 1e-5;
+/// Steps differ by more than this share of the reach; gains are equal within the other.
 const SAME_STEP: f64 = 1e-6;
 const SAME_GAIN: f64 = 1e-12;
 
-/// Conditions are met within this share of the reach.
-const SLACK: f64 = 1e-12;
-/// Normals that span less are as good as parallel.
-const LEAST_AREA: f64 = 1e-9;
-/// With more sides, those that decide are found before pairs are tried. As pieces with more sites are divided, there are only so many where
-/// as many sites are on one circle.
-const MANY: usize = 32;
+/// Constraints are satisfied within this share of the reach.
+const FEASIBLE: f64 = 1e-12;
+/// Normals that span a smaller area count as parallel.
+const PARALLEL_AREA: f64 = 1e-9;
+/// With more constraints than this, the active ones are selected first, by an incremental linear program. Pieces with many
+/// sites are subdivided, so this happens only where many sites lie on one circle.
+const MAX_SIDES_IN_PAIRS: usize = 32;
 
-/// The step that goes farthest in a direction under all conditions: the best of the corners that two of them make. Also tells
-/// whether another goes as far. The last three sides are those of a triangle.
-fn farthest_step(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
-    if sides.len() > MANY {
-        best_corner(direction, &deciding(direction, sides, reach)?, reach, fork)
+/// The step that goes farthest in a direction under all constraints: the best vertex of the feasible polygon, and whether
+/// another is equally good. The last three sides are those of a triangle.
+fn farthest_step(direction: DVec2, sides: &[Constraint], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
+    if sides.len() > MAX_SIDES_IN_PAIRS {
+        best_corner(direction, &active_constraints(direction, sides, reach)?, reach, fork)
     } else {
         best_corner(direction, sides, reach, fork)
     }
 }
 
-/// The best corner, found by trying all pairs. Cost: their number, and for those that may be the best a look at every side.
-fn best_corner(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
-    let slack = SLACK * reach;
+/// The best vertex, by trying all pairs of constraints. Cost: the number of pairs, and a pass over all constraints for each
+/// candidate.
+fn best_corner(direction: DVec2, sides: &[Constraint], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
+    let slack = FEASIBLE * reach;
     let mut best: Option<(f64, DVec2, bool)> = None;
     for (i, a) in sides.iter().enumerate() {
         for b in &sides[i + 1..] {
             let area = a.normal.perp_dot(b.normal);
-            // A corner is the best where the direction lies between the normals of its sides.
+            // A vertex is optimal where the direction lies between the normals of its two constraints.
             let (right, left) = if area > 0.0 { (a, b) } else { (b, a) };
-            if area.abs() < LEAST_AREA || right.turn > ALONG || left.turn < -ALONG {
+            if area.abs() < PARALLEL_AREA || right.turn > ALONG_SINE || left.turn < -ALONG_SINE {
                 continue;
             }
             let step = corner(a, b);
@@ -178,18 +186,18 @@ fn best_corner(direction: DVec2, sides: &[Side], reach: f64, fork: Fork) -> Opti
     best.map(|(_, step, forked)| (step, forked))
 }
 
-/// Where two sides meet.
-fn corner(a: &Side, b: &Side) -> DVec2 {
+/// The intersection of two constraint lines.
+fn corner(a: &Constraint, b: &Constraint) -> DVec2 {
     (a.limit * -b.normal.perp() + b.limit * a.normal.perp()) / a.normal.perp_dot(b.normal)
 }
 
-/// Of many sides, in their order, those that the best corner is made of and those that end its two edges, with some more: as good as all.
-/// None where no step meets all conditions.
+/// Of many constraints, in their order, those that bound the best vertex and its two edges, and a few more: equivalent to
+/// all. `None` where no step satisfies all.
 ///
-/// A linear programme: from the best corner of the triangle, the side that it is beyond most is added until it is beyond none. Cost: a look
-/// at every side for each that is added, a handful as a rule.
-fn deciding(direction: DVec2, sides: &[Side], reach: f64) -> Option<Vec<Side>> {
-    let slack = SLACK * reach;
+/// An incremental linear program: from the best corner of the triangle, the most violated constraint is added until none is
+/// violated. Cost: a pass over all constraints for each added, usually a handful.
+fn active_constraints(direction: DVec2, sides: &[Constraint], reach: f64) -> Option<Vec<Constraint>> {
+    let slack = FEASIBLE * reach;
     let (first, gain) = (sides.len() - 3, |&[i, j]: &[usize; 2]| direction.dot(corner(&sides[i], &sides[j])));
     let mut chosen: Vec<usize> = (first..sides.len()).collect();
     let of_triangle = [[first, first + 1], [first + 1, first + 2], [first, first + 2]];
@@ -201,7 +209,7 @@ fn deciding(direction: DVec2, sides: &[Side], reach: f64) -> Option<Vec<Side>> {
         if beyond(&worst) <= slack || chosen.contains(&worst) {
             break;
         }
-        // The best corner of more sides is on the one that was missing.
+        // The best vertex with one more constraint lies on that constraint.
         let [low, high] = edge(sides, worst, chosen.iter().copied(), slack)?;
         best = [worst, if direction.dot(sides[worst].normal.perp()) > 0.0 { high } else { low }];
         chosen.push(worst);
@@ -214,18 +222,18 @@ fn deciding(direction: DVec2, sides: &[Side], reach: f64) -> Option<Vec<Side>> {
     Some(chosen.into_iter().map(|at| sides[at]).collect())
 }
 
-/// The two of `others` that end the edge on a side, first the one on the right of its normal. None where no point of the side meets the
-/// conditions of all others.
-fn edge(sides: &[Side], side: usize, others: impl Iterator<Item = usize>, slack: f64) -> Option<[usize; 2]> {
-    let Side { normal, limit, .. } = sides[side];
+/// The two of `others` that bound the edge on a constraint, first the one to the right of its normal. `None` where no point
+/// of the edge satisfies all others.
+fn edge(sides: &[Constraint], side: usize, others: impl Iterator<Item = usize>, slack: f64) -> Option<[usize; 2]> {
+    let Constraint { normal, limit, .. } = sides[side];
     let (from, along) = (normal * (limit / normal.length_squared()), normal.perp());
     let (mut low, mut high) = ((f64::NEG_INFINITY, None), (f64::INFINITY, None));
     for at in others {
         let rise = sides[at].normal.dot(along);
         let end = (sides[at].limit + slack - sides[at].normal.dot(from)) / rise;
-        if rise >= LEAST_AREA && end < high.0 {
+        if rise >= PARALLEL_AREA && end < high.0 {
             high = (end, Some(at));
-        } else if rise <= -LEAST_AREA && end > low.0 {
+        } else if rise <= -PARALLEL_AREA && end > low.0 {
             low = (end, Some(at));
         }
     }
@@ -236,9 +244,9 @@ fn edge(sides: &[Side], side: usize, others: impl Iterator<Item = usize>, slack:
 mod tests {
     use super::*;
 
-    /// Where climbs in a triangle end, the first cone being the cell's own.
-    fn tops(corners: [(f64, f64); 3], from: (f64, f64), cones: &[Cone]) -> Vec<DVec2> {
-        climb(&corners.map(DVec2::from), from.into(), |_, seen| {
+    /// The maxima found in a triangle, the first cone being the cell's own.
+    fn maxima(corners: [(f64, f64); 3], from: (f64, f64), cones: &[Cone]) -> Vec<DVec2> {
+        ascend(&corners.map(DVec2::from), from.into(), |_, seen| {
             seen.own.extend(&cones[..1]);
             seen.others.extend(&cones[1..]);
         })
@@ -260,7 +268,7 @@ mod tests {
         let mut cones = [on_circle(1.0, 0.0), on_circle(-0.6, 0.8), on_circle(-0.6, -0.8)];
         for _ in 0..3 {
             cones.rotate_left(1);
-            let found = tops([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
+            let found = maxima([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
             assert!(found.len() == 1 && found[0].distance(centre) < 1e-12, "{found:?}");
         }
     }
@@ -272,13 +280,13 @@ mod tests {
         let mut cones: Vec<Cone> = (0..360).map(around).collect();
         for _ in 0..3 {
             cones.rotate_left(95);
-            let found = tops([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
-            assert!(!found.is_empty() && found.iter().all(|top| top.distance(centre) < 1e-9), "{found:?}");
+            let found = maxima([(-5.0, -5.0), (15.0, 0.0), (0.0, 15.0)], (6.0, 2.0), &cones);
+            assert!(!found.is_empty() && found.iter().all(|maximum| maximum.distance(centre) < 1e-9), "{found:?}");
         }
     }
 
     #[test]
-    fn few_sides_decide_and_the_best_corner_is_that_of_all() {
+    fn few_constraints_are_active_and_the_best_corner_is_that_of_all() {
         let mut seed = 1_u32;
         let mut share = move || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -287,18 +295,19 @@ mod tests {
         let mut most = 0;
         for round in 0..200 {
             let direction = unit(7.0 * share());
-            // Every other round all are nearly of one circle, with the step at its centre; every fourth one is level.
+            // In every other round all sources are nearly on one circle, with the step at its centre; in every fourth round
+            // one constraint is level.
             let spread = if round % 2 == 0 { 1.0 } else { 1e-13 };
-            let mut sides: Vec<Side> = (0..60)
-                .map(|_| Side::new(direction, direction - unit(7.0 * share()), spread * share() + 0.05))
+            let mut sides: Vec<Constraint> = (0..60)
+                .map(|_| Constraint::new(direction, direction - unit(7.0 * share()), spread * share() + 0.05))
                 .collect();
             if round % 4 == 0 {
-                sides[7] = Side::new(direction, direction, 0.06);
+                sides[7] = Constraint::new(direction, direction, 0.06);
             }
             for corner in [(1.0, 0.2), (-0.5, 0.9), (-0.5, -0.9)] {
-                sides.push(Side::new(direction, DVec2::from(corner).normalize(), 1.0));
+                sides.push(Constraint::new(direction, DVec2::from(corner).normalize(), 1.0));
             }
-            let few = deciding(direction, &sides, 3.0).expect("all limits are above 0");
+            let few = active_constraints(direction, &sides, 3.0).expect("all limits are above 0");
             most = most.max(few.len());
             for fork in [Fork::First, Fork::Last] {
                 let [all, found] =
@@ -312,9 +321,9 @@ mod tests {
     }
 
     #[test]
-    fn two_ways_that_lead_as_far_are_both_gone() {
+    fn two_equally_good_ascents_are_both_followed() {
         let cones = [cone(0.0, 0.0, 0.0), cone(0.0, 100.0, 0.0), cone(-60.0, 30.0, 0.0), cone(60.0, 30.0, 0.0)];
-        let found = tops([(-40.0, 20.0), (40.0, 20.0), (0.0, 80.0)], (0.0, 45.0), &cones);
+        let found = maxima([(-40.0, 20.0), (40.0, 20.0), (0.0, 80.0)], (0.0, 45.0), &cones);
         let &[one, other] = &found[..] else { panic!("two ways: {found:?}") };
         assert!(one.distance(DVec2::new(-other.x, other.y)) < 1e-9 && one.x.abs() > 5.0, "{one} and {other}");
     }
@@ -322,22 +331,24 @@ mod tests {
     #[test]
     fn two_sources_meet_halfway_along_an_edge() {
         let found =
-            tops([(4.0, 0.0), (7.0, 0.0), (5.0, 2.0)], (5.5, 0.5), &[cone(0.0, 5.0, 0.0), cone(10.0, 5.0, 0.0)]);
+            maxima([(4.0, 0.0), (7.0, 0.0), (5.0, 2.0)], (5.5, 0.5), &[cone(0.0, 5.0, 0.0), cone(10.0, 5.0, 0.0)]);
         assert!(found.len() == 1 && found[0].distance(DVec2::new(5.0, 0.0)) < 1e-12, "{found:?}");
     }
 
     #[test]
     fn a_cell_ends_where_a_neighbour_is_as_near_though_distances_go_on_to_rise() {
-        let found = tops([(3.0, 0.0), (8.0, 0.0), (4.0, 0.5)], (4.0, 0.1), &[cone(0.0, 0.0, 3.0), cone(0.0, 5.0, 0.0)]);
+        let found =
+            maxima([(3.0, 0.0), (8.0, 0.0), (4.0, 0.5)], (4.0, 0.1), &[cone(0.0, 0.0, 3.0), cone(0.0, 5.0, 0.0)]);
         // 3 + s = √(s² + 25), and s = 16 / 6, which lies before the edge begins: nothing of the cell is in the triangle.
         assert!(found.is_empty(), "{found:?}");
-        let found = tops([(1.0, 0.0), (8.0, 0.0), (2.0, 0.5)], (2.0, 0.1), &[cone(0.0, 0.0, 3.0), cone(0.0, 5.0, 0.0)]);
+        let found =
+            maxima([(1.0, 0.0), (8.0, 0.0), (2.0, 0.5)], (2.0, 0.1), &[cone(0.0, 0.0, 3.0), cone(0.0, 5.0, 0.0)]);
         assert!(found.len() == 1 && found[0].distance(DVec2::new(16.0 / 6.0, 0.0)) < 1e-12, "{found:?}");
     }
 
     #[test]
     fn alone_a_cone_is_farthest_in_a_corner() {
-        let found = tops([(3.0, 0.0), (8.0, 1.0), (4.0, 2.0)], (5.0, 1.0), &[cone(0.0, 0.0, 0.0)]);
+        let found = maxima([(3.0, 0.0), (8.0, 1.0), (4.0, 2.0)], (5.0, 1.0), &[cone(0.0, 0.0, 0.0)]);
         assert_eq!(found, [DVec2::new(8.0, 1.0)]);
     }
 }

@@ -1,15 +1,19 @@
-//! Sites: the origins h_i of real handles, and the virtual ones that Algorithm 1 adds (paper, sections III-B and IV-A).
+//! Sites: the locations h_i of real handles, and the virtual sites that Algorithm 1 adds (sections III-B and IV-A).
+//!
+//! The modules: distances and cells while sites are inserted (`regions`, `cells`), the farthest points of cells (`summit`,
+//! `piece`, `farthest`), sites along bars and a held outline (`tessellation`, section V-D), Algorithm 1 (`virtual_sites`,
+//! `contacts`), the cell graph (`graph`, section IV-B).
 
 mod cells;
 mod contacts;
 mod farthest;
 mod graph;
-mod marks;
 mod piece;
 mod regions;
 mod summit;
 mod tessellation;
 mod virtual_sites;
+mod visit_stamps;
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -20,48 +24,47 @@ pub use graph::SiteGraph;
 pub(crate) use regions::{Obstacles, Regions};
 pub(crate) use virtual_sites::{allowed_score, insert_virtual_sites, score};
 
-/// Sites closer than this, in pixels, count as one spot.
+/// Sites closer than this, in pixels, coincide.
 pub const MIN_SEPARATION: f64 = 0.01;
-/// Most handles in one solve.
+/// Greatest number of handles in one solve.
 pub const MAX_HANDLES: usize = 1000;
-/// Most sites, real and virtual, in one solve.
+/// Greatest number of sites, real and virtual, in one solve.
 pub const MAX_SITES: usize = 8192;
 
-/// A cell may be larger than its site's separation by this factor, where no real site is in the way. See
-/// [`Site::reach_limit`].
+/// Greatest cell radius over its site's separation, where no real site limits it. See [`Site::reach_limit`].
 const GRADING: f64 = 1.7;
-/// A cell in a nook may reach this much farther than bones are clear of its site. See [`Site::in_nook`].
-const INTO_NOOK: f64 = 1.1;
+/// Greatest cell radius in a nook, over the clearance of its site. See [`Site::in_nook`].
+const NOOK_GRADING: f64 = 1.1;
 
-/// What a site is there for.
+/// The kind of a site, with the handle that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Origin {
+pub enum SiteKind {
     /// A point handle.
     Point {
         /// Its index in the project.
         handle: u32,
     },
-    /// A bar or polygon handle: one of the places that stand for a straight piece of it.
+    /// A bar or polygon handle: one of the sites along a straight piece of it.
     Bone {
         /// Its index in the project.
         handle: u32,
-        /// Number of the piece.
+        /// Index of the piece.
         bone: u32,
     },
-    /// The outline, where the project holds it.
+    /// The outline, where the project fixes it.
     Boundary,
-    /// Algorithm 1.
+    /// Inserted by Algorithm 1.
     Virtual,
 }
 
-impl Origin {
-    /// Whether the site moves as the person says, and not as its neighbours do.
+impl SiteKind {
+    /// Whether the handles set the site's motion: not virtual.
     #[must_use]
     pub fn is_real(self) -> bool {
         self != Self::Virtual
     }
 
-    /// The project's handle that it belongs to.
+    /// Index of the project's handle that the site belongs to.
     #[must_use]
     pub fn handle(self) -> Option<usize> {
         match self {
@@ -71,29 +74,29 @@ impl Origin {
     }
 }
 
-/// A site with its cell. Lengths in pixels.
+/// A site with its cell and its support. Lengths in pixels.
 ///
-/// The sites of connected bones, and those of a held outline, are one body: they may reach over one another, and for them
-/// others are only those outside it.
+/// The sites of connected bones are one body, and so are those of a held outline: their supports may overlap one another, and
+/// the `other` sites below are those outside the body.
 #[derive(Debug, Clone)]
 pub struct Site {
-    /// h_i, at rest.
+    /// h_i: the rest place.
     pub rest: DVec2,
-    /// What it is there for.
-    pub origin: Origin,
-    /// Distance to the nearest other site or bone, r_h; infinite where an island has no other.
+    /// Its kind.
+    pub kind: SiteKind,
+    /// r_h: distance to the nearest other site or bone; infinite where the island has no other.
     pub separation: f64,
-    /// Distance to the nearest other point handle, bone or held outline; infinite where there is none.
+    /// Distance to the nearest other point handle, bone or held outline; infinite where the island has none.
     pub clearance: f64,
-    /// Distance to the farthest point of the cell, r_d.
+    /// r_d: distance to the farthest point of the cell.
     pub cell_radius: f64,
-    /// Where φ reaches zero, r_i.
+    /// r_i: the distance at which φ reaches zero.
     pub support_radius: f64,
-    /// Whether it is of no body and stands close between two bones that meet at a shallow angle.
+    /// Whether the site is of no body and lies between two bones that meet at a shallow angle, close to both.
     ///
-    /// Its support is clear of both. Towards their joint sites of theirs end its cell, and however many those are, the cell
-    /// reaches as far as the support, about: with a margin, virtual sites would follow one another into the joint without end. So
-    /// the cell may reach a little farther. Supports of the two bones cover what is left, as they may reach over one another.
+    /// Its support keeps clear of both bones. Towards their joint its cell ends at the bones' sites, and however many these
+    /// are, the cell reaches about as far as the support: with a margin, Algorithm 1 would insert sites towards the joint
+    /// without end. So the cell may reach a little farther. The supports of the two bones, which may overlap, cover the rest.
     pub(crate) in_nook: bool,
     pub(crate) island: usize,
     pub(crate) place: Place,
@@ -101,16 +104,16 @@ pub struct Site {
 }
 
 impl Site {
-    /// How far the site's support may reach, and so, how large its cell may be.
+    /// The greatest radius of the site's support, and so of its cell.
     ///
-    /// The paper's condition (3) asks for r_d ≤ r_h: a support covers its cell and stays clear of every other site. Met by
-    /// Algorithm 1 to the letter, it makes all cells alike: two handles 10 px apart on a picture of 1,000 px draw 1,000
-    /// virtual sites after them, and two 5 px apart more than 20,000. But interpolation is owed to real handles only. So
-    /// supports must stay clear of real sites, and may reach over virtual ones by a factor of [`GRADING`]. As the sites that
-    /// Algorithm 1 inserts are then farther apart than those that ask for them, by that factor, cells grow with the distance
-    /// from a close pair and their number with the logarithm of the gap (as in Ruppert's Delaunay refinement, 1995).
+    /// The paper's condition r_d ≤ r_h (eq. 3) makes a support cover its cell and keep clear of every other site. Met by
+    /// Algorithm 1 to the letter, it makes all cells alike: two handles 10 px apart on a picture of 1,000 px cause 1,000
+    /// virtual sites, and two 5 px apart more than 20,000. But interpolation is required at real handles only. So supports
+    /// must keep clear of real sites, and may reach over virtual ones by a factor of [`GRADING`]. The sites that Algorithm 1
+    /// inserts are then farther apart by that factor than those that cause them, so cells grow with the distance from a close
+    /// pair, and their number with the logarithm of the gap (as in Ruppert's Delaunay refinement, 1995).
     pub(crate) fn reach_limit(&self) -> f64 {
-        let clearance = if self.in_nook { INTO_NOOK * self.clearance } else { self.clearance };
+        let clearance = if self.in_nook { NOOK_GRADING * self.clearance } else { self.clearance };
         (GRADING * self.separation).min(clearance)
     }
 }

@@ -1,21 +1,22 @@
-//! Sites along bones and along a held outline (paper, section V-D, and its conclusion's wish for a local strategy).
+//! Sites along bones and along a held outline (section V-D; locally adapted, which the paper's conclusion leaves to future
+//! work).
 //!
-//! The paper divides all bars into pieces as long as the least distance between any two handles. Here sites are as far apart as
-//! their own reach allows, so that one close pair somewhere costs sites there alone: where a gap is larger than a share of the
-//! reach of the sites at its ends, a site enters in its middle. Supports then overlap by so much that a bar weighs the same
-//! all along, within a few per cent. It goes on while Algorithm 1 inserts sites around.
+//! The paper divides all bars into pieces as long as the least distance between any two handles. Here the gap between sites
+//! depends on their own reach, so that a close pair costs sites in its surroundings only: where a gap is larger than a share
+//! of the reach of the sites at its ends, a site enters at its midpoint. Supports then overlap so far that the weight of a
+//! bar is constant along it within a few per cent. Gaps are checked again whenever Algorithm 1 has inserted sites.
 //!
-//! A virtual site must keep clear of the whole of a bone, not of its sites alone. One that would be much nearer to the bone than
-//! to any site is not inserted: the bone gets a site there instead, as in Ruppert's Delaunay refinement (1995) a segment is
-//! split that a new vertex encroaches on. Without this, ever smaller sites would crowd before the gaps.
+//! A virtual site must keep clear of the whole bone, not of its sites alone. One that would be much nearer to the bone than
+//! to any site is not inserted: the bone gets a site there instead, as Ruppert's Delaunay refinement (1995) splits a segment
+//! that a new vertex encroaches on. Without this, ever smaller cells would crowd before the gaps.
 //!
-//! Sites of a bone stand clear of its ends by half a gap, and so the same distance apart across a joint. At the joint itself one
-//! would be of one bone, and the other would get none.
+//! Sites of a bone keep half a gap from its ends, and so a whole gap across a joint. A site at the joint itself would belong
+//! to one bone, and the other would get none.
 
 use glam::DVec2;
 
 use super::{
-    MAX_SITES, Origin,
+    MAX_SITES, SiteKind,
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
@@ -27,37 +28,37 @@ use crate::{
 };
 
 /// Greatest gap over the reach of the sites at its ends.
-const GAP: f64 = 0.5;
-/// Corners of a held outline that turn by more than this (cosine) get a site each: 20°.
-const TURN: f64 = 0.94;
+const MAX_GAP: f64 = 0.5;
+/// Corners of a held outline at which the cosine of the turning angle is below this get a site each: more than 20°.
+const SHARP_COSINE: f64 = 0.94;
 
-/// So near to all others, in pixels, no site is asked for but by rounding, and there would be no end of it.
-const NOTHING: f64 = 1e-9;
-/// A virtual site is at least this share as far from a bone or held outline as from the nearest site.
-const CLEAR: f64 = 0.9;
-/// A site on a bone this share of the distance away from where one is wanted is good enough.
-const THERE: f64 = 0.05;
+/// A site closer to another than this, in pixels, is requested only because of rounding, and insertion would not end.
+const MIN_SPACING_PX: f64 = 1e-9;
+/// Least distance of a virtual site from a bone or held outline, over its distance from the nearest site.
+const LINE_CLEARANCE: f64 = 0.9;
+/// A site on a bone serves for a wanted place within this share of the distance.
+const NEAR_ENOUGH: f64 = 0.05;
 
 /// A line with sites on it.
 pub(super) struct Chain {
-    origin: Origin,
+    kind: SiteKind,
     corners: Vec<DVec2>,
-    /// Length of the line before each corner, and at last all of it.
+    /// Arc length at each corner, and at the end.
     lengths: Vec<f64>,
     closed: bool,
-    /// Sites and the length of the line before each, ascending.
+    /// Arc length and index of each site, ascending.
     sites: Vec<(f64, usize)>,
 }
 
 impl Chain {
-    fn new(origin: Origin, corners: Vec<DVec2>, closed: bool) -> Self {
+    fn new(kind: SiteKind, corners: Vec<DVec2>, closed: bool) -> Self {
         let n = corners.len();
         let edges = if closed { n } else { n - 1 };
         let mut lengths = vec![0.0];
         for i in 0..edges {
             lengths.push(lengths[i] + corners[i].distance(corners[(i + 1) % n]));
         }
-        Self { origin, corners, lengths, closed, sites: Vec::new() }
+        Self { kind, corners, lengths, closed, sites: Vec::new() }
     }
 
     fn length(&self) -> f64 {
@@ -70,21 +71,21 @@ impl Chain {
         from.lerp(to, (length - self.lengths[edge]) / (self.lengths[edge + 1] - self.lengths[edge]))
     }
 
-    /// Where the first sites are.
+    /// Arc lengths of the first sites.
     fn start(&self) -> Vec<f64> {
         if !self.closed {
             return vec![self.length() / 2.0];
         }
         let n = self.corners.len();
-        let turns = |i: usize| {
+        let is_sharp = |i: usize| {
             let [before, at, after] = [i + n - 1, i, i + 1].map(|at| self.corners[at % n]);
-            (at - before).normalize().dot((after - at).normalize()) < TURN
+            (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE
         };
-        let sharp: Vec<f64> = (0..n).filter(|&i| turns(i)).map(|i| self.lengths[i]).collect();
+        let sharp: Vec<f64> = (0..n).filter(|&i| is_sharp(i)).map(|i| self.lengths[i]).collect();
         if sharp.is_empty() { self.lengths[..n].to_vec() } else { sharp }
     }
 
-    /// The place nearest to one `length` along the line that is clear of both ends, by a third of what is free there.
+    /// The arc length nearest to `length` that is clear of both ends, by a third of what is free there.
     fn clear_of_ends(&self, length: f64) -> f64 {
         if self.closed {
             return length;
@@ -93,8 +94,8 @@ impl Chain {
         length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
     }
 
-    /// The places of the line that are nearest to a point: its straight distance, and the lengths of the line before them. Of several as
-    /// near, those that are farther than `apart` from one another.
+    /// The straight distance from a point to the line, and the arc lengths of the nearest places. Of tied places, those
+    /// farther than `apart` from one another.
     fn nearest(&self, p: DVec2, apart: f64) -> (f64, Vec<f64>) {
         let n = self.corners.len();
         let feet: Vec<(DVec2, f64)> = (0..self.lengths.len() - 1)
@@ -119,10 +120,10 @@ impl Chain {
         self.sites.iter().any(|&(known, _)| (known - length).abs() < within)
     }
 
-    /// Where gaps are too large for the reach of the sites at their ends.
+    /// Arc lengths of new sites: in gaps that are too large for the reach of the sites at their ends.
     fn wanted(&self, reach: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut wanted = Vec::new();
-        let limit = |i: usize, j: usize| GAP * reach(self.sites[i].1).min(reach(self.sites[j].1));
+        let limit = |i: usize, j: usize| MAX_GAP * reach(self.sites[i].1).min(reach(self.sites[j].1));
         let last = self.sites.len() - 1;
         for i in 0..last {
             let (from, to) = (self.sites[i].0, self.sites[i + 1].0);
@@ -148,12 +149,12 @@ impl Chain {
     }
 }
 
-/// A site to be inserted.
+/// A site about to be inserted.
 struct NewSite {
     rest: DVec2,
     place: Place,
-    origin: Origin,
-    /// The chain that it is of, and the length of the chain before it.
+    kind: SiteKind,
+    /// The chain that the site belongs to, and its arc length there.
     on_chain: Option<(usize, f64)>,
 }
 
@@ -161,28 +162,28 @@ impl NewSite {
     fn of_chain(navigation: &Navigation, (at, chain): (usize, &Chain), length: f64) -> Self {
         let rest = chain.at(length);
         let place = navigation.place(rest).expect("lines lie in the domain");
-        Self { rest, place, origin: chain.origin, on_chain: Some((at, length)) }
+        Self { rest, place, kind: chain.kind, on_chain: Some((at, length)) }
     }
 }
 
 impl Regions<'_> {
-    /// Inserts the real sites: point handles (where, and index), and the first ones of bones and of a held outline, from top to
-    /// bottom.
+    /// Inserts the real sites: point handles (place and index), and the first sites of bones and of a held outline, from top
+    /// to bottom.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
     pub(crate) fn insert_real_sites(&mut self, points: &[(DVec2, Place, u32)]) -> Result<(), Error> {
         let navigation = self.navigation;
         let bones = self.obstacles.skeleton.bones.iter().enumerate().map(|(at, bone)| {
-            let origin = Origin::Bone { handle: bone.handle, bone: at as u32 };
-            Chain::new(origin, bone.rest.to_vec(), false)
+            let kind = SiteKind::Bone { handle: bone.handle, bone: at as u32 };
+            Chain::new(kind, bone.rest.to_vec(), false)
         });
         let rings = self.obstacles.held.map_or(&[][..], Domain::rings);
-        let outline = rings.iter().map(|ring| Chain::new(Origin::Boundary, ring.clone(), true));
+        let outline = rings.iter().map(|ring| Chain::new(SiteKind::Boundary, ring.clone(), true));
         self.chains = bones.chain(outline).collect();
         let of_points = points.iter().map(|&(rest, place, handle)| {
-            let origin = Origin::Point { handle };
-            NewSite { rest, place, origin, on_chain: None }
+            let kind = SiteKind::Point { handle };
+            NewSite { rest, place, kind, on_chain: None }
         });
         let of_chains = self.chains.iter().enumerate().flat_map(|chain| {
             let lengths = chain.1.start().into_iter();
@@ -193,7 +194,7 @@ impl Regions<'_> {
         self.tessellate()
     }
 
-    /// Closes the gaps between the sites of chains.
+    /// Inserts sites on chains until no gap is too large.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
@@ -212,21 +213,21 @@ impl Regions<'_> {
         }
     }
 
-    /// Inserts virtual sites at points, or, where one would be too near to a bone or held outline, a site of that. Tells how many
-    /// are virtual.
+    /// Inserts virtual sites at points, or, for a point too near to a bone or held outline, a site on that line. Returns the
+    /// number of virtual ones.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
     pub(super) fn insert_virtual(&mut self, points: &[FarPoint]) -> Result<usize, Error> {
         let (mut sites, mut count) = (Vec::new(), 0);
         for point in points {
-            if point.distance < NOTHING {
+            if point.distance < MIN_SPACING_PX {
                 return Err(Error::TooManySites);
             }
             let encroached = self.encroached_on(point);
             if encroached.is_empty() {
                 count += 1;
-                sites.push(NewSite { rest: point.at, place: point.place, origin: Origin::Virtual, on_chain: None });
+                sites.push(NewSite { rest: point.at, place: point.place, kind: SiteKind::Virtual, on_chain: None });
             }
             for (chain, length) in encroached {
                 sites.push(NewSite::of_chain(self.navigation, (chain, &self.chains[chain]), length));
@@ -236,12 +237,13 @@ impl Regions<'_> {
         Ok(count)
     }
 
-    /// The chain that a virtual site would be too near to, and the length of it before the nearest place that may have a site. Several
-    /// where they are as near, of one chain or of many.
+    /// The chains that a virtual site would encroach on, each with the arc length of the nearest place that may have a site.
+    /// Several where they are equally near, on one chain or on many.
     fn encroached_on(&mut self, point: &FarPoint) -> Vec<(usize, f64)> {
-        // In a nook the sites of bones are what ends a cell, so they come first.
+        // In a nook the sites of bones bound the cell, so they come first.
         let is_in_nook = self.is_in_nook(point.at, point.place, point.distance);
-        let (clear, there) = (if is_in_nook { 1.0 } else { CLEAR } * point.distance, THERE * point.distance);
+        let (clear, there) =
+            (if is_in_nook { 1.0 } else { LINE_CLEARANCE } * point.distance, NEAR_ENOUGH * point.distance);
         let mut near: Vec<(usize, f64, f64)> = Vec::new();
         for (at, chain) in self.chains.iter().enumerate() {
             let (distance, lengths) = chain.nearest(point.at, there);
@@ -255,8 +257,8 @@ impl Regions<'_> {
         }
         let field = self.field(point.at, point.place, clear);
         for (at, _, distance) in &mut near {
-            // Nothing is between a point and the nearest of the outline.
-            if let Origin::Bone { bone, .. } = self.chains[*at].origin {
+            // The straight line to the nearest point of the outline is not obstructed.
+            if let SiteKind::Bone { bone, .. } = self.chains[*at].kind {
                 *distance = self.obstacles.tracks[bone as usize].distance(&field);
             }
         }
@@ -270,13 +272,13 @@ impl Regions<'_> {
             return Err(Error::TooManySites);
         }
         sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
-        for NewSite { rest, place, origin, on_chain } in sites {
+        for NewSite { rest, place, kind, on_chain } in sites {
             if let Some((chain, length)) = on_chain {
                 let sites = &mut self.chains[chain].sites;
                 let at = sites.partition_point(|&(known, _)| known < length);
                 sites.insert(at, (length, self.sites.len()));
             }
-            self.insert(rest, place, origin);
+            self.insert(rest, place, kind);
         }
         Ok(())
     }

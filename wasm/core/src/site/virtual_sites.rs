@@ -1,16 +1,19 @@
-//! Algorithm 1, virtual handle insertion (paper, section IV-A).
+//! Algorithm 1, virtual handle insertion (section IV-A).
 //!
-//! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell. How far
-//! that is, [`Site::reach_limit`](super::Site::reach_limit), is less strict than the paper's r_d ≤ r_h for virtual sites.
-//! It is less strict too between two bones that meet at a shallow angle, [`Site::in_nook`](super::Site::in_nook).
-//! Three things are stricter:
+//! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell. The
+//! limit, [`Site::reach_limit`](super::Site::reach_limit), is less strict than the paper's r_d ≤ r_h for virtual sites, and
+//! between two bones that meet at a shallow angle, [`Site::in_nook`](super::Site::in_nook). Three conditions are stricter:
+//!
 //! - farthest points are those of the cell itself, not of its samples;
 //! - tied points, of one cell or of several, enter in one round, so that a symmetric scene stays symmetric;
 //! - the condition holds with a [`MARGIN`]: with r_d = r_h the farthest point of a cell has no weight at all.
 //!
-//! A new site is farther from all others than the site that asked for it is from its nearest, by a factor, or than that is
-//! from a real site; so sites cannot crowd without end. Between two handles 10 px and 0.01 px apart on a picture of 1,000 px
-//! the number of virtual sites grows from some 90 to some 300.
+//! A virtual site enters at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell it splits.
+//! So spacing cannot shrink without end: r_d is above 1.6 times the separation of that cell's site, or above 0.95 times its
+//! clearance. Between two handles on a picture of 1,000 px the number of virtual sites is some 90 for a gap of 10 px, and
+//! some 300 for 0.01 px.
+//!
+//! Cost: for each round the insertion of its sites (see `cells` and `piece`), and a heap of all cells.
 
 use std::collections::BinaryHeap;
 
@@ -21,29 +24,30 @@ use super::{
     contacts::Contacts,
     regions::{FarPoint, Regions},
 };
-use crate::{error::Error, least::Least};
+use crate::{error::Error, min_entry::MinEntry};
 
-/// Scores and radii this near to one another, relatively, are tied: far above rounding, far below what anyone places.
+/// Scores and radii that differ by less than this share are tied: far above rounding, far below what anyone places.
 pub(super) const TIE: f64 = 1e-9;
-/// Points no farther apart than this share of their distance are one that was found twice.
-pub(super) const SAME: f64 = 1e-8;
-/// Cells must be smaller than the limit by this share: the farthest point of a cell on the limit has no weight, and weights
-/// get steep where it is close.
+/// Points no farther apart than this share of their distance are one point found twice.
+pub(super) const SAME_POINT: f64 = 1e-8;
+/// Cells must be smaller than the limit by this share: at the limit the farthest point of a cell has no weight, and near it
+/// weights are steep.
 const MARGIN: f64 = 0.05;
-/// Tied points closer than this share of their distance to all sites would crowd each other.
+/// Tied points closer than this share of their distance to the nearest site crowd each other.
 const CROWDED: f64 = 0.5;
 
-/// How much a contact as wide counts for beside a cell of that radius around a handle. With 1.5 in place of 2, narrow gaps between bars
-/// stay without sites; with 3, sites are missing elsewhere.
+/// Weight of a contact against a cell when the next site is chosen: `CONTACT · √distance` is compared with [`grown`]. With
+/// 1.5 in place of 2, narrow gaps between bars stay without sites; with 3, sites are missing elsewhere.
 const CONTACT: f64 = 2.0;
 
-/// The score δ(h_i) / r_d(h_i) of the worst cell in each round (the paper's figure 3, right).
+/// The score δ / r_d of the worst cell in each round, as in the paper's figure 3 (right), with δ = r_d − `reach_limit` in
+/// place of r_d − r_h.
 pub(crate) type Scores = Vec<f64>;
 
 /// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
 ///
-/// Further sites enter where they bend the picture most, until there are `density` virtual ones: between handles, where the gap is
-/// [widest](Contacts), and at the farthest points of cells that are [large](grown) for how far handles are.
+/// Then further sites enter where the picture bends most, until there are `density` virtual ones: between handles, where the
+/// gap is [widest](Contacts), and at the farthest points of cells that are [large](grown) for their distance from handles.
 ///
 /// # Errors
 /// [`Error::TooManySites`].
@@ -53,7 +57,7 @@ pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Res
     let mut inserted = 0;
     let mut contacts = Contacts::default();
     loop {
-        // Bones first: on them nothing virtual may stand.
+        // Bones first: no virtual site may lie on them.
         regions.tessellate()?;
         let worst = greatest(regions, score_of);
         scores.push(worst);
@@ -70,13 +74,13 @@ pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Res
     }
 }
 
-/// The greatest score that a cell may have in the end.
+/// The greatest score that ends Algorithm 1.
 pub(crate) fn allowed_score() -> f64 {
     // δ / r_d = 1 − r_h / r_d, and r_d = (1 − MARGIN) r_h on the limit.
     1.0 - 1.0 / (1.0 - MARGIN)
 }
 
-/// By what cells compete to be divided, from their radius and their site.
+/// The rank by which the next cell is chosen, from its radius and its site.
 type Rank = fn(f64, &Site) -> f64;
 
 /// Algorithm 1's score, δ / r_d.
@@ -88,33 +92,34 @@ fn score_of(radius: f64, site: &Site) -> f64 {
     score(radius, site.reach_limit())
 }
 
-/// For sites beyond those that Algorithm 1 needs: cells grow with the root of the distance to the next handle. What is pulled
-/// out of place is bent in inverse proportion to that distance, about; cells that grow with the distance itself would crowd around handles.
+/// The rank for sites beyond those that Algorithm 1 needs: cell radii grow with the square root of the distance to the next
+/// handle. Around a displaced handle the picture bends roughly in inverse proportion to that distance; radii in proportion to
+/// the distance itself would crowd sites around handles.
 fn grown(radius: f64, site: &Site) -> f64 {
-    let from_handle = if site.origin.is_real() { radius } else { site.clearance };
+    let from_handle = if site.kind.is_real() { radius } else { site.clearance };
     if from_handle > 0.0 && from_handle.is_finite() { radius / from_handle.sqrt() } else { radius }
 }
 
-/// The greatest rank of all cells. Farthest points are sought only in cells that may have it.
+/// The greatest rank of all cells. Farthest points are computed only for cells that may have it.
 fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
-    // The highest rank first, and whether it is more than a bound.
+    // Keyed by the greatest possible rank, with whether it is exact.
     let ranked = |regions: &Regions, site: usize| {
         let known = regions.known_farthest(site).map(|points| points[0].distance);
         let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
-        Least { key: -rank(radius, &regions.sites[site]), item: (site, known.is_some()) }
+        MinEntry { key: -rank(radius, &regions.sites[site]), item: (site, known.is_some()) }
     };
     let mut cells: BinaryHeap<_> = (0..regions.sites.len()).map(|site| ranked(regions, site)).collect();
-    while let Some(Least { key, item: (site, is_known) }) = cells.pop() {
+    while let Some(MinEntry { key, item: (site, is_known) }) = cells.pop() {
         if is_known {
             return -key;
         }
-        regions.look_closer(site);
+        regions.refine_farthest(site);
         cells.push(ranked(regions, site));
     }
     f64::NEG_INFINITY
 }
 
-/// The farthest points of all cells whose rank is tied with the greatest, in an order that does not depend on the sites'.
+/// The farthest points of all cells whose rank is tied with the greatest, in an order independent of the sites'.
 fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoint> {
     let tied = |regions: &Regions, site: usize, radius: f64| {
         rank(radius, &regions.sites[site]) >= greatest - TIE * greatest.abs()
@@ -122,12 +127,12 @@ fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoi
     let mut points: Vec<FarPoint> = Vec::new();
     for site in 0..regions.sites.len() {
         while regions.known_farthest(site).is_none() && tied(regions, site, regions.greatest_radius(site)) {
-            regions.look_closer(site);
+            regions.refine_farthest(site);
         }
         let far = regions.known_farthest(site).unwrap_or(&[]);
         for &point in far.iter().filter(|point| tied(regions, site, point.distance)) {
-            // A corner of several cells is a farthest point of each.
-            if points.iter().all(|known| known.at.distance(point.at) > SAME * point.distance) {
+            // A common corner of several cells is a farthest point of each.
+            if points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * point.distance) {
                 points.push(point);
             }
         }
@@ -135,7 +140,7 @@ fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoi
     spread_out(regions, points)
 }
 
-/// Replaces tied points that crowd each other by one between them, or, where there is none, by some of them.
+/// Replaces tied points that crowd each other by one between them, or, where that is impossible, by some of them.
 fn spread_out(regions: &mut Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
     points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
     let mut groups: Vec<Vec<FarPoint>> = Vec::new();
@@ -159,7 +164,8 @@ fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     if let Some(point) = point_at(regions, middle).filter(|point| point.distance > (1.0 - CROWDED / 2.0) * least) {
         return vec![point];
     }
-    // Something is between them. Of two on both sides of an axis of symmetry, it is on the axis, and so is the middle of the way around it.
+    // An obstacle is between them. Of two points on both sides of an axis of symmetry, the obstacle is on the axis, and so is
+    // the midpoint of the path around it.
     match innermost(group, middle)[..] {
         [alone] => vec![alone],
         [one, other] => halfway(regions, one, other).map_or_else(|| vec![one, other], |point| vec![point]),
@@ -175,20 +181,20 @@ fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     }
 }
 
-/// A point, if it lies in the domain, and how far the nearest site is.
+/// A point with its distance to the nearest site, if it lies in the domain.
 fn point_at(regions: &Regions, at: DVec2) -> Option<FarPoint> {
     let place = regions.navigation.place(at)?;
     regions.nearest(place, at).map(|(distance, _)| FarPoint { at, place, distance })
 }
 
-/// Those of a group that are nearest to its middle.
+/// The points of a group that are nearest to its mean.
 fn innermost(group: &[FarPoint], middle: DVec2) -> Vec<FarPoint> {
     let from_middle = |point: &FarPoint| point.at.distance(middle);
     let least = group.iter().map(from_middle).fold(f64::INFINITY, f64::min);
-    group.iter().filter(|point| from_middle(point) <= least + SAME * point.distance).copied().collect()
+    group.iter().filter(|point| from_middle(point) <= least + SAME_POINT * point.distance).copied().collect()
 }
 
-/// The point halfway along the shortest path between two that crowd each other; none where that is too long.
+/// The midpoint of the shortest path between two points that crowd each other; `None` where the path is too long.
 fn halfway(regions: &mut Regions, one: FarPoint, other: FarPoint) -> Option<FarPoint> {
     let field = regions.field(one.at, one.place, CROWDED * one.distance.min(other.distance));
     point_at(regions, field.halfway(regions.navigation, other.place, other.at)?)

@@ -1,10 +1,10 @@
-//! One vertex more in a constrained Delaunay triangulation: its triangle is split, and edges are flipped until each triangle's
-//! circle is empty again (Lawson 1977).
+//! Inserts a vertex into a constrained Delaunay triangulation: its triangle is split, and edges are flipped until the
+//! circumcircle of each triangle is empty again (Lawson 1977).
 //!
-//! The predicates are exact (Shewchuk 1997), so that the flips come to an end. Edges without a triangle beyond are never flipped:
+//! The predicates are exact (Shewchuk 1997), so that flipping terminates. Edges without a triangle beyond are never flipped:
 //! they bound the region.
 //!
-//! Cost: the walk from the triangle that is known to be near, and some six flips.
+//! Cost: the walk from a nearby triangle, and some six flips.
 
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
@@ -12,14 +12,14 @@ use robust::{Coord, incircle, orient2d};
 use super::{NONE, Triangulation};
 use crate::locate::{ON_OUTLINE, depth_in};
 
-/// Where a new vertex went.
+/// The result of an insertion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Inserted {
-    /// It is the vertex that was there already.
+    /// An existing vertex coincides with the point.
     Known(u32),
-    /// Inside the region.
+    /// A new vertex inside the region.
     Within(u32),
-    /// On the edge between two vertices that bounds the region, which it divides.
+    /// A new vertex on a boundary edge, which it splits.
     OnBoundary {
         /// The new vertex.
         vertex: u32,
@@ -37,8 +37,8 @@ impl Inserted {
 }
 
 impl Triangulation {
-    /// Inserts a vertex into the region, within [`ON_OUTLINE`]; one that is as near to an edge that bounds it goes onto that.
-    /// `near` is a triangle not far from it.
+    /// Inserts a vertex into the region, within [`ON_OUTLINE`]; if it is that near to a boundary edge, onto that edge. `near`
+    /// is a triangle not far from it.
     pub(crate) fn insert(&mut self, near: usize, p: DVec2) -> Inserted {
         let t = self.triangle_at(near, p);
         let corners = self.triangles[t];
@@ -59,18 +59,19 @@ impl Triangulation {
         }
         let sides = [0, 1, 2].map(|k| self.side(corners[k], corners[(k + 1) % 3], p));
         match (sides.iter().position(|&side| side == 0.0), sides.iter().any(|&side| side < 0.0)) {
-            // Beside the region by rounding, where two of its edges meet.
+            // Outside the region by rounding, at a corner of it.
             (_, true) => Inserted::Known(nearest),
             (Some(k), _) => Inserted::Within(self.split_edge(t, k, p)),
             (None, _) => Inserted::Within(self.split(t, p)),
         }
     }
 
-    /// The triangle that holds a point, or, for one outside the region, that it is nearest to. `near` is one not far from it.
+    /// The triangle that contains a point, or, for a point outside the region, the nearest one. `near` is a triangle not far
+    /// from it.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
         let depth = |t: usize| depth_in(self.corners(t), p);
         let mut t = near;
-        // In a Delaunay triangulation such a walk meets no triangle twice; but the region need not be convex.
+        // In a Delaunay triangulation such a walk visits no triangle twice; but the region need not be convex.
         for _ in 0..self.triangles.len() {
             let ([a, b, c], neighbours) = (self.triangles[t], self.neighbours[t]);
             let beyond = [(a, b), (b, c), (c, a)].map(|(from, to)| self.side(from, to, p) < 0.0);
@@ -90,7 +91,7 @@ impl Triangulation {
         deepest.map_or(near, |(_, t)| t)
     }
 
-    /// Positive where a point lies on the inner side of the edge between two vertices.
+    /// Positive for a point on the inner side of the edge between two vertices.
     fn side(&self, a: u32, b: u32, p: DVec2) -> f64 {
         orient2d(self.coordinates(a), self.coordinates(b), Coord { x: p.x, y: p.y })
     }
@@ -113,7 +114,7 @@ impl Triangulation {
         v
     }
 
-    /// Splits the triangles on both sides of edge `k` of a triangle, or the one that there is.
+    /// Splits edge `k` of a triangle, with the triangles on both sides, or the only one.
     fn split_edge(&mut self, t: usize, k: usize, p: DVec2) -> u32 {
         let [a, b, c] = [k, k + 1, k + 2].map(|k| self.triangles[t][k % 3]);
         let [u, bc, ca] = [k, k + 1, k + 2].map(|k| self.neighbours[t][k % 3]);
@@ -138,8 +139,8 @@ impl Triangulation {
         v
     }
 
-    /// Flips edges until no circle around triangles has a vertex in it. On the stack are triangles whose last corner is the new
-    /// vertex, and whose first edge may have to go.
+    /// Flips edges until all circumcircles are empty. The stack holds triangles whose last corner is the new vertex and whose
+    /// first edge may have to be flipped.
     fn legalise(&mut self, mut stack: Vec<u32>) {
         while let Some(t) = stack.pop() {
             let ([a, b, v], [u, bv, va]) = (self.triangles[t as usize], self.neighbours[t as usize]);
@@ -149,7 +150,7 @@ impl Triangulation {
             let l = self.edge_towards(u, t);
             let d = self.triangles[u as usize][(l + 2) % 3];
             let [pa, pb, pv, pd] = [a, b, v, d].map(|v| self.coordinates(v));
-            // A vertex moved onto the outline may stand outside by rounding: no triangle may turn over.
+            // A vertex moved onto the outline may lie outside by rounding: no triangle may be inverted.
             let convex = orient2d(pa, pd, pv) > 0.0 && orient2d(pd, pb, pv) > 0.0;
             if incircle(pa, pb, pv, pd) <= 0.0 || !convex {
                 continue;
@@ -168,7 +169,7 @@ impl Triangulation {
         self.vertices.len() as u32 - 1
     }
 
-    /// Sets a triangle; a new one must be the next.
+    /// Sets a triangle; a new one must have the next index.
     fn set(&mut self, t: u32, corners: [u32; 3], neighbours: [u32; 3]) {
         if t as usize == self.triangles.len() {
             self.triangles.push(corners);
@@ -178,7 +179,7 @@ impl Triangulation {
         }
     }
 
-    /// Tells a triangle, if there is one, that another took the place of its neighbour.
+    /// Replaces a neighbour of a triangle, if there is one, by another.
     fn redirect(&mut self, t: u32, from: u32, to: u32) {
         if t != NONE {
             let k = self.edge_towards(t, from);

@@ -1,4 +1,6 @@
-//! A triangle mesh as flat arrays, and the constrained Delaunay triangulation that makes one. Alone in using spade.
+//! A triangle mesh as flat arrays, and its constrained Delaunay triangulation. Alone in using spade.
+//!
+//! Cost: O(n log n) for n vertices. Limits: where segments cross, O(n) for each triangle.
 
 mod insertion;
 
@@ -9,13 +11,13 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitiga
 
 pub(crate) use insertion::Inserted;
 
-/// Marks "no triangle" in [`Triangulation::neighbours`].
+/// "No triangle" in [`Triangulation::neighbours`].
 pub const NONE: u32 = u32::MAX;
 
-/// Angles that add up to π within this sine are those of four points on one circle: above rounding.
+/// Four points are on one circle where opposite angles add up to π within this sine: above rounding.
 const ON_CIRCLE: f64 = 1e-9;
 
-/// A triangle mesh. Every triangle winds so that its signed area (`perp_dot`) is positive.
+/// A triangle mesh. Every triangle has positive signed area (`perp_dot`).
 #[derive(Debug, Clone, Default)]
 pub struct Triangulation {
     /// Vertex places.
@@ -29,8 +31,8 @@ pub struct Triangulation {
 impl Triangulation {
     /// The constrained Delaunay triangulation of the region that closed chains of `segments` bound, by the even-odd rule.
     ///
-    /// Vertices keep their indices, and must be finite. Vertices should be distinct, and segments should not cross: of vertices on one
-    /// spot only the first is in triangles, and edges are missing where segments cross.
+    /// Vertices keep their indices and must be finite. They should be distinct, and segments should not cross: of coinciding
+    /// vertices only the first is used, and edges are missing where segments cross.
     #[must_use]
     pub fn constrained_delaunay(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>) -> Self {
         let points: Vec<_> = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
@@ -40,10 +42,10 @@ impl Triangulation {
         let cdt =
             ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(points, segments, |_| crossings += 1)
                 .expect("vertices of a checked domain are finite and far from the limits of f64");
-        // Spade drops vertices on the spot of earlier ones, and moves the later ones up.
-        let known = (cdt.num_vertices() < vertices.len()).then(|| first_on_spot(&vertices));
+        // Spade drops vertices that coincide with earlier ones, and renumbers the later ones.
+        let known = (cdt.num_vertices() < vertices.len()).then(|| distinct_vertices(&vertices));
         let index = |vertex: usize| known.as_ref().map_or(vertex as u32, |known| known[vertex]);
-        let inside = if crossings == 0 { is_inside(&cdt) } else { is_within(&cdt, &ends) };
+        let inside = if crossings == 0 { inside_by_parity(&cdt) } else { inside_by_ray_casting(&cdt, &ends) };
         let kept: Vec<_> = cdt.inner_faces().filter(|face| inside[face.fix().index()]).collect();
         let mut number = vec![NONE; cdt.num_all_faces()];
         for (face, at) in kept.iter().zip(0..) {
@@ -54,23 +56,23 @@ impl Triangulation {
         Self { vertices, triangles: corners, neighbours: across.collect() }
     }
 
-    /// A copy with room for more vertices and as many triangles as they make.
-    pub(crate) fn with_room(&self, vertices: usize) -> Self {
-        fn roomy<T: Copy>(list: &[T], more: usize) -> Vec<T> {
+    /// A copy with capacity for more vertices and the triangles that they add.
+    pub(crate) fn with_capacity_for(&self, vertices: usize) -> Self {
+        fn extended<T: Copy>(list: &[T], more: usize) -> Vec<T> {
             let mut copy = Vec::with_capacity(list.len() + more);
             copy.extend_from_slice(list);
             copy
         }
         Self {
-            vertices: roomy(&self.vertices, vertices),
-            triangles: roomy(&self.triangles, 2 * vertices),
-            neighbours: roomy(&self.neighbours, 2 * vertices),
+            vertices: extended(&self.vertices, vertices),
+            triangles: extended(&self.triangles, 2 * vertices),
+            neighbours: extended(&self.neighbours, 2 * vertices),
         }
     }
 
-    /// Calls `visit` with the edges of each polygon that the mesh is made of, positively around it, if one of its triangles `is_wanted`:
-    /// nearly each polygon is a triangle; but where more than three vertices are on one empty circle, as on both sides of an axis of
-    /// symmetry, chance decides how they are triangulated, and what they bound is one polygon.
+    /// Calls `visit` with the edges of each polygon of the mesh, in positive order, if one of its triangles `is_wanted`.
+    /// Nearly every polygon is a triangle; but where more than three vertices lie on one empty circle, as on both sides of an
+    /// axis of symmetry, their triangulation is arbitrary, and they form one polygon.
     pub(crate) fn polygons(&self, is_wanted: impl Fn([u32; 3]) -> bool, mut visit: impl FnMut(&[[u32; 2]])) {
         let mut is_visited = vec![false; self.triangles.len()];
         let (mut open, mut edges) = (Vec::new(), Vec::new());
@@ -97,11 +99,11 @@ impl Triangulation {
         }
     }
 
-    /// Whether the ends of an edge and the corners of the triangles on both its sides are on one circle, within rounding.
+    /// Whether the four corners of two adjacent triangles lie on one circle, within rounding.
     fn are_on_circle(&self, corners: [u32; 4]) -> bool {
         let [a, b, c, d] = corners.map(|v| self.vertices[v as usize]);
         let [ca, cb, da, db] = [a - c, b - c, a - d, b - d];
-        // Opposite angles: of their sum the sine, times the sides.
+        // The sine of the sum of two opposite angles, times the lengths of the sides.
         let sine = ca.perp_dot(cb) * da.dot(db) - ca.dot(cb) * da.perp_dot(db);
         let sides = ca.length_squared() * cb.length_squared() * da.length_squared() * db.length_squared();
         sine * sine <= ON_CIRCLE * ON_CIRCLE * sides
@@ -115,11 +117,11 @@ impl Triangulation {
 }
 
 /// For each face (0 being the outer one) whether it lies inside the constraints.
-fn is_inside(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<bool> {
+fn inside_by_parity(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<bool> {
     let mut parity: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
     let outer = cdt.outer_face();
     parity[outer.fix().index()] = Some(false);
-    // The outer face has no list of its edges: start from those on the hull.
+    // The outer face has no list of its edges: start from those of the hull.
     let mut stack: Vec<_> = cdt.convex_hull().map(|edge| edge.fix()).collect();
     while let Some(edge) = stack.pop() {
         let edge = cdt.directed_edge(edge);
@@ -135,22 +137,25 @@ fn is_inside(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>) -> Vec<bool> {
     parity.into_iter().map(|parity| parity == Some(true)).collect()
 }
 
-/// The vertices that are the first on their spot.
-fn first_on_spot(vertices: &[DVec2]) -> Vec<u32> {
+/// The vertices that do not coincide with earlier ones.
+fn distinct_vertices(vertices: &[DVec2]) -> Vec<u32> {
     let mut seen = HashSet::with_capacity(vertices.len());
     let spot = |p: &DVec2| {
         let Point2 { x, y } = mitigate_underflow(Point2::new(p.x, p.y));
-        // The two zeros are one spot.
+        // 0 and −0 coincide.
         [x + 0.0, y + 0.0].map(f64::to_bits)
     };
     (0..).zip(vertices).filter(|(_, p)| seen.insert(spot(p))).map(|(at, _)| at).collect()
 }
 
-/// For each face (0 being the outer one) whether its middle lies inside the segments. Where some of these could not be made edges, as
-/// others cross them, no way from face to face tells.
+/// For each face (0 being the outer one) whether its centre lies inside the segments. Needed where segments cross and so are
+/// not all edges: parity cannot be carried from face to face.
 ///
 /// Cost: a look at each segment for each face.
-fn is_within(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, segments: &[[Point2<f64>; 2]]) -> Vec<bool> {
+fn inside_by_ray_casting(
+    cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>,
+    segments: &[[Point2<f64>; 2]],
+) -> Vec<bool> {
     let mut inside = vec![false; cdt.num_all_faces()];
     for face in cdt.inner_faces() {
         let p = face.center();
@@ -166,7 +171,7 @@ fn is_within(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, segments: &[[P
 mod tests {
     use super::*;
 
-    /// The triangles of chains through the vertices, each of so many of them.
+    /// The triangulation of chains through the vertices; `chains` are their lengths.
     fn chained(vertices: &[[f64; 2]], chains: &[usize]) -> (Triangulation, f64) {
         let mut segments = Vec::new();
         for &n in chains {
@@ -183,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn vertices_on_one_spot_leave_the_others_their_indices() {
+    fn coinciding_vertices_leave_the_others_their_indices() {
         for hair in [0.0, -0.0, 1e-50] {
             let (mesh, area) = chained(&[[3.0, 0.0], [3.0, hair], [10.0, 5.0], [10.0, 5.0], [0.0, 5.0]], &[5]);
             assert_eq!(mesh.vertices.len(), 5);
@@ -235,7 +240,7 @@ mod tests {
             DVec2::new(3.0 + 20.0 * cos, 7.0 + 20.0 * sin)
         };
         let vertices: Vec<DVec2> = (0..6).map(corner).chain([DVec2::new(60.0, 7.0)]).collect();
-        // Round the hexagon, and by way of a vertex beside it.
+        // Around the hexagon, through a vertex beside it.
         let segments = vec![[1, 2], [2, 3], [3, 4], [4, 5], [5, 6], [6, 1]];
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
         let mut polygons = Vec::new();

@@ -1,7 +1,7 @@
-//! φ: the basis function, a Bézier polynomial (paper, section V-A, eq. 5).
+//! φ: the basis function, a Bézier polynomial (section V-A, eq. 5).
 //!
-//! φ(0) = 1, φ(t) = 0 for t ≥ 1, φ falls in between, and its first and second derivatives vanish at both ends, so that
-//! weights are C². Evaluated as `(1 − t)³` times a sum of non-negative terms: never negative, positive for every t < 1.
+//! φ(0) = 1, φ(t) = 0 for t ≥ 1, φ decreases in between, and its first and second derivatives vanish at both ends, so that
+//! weights are C². Evaluated as `(1 − t)³` times a sum of non-negative terms: never negative, and positive for every t < 1.
 
 use crate::project::Filling;
 
@@ -15,10 +15,10 @@ pub struct Basis {
 }
 
 impl Basis {
-    /// The basis of degree `n`, with the control values between the three at 1 and the three at 0 filled as asked for.
+    /// The basis of degree `n`; `filling` gives the control values between the three at 1 and the three at 0.
     ///
     /// # Panics
-    /// For a degree below 5, which has no room for the conditions.
+    /// For a degree below 5, which has too few control values for the conditions.
     #[must_use]
     pub fn new(degree: u32, filling: Filling) -> Self {
         assert!(degree >= 5, "the conditions on φ need six control values");
@@ -44,9 +44,9 @@ impl Basis {
         u * u * u * homogeneous(&self.value, t, u)
     }
 
-    /// Puts φ(t) in the place of each t, none of which is above 1. The same numbers as of [`value`](Self::value).
+    /// Replaces each t, none above 1, by φ(t). The same bits as [`value`](Self::value).
     pub(crate) fn values(&self, ts: &mut [f64]) {
-        // Degree 5 has three coefficients, and is what projects ask for as a rule.
+        // Degree 5, the usual one, has three coefficients.
         if let [a, b, c] = self.value[..] {
             for t in ts {
                 let u = 1.0 - *t;

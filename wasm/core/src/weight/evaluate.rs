@@ -1,4 +1,7 @@
-//! Weights at any point: eq. 2 itself, no interpolation.
+//! Weights at any point by eq. 2 itself, without interpolation.
+//!
+//! Cost: for each support that reaches the point's triangle, the windows of its field there; with shared bones, O(n log n) in
+//! these supports. Limits: where two paths to a site are equally short, weights have a crease and the gradient is a mean.
 
 use std::ops::Range;
 
@@ -17,7 +20,7 @@ use crate::{
     site::Site,
 };
 
-/// What one site has to say at a point.
+/// A site's weight at a point, and the gradient.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Influence {
     /// The site's index.
@@ -30,7 +33,7 @@ pub struct Influence {
 
 /// The weight functions of all sites.
 #[derive(Debug, Clone)]
-pub struct Weights {
+pub struct WeightFunctions {
     basis: Basis,
     sharing: Sharing,
     /// The supports that reach into each triangle of the navigation mesh, ascending by site.
@@ -41,12 +44,12 @@ pub struct Weights {
 #[derive(Debug, Clone, Default)]
 struct Reaching {
     site: u32,
-    /// What the site's field has for the triangle.
+    /// The windows of the site's field in the triangle.
     windows: Range<u32>,
 }
 
-impl Weights {
-    /// Prepares the weights of sites whose support radii are set and whose fields reach as far.
+impl WeightFunctions {
+    /// Prepares the weight functions of sites whose support radii are set and whose fields reach as far.
     pub(crate) fn new(navigation: &Navigation, sites: &[Site], skeleton: &Skeleton, basis: Basis) -> Self {
         let supports = || {
             (0..).zip(sites).flat_map(|(number, site)| {
@@ -54,14 +57,14 @@ impl Weights {
                 triangles.map(move |(triangle, windows)| (triangle as usize, Reaching { site: number, windows }))
             })
         };
-        let reaching = Rows::sorted(navigation.mesh.triangles.len(), supports);
+        let reaching = Rows::from_pairs(navigation.mesh.triangles.len(), supports);
         Self { basis, sharing: Sharing::new(sites, skeleton), reaching }
     }
 
-    /// The weights at a point and their gradients, ascending by site. Empty where no site reaches.
+    /// The weights at a point and their gradients, ascending by site. Empty where no support reaches.
     ///
-    /// They sum to 1 within rounding, and none is negative. Where two ways to a site are as long, around a hole say, weights have an
-    /// edge and several gradients: the mean of these is told.
+    /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, behind a hole for
+    /// example, weights have a crease and several gradients: their mean is returned.
     #[must_use]
     pub fn at(&self, sites: &[Site], place: Place, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
@@ -72,10 +75,10 @@ impl Weights {
                 continue;
             }
             let windows = field.windows(windows.clone());
-            let Some(foot) = field.foot_in(windows, p).filter(|foot| foot.distance < radius) else { continue };
-            let t = foot.distance / radius;
+            let Some(path) = field.path_end_in(windows, p).filter(|path| path.distance < radius) else { continue };
+            let t = path.distance / radius;
             let (phi, slope) = (self.basis.value(t), self.basis.derivative(t) / radius);
-            let gradient = slope * foot.gradient_in(windows, p);
+            let gradient = slope * path.gradient_in(windows, p);
             sum += phi;
             sum_gradient += gradient;
             influences.push(Influence { site: *site as usize, weight: phi, gradient });
@@ -88,7 +91,8 @@ impl Weights {
         influences
     }
 
-    /// The same with the gradients that differences over a small step tell: where weights have an edge, means of both its sides.
+    /// As [`at`](Self::at), with gradients from central differences over `step`: where weights have a crease, the mean of
+    /// both sides.
     pub(crate) fn across(
         &self,
         navigation: &Navigation,
@@ -97,7 +101,7 @@ impl Weights {
         step: f64,
     ) -> Vec<Influence> {
         let mut here = self.at(sites, place, p);
-        // Beside a sharp corner the place of a point allows for more than a step.
+        // Beside a sharp corner a point may be moved by more than a step when it is located.
         let at = |q: DVec2| navigation.locate(q).map_or((p, here.clone()), |(place, q)| (q, self.at(sites, place, q)));
         let [left, right, above, below] = [-DVec2::X, DVec2::X, -DVec2::Y, DVec2::Y].map(|axis| at(p + step * axis));
         let slope = |(from, before): &(DVec2, Vec<Influence>), (to, after): &(DVec2, Vec<Influence>), site: usize| {

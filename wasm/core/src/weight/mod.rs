@@ -1,4 +1,9 @@
-//! The weights w_i of linear blending (paper, section III-B, eq. 2), in closed form at any point.
+//! The weights w_i of linear blending (section III-B, eq. 2), in closed form at any point: φ (`basis`, eq. 5), r_i
+//! (`support`, eq. 3), w_i and its gradient at one point (`evaluate`), w_i of all samples (`sweep`, stored in `sparse`), and
+//! the division among connected bones (`sharing`).
+//!
+//! Cost: at one point, the windows of the supports that reach its triangle; for all samples, some 10 ns for each sample and
+//! such support. Limits: weights are C² except where two paths to a site are equally short, and at joints of bones.
 
 mod basis;
 mod evaluate;
@@ -8,7 +13,7 @@ mod support;
 mod sweep;
 
 pub use basis::Basis;
-pub use evaluate::{Influence, Weights};
+pub use evaluate::{Influence, WeightFunctions};
 pub use sparse::SparseWeights;
 pub(crate) use support::support_radii;
 pub(crate) use sweep::Swept;

@@ -1,34 +1,38 @@
-//! How the bones of one body share out what it weighs.
+//! Divides the total weight of a body among its bones, so that on each bone only its own map acts.
 //!
-//! Sites of connected bones reach over one another. So that a point of a bone moves by that bone's map alone, φ_j is replaced by
-//! Φ (φ_j / q_j) / Σ_k (φ_k / q_k), where Φ = Σ_k φ_k, sums run over the body's sites, and q_j is
-//! [how far](Bone::offset) the point is off the bone of site j. On a bone its sites have all of Φ, in a joint those of all
-//! that meet there. The body as a whole weighs what it did: partition of unity, and what others weigh, do not change. As q is twice
-//! continuously differentiable and zero on its bone alone, so are weights, but at joints, where maps agree and the body bends.
+//! Supports of connected bones overlap. So that a point of a bone moves by that bone's map alone, φ_j is replaced by Φ (φ_j /
+//! q_j) / Σ_k (φ_k / q_k), where Φ = Σ_k φ_k, the sums run over the body's sites, and q_j is the [offset](Bone::offset) of
+//! the point from the bone of site j, about its squared distance. On a bone its own sites have all of Φ, at a joint those of
+//! all bones that meet there. The total of the body does not change, so neither do the partition of unity and the weights of
+//! other sites. As q is C² and zero on its bone alone, weights are C² except at joints, where the maps agree and the body
+//! bends.
+//!
+//! Cost: O(n log n) for the n influences of bones at a point, however many bones there are. Limits: at a joint gradients have
+//! no bound.
 
 use glam::DVec2;
 
 use super::{Influence, SparseWeights};
 use crate::{
     bone::{Bone, Skeleton},
-    site::{Origin, Site},
+    site::{Site, SiteKind},
 };
 
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sharing {
     bones: Vec<Bone>,
-    /// The bone of each site that has to share with others.
+    /// The bone of each site whose body has several bones.
     bone: Vec<Option<u32>>,
 }
 
-/// An influence of a bone that has to share.
+/// The influence of a bone whose body has several.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sharer {
     body: u32,
-    /// Of the influences, the one it is.
+    /// Index of the influence.
     influence: usize,
     bone: u32,
-    /// How far off the bone the point is, and the gradient.
+    /// [`Bone::offset`] of the point, and its gradient.
     offset: f64,
     gradient: DVec2,
 }
@@ -39,16 +43,16 @@ impl Sharing {
         if !jointed.contains(&true) {
             return Self::default();
         }
-        let bone = |site: &Site| match site.origin {
-            Origin::Bone { bone, .. } if jointed[bone as usize] => Some(bone),
+        let bone = |site: &Site| match site.kind {
+            SiteKind::Bone { bone, .. } if jointed[bone as usize] => Some(bone),
             _ => None,
         };
         Self { bones: skeleton.bones.clone(), bone: sites.iter().map(bone).collect() }
     }
 
-    /// Shares out `influences` at a point, whose weights and gradients are those of φ up to a factor. `sharers` is room to work in.
+    /// Divides `influences` at a point, whose weights and gradients are those of φ up to a common factor. `sharers` is
+    /// scratch memory.
     ///
-    /// Cost: O(n log n) for n influences, however many bones there are.
     pub(super) fn share_out(&self, p: DVec2, influences: &mut [Influence], sharers: &mut Vec<Sharer>) {
         if self.bone.is_empty() {
             return;
@@ -57,7 +61,7 @@ impl Sharing {
         for (at, influence) in influences.iter().enumerate() {
             let Some(bone) = self.bone[influence.site] else { continue };
             let sharer = match sharers.last() {
-                // Sites that follow one another are often of one bone.
+                // Consecutive sites are often of one bone.
                 Some(last) if last.bone == bone => Sharer { influence: at, ..*last },
                 _ => {
                     let Bone { body, .. } = self.bones[bone as usize];
@@ -67,7 +71,7 @@ impl Sharing {
             };
             sharers.push(sharer);
         }
-        // Rounding depends on the order within a body, which must be that of the influences.
+        // Rounding depends on the order within a body, which must stay that of the influences: the sort is stable.
         sharers.sort_by_key(|sharer| sharer.body);
         for of_body in sharers.chunk_by(|one, other| one.body == other.body) {
             if of_body.iter().any(|sharer| sharer.bone != of_body[0].bone) {
@@ -76,7 +80,7 @@ impl Sharing {
         }
     }
 
-    /// The same for the rows of many points.
+    /// As [`share_out`](Self::share_out), for the rows of many points.
     pub(super) fn share_out_rows(&self, points: &[DVec2], weights: &mut SparseWeights) {
         if self.bone.is_empty() {
             return;
@@ -94,9 +98,9 @@ impl Sharing {
     }
 }
 
-/// Shares out the weights of the sites of one body.
+/// Divides the weights of one body among its bones.
 fn share_among(influences: &mut [Influence], sharers: &[Sharer]) {
-    // A common factor of all q, which cancels.
+    // Normalises all q by a common factor, which cancels.
     let least = sharers.iter().map(|sharer| sharer.offset).fold(f64::INFINITY, f64::min);
     let (mut total, mut total_gradient) = (0.0, DVec2::ZERO);
     let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
@@ -104,7 +108,7 @@ fn share_among(influences: &mut [Influence], sharers: &[Sharer]) {
         let influence = &mut influences[influence];
         total += influence.weight;
         total_gradient += influence.gradient;
-        // On a bone its own sites share what there is, as they did; φ / q has no gradient but φ's, q being level there.
+        // On a bone its own sites keep their shares; φ / q has no gradient but that of φ there, as q is level.
         let (ratio, slope) = match (offset == least, offset > 0.0) {
             (true, true) => (1.0, gradient / offset),
             (true, false) => (1.0, DVec2::ZERO),

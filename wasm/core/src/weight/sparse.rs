@@ -1,28 +1,32 @@
 //! The weights of many points, as compressed sparse rows.
 
-/// Supports over a point on average that there is room for at once: as many as the paper's rule makes; the smooth one, more.
-const COVER: usize = 3;
+/// Initial capacity, in supports over a point: the average under the paper's rule; smooth supports make more.
+const EXPECTED_COVER: usize = 3;
 
 /// Weights of points: row `p` holds the sites that move point `p` and their weights, ascending by site.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SparseWeights {
-    /// Points + 1: start of each point's entries.
+    /// Points + 1: the index of each point's first entry.
     pub offsets: Vec<u32>,
     /// Entries: the site.
     pub sites: Vec<u32>,
-    /// Entries: the weight. A row sums to 1, or is empty: no site reaches that point, and it stays.
+    /// Entries: the weight. A row sums to 1, or is empty where no support reaches: that point stays.
     pub weights: Vec<f64>,
 }
 
 impl SparseWeights {
-    /// No points yet, with room for the rows of some.
+    /// No rows yet, with capacity for `points` of them.
     pub(crate) fn with_capacity(points: usize) -> Self {
         let mut offsets = Vec::with_capacity(points + 1);
         offsets.push(0);
-        Self { offsets, sites: Vec::with_capacity(COVER * points), weights: Vec::with_capacity(COVER * points) }
+        Self {
+            offsets,
+            sites: Vec::with_capacity(EXPECTED_COVER * points),
+            weights: Vec::with_capacity(EXPECTED_COVER * points),
+        }
     }
 
-    /// Adds points from what each site, ascending, weighs at all of them; those that weigh nothing are left out.
+    /// Appends `points` rows from dense columns, one for each site in ascending order; zero weights are skipped.
     pub(crate) fn push_rows<'a, const N: usize>(
         &mut self,
         points: usize,
@@ -34,7 +38,7 @@ impl SparseWeights {
         self.weights.resize(room, 0.0);
         for point in 0..points {
             for (site, weights) in columns.clone() {
-                // Written in any case, and over again where it is nothing: faster than a branch that cannot be foreseen.
+                // Always written, and overwritten where the weight is zero: faster than an unpredictable branch.
                 (self.sites[at], self.weights[at]) = (site, weights[point]);
                 at += usize::from(weights[point] > 0.0);
             }
@@ -44,7 +48,8 @@ impl SparseWeights {
         self.weights.truncate(at);
     }
 
-    /// Normalises `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points.
+    /// Normalises the `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points (eq. 2). Also
+    /// returns Σφ at each point.
     pub(crate) fn normalised(points: usize, by_site: &[Vec<(u32, f64)>]) -> (Self, Vec<f64>) {
         let mut offsets = vec![0_u32; points + 1];
         let mut sums = vec![0.0; points];
@@ -92,7 +97,7 @@ impl SparseWeights {
         &mut self.weights[self.offsets[point] as usize..self.offsets[point + 1] as usize]
     }
 
-    /// Appends points that move as others do.
+    /// Appends copies of the rows of other points.
     pub(crate) fn extend_as(&mut self, owners: &[u32]) {
         for &owner in owners {
             let range = self.offsets[owner as usize] as usize..self.offsets[owner as usize + 1] as usize;

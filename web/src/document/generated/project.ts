@@ -8,7 +8,7 @@ export interface Project {
   readonly image: ImageRef;
   /** The part of the picture that bends; left out: where the picture is opaque if it has transparency, else all of it. */
   readonly domain?: Domain;
-  /** How many samples the domain gets, about. Left out: 10000. */
+  /** How many samples the domain gets, about: from 100 to 2,000,000. Left out: 10000. */
   readonly samples?: number;
   /** How far a handle reaches and how its weight falls off. */
   readonly weighting?: Weighting;
@@ -27,9 +27,9 @@ export type Format = 'c2warp/1';
 export interface ImageRef {
   /** The picture's file name, beside the project file; may be empty for a picture that has none. */
   readonly src: string;
-  /** Width in pixels. */
+  /** Width in pixels, 1 or more; the solver takes 2 to 16,384. */
   readonly width: number;
-  /** Height in pixels. */
+  /** Height in pixels, likewise. */
   readonly height: number;
 }
 
@@ -62,7 +62,7 @@ export type Point = readonly [number, number];
 export interface Weighting {
   /** α, from 0 (supports as small as they may be) to 1 (as wide as they may be). Left out: 1. */
   readonly shape_factor?: number;
-  /** The degree n of the Bézier polynomial φ; 5 is the least that is C². Left out: 5. */
+  /** The degree n of the Bézier polynomial φ: from 5, the least that is C², to 32. Left out: 5. */
   readonly degree?: number;
   /** Where the control points of φ lie that continuity leaves free. Left out: "line". */
   readonly filling?: Filling;
@@ -70,7 +70,7 @@ export interface Weighting {
   readonly support?: Support;
 }
 
-/** The two ways of section V.A to place the inner control points of φ. */
+/** The two ways of section V-A to place the inner control points of φ. */
 export type Filling = 'line' | 'half';
 
 /** The rule for the radius of a support. */
@@ -82,7 +82,7 @@ export interface Pose {
   readonly mode?: PoseMode;
   /** How the motions that reach a point are blended. Left out: "linear". */
   readonly blend?: Blend;
-  /** The least number of virtual sites to insert; 0 leaves it to Algorithm 1. Left out: 0. */
+  /** The least number of virtual sites to insert, up to 4,096; 0 leaves it to Algorithm 1. Left out: 0. */
   readonly density?: number;
 }
 

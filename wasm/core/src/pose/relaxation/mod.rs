@@ -1,13 +1,15 @@
-//! Motions that distort the picture itself as little as they can.
+//! Relaxation: motions that distort the picture itself as little as they can.
 //!
-//! The sites alone do not show what a blend does between them. But the blended map is linear in the places and linear parts of the sites
-//! (eq. 1), and so is its derivative J at a place of the [quadrature](super::Quadrature), as in fast automatic skinning (Jacobson,
-//! Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area · [`distortion`](super::distortion)(J ÷ s), s the scale
-//! that is asked for there, over all that the handles leave free: see [`Freedom`].
+//! The sites alone do not show how a blend deforms the picture between them. But the blended map is linear in the places and
+//! linear parts of the sites (eq. 1), and so is its Jacobian J at a node of the [quadrature](super::Quadrature), as in fast
+//! automatic skinning (Jacobson, Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area ·
+//! [`distortion`](super::distortion)(J / s), where s is the scale requested at the node, over everything that the handles
+//! leave free: see [`Freedom`].
 //!
-//! [`descent`](super::descent) does it, on the factorised matrix of Σ area |J|². Along a line J is linear in the length, so det J
-//! and |J|² are polynomials of it, and the lowest place is found without going through sites again: see `relaxing`. It begins
-//! where the cell graph alone settles: see [`rigid`](super::rigid). Cost: some 0.15 ms a turn for 200 sites.
+//! [`descent`](super::descent) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line J is linear
+//! in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see `relaxing`. The
+//! initial motions are those of the cell graph alone: see [`rigid`](super::rigid). Cost: some 0.15 ms an iteration for 200
+//! sites.
 
 mod relaxing;
 
@@ -24,58 +26,60 @@ use super::{
     motion::polar,
 };
 
-/// Softness of the first turns: so soft that what has turned over at the start comes back in them.
-const SOFT: f64 = 0.5;
-/// How many these are. Without them a twisted cross of 200 sites keeps twice as many folds, and bars beside a held outline some.
-const SOFT_TURNS: usize = 2;
-/// Softness of those that follow. With half of it descents get stuck, with twice as much folds cost too little.
-const HARD: f64 = 0.2;
-/// How much a motion is held to where it began, as a share of the area around its site: it decides where the quadrature does
-/// not. With a fifth of it, bars that turn against each other distort more of what is between them; with five times as much, all
-/// bends stiffly.
+/// Regularisation δ of the first iterations: large, so that what is inverted at the start recovers in them.
+const FIRST_REGULARISATION: f64 = 0.5;
+/// Number of these iterations. Without them a twisted cross of 200 sites keeps twice as many folds, and bars beside a held
+/// outline keep some.
+const FIRST_ITERATIONS: usize = 2;
+/// Regularisation δ of the iterations that follow. With half of it descents get stuck; with twice as much folds cost too
+/// little.
+const REGULARISATION: f64 = 0.2;
+/// Stiffness of the spring that holds a motion to its initial value, as a share of the area around its site: it decides where
+/// the quadrature does not. With a fifth of it, bars that turn against each other distort more of what is between them; with
+/// five times as much, everything bends stiffly.
 const HOLD: f64 = 0.1;
-/// Least share of a cell for [`HOLD`]: what little depends on stays with its surroundings. With a hundredth of it, a site between two bars
-/// may go anywhere, and folds what is between the places of the quadrature.
+/// Least area for [`HOLD`], as a share of the mean cell: a site of little influence stays with its surroundings. With a
+/// hundredth of it, a site between two bars may go anywhere, and folds what is between the nodes of the quadrature.
 const LEAST: f64 = 0.2;
-/// A turn that lowers the energy by no more than this share of it is the last: most poses take some five. With ten times as much,
-/// drags jump by some pixels.
+/// The descent ends with an iteration that lowers the energy by no more than this share: most poses take about five. With ten
+/// times as much, drags jump by some pixels.
 const GAIN: f64 = 2e-3;
-/// A step ends where the energy falls by no more than this share of what it fell by at its start: the first low place along a line
-/// is far from its lowest. With twice as much, a cross that is twisted jumps by five times as much as its handles move; looks
-/// hardly cost more, as each comes much closer than the last.
-const LEVEL: f64 = 0.015;
-/// Turns at most. With six, a twisted cross of 200 sites stays folded in places.
-const TURNS: usize = 8;
+/// Line searches end where the slope is this share of the initial one: the first low point of a line is far from its minimum.
+/// With twice as much, a twisted cross jumps by five times as much as its handles move; the samples of a line hardly cost
+/// more, as each is much closer than the last.
+const CURVATURE_CONDITION: f64 = 0.015;
+/// Iterations at most. With six, a twisted cross of 200 sites stays folded in places.
+const MAX_ITERATIONS: usize = 8;
 
-/// What of a site's motion the handles leave free.
+/// The part of a site's motion that the handles leave free.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) enum Freedom {
-    /// All, of a virtual site.
+    /// All of it: a virtual site.
     Whole,
-    /// The linear part, of a point, unless its rotation is set.
+    /// The linear part: a point, unless its rotation is set.
     Linear,
-    /// How the linear part takes the normal of this direction, of a bar: on the bar itself it makes no difference.
+    /// The image of the normal of this direction under the linear part: a bar. It makes no difference on the bar itself.
     Across(DVec2),
-    /// Nothing: a polygon keeps its inside, and a held outline stays.
+    /// Nothing: a polygon keeps its inside, and a held outline stays in place.
     None,
 }
 
-/// Place of a site, and the columns of its linear part, in units.
+/// Posed place of a site, and the columns of its linear part; lengths in [units](Relaxation::unit).
 type Parts = [DVec2; 3];
 
-/// The blended map's distortion as a function of what is free. Lengths are in [units](Relaxation::unit).
+/// The blended map's distortion as a function of the unknowns. Lengths are in [units](Relaxation::unit).
 #[derive(Debug, Clone)]
 pub(super) struct Relaxation {
     freedom: Vec<Freedom>,
     /// The first unknown of each site.
     first: Vec<u32>,
-    /// Of each site.
+    /// Rest place of each site.
     rest: Vec<DVec2>,
     nodes: Vec<Node>,
     terms: Vec<Term>,
-    /// The root of the mean cell's area, in pixels.
+    /// Unit of length, in pixels: the square root of the mean cell's area.
     unit: f64,
-    /// How much each unknown is held.
+    /// Stiffness of the spring that holds each unknown.
     hold: Vec<f64>,
     inverse: Cholesky,
 }
@@ -84,13 +88,13 @@ pub(super) struct Relaxation {
 struct Node {
     at: DVec2,
     area: f64,
-    /// Where its terms end; they begin where those of the node before end.
+    /// End of its terms; they begin at the end of the previous node's.
     end: u32,
-    /// How many of its terms are of sites that have no freedom: they come first.
+    /// Number of its terms that belong to sites without freedom; these come first.
     fixed: u32,
 }
 
-/// A site at a node.
+/// The influence of a site at a node.
 #[derive(Debug, Clone)]
 struct Term {
     site: u32,
@@ -99,7 +103,7 @@ struct Term {
 }
 
 impl Freedom {
-    /// Parts that are unknown, each as the factors of its value in the three parts of the site.
+    /// The unknowns of a site, each as the factors of its value in the three parts.
     fn factors(self) -> impl Iterator<Item = [f64; 3]> {
         let all = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let (list, from, to) = match self {
@@ -136,7 +140,7 @@ impl Relaxation {
         for (freedom, around) in freedom.iter().zip(around) {
             let from = hold.len() as u32;
             first.push(from);
-            // A place one cell away is as bad as a linear part off by one.
+            // A place that is off by one cell counts as much as a linear part that is off by one.
             hold.extend(freedom.factors().map(|_| HOLD * f64::max(around, LEAST * mean)));
             if hold.len() as u32 > from {
                 groups.push((from..hold.len() as u32).collect());
@@ -144,7 +148,7 @@ impl Relaxation {
         }
         let mut lower: BTreeMap<(u32, u32), f64> = hold.iter().zip(0..).map(|(&hold, at)| ((at, at), hold)).collect();
         let mut columns: Vec<(u32, DVec2)> = Vec::new();
-        for (node, terms) in seen(&nodes, &terms) {
+        for (node, terms) in with_terms(&nodes, &terms) {
             columns.clear();
             for term in &terms[node.fixed as usize..] {
                 let site = term.site as usize;
@@ -162,8 +166,8 @@ impl Relaxation {
         Self { freedom: freedom.to_vec(), first, rest, nodes, terms, unit, hold, inverse }
     }
 
-    /// Lowers the distortion of motions. `is_free` tells of each site whether its rotation is to be found, `scales` how large things are to
-    /// be around it; a turn that moves no site by more than `settled` pixels is the last.
+    /// Lowers the distortion of motions. `is_free` says for each site whether its rotation is free, `scales` are those
+    /// requested at the sites; the descent ends with an iteration that moves no site by more than `settled` pixels.
     pub(super) fn settle(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], settled: f64) {
         if self.hold.is_empty() {
             return;
@@ -178,16 +182,23 @@ impl Relaxation {
             self.inverse.solve(values);
             self.keep(is_free, values);
         };
-        for (softness, turns) in [(SOFT, SOFT_TURNS), (HARD, TURNS - SOFT_TURNS)] {
-            relaxing.soften(softness);
-            let limits = Limits { turns, settled: settled / self.unit, gain: GAIN, level: LEVEL };
+        for (regularisation, max_iterations) in
+            [(FIRST_REGULARISATION, FIRST_ITERATIONS), (REGULARISATION, MAX_ITERATIONS - FIRST_ITERATIONS)]
+        {
+            relaxing.set_regularisation(regularisation);
+            let limits = Limits {
+                max_iterations,
+                settled: settled / self.unit,
+                gain: GAIN,
+                curvature_condition: CURVATURE_CONDITION,
+            };
             descend(&mut relaxing, self.hold.len(), solve, limits);
         }
-        // Handles may be posed beyond all measure: what the graph makes of that is left as it is.
+        // Handles may be posed so far out that numbers overflow: the result of the graph is kept then.
         if !relaxing.unknown().iter().all(|by| by.is_finite()) {
             return;
         }
-        self.spread(relaxing.unknown(), |site, by| {
+        self.expand(relaxing.unknown(), |site, by| {
             for (part, by) in parts[site].iter_mut().zip(by) {
                 *part += by;
             }
@@ -207,12 +218,12 @@ impl Relaxation {
         }
     }
 
-    /// What is free of each site, and its first unknown.
+    /// The freedom of each site, and its first unknown.
     fn unknowns(&self) -> impl Iterator<Item = (Freedom, usize)> {
         self.freedom.iter().zip(&self.first).map(|(&freedom, &first)| (freedom, first as usize))
     }
 
-    /// Sets to 0 what belongs to points whose rotation is set.
+    /// Sets the unknowns of points whose rotation is set to 0.
     fn keep(&self, is_free: &[bool], values: &mut [DVec2]) {
         for ((freedom, first), &is_free) in self.unknowns().zip(is_free) {
             if freedom == Freedom::Linear && !is_free {
@@ -221,20 +232,20 @@ impl Relaxation {
         }
     }
 
-    /// Tells what the unknowns make of each site's parts.
-    fn spread(&self, unknown: &[DVec2], mut tell: impl FnMut(usize, Parts)) {
+    /// Calls `visit` with the parts of each free site that the unknowns stand for.
+    fn expand(&self, unknown: &[DVec2], mut visit: impl FnMut(usize, Parts)) {
         for (site, (freedom, first)) in self.unknowns().enumerate() {
             let by = &unknown[first..];
             match freedom {
-                Freedom::Whole => tell(site, [by[0], by[1], by[2]]),
-                Freedom::Linear => tell(site, [DVec2::ZERO, by[0], by[1]]),
-                Freedom::Across(along) => tell(site, [DVec2::ZERO, -along.y * by[0], along.x * by[0]]),
+                Freedom::Whole => visit(site, [by[0], by[1], by[2]]),
+                Freedom::Linear => visit(site, [DVec2::ZERO, by[0], by[1]]),
+                Freedom::Across(along) => visit(site, [DVec2::ZERO, -along.y * by[0], along.x * by[0]]),
                 Freedom::None => {}
             }
         }
     }
 
-    /// The gradient by unknowns from that by parts.
+    /// The gradient with respect to the unknowns, from that with respect to the parts.
     fn gather(&self, forces: impl Fn(usize) -> Parts, gradient: &mut [DVec2]) {
         for (site, (freedom, first)) in self.unknowns().enumerate() {
             let to = &mut gradient[first..];
@@ -252,7 +263,7 @@ impl Relaxation {
 }
 
 /// Each node with its terms.
-fn seen<'a>(nodes: &'a [Node], terms: &'a [Term]) -> impl Iterator<Item = (&'a Node, &'a [Term])> {
+fn with_terms<'a>(nodes: &'a [Node], terms: &'a [Term]) -> impl Iterator<Item = (&'a Node, &'a [Term])> {
     let mut start = 0;
     nodes.iter().map(move |node| {
         let terms = &terms[start..node.end as usize];
@@ -262,22 +273,23 @@ fn seen<'a>(nodes: &'a [Node], terms: &'a [Term]) -> impl Iterator<Item = (&'a N
 }
 
 impl Term {
-    /// What each part makes of the derivative's first and second column, this far from the site.
+    /// Derivatives of the Jacobian's columns with respect to each part, at an offset from the site.
     fn of_parts(&self, offset: DVec2) -> [DVec2; 3] {
         let Self { weight, gradient, .. } = *self;
         [gradient, offset.x * gradient + DVec2::new(weight, 0.0), offset.y * gradient + DVec2::new(0.0, weight)]
     }
 }
 
-/// Gives the motion of a bone another map that does the same along the bone; one that no motion is, close to turning over, is left out.
+/// Gives the motion of a bone another linear map with the same effect along the bone, unless that map is too close to
+/// inversion to be a motion.
 fn bend_bone(motion: &mut Motion, map: DMat2) {
     let (angle, strain) = polar(map);
     let turns = libm::round((motion.angle - angle) / TAU);
     let found = Motion { angle: angle + TAU * turns, strain, ..*motion };
-    if found.linear().abs_diff_eq(map, ROUNDING * (map.x_axis.length() + map.y_axis.length())) {
+    if found.linear().abs_diff_eq(map, MAP_ROUNDING * (map.x_axis.length() + map.y_axis.length())) {
         *motion = found;
     }
 }
 
-/// What a map may change by when it is written as a motion, relatively: above rounding, and too little to see on a bar.
-const ROUNDING: f64 = 1e-12;
+/// Greatest relative change of a map that is written as a motion: above rounding, and too little to see on a bar.
+const MAP_ROUNDING: f64 = 1e-12;

@@ -1,45 +1,47 @@
-//! A pose on the way to its least distortion, seen along lines.
+//! The objective of a relaxation: a pose, and its distortion along a line.
+//!
+//! Cost: O(terms) for a direction and for a gradient; O(nodes) for a sample of the line.
 
 use glam::{DMat2, DVec2};
 
 use super::{
     super::{
-        descent::{Landscape, View},
+        descent::{LineSample, Objective},
         distortion::{Distortion, gradient, square},
     },
-    Node, Parts, Relaxation, SOFT, Term, seen,
+    FIRST_REGULARISATION, Node, Parts, Relaxation, Term, with_terms,
 };
 
-/// A pose on the way to its least distortion.
+/// A pose under relaxation.
 pub(super) struct Relaxing<'a> {
     relaxation: &'a Relaxation,
     distortion: Distortion,
     is_free: &'a [bool],
-    /// Counted from where they begin.
+    /// The unknowns, relative to their initial values.
     unknown: Vec<DVec2>,
-    by: Vec<DVec2>,
-    /// What the direction, or the gradient, is for the parts of each site, whose places are of the map at the origin.
+    direction: Vec<DVec2>,
+    /// Scratch: the direction, or the gradient, in terms of the parts of each site, whose places are relative to the origin.
     parts: Vec<Parts>,
-    sights: Vec<Sight>,
+    states: Vec<NodeState>,
     lines: Vec<Lines>,
-    slopes: Vec<Slopes>,
-    /// What holds the unknowns, along the direction: a polynomial of the length.
+    derivatives: Vec<Derivatives>,
+    /// Energy of the springs that hold the unknowns, along the direction: coefficients of a polynomial in the length.
     held: [f64; 3],
 }
 
-/// What a node sees.
+/// The map at a node.
 #[derive(Debug, Clone, Copy)]
-struct Sight {
-    /// Reciprocal of the scale that is asked for.
+struct NodeState {
+    /// Reciprocal of the scale requested there.
     unscale: f64,
-    /// The derivative J times it.
+    /// The Jacobian J, divided by the scale.
     derivative: DMat2,
-    /// How that changes along the direction.
+    /// Its derivative along the direction.
     along: DMat2,
 }
 
-/// What some nodes see along the direction: coefficients of polynomials of the length, of which the first are where the pose is.
-/// Processors work on more than one number at a time.
+/// det J and |J|² of [`LANES`] nodes along the direction: coefficients of polynomials in the length, whose constant terms
+/// belong to the current pose. Grouped so that a processor works on several numbers at a time.
 #[derive(Debug, Clone, Copy)]
 struct Lines {
     area: [f64; LANES],
@@ -48,86 +50,88 @@ struct Lines {
     square: [[f64; LANES]; 3],
 }
 
-/// Derivatives of the energy of some nodes.
+/// Derivatives of the energy of [`LANES`] nodes.
 #[derive(Debug, Clone, Copy)]
-struct Slopes {
+struct Derivatives {
     by_det: [f64; LANES],
     by_square: [f64; LANES],
 }
 
 const LANES: usize = 4;
 
-/// Lines of no node: their J is 1, and they weigh nothing.
-const NO_LINES: Lines = Lines {
+/// Padding: J is the identity, and the area is 0.
+const PADDING: Lines = Lines {
     area: [0.0; LANES],
     det: [[1.0; LANES], [0.0; LANES], [0.0; LANES]],
     square: [[2.0; LANES], [0.0; LANES], [0.0; LANES]],
 };
 
 impl<'a> Relaxing<'a> {
-    /// Where the parts of all sites are these, whose places are where the sites go; `scales` are what the sites ask for.
+    /// Begins at the given parts of all sites, whose places are the sites' posed places; `scales` are those requested at the
+    /// sites.
     pub(super) fn new(relaxation: &'a Relaxation, parts: &[Parts], is_free: &'a [bool], scales: &[f64]) -> Self {
         let parts: Vec<Parts> =
             parts.iter().zip(&relaxation.rest).map(|(&parts, &rest)| at_origin(parts, rest)).collect();
         let is_scaled = scales.iter().any(|&scale| scale != 1.0);
-        let sight = |(node, terms): (&Node, &[Term])| {
+        let state = |(node, terms): (&Node, &[Term])| {
             let scale = |term: &Term| term.weight * scales[term.site as usize];
             let unscale = if is_scaled { 1.0 / terms.iter().map(scale).sum::<f64>() } else { 1.0 };
-            Sight { unscale, derivative: unscale * derivative(node, terms, &parts), along: DMat2::ZERO }
+            NodeState { unscale, derivative: unscale * derivative(node, terms, &parts), along: DMat2::ZERO }
         };
         let unknowns = relaxation.hold.len();
         let count = relaxation.nodes.len().div_ceil(LANES);
-        let mut lines = vec![NO_LINES; count];
+        let mut lines = vec![PADDING; count];
         for (at, node) in relaxation.nodes.iter().enumerate() {
             lines[at / LANES].area[at % LANES] = node.area;
         }
         let mut relaxing = Self {
             relaxation,
-            distortion: Distortion::new(SOFT),
+            distortion: Distortion::new(FIRST_REGULARISATION),
             is_free,
             unknown: vec![DVec2::ZERO; unknowns],
-            by: vec![DVec2::ZERO; unknowns],
-            sights: seen(&relaxation.nodes, &relaxation.terms).map(sight).collect(),
+            direction: vec![DVec2::ZERO; unknowns],
+            states: with_terms(&relaxation.nodes, &relaxation.terms).map(state).collect(),
             lines,
-            slopes: vec![Slopes { by_det: [0.0; LANES], by_square: [0.0; LANES] }; count],
+            derivatives: vec![Derivatives { by_det: [0.0; LANES], by_square: [0.0; LANES] }; count],
             parts,
             held: [0.0; 3],
         };
-        relaxing.stand();
+        relaxing.reset_lines();
         relaxing
     }
 
-    /// Sets how soft the distortion is.
-    pub(super) fn soften(&mut self, softness: f64) {
-        self.distortion = Distortion::new(softness);
+    /// Sets δ of the distortion.
+    pub(super) fn set_regularisation(&mut self, regularisation: f64) {
+        self.distortion = Distortion::new(regularisation);
     }
 
-    /// Puts down what nodes see where the pose is.
-    fn stand(&mut self) {
-        for (at, sight) in self.sights.iter().enumerate() {
+    /// Sets the constant terms of the lines to the current pose.
+    fn reset_lines(&mut self) {
+        for (at, state) in self.states.iter().enumerate() {
             let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
-            (lines.det[0][lane], lines.square[0][lane]) = (sight.derivative.determinant(), square(sight.derivative));
+            (lines.det[0][lane], lines.square[0][lane]) = (state.derivative.determinant(), square(state.derivative));
         }
     }
 
-    /// The unknowns, counted from where they began.
+    /// The unknowns, relative to their initial values.
     pub(super) fn unknown(&self) -> &[DVec2] {
         &self.unknown
     }
 }
 
-impl Landscape for Relaxing<'_> {
-    fn face(&mut self, by: &[DVec2]) {
+impl Objective for Relaxing<'_> {
+    fn set_direction(&mut self, direction: &[DVec2]) {
         let relaxation = self.relaxation;
-        self.by.copy_from_slice(by);
-        relaxation.spread(by, |site, [place, x, y]| {
+        self.direction.copy_from_slice(direction);
+        relaxation.expand(direction, |site, [place, x, y]| {
             self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
         });
-        for (at, ((node, terms), sight)) in seen(&relaxation.nodes, &relaxation.terms).zip(&mut self.sights).enumerate()
+        for (at, ((node, terms), state)) in
+            with_terms(&relaxation.nodes, &relaxation.terms).zip(&mut self.states).enumerate()
         {
-            let along = sight.unscale * derivative(node, &terms[node.fixed as usize..], &self.parts);
-            sight.along = along;
-            let (x, y) = (sight.derivative.x_axis, sight.derivative.y_axis);
+            let along = state.unscale * derivative(node, &terms[node.fixed as usize..], &self.parts);
+            state.along = along;
+            let (x, y) = (state.derivative.x_axis, state.derivative.y_axis);
             let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
             let product = x.dot(along.x_axis) + y.dot(along.y_axis);
             let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
@@ -135,61 +139,62 @@ impl Landscape for Relaxing<'_> {
             (lines.square[1][lane], lines.square[2][lane]) = (2.0 * product, square(along));
         }
         self.held = [0.0; 3];
-        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(by) {
+        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(direction) {
             self.held[0] += hold / 2.0 * unknown.length_squared();
             self.held[1] += hold * unknown.dot(*by);
             self.held[2] += hold / 2.0 * by.length_squared();
         }
     }
 
-    fn look(&self, length: f64) -> View {
-        let (mut heights, mut slopes, mut curvatures) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    fn along_line(&self, length: f64) -> LineSample {
+        let (mut values, mut firsts, mut seconds) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for lines in &self.lines {
             for lane in 0..LANES {
-                let of = |c: &[[f64; LANES]; 3]| View::of_polynomial([c[0][lane], c[1][lane], c[2][lane]], length);
+                let of =
+                    |c: &[[f64; LANES]; 3]| LineSample::of_polynomial([c[0][lane], c[1][lane], c[2][lane]], length);
                 let (det, square) = (of(&lines.det), of(&lines.square));
-                let seen = self.distortion.of(det.height, square.height);
-                heights[lane] += lines.area[lane] * seen.energy;
-                slopes[lane] += lines.area[lane] * (seen.by_det * det.slope + seen.by_square * square.slope);
-                curvatures[lane] += lines.area[lane]
-                    * ((seen.by_det_twice * det.slope + 2.0 * seen.by_both * square.slope) * det.slope
-                        + seen.by_det * det.curvature
-                        + seen.by_square * square.curvature);
+                let at = self.distortion.of(det.value, square.value);
+                values[lane] += lines.area[lane] * at.energy;
+                firsts[lane] += lines.area[lane] * (at.by_det * det.first + at.by_square * square.first);
+                seconds[lane] += lines.area[lane]
+                    * ((at.by_det_twice * det.first + 2.0 * at.by_both * square.first) * det.first
+                        + at.by_det * det.second
+                        + at.by_square * square.second);
             }
         }
-        let held = View::of_polynomial(self.held, length);
-        View {
-            height: held.height + heights.iter().sum::<f64>(),
-            slope: held.slope + slopes.iter().sum::<f64>(),
-            curvature: held.curvature + curvatures.iter().sum::<f64>(),
+        let held = LineSample::of_polynomial(self.held, length);
+        LineSample {
+            value: held.value + values.iter().sum::<f64>(),
+            first: held.first + firsts.iter().sum::<f64>(),
+            second: held.second + seconds.iter().sum::<f64>(),
         }
     }
 
-    fn go(&mut self, length: f64) {
-        for (unknown, by) in self.unknown.iter_mut().zip(&self.by) {
+    fn advance(&mut self, length: f64) {
+        for (unknown, by) in self.unknown.iter_mut().zip(&self.direction) {
             *unknown += length * by;
         }
-        for sight in &mut self.sights {
-            sight.derivative += length * sight.along;
+        for state in &mut self.states {
+            state.derivative += length * state.along;
         }
-        self.stand();
+        self.reset_lines();
     }
 
     fn gradient(&mut self, forces: &mut [DVec2]) {
         let relaxation = self.relaxation;
-        for (lines, slopes) in self.lines.iter().zip(&mut self.slopes) {
+        for (lines, derivatives) in self.lines.iter().zip(&mut self.derivatives) {
             for lane in 0..LANES {
-                let seen = self.distortion.of(lines.det[0][lane], lines.square[0][lane]);
-                slopes.by_det[lane] = lines.area[lane] * seen.by_det;
-                slopes.by_square[lane] = lines.area[lane] * seen.by_square;
+                let at = self.distortion.of(lines.det[0][lane], lines.square[0][lane]);
+                derivatives.by_det[lane] = lines.area[lane] * at.by_det;
+                derivatives.by_square[lane] = lines.area[lane] * at.by_square;
             }
         }
         self.parts.fill([DVec2::ZERO; 3]);
-        let nodes = seen(&relaxation.nodes, &relaxation.terms).zip(&self.sights);
-        for (at, ((node, terms), sight)) in nodes.enumerate() {
-            let (slopes, lane) = (&self.slopes[at / LANES], at % LANES);
-            let pull = gradient(sight.derivative, slopes.by_det[lane], slopes.by_square[lane]);
-            let pull = sight.unscale * pull;
+        let nodes = with_terms(&relaxation.nodes, &relaxation.terms).zip(&self.states);
+        for (at, ((node, terms), state)) in nodes.enumerate() {
+            let (derivatives, lane) = (&self.derivatives[at / LANES], at % LANES);
+            let pull = gradient(state.derivative, derivatives.by_det[lane], derivatives.by_square[lane]);
+            let pull = state.unscale * pull;
             for term in &terms[node.fixed as usize..] {
                 term.pull(node.at, pull, &mut self.parts[term.site as usize]);
             }
@@ -206,12 +211,12 @@ impl Landscape for Relaxing<'_> {
     }
 }
 
-/// Parts with the place of the map at the origin, from those with the place of their site.
+/// Parts with the image of the origin as place, from those with the image of the site.
 fn at_origin([place, x, y]: Parts, rest: DVec2) -> Parts {
     [place - rest.x * x - rest.y * y, x, y]
 }
 
-/// What sites make of a node's derivative, their places of the map at the origin: Σ T(p) ∇wᵀ + w T′.
+/// The Jacobian at a node, Σ T(p) ∇wᵀ + w T′, from parts relative to the origin.
 fn derivative(node: &Node, terms: &[Term], parts: &[Parts]) -> DMat2 {
     let add = |sum: DMat2, &Term { site, weight, gradient }: &Term| {
         let [place, x, y] = parts[site as usize];
@@ -225,7 +230,7 @@ fn derivative(node: &Node, terms: &[Term], parts: &[Parts]) -> DMat2 {
 }
 
 impl Term {
-    /// Adds to the gradient by the site's parts when that by the derivative is `gradient`.
+    /// Adds to the gradient with respect to the site's parts, given the gradient with respect to the Jacobian.
     fn pull(&self, at: DVec2, gradient: DMat2, forces: &mut Parts) {
         let pull = self.gradient.x * gradient.x_axis + self.gradient.y * gradient.y_axis;
         forces[0] += pull;

@@ -1,30 +1,30 @@
-//! Priority by a number that is not an integer, for `std::collections::BinaryHeap`.
+//! Priority by a floating-point key, for `std::collections::BinaryHeap`.
 
 use std::cmp::Ordering;
 
-/// An entry of a heap that gives the least key first and, of equal keys, the least item.
+/// An entry of a heap that pops the least key first and, among equal keys, the least item.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Least<T> {
+pub(crate) struct MinEntry<T> {
     pub(crate) key: f64,
     pub(crate) item: T,
 }
 
-impl<T: Ord> Ord for Least<T> {
+impl<T: Ord> Ord for MinEntry<T> {
     fn cmp(&self, other: &Self) -> Ordering {
         other.key.total_cmp(&self.key).then_with(|| other.item.cmp(&self.item))
     }
 }
 
-impl<T: Ord> PartialOrd for Least<T> {
+impl<T: Ord> PartialOrd for MinEntry<T> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<T: Ord> PartialEq for Least<T> {
+impl<T: Ord> PartialEq for MinEntry<T> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl<T: Ord> Eq for Least<T> {}
+impl<T: Ord> Eq for MinEntry<T> {}
