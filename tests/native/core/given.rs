@@ -1,6 +1,10 @@
 //! Meshes that the caller brings.
 
-use c2warp::{Error, GivenMesh, Solution, project::Support, solve_mesh};
+use c2warp::{
+    Error, GivenMesh, Solution,
+    project::{Handle, PoseMode, Rotation, Support},
+    solve_mesh,
+};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -83,6 +87,29 @@ fn weights_sum_to_one_and_handles_between_vertices_have_all_of_their_own() {
     for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
         assert_eq!(solution.weights_at(real.rest), Some(vec![(site, 1.0)]));
     }
+}
+
+/// Where a mesh lies plays no part in how it bends.
+#[test]
+fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
+    let moves = [((0.06, 0.2), (0.1, 0.3)), ((0.52, 0.21), (0.52, 0.02)), ((0.94, 0.2), (0.9, 0.34))];
+    let bent = |by: DVec2| {
+        let (vertices, triangles) = grid(41, 17, 0.025);
+        let mesh = GivenMesh::new(vertices.iter().map(|&p| p + by).collect(), triangles).expect("a mesh");
+        let mut project = project(&[], &[], Support::Smooth);
+        (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 40);
+        for (id, (rest, posed)) in moves.into_iter().enumerate() {
+            let handle = handle(id, DVec2::from(rest) + by, DVec2::from(posed) + by, 0.0);
+            project.handles.push(Handle { rotation: Rotation::Auto, ..handle });
+        }
+        let solution = solve_mesh(&project, &mesh).expect("a scene that can be solved");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
+        (solution.sites.len(), solution.posed_vertices(&pose).iter().map(|&p| p - by).collect::<Vec<_>>())
+    };
+    let ((sites, here), (far_sites, there)) = (bent(DVec2::ZERO), bent(DVec2::new(1e6, -1e6)));
+    assert_eq!(sites, far_sites);
+    let apart = here.iter().zip(&there).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+    assert!(apart < 1e-5, "{apart}");
 }
 
 #[test]

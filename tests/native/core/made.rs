@@ -15,6 +15,9 @@ use crate::scenes::{SIZE, project, solved};
 
 const RING: [(f64, f64); 4] = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)];
 
+/// A change of a project and why it is then none.
+type Refused = (fn(&mut Project), &'static str);
+
 /// A square with two handles.
 fn made() -> Project {
     made_with(DVec2::splat(100.0))
@@ -32,7 +35,7 @@ fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
     let mesh = GivenMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]]).expect("a square");
     let grid = (0..400).map(|i| DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 20.0).collect();
     let cloud = PointCloud::new(grid, 8).expect("a grid");
-    let changes: [(fn(&mut Project), &str); 7] = [
+    let changes: [Refused; 7] = [
         // Any of these took all memory, did not end, or panicked.
         (|project| project.samples = 0, "samples: expected a whole number from 100 to 2000000, found 0"),
         (
@@ -106,7 +109,7 @@ fn a_pose_is_of_its_own_solution_alone() {
     assert!(solution.map(&pose(&again), DVec2::splat(200.0)).is_some());
     let foreign = pose(other.poser());
     let uses: [&dyn Fn(); 4] = [
-        &|| drop(solution.map(&foreign, DVec2::splat(200.0))),
+        &|| assert!(solution.map(&foreign, DVec2::splat(200.0)).is_none()),
         &|| drop(solution.posed_vertices(&foreign)),
         &|| drop(solution.drawn_triangles(&foreign)),
         &|| drop(solution.report(&foreign)),

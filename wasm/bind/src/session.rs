@@ -1,6 +1,6 @@
 //! Solves in a worker: one picture, and one project after another.
 
-use c2warp::{Error, Inspection, Picture, Solver, StageTimes, project::Project, raster};
+use c2warp::{Error, Inspection, Picture, Solver, Stage, StageTimes, project::Project, raster};
 use wasm_bindgen::prelude::*;
 
 use crate::{
@@ -16,9 +16,15 @@ pub struct Session {
     height: u32,
     rgba: Vec<u8>,
     solver: Solver,
-    /// The project begun last, and whether its solve has finished.
-    project: Option<Project>,
-    finished: bool,
+    /// The solve under way, and that of the solver's solution.
+    solving: Option<Solve>,
+    solved: Option<Solve>,
+}
+
+/// A project, and how long each stage took.
+#[derive(Debug)]
+struct Solve {
+    project: Project,
     ms: StageTimes,
 }
 
@@ -41,18 +47,19 @@ impl Session {
         Ok(())
     }
 
-    /// Begins to solve a project, dropping a solve under way.
+    /// Begins to solve a project, dropping a solve under way. What was solved last stays until this has finished.
     ///
     /// # Errors
     /// For a project that cannot be solved with this picture.
     pub fn begin(&mut self, project_json: &str) -> Result<(), JsValue> {
-        self.try_begin(project_json).map_err(|error| to_js(&error))
+        let project = Project::from_json(project_json).map_err(Error::from);
+        project.and_then(|project| self.try_begin(project)).map_err(|error| to_js(&error))
     }
 
     /// Runs the next stage and names it; `undefined` when the solve has finished.
     ///
     /// # Errors
-    /// For handles that cannot be solved; the solve is then over.
+    /// For handles that cannot be solved; the solve is then over, and what was solved last stays.
     pub fn advance(&mut self) -> Result<Option<String>, JsValue> {
         self.try_advance().map(|stage| stage.map(String::from)).map_err(|error| to_js(&error))
     }
@@ -62,18 +69,15 @@ impl Session {
     /// # Errors
     /// Before a solve has finished.
     pub fn solution(&self) -> Result<Solution, JsValue> {
-        match (&self.project, self.solver.solution()) {
-            (Some(project), Some(solution)) if self.finished => {
-                let start = now_ms();
-                let pose = solution.poser().pose(&project.handles, project.pose.blend);
-                let pose = pose.map_err(|error| to_js(&error))?;
-                let ms = StageTimes { pose: now_ms() - start, ..self.ms.clone() };
-                let report = Inspection { report: solution.report(&pose), ms };
-                let report = serde_json::to_string(&report).expect("numbers under names are JSON");
-                Ok(Solution::new(solution, report))
-            }
-            _ => Err(with_code("there is no solution yet", "engine")),
-        }
+        let (Some(Solve { project, ms }), Some(solution)) = (&self.solved, self.solver.solution()) else {
+            return Err(with_code("there is no solution yet", "engine"));
+        };
+        let start = now_ms();
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).map_err(|error| to_js(&error))?;
+        let ms = StageTimes { pose: now_ms() - start, ..ms.clone() };
+        let report = Inspection { report: solution.report(&pose), ms };
+        let report = serde_json::to_string(&report).expect("numbers under names are JSON");
+        Ok(Solution::new(solution, report))
     }
 
     /// The warped picture at full quality: straight RGBA of the picture's size times `scale`. Solves first if it must.
@@ -86,25 +90,24 @@ impl Session {
 }
 
 impl Session {
-    fn try_begin(&mut self, project_json: &str) -> Result<(), Error> {
-        self.finished = false;
-        let project = Project::from_json(project_json)?;
+    fn try_begin(&mut self, project: Project) -> Result<(), Error> {
+        self.solving = None;
         let start = now_ms();
         let picture = Picture::new(self.width, self.height, &self.rgba)?;
         self.solver.begin(&project, &picture)?;
-        self.ms = StageTimes { domain: now_ms() - start, ..StageTimes::default() };
-        self.project = Some(project);
+        let ms = StageTimes { domain: now_ms() - start, ..StageTimes::default() };
+        self.solving = Some(Solve { project, ms });
         Ok(())
     }
 
     fn try_advance(&mut self) -> Result<Option<&'static str>, Error> {
+        let Some(mut solve) = self.solving.take() else { return Ok(None) };
         let start = now_ms();
-        let stage = self.solver.advance()?;
-        let Some(stage) = stage else {
-            self.finished = true;
-            return Ok(None);
-        };
-        self.ms.add(stage, now_ms() - start);
+        let Some(stage) = self.solver.advance()? else { return Ok(None) };
+        solve.ms.add(stage, now_ms() - start);
+        // The last stage makes the solution.
+        let goes_on = stage != Stage::Weights;
+        *(if goes_on { &mut self.solving } else { &mut self.solved }) = Some(solve);
         Ok(Some(stage.name()))
     }
 
@@ -114,7 +117,7 @@ impl Session {
         // A solve takes time that a scale which is none is not worth.
         raster::warped_size(width, height, scale)?;
         if !self.solver.has_solved(&project) {
-            self.try_begin(project_json)?;
+            self.try_begin(project.clone())?;
             while self.try_advance()?.is_some() {}
         }
         let solution = self.solver.solution().expect("every stage has run");

@@ -35,6 +35,7 @@ pub mod domain;
 mod drawing_order;
 mod error;
 mod given_mesh;
+mod grid;
 mod inverse;
 mod locate;
 mod min_entry;

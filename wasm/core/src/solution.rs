@@ -37,7 +37,8 @@ pub struct Solution {
     pub harmonic: HarmonicFields,
     /// Number of samples: the first vertices of the mesh; the others are the rim's.
     pub samples: usize,
-    /// The nearest site of each sample, `u32::MAX` on an island without sites.
+    /// The nearest site of each sample, `u32::MAX` on an island without sites. Where the nearest one's support ends before the sample, as it
+    /// may in a nook, another that moves it can stand for that.
     pub nearest: Vec<u32>,
     /// Σφ at each sample.
     pub phi_sums: Vec<f64>,

@@ -192,7 +192,7 @@ impl Solver {
         let kinds = request.kinds();
         let basis = Basis::new(weighting.degree, weighting.filling);
         let functions = WeightFunctions::new(navigation, &sites, &skeleton, basis);
-        let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(&sites, &samples);
+        let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(navigation, &sites, &samples);
         let graph = SiteGraph::new(&sites, &skeleton);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let quadrature = (request.mode == PoseMode::Rigid)

@@ -1,9 +1,18 @@
 //! The parts of a straight piece that lie in the domain, ends included.
+//!
+//! Cost of a piece: a look at every edge of the outline, and where that is held, for each pixel of the piece one at the edges that come
+//! near to it.
 
 use glam::DVec2;
 
 use super::HELD_CLEARANCE;
-use crate::{MAX_SIDE, distance::Navigation, domain::Domain, locate::ON_OUTLINE};
+use crate::{
+    MAX_SIDE,
+    distance::Navigation,
+    domain::Domain,
+    locate::ON_OUTLINE,
+    segment::{distance_between, segment_distance},
+};
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
 const SHORTEST: f64 = ON_OUTLINE;
@@ -104,7 +113,13 @@ fn last(holds: impl Fn(f64) -> bool, mut holding: f64, mut failing: f64) -> f64 
 
 /// The parts of a segment in the domain that are no nearer to the outline than `clearance`.
 fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<[f64; 2]> {
-    let is_clear = |share: f64| domain.distance_to_outline(a.lerp(b, share)) >= clearance;
+    // With room for rounding.
+    let is_near = |&(c, d): &(DVec2, DVec2)| distance_between([a, b], [c, d]) < clearance + ON_OUTLINE;
+    let near: Vec<(DVec2, DVec2)> = domain.edges().filter(is_near).collect();
+    let is_clear = |share: f64| {
+        let p = a.lerp(b, share);
+        near.iter().all(|&(c, d)| segment_distance(p, c, d) >= clearance)
+    };
     // Steps no longer than the clearance, in any picture: what is nearer between two of them alone does not come much nearer.
     let steps = (a.distance(b) / clearance).ceil().clamp(2.0, MOST_STEPS) as u32;
     let at = |step: u32| f64::from(step) / f64::from(steps);
@@ -138,5 +153,30 @@ mod tests {
         let [[_, before], [after, _]] = parts[..] else { panic!("two parts: {parts:?}") };
         let near = [before, after].map(|share| a.lerp(b, share).x);
         assert!(near[0] < tip && tip < near[1] && near[1] - near[0] < 3.0, "{near:?}");
+    }
+
+    #[test]
+    fn what_is_clear_is_clear_of_every_edge() {
+        let jagged = |i: u32| 50.0 + 45.0 * (f64::from(i) * 0.618_033_988_75).fract();
+        let mut ring: Vec<DVec2> = (0..40).map(|i| DVec2::new(f64::from(5 * i), 100.0 - jagged(i))).collect();
+        ring.extend((0..40).rev().map(|i| DVec2::new(f64::from(5 * i), 100.0 + jagged(i + 7))));
+        let domain = Domain::from_polygon(&[ring], 200, 200).expect("a jagged strip");
+        let [a, b] = [DVec2::new(5.3, 44.0), DVec2::new(196.0, 161.0)];
+        let parts = clear_of_outline(&domain, a, b, HELD_CLEARANCE);
+        let mut counts = [0, 0];
+        // Every tenth is one that is looked at; the ends of parts are between two of those.
+        let steps = 10 * (a.distance(b) / HELD_CLEARANCE).ceil() as u32;
+        for share in (0..=steps).step_by(10).map(|step| f64::from(step) / f64::from(steps)) {
+            let is_in_part = parts.iter().any(|&[enter, leave]| enter <= share && share <= leave);
+            let is_clear = domain.distance_to_outline(a.lerp(b, share)) >= HELD_CLEARANCE;
+            // One alone is no part.
+            assert!(is_clear || !is_in_part, "at {share}");
+            counts[usize::from(is_in_part)] += 1;
+        }
+        for share in parts.iter().flatten().filter(|&&share| share > 0.0 && share < 1.0) {
+            let from_outline = domain.distance_to_outline(a.lerp(b, *share));
+            assert!((from_outline - HELD_CLEARANCE).abs() < 1e-9, "{from_outline} at {share}");
+        }
+        assert!(parts.len() > 3 && counts.iter().all(|&count| count > 20), "{parts:?}, {counts:?}");
     }
 }

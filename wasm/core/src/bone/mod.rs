@@ -172,8 +172,8 @@ impl Skeleton {
         }
     }
 
-    /// Whether all is as [`new`](Self::new) makes it, for handles with so many corners: to be asked of what came from
-    /// elsewhere.
+    /// Whether all is as [`new`](Self::new) makes it, for so many handles: to be asked of what came from elsewhere. What it says of
+    /// their corners is asked by [`fits`](Self::fits).
     pub(crate) fn is_whole(&self, handles: usize) -> bool {
         let anchor = |anchor: &Anchor| (anchor.handle as usize) < handles && anchor.share.is_finite();
         self.bones.iter().all(|bone| {

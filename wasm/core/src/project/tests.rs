@@ -22,6 +22,9 @@ const FULL: &str = r#"{
 }
 "#;
 
+/// A change of a project and why it is then none.
+type Refused = (fn(&mut Project), &'static str);
+
 /// The refusal of the full project after an edit of its text.
 fn refusal(from: &str, to: &str) -> String {
     assert!(FULL.contains(from), "{from}");
@@ -168,7 +171,7 @@ fn what_is_made_in_code_follows_the_rules_of_what_is_read() {
 
 #[test]
 fn numbers_that_no_file_can_hold_are_refused_where_they_stand() {
-    let changes: [(fn(&mut Project), &str); 6] = [
+    let changes: [Refused; 6] = [
         (
             |project| project.domain = Some(DomainSpec::Alpha { threshold: f64::NAN }),
             "domain.threshold: expected a number above 0 and up to 1, found NaN",

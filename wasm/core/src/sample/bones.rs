@@ -4,8 +4,8 @@
 
 use glam::DVec2;
 
-use super::{grid::PointGrid, lattice::LATTICE_CLEARANCE};
-use crate::{domain::Domain, locate::ON_OUTLINE};
+use super::lattice::LATTICE_CLEARANCE;
+use crate::{domain::Domain, grid::Grid, locate::ON_OUTLINE};
 
 /// Spacing along a bone, over that of the lattice: less than twice the distance that other samples keep from the bone, so
 /// that the circle over two neighbours is empty and the edge between them belongs to the Delaunay mesh.
@@ -20,8 +20,8 @@ pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing
     if bones.is_empty() {
         return on_outline;
     }
-    let outline = PointGrid::new(spacing, vertices);
-    let mut known = PointGrid::new(MIN_DISTANCE * spacing, vertices);
+    let outline = Grid::of_points(spacing, vertices);
+    let mut known = Grid::of_points(MIN_DISTANCE * spacing, vertices);
     for &[a, b] in bones {
         let pieces = (a.distance(b) / (BONE_SPACING * spacing)).ceil().max(1.0);
         let along = (0..=pieces as u32).map(|i| a.lerp(b, f64::from(i) / pieces));
@@ -30,7 +30,7 @@ pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing
             if known.around(p, MIN_DISTANCE * spacing).any(|q| q.distance(p) < MIN_DISTANCE * spacing) {
                 continue;
             }
-            known.insert(p);
+            known.insert(p, p);
             // A point on the outline lies between two samples of it.
             let may_be_on_it = outline.around(p, spacing).next().is_some();
             let is_on_it = may_be_on_it && domain.distance_to_outline(p) <= ON_OUTLINE;

@@ -12,6 +12,7 @@ use super::{Rim, Samples, bones, lattice, outline::Outline, refine};
 use crate::{
     distance::Navigation,
     domain::Domain,
+    grid::Grid,
     locate::Locator,
     triangulation::{Inserted, Triangulation},
 };
@@ -63,8 +64,7 @@ impl Ground {
     /// The samples including every site, with finer lattices around close sites. `sites` must lie in the domain, be distinct,
     /// and come in an order that does not depend on earlier solves.
     ///
-    /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex. Each patch looks at all vertices, and each
-    /// of its nodes at those nearby: half a second for 250 sites that are all closer to others than 10,000 samples resolve.
+    /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex; for finer lattices that of [`refine`].
     pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
         let Samples { mesh, places, outline, rim, spacing, .. } = &self.samples;
         let mut samples = Samples {
@@ -76,9 +76,15 @@ impl Ground {
             spacing: *spacing,
         };
         samples.at_sites = sites.iter().map(|&site| insert(&mut samples, navigation, &self.locator, site)).collect();
-        for patch in refine::patches(sites, samples.spacing) {
-            for node in patch.clear_nodes(&samples.mesh.vertices, navigation, domain) {
-                insert(&mut samples, navigation, &self.locator, node);
+        let patches = refine::patches(sites, samples.spacing);
+        if !patches.is_empty() {
+            let mut known = Grid::of_points(samples.spacing, &samples.mesh.vertices);
+            for patch in patches {
+                for node in patch.clear_nodes(&known, navigation, domain) {
+                    let vertex = insert(&mut samples, navigation, &self.locator, node);
+                    let p = samples.mesh.vertices[vertex as usize];
+                    known.insert(p, p);
+                }
             }
         }
         samples.rim = match self.fading {

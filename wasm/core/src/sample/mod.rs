@@ -4,7 +4,6 @@
 //! not depend on either: they are evaluated.
 
 mod bones;
-mod grid;
 mod ground;
 mod lattice;
 mod outline;

@@ -6,15 +6,20 @@
 //!
 //! Each is found between two scouts, and where it is does not depend on them: on the border itself.
 //!
-//! Cost: a look at every scout's neighbours where real sites are new, afterwards at the contacts that are left and the sites that are new.
+//! Cost: each time that real sites are new, a look at every triangle of scouts, and for each scout on the border of a cell at the real sites
+//! that are about as near as its own; for each pair of them that two handles meet between, at all sites. Afterwards a look at the contacts
+//! that are left and the sites that are new.
+
+use std::collections::HashMap;
 
 use glam::DVec2;
 
 use super::{
-    Site,
+    MIN_SEPARATION, Site,
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
+use crate::grid::Grid;
 
 /// Steps onto the border, as Newton's method does them. Between two points the first ends there.
 const STEPS: usize = 3;
@@ -62,27 +67,47 @@ impl Regions<'_> {
         // Most come from both sides.
         pairs.sort_unstable();
         pairs.dedup();
-        pairs.into_iter().flat_map(|pair| self.contacts_between(pair.map(|scout| scout as usize))).collect()
+        let nearest = self.nearest_handles(pairs.as_flattened());
+        let contacts = |pair: [u32; 2]| self.contacts_between(pair, pair.map(|scout| &nearest[&scout][..]));
+        pairs.iter().flat_map(|&pair| contacts(pair)).collect()
     }
 
     /// Where the cells meet that two scouts are in, if those are of two handles.
-    fn contacts_between(&self, scouts: [usize; 2]) -> impl Iterator<Item = FarPoint> + '_ {
-        let [of_a, of_b] = scouts.map(|scout| self.nearest_handles(scout));
-        let sites = of_a.into_iter().flat_map(move |s| of_b.clone().into_iter().map(move |t| [s, t]));
+    fn contacts_between<'a>(
+        &'a self,
+        scouts: [u32; 2],
+        [of_a, of_b]: [&'a [usize]; 2],
+    ) -> impl Iterator<Item = FarPoint> + 'a {
+        let sites = of_a.iter().flat_map(move |&s| of_b.iter().map(move |&t| [s, t]));
         sites.filter_map(move |[s, t]| {
             let (a, b) = (&self.sites[s], &self.sites[t]);
             let are_apart = s != t && self.is_obstacle(t, a.island, self.body(a.kind));
+            let scouts = scouts.map(|scout| scout as usize);
             are_apart.then(|| self.on_border(self.between(scouts, a, b), a, b)).flatten()
         })
     }
 
-    /// The real sites that no other is nearer to a scout than: several where it is on a border, as on an axis of symmetry.
-    fn nearest_handles(&self, scout: usize) -> Vec<usize> {
-        let (place, p) = (self.scouts.places[scout], self.scouts.mesh.vertices[scout]);
-        let within = self.cells.distance[scout] * (1.0 + TIE);
-        let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(place, p) <= within;
+    /// For each of some scouts, the real sites nearest to it, ascending: several where it is on a border, as on an axis of
+    /// symmetry.
+    fn nearest_handles(&self, scouts: &[u32]) -> HashMap<u32, Vec<usize>> {
+        let distances = scouts.iter().map(|&scout| self.cells.distance[scout as usize]);
+        // The average radius of a query, which then touches a few cells of the grid.
+        let side = (distances.sum::<f64>() / scouts.len() as f64).max(MIN_SEPARATION);
         let real = self.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
-        real.filter(|(_, site)| is_near(site)).map(|(at, _)| at).collect()
+        let grid = Grid::new(side, real.map(|(at, site)| (site.rest, at)));
+        let nearest = |scout: usize| {
+            let (place, p) = (self.scouts.places[scout], self.scouts.mesh.vertices[scout]);
+            let within = self.cells.distance[scout] * (1.0 + TIE);
+            let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(place, p) <= within;
+            let mut near: Vec<usize> = grid.around(p, within).filter(|&at| is_near(&self.sites[at])).collect();
+            near.sort_unstable();
+            near
+        };
+        let mut known = HashMap::new();
+        for &scout in scouts {
+            known.entry(scout).or_insert_with(|| nearest(scout as usize));
+        }
+        known
     }
 
     /// About where the border of two sites is between two scouts, one in the cell of each.
@@ -109,5 +134,54 @@ impl Regions<'_> {
         }
         let (distance, site) = self.nearest(place, p)?;
         site.kind.is_real().then_some(FarPoint { at: p, place, distance })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        bone::Skeleton,
+        distance::{Navigation, Propagation},
+        domain::Domain,
+        sample::{Ground, Scouts},
+        site::{Obstacles, SiteKind},
+    };
+
+    #[test]
+    fn the_nearest_handles_of_scouts_are_those_that_a_look_at_all_finds() {
+        let domain = Domain::rectangle(200, 150);
+        let navigation = Navigation::new(&domain);
+        let scattered = (0..20)
+            .map(f64::from)
+            .map(|i| DVec2::new((0.618_033_988_75 * i).fract() * 200.0, (0.754_877_666_25 * i).fract() * 50.0));
+        // Two on both sides of an axis, on which there are scouts.
+        let points: Vec<DVec2> =
+            [(95.0, 100.0), (105.0, 100.0)].map(DVec2::from).into_iter().chain(scattered).collect();
+        let ground = Ground::new(&domain, &navigation, &[], 1500, None);
+        let scouts = Scouts::new(&ground, &domain, &navigation, &points);
+        let skeleton = Skeleton::default();
+        let obstacles = Obstacles { skeleton: &skeleton, tracks: Vec::new(), held: None };
+        let mut propagation = Propagation::default();
+        let mut regions = Regions::new(&navigation, &scouts, &obstacles, &mut propagation);
+        let free = [(30.0, 120.0), (170.0, 120.0)].map(|p| (DVec2::from(p), SiteKind::Virtual));
+        let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
+        for (p, kind) in (0..).zip(&points).map(point).chain(free) {
+            let (place, p) = navigation.locate(p).expect("inside");
+            regions.insert(p, place, kind);
+        }
+        let all: Vec<u32> = (0..scouts.len() as u32).collect();
+        let nearest = regions.nearest_handles(&all);
+        let mut found = [0; 3];
+        for scout in all {
+            let at = scout as usize;
+            let within = regions.cells.distance[at] * (1.0 + TIE);
+            let is_near = |site: &Site| site.field.distance(scouts.places[at], scouts.mesh.vertices[at]) <= within;
+            let real = |&at: &usize| regions.sites[at].kind.is_real() && is_near(&regions.sites[at]);
+            let plain: Vec<usize> = (0..regions.sites.len()).filter(real).collect();
+            assert_eq!(nearest[&scout], plain, "scout {scout}");
+            found[plain.len().min(2)] += 1;
+        }
+        assert!(found.iter().all(|&count| count > 3), "{found:?}");
     }
 }

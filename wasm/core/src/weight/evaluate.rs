@@ -3,7 +3,7 @@
 //! Cost: for each support that reaches the point's triangle, the windows of its field there; with shared bones, O(n log n) in
 //! these supports. Limits: where two paths to a site are equally short, weights have a crease and the gradient is a mean.
 
-use std::ops::Range;
+use std::{collections::HashSet, ops::Range};
 
 use glam::DVec2;
 
@@ -18,6 +18,7 @@ use crate::{
     rows::Rows,
     sample::Samples,
     site::Site,
+    triangulation::NONE,
 };
 
 /// A site's weight at a point, and the gradient.
@@ -116,16 +117,78 @@ impl WeightFunctions {
     }
 
     /// The weights of all samples.
-    pub(crate) fn of_samples(&self, sites: &[Site], samples: &Samples) -> Swept {
+    ///
+    /// Cost: see [`sweep`]; a look at every site for each sample that no support covers, of which there should be none.
+    pub(crate) fn of_samples(&self, navigation: &Navigation, sites: &[Site], samples: &Samples) -> Swept {
         let mut swept = sweep(sites, samples, &self.basis, |place| {
             let reaching = self.reaching_in(place).iter();
             reaching.map(|Reaching { site, windows }| (*site, sites[*site as usize].field.windows(windows.clone())))
         });
         self.sharing.share_out_rows(&samples.mesh.vertices, &mut swept.weights);
+        let islands: HashSet<usize> = sites.iter().map(|site| site.island).collect();
+        for sample in (0..samples.len()).filter(|&sample| swept.sums[sample] == 0.0) {
+            let (place, p) = (samples.places[sample], samples.mesh.vertices[sample]);
+            if islands.contains(&navigation.island_of(place)) {
+                // Fields reach over their cells.
+                let distances = (0..).zip(sites).map(|(number, site)| (site.field.distance(place, p), number));
+                let nearest =
+                    distances.fold((f64::INFINITY, NONE), |least, one| if one.0 < least.0 { one } else { least });
+                swept.nearest[sample] = nearest.1;
+            }
+        }
         swept
     }
 
     fn reaching_in(&self, place: Place) -> &[Reaching] {
         self.reaching.row(place.0 as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Picture,
+        project::{Filling, Project},
+        solve,
+    };
+
+    #[test]
+    fn what_no_support_covers_is_reported_and_has_a_nearest_site() {
+        let json = r#"{
+            "format": "c2warp/1", "image": { "src": "", "width": 100, "height": 100 }, "samples": 500,
+            "domain": { "kind": "polygon", "rings": [
+                [[5, 5], [45, 5], [45, 95], [5, 95]], [[55, 5], [75, 5], [75, 95], [55, 95]], [[80, 5], [95, 5], [95, 95], [80, 95]]
+            ] },
+            "handles": [
+                { "id": "a", "kind": "point", "rest": [20, 50], "posed": [20, 50] },
+                { "id": "b", "kind": "point", "rest": [60, 50], "posed": [60, 50] }
+            ]
+        }"#;
+        let project = Project::from_json(json).unwrap();
+        let mut solution = solve(&project, &Picture::new(100, 100, &[255; 40_000]).unwrap()).unwrap();
+        let pose = solution.poser().pose(&project.handles, project.pose.blend).unwrap();
+        assert!(solution.report(&pose).min_phi_sum > 0.0);
+        let navigation = &solution.outline.navigation;
+        let mut sites = solution.sites.clone();
+        sites.iter_mut().filter(|site| site.rest.x > 50.0).for_each(|site| site.support_radius = 0.0);
+        let handles: Vec<DVec2> = sites.iter().filter(|site| site.kind.is_real()).map(|site| site.rest).collect();
+        let samples = Samples::new(solution.domain(), navigation, &handles, &[], 500);
+        let functions =
+            WeightFunctions::new(navigation, &sites, &Skeleton::default(), Basis::new(5, Filling::default()));
+        let Swept { sums, nearest, .. } = functions.of_samples(navigation, &sites, &samples);
+        for (&p, &nearest) in samples.mesh.vertices.iter().zip(&nearest) {
+            let on_island = sites.iter().filter(|site| (site.rest.x > 50.0) == (p.x > 50.0));
+            let distances = on_island.map(|site| site.rest.distance(p));
+            match sites.get(nearest as usize) {
+                Some(site) => {
+                    assert!(p.x < 78.0 && site.rest.distance(p) <= distances.fold(f64::INFINITY, f64::min) + 1e-9);
+                }
+                None => assert!(p.x > 78.0 && nearest == NONE),
+            }
+        }
+        assert_eq!(sums.len(), solution.samples);
+        (solution.phi_sums, solution.nearest) = (sums, nearest);
+        assert_eq!(solution.report(&pose).min_phi_sum, 0.0);
     }
 }

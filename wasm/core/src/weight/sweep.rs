@@ -24,7 +24,7 @@ pub(crate) struct Swept {
     pub(crate) weights: SparseWeights,
     /// Σφ at each sample.
     pub(crate) sums: Vec<f64>,
-    /// The nearest site of each sample, [`NONE`] on an island without sites.
+    /// The nearest site of each sample of those whose supports reach it or a sample beside it; [`NONE`] where there is none.
     pub(crate) nearest: Vec<u32>,
 }
 

@@ -1,0 +1,50 @@
+//! Things in square cells: which are near a place.
+
+use std::collections::HashMap;
+
+use glam::{DVec2, I64Vec2};
+
+/// Things at places, to be asked for those around a place.
+///
+/// Cost: of a question, a look at every cell that its circle touches and at the things there.
+#[derive(Debug)]
+pub(crate) struct Grid<T> {
+    /// Side of a cell, in pixels.
+    side: f64,
+    cells: HashMap<I64Vec2, Vec<T>>,
+    /// The box of cells that hold all.
+    low: I64Vec2,
+    high: I64Vec2,
+}
+
+impl<T: Copy> Grid<T> {
+    pub(crate) fn new(side: f64, things: impl IntoIterator<Item = (DVec2, T)>) -> Self {
+        let mut grid = Self { side, cells: HashMap::new(), low: I64Vec2::MAX, high: I64Vec2::MIN };
+        things.into_iter().for_each(|(p, thing)| grid.insert(p, thing));
+        grid
+    }
+
+    pub(crate) fn insert(&mut self, p: DVec2, thing: T) {
+        let cell = self.cell(p);
+        (self.low, self.high) = (self.low.min(cell), self.high.max(cell));
+        self.cells.entry(cell).or_default().push(thing);
+    }
+
+    /// All things nearer to a place than `radius`, and some more, cell by cell.
+    pub(crate) fn around(&self, p: DVec2, radius: f64) -> impl Iterator<Item = T> + '_ {
+        let (low, high) = (self.cell(p - radius).max(self.low), self.cell(p + radius).min(self.high));
+        let cells = (low.y..=high.y).flat_map(move |y| (low.x..=high.x).map(move |x| I64Vec2::new(x, y)));
+        cells.filter_map(|cell| self.cells.get(&cell)).flatten().copied()
+    }
+
+    fn cell(&self, p: DVec2) -> I64Vec2 {
+        (p / self.side).floor().as_i64vec2()
+    }
+}
+
+impl Grid<DVec2> {
+    /// Of points that are asked for themselves.
+    pub(crate) fn of_points(side: f64, points: &[DVec2]) -> Self {
+        Self::new(side, points.iter().map(|&p| (p, p)))
+    }
+}
