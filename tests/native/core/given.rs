@@ -109,7 +109,8 @@ fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
     let ((sites, here), (far_sites, there)) = (bent(DVec2::ZERO), bent(DVec2::new(999_999.0, -1e6)));
     assert_eq!(sites, far_sites);
     let apart = here.iter().zip(&there).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
-    assert!(apart < 1e-5, "{apart}");
+    // What rounding leaves of gradients that are differences over a hundred-thousandth of a part.
+    assert!(apart < 1e-4, "{apart}");
 }
 
 #[test]
