@@ -166,5 +166,5 @@ fn every_refusal_names_point_or_handle() {
     let outside = [(50.0, 50.0), (450.0, 50.0)].map(DVec2::from);
     assert_eq!(refusal(&outside), Error::HandleOutside { id: "h1".into(), x: 450.0, y: 50.0 });
     assert_eq!(refusal(&[DVec2::splat(50.0), DVec2::splat(50.001)]).code(), "handles-too-close");
-    assert_eq!(refusal(&[DVec2::splat(f64::NAN)]).code(), "handle-outside");
+    assert_eq!(refusal(&[DVec2::splat(f64::NAN)]).code(), "project");
 }

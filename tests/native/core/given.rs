@@ -174,7 +174,7 @@ fn handles_beside_the_mesh_and_on_its_held_boundary_are_refused() {
     let mut outside = project(&[], &[(5.0, 5.0).into(), (30.5, 5.0).into()], Support::Paper);
     let expected = Error::HandleOutside { id: "h1".into(), x: 30.5, y: 5.0 };
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle outside"), expected);
-    outside.handles = vec![handle(0, DVec2::splat(5.0), DVec2::splat(5.0), 0.0); 2];
+    outside.handles = [0, 1].map(|id| handle(id, DVec2::splat(5.0), DVec2::splat(5.0), 0.0)).to_vec();
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("two on one spot").code(), "handles-too-close");
     outside.fix_boundary = true;
     outside.handles = vec![handle(0, DVec2::new(5.0, 0.0), DVec2::new(5.0, 2.0), 0.0)];

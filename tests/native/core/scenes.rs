@@ -77,10 +77,10 @@ pub(crate) fn handle(id: usize, rest: DVec2, posed: DVec2, degrees: f64) -> Hand
     Handle { id: format!("h{id}"), shape, rotation: Rotation::Degrees(degrees), scale: 1.0, depth: 0.0 }
 }
 
-/// A project with point handles at rest.
+/// A project with point handles at rest; without rings, of what stands for the domain.
 pub(crate) fn project(rings: &[Vec<DVec2>], places: &[DVec2], support: Support) -> Project {
     let mut project = Project::new(ImageRef { src: "white.png".into(), width: SIZE, height: SIZE });
-    project.domain = Some(DomainSpec::Polygon { rings: rings.to_vec() });
+    project.domain = (!rings.is_empty()).then(|| DomainSpec::Polygon { rings: rings.to_vec() });
     project.samples = 1500;
     project.weighting.support = support;
     project.handles = places.iter().enumerate().map(|(id, &p)| handle(id, p, p, 0.0)).collect();

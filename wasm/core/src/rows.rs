@@ -13,7 +13,6 @@ pub(crate) struct Rows<T> {
 impl<T: Clone + Default> Rows<T> {
     /// Builds `rows` compressed rows from `(row, item)` pairs, keeping the order of the pairs within a row. Counting sort:
     /// `pairs` is called twice and must yield the same sequence.
-    ///
     pub(crate) fn from_pairs<I: Iterator<Item = (usize, T)>>(rows: usize, pairs: impl Fn() -> I) -> Self {
         let mut start = vec![0_u32; rows + 1];
         pairs().for_each(|(row, _)| start[row + 1] += 1);

@@ -68,7 +68,8 @@ function sorted(skin: Skin, depths: Float32Array): Uint32Array {
 function countingSort(triangles: Uint32Array, steps: Int32Array): Uint32Array {
   const start = new Uint32Array(DEPTH_STEPS + 2);
   for (const step of steps) start[step + 1] = (start[step + 1] ?? 0) + 1;
-  for (let step = 0; step <= DEPTH_STEPS; step++) start[step + 1] = (start[step + 1] ?? 0) + (start[step] ?? 0);
+  for (let step = 0; step <= DEPTH_STEPS; step++)
+    start[step + 1] = (start[step + 1] ?? 0) + (start[step] ?? 0);
   const result = new Uint32Array(triangles.length);
   steps.forEach((step, triangle) => {
     const at = start[step] ?? 0;

@@ -102,7 +102,7 @@ impl CloudSolution {
         Some(weights.into_iter().collect())
     }
 
-    /// The posed place of a place (eq. 1); `None` outside the cloud.
+    /// Where a place goes under a pose (eq. 1); `None` outside the cloud.
     ///
     /// # Panics
     /// If the pose belongs to another solution.

@@ -4,7 +4,6 @@
 //! clouds, which have no outline, have nothing better. Scouts use the graph for adjacency only.
 //!
 //! Cost: O(n log n) for the distances from one source to n nodes.
-//!
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 

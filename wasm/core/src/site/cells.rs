@@ -63,7 +63,7 @@ impl Cells {
             }
             let Some(PathEnd { distance: d, pseudo_source, .. }) = path_end(at) else { continue };
             let known = self.distance[at];
-            // The path to a scout of the cell crosses only triangles whose corners are at most an edge farther from the site.
+            // The path to a scout of the cell crosses triangles whose corners are at most an edge away from the path.
             if d < known + 2.0 * scouts.reach[at] {
                 self.stack.extend(scouts.graph.of(at));
             }

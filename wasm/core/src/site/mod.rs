@@ -92,7 +92,7 @@ pub struct Site {
     pub cell_radius: f64,
     /// r_i: the distance at which φ reaches zero.
     pub support_radius: f64,
-    /// Whether the site is of no body and lies between two bones that meet at a shallow angle, close to both.
+    /// Whether the site belongs to no body and lies between two bones that meet at a shallow angle, close to both.
     ///
     /// Its support keeps clear of both bones. Towards their joint its cell ends at the bones' sites, and however many these
     /// are, the cell reaches about as far as the support: with a margin, Algorithm 1 would insert sites towards the joint

@@ -6,7 +6,6 @@
 //! point however few scouts there are.
 //!
 //! Cost: the triangles along the border of the cell, and the pieces that the search opens.
-//!
 
 use super::{
     Site,

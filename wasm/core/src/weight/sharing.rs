@@ -52,7 +52,6 @@ impl Sharing {
 
     /// Divides `influences` at a point, whose weights and gradients are those of φ up to a common factor. `sharers` is
     /// scratch memory.
-    ///
     pub(super) fn share_out(&self, p: DVec2, influences: &mut [Influence], sharers: &mut Vec<Sharer>) {
         if self.bone.is_empty() {
             return;
