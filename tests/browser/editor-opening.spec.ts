@@ -3,6 +3,7 @@
 import type { Page, Route } from '@playwright/test';
 import { encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
+import { Answers } from './answers';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -142,6 +143,24 @@ test('a picture without handles says what to do, and the one that a person bring
   await bring();
   await expect(page.getByText('take the point tool')).toBeVisible();
   await pressed('Select and move');
+});
+
+test('a picture is fitted as it is while it is being solved, whatever the size of the one before', async ({
+  page,
+}) => {
+  const answers = await Answers.of(page);
+  await open(page, `<c2-warp src="/samples/gingerbread.png"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  const editor = new Editor(page);
+  expect(await editor.zoom()).toBeLessThan(1);
+  await answers.hold();
+  await warp(page).evaluate((element) => element.setAttribute('src', '/fast.png'));
+  await expect.poll(() => picture(page)).toBe('fast.png');
+  await editor.drawn();
+  expect(await editor.zoom()).toBe(2);
+  await answers.pass();
+  await expect(editor.solved).toContainText('48 × 48 px');
+  expect(await editor.zoom()).toBe(2);
 });
 
 test('the newest load wins, and the one before it is told so', async ({ page }) => {

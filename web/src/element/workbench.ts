@@ -194,8 +194,9 @@ export class Workbench {
   }
 
   #put(picture: Picture, record: HistoryRecord<Document>): void {
-    this.#show(picture);
+    // First of all: where the picture before reached says nothing of how this one is fitted.
     this.solving.setPicture(picture);
+    this.#show(picture);
     this.editing.open(record);
   }
 
