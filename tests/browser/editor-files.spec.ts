@@ -399,6 +399,45 @@ test('a wrong picture in between does not take away the way back, nor does one t
   await expect.poll(() => editor.told('left hand')).toEqual(told);
 });
 
+test('a picture that is refused leaves the view and what is being drawn', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const refused = async () => {
+    await bring(editor, 'drop', png('clear.png', disc(64, 0)));
+    await expect(editor.notice).toContainText('clear.png');
+    await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
+    await expect(editor.solved).toContainText('sample');
+  };
+  await editor.dragHandle('head', { x: 0, y: -170 });
+  await page.keyboard.press('0');
+  const fitted = await editor.zoom();
+  await refused();
+  expect(await editor.zoom()).toBe(fitted);
+
+  await page.keyboard.press('g');
+  const { x, y } = await editor.middle(page.locator('c2-warp canvas'));
+  for (const [right, down] of [
+    [0, 0],
+    [60, 0],
+    [30, 50],
+  ] as const) {
+    await page.mouse.click(x + right, y + down);
+  }
+  await page.keyboard.press('+');
+  const [corners, last] = [
+    page.locator('c2-warp .draft .corner'),
+    page.locator('c2-warp .draft .corner').last(),
+  ];
+  await expect(corners).toHaveCount(3);
+  const [zoom, at] = [await editor.zoom(), await editor.middle(last)];
+  expect(zoom).toBeGreaterThan(fitted);
+  await refused();
+  await expect(corners).toHaveCount(3);
+  expect(await editor.zoom()).toBe(zoom);
+  expect(await editor.middle(last)).toEqual(at);
+  await page.keyboard.press('Enter');
+  await expect(editor.button('Undo: add polygon')).toBeVisible();
+});
+
 test('of several pictures the first is opened, and a word names the others', async ({ page }) => {
   const editor = await Editor.open(page);
   await bring(editor, 'drop', png('one.png', disc(64)), png('two.png', disc(64)));

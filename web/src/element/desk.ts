@@ -29,7 +29,7 @@ import { run } from './running';
 import { Surroundings } from './surroundings';
 import { Talking } from './talking';
 import type { Turn } from './turn';
-import { Viewing } from './viewing';
+import { type Look, Viewing } from './viewing';
 import { type Kept, Workbench } from './workbench';
 
 export interface DeskHost {
@@ -124,15 +124,18 @@ export class Desk {
       outside: (ids) => this.#tellOutside(ids),
     });
     this.workbench = new Workbench({
-      opened: (picture) => this.#opened(picture),
-      solved: ({ data }, opened) => {
+      get look() {
+        return desk.viewing.now;
+      },
+      opened: (picture, look) => this.#opened(picture, look),
+      solved: ({ data }, first) => {
         this.posing.forget();
         this.#drawing?.setSolution(data);
         this.#noticing.solved(data.report);
         // Now it is known how far it reaches.
-        if (opened) this.viewing.refit();
+        if (first) this.viewing.refit();
         // What has just been restored is kept already, or something newer of another tab.
-        if (opened && !this.#restoring) this.#keep();
+        if (first && !this.#restoring) this.#keep();
         this.#host.changed();
       },
       edited: (kind) => this.#edited(kind),
@@ -434,12 +437,12 @@ export class Desk {
     return { text: hint.text, at, above: !this.viewing.shows(at, HINT_WIDTH) };
   }
 
-  #opened(picture: Picture | null): void {
+  #opened(picture: Picture | null, look?: Look): void {
     this.posing.forget();
     this.talking.clear();
     if (picture && !this.#host.play) this.talking.say(`${picture.name} is open`);
     this.#drawing?.setPicture(picture?.bitmap ?? null);
-    this.viewing.show(picture);
+    this.viewing.show(picture, look);
     this.#looked();
   }
 

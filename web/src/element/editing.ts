@@ -41,7 +41,7 @@ import { solvesWith } from '../document/solved';
 import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
 import { add, type Vec } from '../geometry/vec';
-import { ToolMachine } from '../tools/machine';
+import { type Drawings, ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
 import type { Field } from '../ui/model';
 import type { Guarding } from './guarding';
@@ -93,9 +93,9 @@ export class Editing {
     return this.#history.record();
   }
 
-  /** Starts over with another document and its history. */
-  open(record: HistoryRecord<Document>): void {
-    this.#letGo(this.machine.clear());
+  /** Starts over with another document and its history, and with what was being drawn there. */
+  open(record: HistoryRecord<Document>, drawings?: Drawings): void {
+    this.#letGo(this.machine.restore(drawings));
     this.#drawn = null;
     this.#host.guarding.end();
     this.#history = History.from(record, isSameWork);

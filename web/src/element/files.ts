@@ -6,7 +6,7 @@ import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
 import { fits, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
 import { type Turn, Turns } from './turn';
-import type { Kept, Workbench } from './workbench';
+import type { Kept, Work, Workbench } from './workbench';
 
 export interface FilesHost {
   changed(): void;
@@ -88,12 +88,12 @@ export class Files {
       typeof source === 'string' ? fileName(source) : source instanceof File ? source.name : 'picture.png';
     const text = typeof project === 'string' ? await this.#fetchedText(project, turn) : made;
     const given = text === undefined ? undefined : await turn.through(this.#workbench.readProject(text));
-    const { picture, record } = await this.#ready(file, name, turn, given);
-    await this.#open(picture, record);
+    const { picture, work } = await this.#ready(file, name, turn, given);
+    await this.#open(picture, work);
   }
 
   async restore(kept: Kept, turn = this.turn()): Promise<void> {
-    await this.#open(await this.#picture(kept.file, kept.name, turn), kept.record);
+    await this.#open(await this.#picture(kept.file, kept.name, turn), kept);
   }
 
   /** Gives up what is being opened, and opens nothing more. */
@@ -127,7 +127,7 @@ export class Files {
     const given = project && (await this.#readProject(project));
     if (picture && turn) {
       const ready = await this.#ready(picture, picture.name || 'pasted.png', turn, given?.project);
-      await this.#openOther(ready.picture, ready.record);
+      await this.#openOther(ready.picture, ready.work);
     } else if (given) this.#openProject(given.name, given.project);
   }
 
@@ -157,16 +157,16 @@ export class Files {
   }
 
   /** Opens a picture over another, with a way back to that if it was worked on. @param left those that others lead back to. */
-  async #openOther(picture: Picture, record?: Kept['record'], left = this.#left): Promise<void> {
+  async #openOther(picture: Picture, work?: Work, left = this.#left): Promise<void> {
     const { kept } = this.#workbench;
     const edited = kept !== null && kept.record.past.length > 0;
-    await this.#open(picture, record, edited ? [...left, kept] : left);
+    await this.#open(picture, work, edited ? [...left, kept] : left);
   }
 
   /** What a person has left is offered whatever comes of it: another picture, or the one before it again. */
-  async #open(picture: Picture, record?: Kept['record'], left = this.#left): Promise<void> {
+  async #open(picture: Picture, work?: Work, left = this.#left): Promise<void> {
     try {
-      await this.#workbench.open(picture, record);
+      await this.#workbench.open(picture, work);
       this.#left = left;
     } finally {
       this.#offerBack();
@@ -187,7 +187,7 @@ export class Files {
   async #back(kept: Kept): Promise<void> {
     const picture = await this.#picture(kept.file, kept.name, this.turn());
     const others = this.#left.filter((other) => other !== kept);
-    await this.#openOther(picture, kept.record, others);
+    await this.#openOther(picture, kept, others);
   }
 
   /** A picture to be opened, with the project that was given for it or waits for it. */
@@ -196,7 +196,7 @@ export class Files {
     name: string,
     turn: Turn,
     given?: Project,
-  ): Promise<{ picture: Picture; record?: Kept['record'] }> {
+  ): Promise<{ picture: Picture; work?: Work }> {
     const picture = await this.#picture(file, name, turn);
     const awaited =
       this.#awaiting && fits(picture, this.#awaiting.project) ? this.#awaiting.project : undefined;
@@ -209,7 +209,7 @@ export class Files {
     }
     this.#awaiting = null;
     const present = project && { project, selection: [] };
-    return present ? { picture, record: { past: [], present, future: [] } } : { picture };
+    return present ? { picture, work: { record: { past: [], present, future: [] } } } : { picture };
   }
 
   async #picture(file: Blob, name: string, turn: Turn): Promise<Picture> {

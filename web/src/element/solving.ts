@@ -20,8 +20,8 @@ export interface Solved {
 }
 
 export interface SolvingHost {
-  /** Another solution is to be shown. */
-  solved(solved: Solved): void;
+  /** Another solution is to be shown. @param first it is the first of this picture. */
+  solved(solved: Solved, first: boolean): void;
   /** The solver does not take this project. */
   refused(key: string, error: Error): void;
   /** The solver itself is at fault. */
@@ -158,8 +158,9 @@ export class Solving {
 
   #show(solved: Solved): void {
     this.#done();
+    const first = this.#current === null;
     this.#current = solved;
-    this.#host.solved(solved);
+    this.#host.solved(solved, first);
   }
 
   #keep(solved: Solved): void {

@@ -15,6 +15,17 @@ const SLACK = 0.5;
 /** One notch of the zoom buttons. */
 const NOTCH = Math.SQRT2;
 
+/** A view of a picture that can be come back to. */
+export interface Look {
+  readonly camera: Camera;
+  /** The size of the stage that the camera is made for. */
+  readonly stage: Size;
+  /** The whole picture is in view, and stays so. */
+  readonly fitted: boolean;
+  /** It is beside the sheet. */
+  readonly beside: boolean;
+}
+
 export interface ViewingHost extends Omit<Cards, 'stage'> {
   /** Where the posed picture lies, image pixels; null where nobody knows yet. */
   bounds(): Box | null;
@@ -22,14 +33,9 @@ export interface ViewingHost extends Omit<Cards, 'stage'> {
 
 export class Viewing {
   readonly #host: ViewingHost;
-  camera: Camera = { scale: 1, x: 0, y: 0 };
   stage: Size = { width: 1, height: 1 };
-  /** The size of the stage that the camera is made for. */
-  #settled: Size = this.stage;
   #picture: Size | null = null;
-  #fitted = true;
-  /** It is beside the sheet. */
-  #beside = false;
+  #now: Look = { camera: { scale: 1, x: 0, y: 0 }, stage: this.stage, fitted: true, beside: false };
   /** What has been bent beyond its rectangle made a bare picture smaller. */
   #widened = false;
 
@@ -37,9 +43,21 @@ export class Viewing {
     this.#host = host;
   }
 
-  show(picture: Size | null): void {
+  get now(): Look {
+    return this.#now;
+  }
+
+  get camera(): Camera {
+    return this.#now.camera;
+  }
+
+  /** @param look as it was looked at before; left out: the whole of it. */
+  show(picture: Size | null, look?: Look): void {
     this.#picture = picture;
-    this.fit();
+    if (look) {
+      this.#now = look;
+      this.resize(this.stage);
+    } else this.fit();
   }
 
   /**
@@ -52,30 +70,28 @@ export class Viewing {
     const keyboard = typing && stage.width === this.stage.width;
     this.stage = stage;
     if (keyboard) return;
-    const by: Vec = [(stage.width - this.#settled.width) / 2, (stage.height - this.#settled.height) / 2];
-    this.#settled = stage;
-    if (this.#fitted) this.refit();
-    else this.camera = panned(this.camera, by);
+    const { camera, stage: before } = this.#now;
+    const by: Vec = [(stage.width - before.width) / 2, (stage.height - before.height) / 2];
+    this.#now = { ...this.#now, stage, camera: panned(camera, by) };
+    this.refit();
   }
 
   look(camera: Camera): void {
-    this.camera = camera;
-    this.#fitted = false;
+    this.#now = { ...this.#now, camera, fitted: false };
   }
 
   /** @param sheet whether to leave room for the panel as a sheet. */
   fit(sheet = this.#host.sheet): void {
-    this.#fitted = true;
-    this.#beside = sheet;
+    this.#now = { ...this.#now, fitted: true, beside: sheet };
     if (!this.#picture) return;
     const posed = this.#host.bounds();
     const all = posed ? boxOfBoth(this.#frame, posed) : this.#frame;
-    this.camera = fitted(all, this.stage, this.#insets(sheet));
+    this.#now = { ...this.#now, camera: fitted(all, this.stage, this.#insets(sheet)) };
   }
 
   /** The same once more, unless the person looks elsewhere. What is selected meanwhile moves nothing. */
   refit(): void {
-    if (this.#fitted) this.fit(this.#beside);
+    if (this.#now.fitted) this.fit(this.#now.beside);
   }
 
   /** One image pixel on one pixel of the stage. */

@@ -15,32 +15,43 @@ import { projectText } from '../document/project-text';
 import { alphaThreshold } from '../io/alpha';
 import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
+import type { Drawings } from '../tools/machine';
 import { Editing, type EditingHost } from './editing';
 import { fits, type Picture, stem } from './picture';
 import { inEditorsWords } from './refusing';
 import { type Solved, Solving } from './solving';
+import type { Look } from './viewing';
 
 export interface WorkbenchHost extends EditingHost {
-  /** Another picture is open, or none. */
-  opened(picture: Picture | null): void;
-  /** @param opened it is the first of what has just been opened. */
-  solved(solved: Solved, opened: boolean): void;
+  /** Where the person looks now. */
+  readonly look: Look;
+  /** Another picture is open, or none. @param look where the person looked when it was open before. */
+  opened(picture: Picture | null, look?: Look): void;
+  /** @param first it is the first of this picture. */
+  solved(solved: Solved, first: boolean): void;
   /** Something has begun that takes a while, and perhaps can be given up. Returns what ends it. */
   begin(label: string, cancel: (() => void) | null): () => void;
   report(error: Error): void;
 }
 
+/** What a person has made of a picture. */
+export interface Work {
+  readonly record: HistoryRecord<Document>;
+  /** What is being drawn. */
+  readonly drawings?: Drawings;
+  readonly look?: Look;
+}
+
 /** What a closed picture leaves behind, enough to open it again. */
-export interface Kept {
+export interface Kept extends Work {
   readonly file: Blob;
   readonly name: string;
-  readonly record: HistoryRecord<Document>;
   /** The guard against folds was on. */
   readonly guarded: boolean;
 }
 
 interface Opening {
-  readonly before: { readonly picture: Picture; readonly record: HistoryRecord<Document> } | null;
+  readonly before: { readonly picture: Picture; readonly work: Work } | null;
   /** The picture, where its project is the editor's own. */
   readonly fresh: Picture | null;
   resolve(): void;
@@ -76,7 +87,7 @@ export class Workbench {
       NOTHING,
     );
     this.solving = new Solving({
-      solved: (solved) => this.#solved(solved),
+      solved: (solved, first) => this.#solved(solved, first),
       refused: (key, error) => this.#refused(key, error),
       failed: (error) => this.#failed(error),
       // Without a solution to go back to there is nothing to give up for.
@@ -93,20 +104,20 @@ export class Workbench {
     const open = this.#opening ? this.#opening.before : this.#picture && this.#snapshot(this.#picture);
     if (!open) return null;
     const { file, name } = open.picture;
-    return { file, name, record: open.record, guarded: this.#host.guarding.on };
+    return { file, name, ...open.work, guarded: this.#host.guarding.on };
   }
 
   /**
-   * Opens a picture, with a project for it or a new one. Done once it is solved.
+   * Opens a picture, with what was made of it or a new project. Done once it is solved.
    * @throws Error with a code where the solver refuses it; what was open before stays.
    */
-  open(picture: Picture, record?: HistoryRecord<Document>): Promise<void> {
+  open(picture: Picture, work?: Work): Promise<void> {
     this.#opening?.reject(new DOMException('another picture was opened', 'AbortError'));
     const before =
       this.#picture && !this.#opening ? this.#snapshot(this.#picture) : (this.#opening?.before ?? null);
     return new Promise((resolve, reject) => {
-      this.#opening = { before, fresh: record ? null : picture, resolve, reject };
-      this.#put(picture, record ?? { past: [], present: this.#fresh(picture), future: [] });
+      this.#opening = { before, fresh: work ? null : picture, resolve, reject };
+      this.#put(picture, work ?? this.#fresh(picture));
       this.solving.engine().then(
         (engine) => {
           this.#engine = engine;
@@ -185,32 +196,35 @@ export class Workbench {
   }
 
   #snapshot(picture: Picture): NonNullable<Opening['before']> {
-    return { picture, record: this.editing.record() };
+    const { editing } = this;
+    const work = { record: editing.record(), drawings: editing.machine.drawings, look: this.#host.look };
+    return { picture, work };
   }
 
-  #fresh(picture: Picture): Document {
+  #fresh(picture: Picture): Work {
     const { name: src, width, height } = picture;
-    return openDocument(newProject({ src, width, height }, alphaThreshold(picture)));
+    const present = openDocument(newProject({ src, width, height }, alphaThreshold(picture)));
+    return { record: { past: [], present, future: [] } };
   }
 
-  #put(picture: Picture, record: HistoryRecord<Document>): void {
+  #put(picture: Picture, { record, drawings, look }: Work): void {
     // First of all: where the picture before reached says nothing of how this one is fitted.
     this.solving.setPicture(picture);
-    this.#show(picture);
-    this.editing.open(record);
+    this.#show(picture, look);
+    this.editing.open(record, drawings);
   }
 
-  #show(picture: Picture | null): void {
+  #show(picture: Picture | null, look?: Look): void {
     const last = this.#picture;
     this.#picture = picture;
-    this.#host.opened(picture);
+    this.#host.opened(picture, look);
     if (last !== picture && last !== this.#opening?.before?.picture) last?.bitmap.close();
   }
 
-  #solved(solved: Solved): void {
+  #solved(solved: Solved, first: boolean): void {
     const opening = this.#opening;
     this.#opening = null;
-    this.#host.solved(solved, opening !== null);
+    this.#host.solved(solved, first);
     if (!opening) return;
     opening.before?.picture.bitmap.close();
     opening.resolve();
@@ -227,9 +241,9 @@ export class Workbench {
       return;
     }
     this.#opening = null;
-    if (opening.before) this.#put(opening.before.picture, opening.before.record);
+    if (opening.before) this.#put(opening.before.picture, opening.before.work);
     else if (this.#picture && this.editing.project.handles.length > 0) {
-      this.#put(this.#picture, { past: [], present: this.#fresh(this.#picture), future: [] });
+      this.#put(this.#picture, this.#fresh(this.#picture));
     } else {
       this.#show(null);
     }
@@ -239,7 +253,7 @@ export class Workbench {
   #failed(error: Error): void {
     const opening = this.#opening;
     this.#opening = null;
-    if (opening?.before) this.#put(opening.before.picture, opening.before.record);
+    if (opening?.before) this.#put(opening.before.picture, opening.before.work);
     if (opening) opening.reject(error);
     else this.#host.report(error);
   }

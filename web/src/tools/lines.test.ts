@@ -204,6 +204,20 @@ describe('drawing a bar', () => {
     expect(bench.machine.draft).toBeNull();
   });
 
+  it('is put back as it was, whatever is being drawn by then', () => {
+    bench.click([200, 200], [260, 200], [260, 260]);
+    const { drawings } = bench.machine;
+    bench.apply(bench.machine.restore());
+    expect(bench.machine.draft).toBeNull();
+    bench.click([100, 100]);
+    bench.down([160, 100]);
+    bench.apply(bench.machine.restore(drawings));
+    expect(bench.machine.busy).toBe(false);
+    expect(bench.machine.draft?.corners).toHaveLength(3);
+    bench.apply(bench.machine.back());
+    expect(bench.machine.draft?.corners).toHaveLength(2);
+  });
+
   it('meets the nearest of several corners in reach', () => {
     const [near, far]: [Vec, Vec] = [
       [104, 0],

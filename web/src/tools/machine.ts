@@ -12,6 +12,9 @@ export type ToolName = keyof typeof TOOLS;
 
 const NAMES = Object.keys(TOOLS) as ToolName[];
 
+/** What each tool draws, or the tool itself. */
+export type Drawings = Readonly<Record<ToolName, State>>;
+
 export const isToolName = (name: unknown): name is ToolName => typeof name === 'string' && name in TOOLS;
 
 export class ToolMachine {
@@ -37,6 +40,11 @@ export class ToolMachine {
   /** What is being drawn with other tools, until they are taken up again. */
   get waiting(): readonly Draft[] {
     return NAMES.flatMap((name) => (name === this.#tool ? [] : (this.#resting[name].draft ?? [])));
+  }
+
+  /** All that is being drawn, to be put back by `restore`; a press in hand is no part of it. */
+  get drawings(): Drawings {
+    return { ...this.#resting };
   }
 
   /** Takes up another tool; the press in hand is over, what is being drawn waits. */
@@ -85,6 +93,14 @@ export class ToolMachine {
   clear(): readonly Effect[] {
     const effects = this.bail();
     Object.assign(this.#resting, TOOLS);
+    return effects;
+  }
+
+  /** Gives up the press in hand, and puts these in the place of what is being drawn. */
+  restore(drawings: Drawings = TOOLS): readonly Effect[] {
+    const effects = this.cancel();
+    Object.assign(this.#resting, drawings);
+    this.#state = this.#resting[this.#tool];
     return effects;
   }
 
