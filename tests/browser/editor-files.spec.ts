@@ -457,6 +457,10 @@ test('a project without its picture asks for it, and takes it when it comes', as
   await editor.choose(project(other));
   await expect(page.getByText('belongs to the picture disc.png (64 × 64 px)')).toBeVisible();
   await expect(editor.handles).toHaveCount(5);
+  // A wrong one in between takes nothing away.
+  await bring(editor, 'drop', png('wrong.png', disc(48)));
+  await expect(editor.solved).toContainText('48 × 48 px');
+  await expect(page.getByText('belongs to the picture disc.png (64 × 64 px)')).toBeVisible();
   const asked = page.waitForEvent('filechooser');
   await editor.button('Open picture').click();
   await (await asked).setFiles(png('disc.png', disc(64)));

@@ -147,8 +147,15 @@ export class Files {
       this.#workbench.adopt(project, `Open ${name}`);
       return;
     }
-    const { src, width, height } = project.image;
     this.#awaiting = { name, project };
+    this.#ask();
+  }
+
+  /** For the picture of the project that waits. */
+  #ask(): void {
+    if (!this.#awaiting) return;
+    const { name, project } = this.#awaiting;
+    const { src, width, height } = project.image;
     this.#host.notify({
       kind: 'info',
       text: `${name} belongs to the picture ${src || 'it was made for'} (${width} × ${height} px). Open that picture to go on.`,
@@ -163,13 +170,14 @@ export class Files {
     await this.#open(picture, work, edited ? [...left, kept] : left);
   }
 
-  /** What a person has left is offered whatever comes of it: another picture, or the one before it again. */
+  /** What a person has left, or else what waits, is offered whatever comes of it: another picture, or the one before it again. */
   async #open(picture: Picture, work?: Work, left = this.#left): Promise<void> {
     try {
       await this.#workbench.open(picture, work);
       this.#left = left;
     } finally {
-      this.#offerBack();
+      if (this.#left.length > 0) this.#offerBack();
+      else this.#ask();
     }
   }
 
@@ -198,16 +206,15 @@ export class Files {
     given?: Project,
   ): Promise<{ picture: Picture; work?: Work }> {
     const picture = await this.#picture(file, name, turn);
-    const awaited =
-      this.#awaiting && fits(picture, this.#awaiting.project) ? this.#awaiting.project : undefined;
-    const project = given ?? awaited;
+    const awaited = this.#awaiting?.project;
+    const project = given ?? (awaited && fits(picture, awaited) ? awaited : undefined);
     if (project && !fits(picture, project)) {
       picture.bitmap.close();
       const { width, height } = project.image;
       const message = `The project is for a picture of ${width} × ${height} px; ${name} has ${picture.width} × ${picture.height} px.`;
       throw Object.assign(new Error(message), { code: 'image-size' });
     }
-    this.#awaiting = null;
+    if (project === awaited) this.#awaiting = null;
     const present = project && { project, selection: [] };
     return present ? { picture, work: { record: { past: [], present, future: [] } } } : { picture };
   }
