@@ -438,6 +438,45 @@ test('a picture that is refused leaves the view and what is being drawn', async 
   await expect(editor.button('Undo: add polygon')).toBeVisible();
 });
 
+test('moved on its page, it leads back still, draws on, looks where it did, and a project waits on', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const move = async () => {
+    await page.locator('c2-warp').evaluate((element) => document.body.append(element));
+    await expect(editor.solved).toContainText('sample');
+  };
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  const told = await editor.still(() => editor.told('left hand'));
+  await bring(editor, 'drop', png('disc.png', disc(64)));
+  await expect(editor.solved).toContainText('64 × 64 px');
+  await page.keyboard.press('g');
+  const { x, y } = await editor.middle(page.locator('c2-warp canvas'));
+  const corners = page.locator('c2-warp .draft .corner');
+  await page.mouse.click(x, y);
+  await page.mouse.click(x + 30, y);
+  await page.keyboard.press('+');
+  const zoom = await editor.zoom();
+  await move();
+  await expect(corners).toHaveCount(2);
+  expect(await editor.zoom()).toBe(zoom);
+  await editor.button('Back to gingerbread.png').click();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  // What was drawn and not done is work too.
+  await editor.button('Back to disc.png').click();
+  await expect(corners).toHaveCount(2);
+  await editor.button('Back to gingerbread.png').click();
+  await expect(editor.handles).toHaveCount(5);
+
+  const image = { src: 'other.png', width: 48, height: 48 };
+  const handles = [{ id: 'middle', kind: 'point', rest: [24, 24], posed: [26, 24] }];
+  await editor.choose(project({ format: 'c2warp/1', image, handles }));
+  await expect(page.getByText('belongs to the picture other.png')).toBeVisible();
+  await move();
+  await bring(editor, 'drop', png('other.png', disc(48)));
+  await expect(editor.handle('middle')).toBeVisible();
+});
+
 test('of several pictures the first is opened, and a word names the others', async ({ page }) => {
   const editor = await Editor.open(page);
   await bring(editor, 'drop', png('one.png', disc(64)), png('two.png', disc(64)));

@@ -289,6 +289,7 @@ export class C2Warp extends TypedElement {
       get hint() {
         return element.hint ? { text: element.hint, handle: element.hintFor } : null;
       },
+      aside: this.#beginning.aside,
       changed: () => this.requestUpdate(),
       edited: (kind) => this.#edited(kind),
       emit: this.#emit,

@@ -6,6 +6,7 @@
 import type { ProjectFile } from '../document/project';
 import type { Desk } from './desk';
 import type { Emit } from './events';
+import type { Aside } from './files';
 import type { Turn } from './turn';
 import type { Kept } from './workbench';
 
@@ -17,10 +18,13 @@ export interface BeginningHost {
   readonly emit: Emit;
 }
 
+const nothing = (): Aside => ({ awaiting: null, left: [] });
+
 export class Beginning {
   /** What a page has set while there was no picture for it. */
   project: ProjectFile | null = null;
   selection: readonly string[] | null = null;
+  aside = nothing();
   readonly #host: BeginningHost;
   #left: Kept | null = null;
   /** What the attributes name anew since the element began, and that is not open yet. Each change is another. */
@@ -41,6 +45,7 @@ export class Beginning {
 
   forget(): void {
     this.#left = null;
+    this.aside = nothing();
   }
 
   /** The project that was set for a picture still to come; it is handed out once. */

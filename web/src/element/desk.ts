@@ -17,7 +17,7 @@ import { showSelected } from '../ui/panel';
 import { Drawing } from './drawing';
 import type { ChangeKind, Editing } from './editing';
 import type { Emit } from './events';
-import { Files } from './files';
+import { type Aside, Files } from './files';
 import { Guarding } from './guarding';
 import { Input } from './input';
 import { Keeping } from './keeping';
@@ -40,6 +40,7 @@ export interface DeskHost {
   readonly dark: boolean;
   /** The tool that the page names. */
   readonly tool: string | null;
+  readonly aside: Aside;
   /** What a first visitor is told of a handle. */
   readonly hint: { readonly text: string; readonly handle: string | null } | null;
   /** What the templates show has changed. */
@@ -150,7 +151,7 @@ export class Desk {
     });
     this.posing = new Posing(this.workbench);
     this.#reaching = new Reaching({ workbench: this.workbench, changed: () => this.#drawing?.look() });
-    this.files = new Files(this.workbench, {
+    this.files = new Files(this.workbench, host.aside, {
       changed: () => host.changed(),
       notify: (notice) => this.talking.notify(notice),
       report: (error) => this.talking.report(error),

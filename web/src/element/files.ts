@@ -8,6 +8,14 @@ import { fits, ofFile, type Picture, readPicture, sortFiles, stem } from './pict
 import { type Turn, Turns } from './turn';
 import type { Kept, Work, Workbench } from './workbench';
 
+/** What a person has brought, and that is not in hand now. It is still there where the element has moved. */
+export interface Aside {
+  /** A project that came without its picture. */
+  awaiting: { readonly name: string; readonly project: Project } | null;
+  /** Pictures that a person has worked on and left for others, the last one last. */
+  left: readonly Kept[];
+}
+
 export interface FilesHost {
   changed(): void;
   notify(notice: Notice): void;
@@ -24,19 +32,20 @@ export interface FilesHost {
 const CUT =
   'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
 
+const isWorkedOn = ({ record, drawings }: Work): boolean =>
+  record.past.length > 0 || Object.values(drawings ?? {}).some(({ draft }) => draft !== undefined);
+
 export class Files {
   readonly #workbench: Workbench;
   readonly #host: FilesHost;
+  readonly #aside: Aside;
   readonly #turns = new Turns();
-  /** A project that came without its picture. */
-  #awaiting: { readonly name: string; readonly project: Project } | null = null;
-  /** Pictures that a person has worked on and left for others, the last one last. */
-  #left: readonly Kept[] = [];
   /** How many are being opened: one may have been overtaken and not know it yet. */
   #opening = 0;
 
-  constructor(workbench: Workbench, host: FilesHost) {
+  constructor(workbench: Workbench, aside: Aside, host: FilesHost) {
     this.#workbench = workbench;
+    this.#aside = aside;
     this.#host = host;
   }
 
@@ -147,14 +156,14 @@ export class Files {
       this.#workbench.adopt(project, `Open ${name}`);
       return;
     }
-    this.#awaiting = { name, project };
+    this.#aside.awaiting = { name, project };
     this.#ask();
   }
 
   /** For the picture of the project that waits. */
   #ask(): void {
-    if (!this.#awaiting) return;
-    const { name, project } = this.#awaiting;
+    if (!this.#aside.awaiting) return;
+    const { name, project } = this.#aside.awaiting;
     const { src, width, height } = project.image;
     this.#host.notify({
       kind: 'info',
@@ -164,26 +173,25 @@ export class Files {
   }
 
   /** Opens a picture over another, with a way back to that if it was worked on. @param left those that others lead back to. */
-  async #openOther(picture: Picture, work?: Work, left = this.#left): Promise<void> {
+  async #openOther(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
     const { kept } = this.#workbench;
-    const edited = kept !== null && kept.record.past.length > 0;
-    await this.#open(picture, work, edited ? [...left, kept] : left);
+    await this.#open(picture, work, kept && isWorkedOn(kept) ? [...left, kept] : left);
   }
 
   /** What a person has left, or else what waits, is offered whatever comes of it: another picture, or the one before it again. */
-  async #open(picture: Picture, work?: Work, left = this.#left): Promise<void> {
+  async #open(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
     try {
       await this.#workbench.open(picture, work);
-      this.#left = left;
+      this.#aside.left = left;
     } finally {
-      if (this.#left.length > 0) this.#offerBack();
+      if (this.#aside.left.length > 0) this.#offerBack();
       else this.#ask();
     }
   }
 
   #offerBack(): void {
     const { picture } = this.#workbench;
-    const last = this.#left.at(-1);
+    const last = this.#aside.left.at(-1);
     if (!picture || !last) return;
     this.#host.notify({
       kind: 'info',
@@ -194,7 +202,7 @@ export class Files {
 
   async #back(kept: Kept): Promise<void> {
     const picture = await this.#picture(kept.file, kept.name, this.turn());
-    const others = this.#left.filter((other) => other !== kept);
+    const others = this.#aside.left.filter((other) => other !== kept);
     await this.#openOther(picture, kept, others);
   }
 
@@ -206,7 +214,7 @@ export class Files {
     given?: Project,
   ): Promise<{ picture: Picture; work?: Work }> {
     const picture = await this.#picture(file, name, turn);
-    const awaited = this.#awaiting?.project;
+    const awaited = this.#aside.awaiting?.project;
     const project = given ?? (awaited && fits(picture, awaited) ? awaited : undefined);
     if (project && !fits(picture, project)) {
       picture.bitmap.close();
@@ -214,7 +222,7 @@ export class Files {
       const message = `The project is for a picture of ${width} × ${height} px; ${name} has ${picture.width} × ${picture.height} px.`;
       throw Object.assign(new Error(message), { code: 'image-size' });
     }
-    if (project === awaited) this.#awaiting = null;
+    if (project === awaited) this.#aside.awaiting = null;
     const present = project && { project, selection: [] };
     return present ? { picture, work: { record: { past: [], present, future: [] } } } : { picture };
   }
