@@ -296,6 +296,39 @@ test('a project that is set before the element is on a page, or known, is for it
   expect(await warp(page).evaluate(told)).toEqual([[['middle', [30, 24]]], ['middle']]);
 });
 
+test('a project that is set before there is a picture waits for the one that a person brings', async ({
+  page,
+}) => {
+  await open(page, '<c2-warp></c2-warp>');
+  await expect.poll(() => heard(page)).toContain('ready');
+  const editor = new Editor(page);
+  const bring = async (name: string, side: number) => {
+    const asked = page.waitForEvent('filechooser');
+    await page.getByRole('button', { name: 'Open a picture', exact: true }).click();
+    await (await asked).setFiles({ name, mimeType: 'image/png', buffer: square(side) });
+  };
+  const set = () =>
+    warp(page).evaluate((element, project) => {
+      Object.assign(element, { project, selection: ['middle'] });
+    }, PROJECT);
+  await set();
+  await bring('mine.png', 48);
+  await expect(editor.handle('middle')).toHaveAttribute('aria-pressed', 'true');
+  expect(await warp(page).evaluate((element) => (element as C2Warp).project.handles[0]?.posed)).toEqual([
+    30, 24,
+  ]);
+
+  await warp(page).evaluate((element) => element.replaceWith(document.createElement('c2-warp')));
+  await set();
+  await bring('other.png', 40);
+  await expect(editor.notice).toContainText('The project is for a picture of 48 × 48 px; other.png has');
+  await expect(editor.solved).toContainText('40 × 40 px');
+  expect(await heard(page)).toContain('error');
+  await warp(page).evaluate((element) => (element as C2Warp).load('/fast.png'));
+  expect(await picture(page)).toBe('fast.png');
+  await expect(editor.handles).toHaveCount(0);
+});
+
 test('what no project can be is refused with the key, and shows nothing of it', async ({ page }) => {
   const slow = await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
   await slow.comes();

@@ -142,7 +142,7 @@ export class C2Warp extends TypedElement {
 
   /**
    * A copy of the project as it is now. Setting one for the open picture is a step that can be undone; one that is set before there
-   * is a picture waits for it. A text is the address of a project file, as the attribute is.
+   * is a picture waits for it, whoever brings it; one of another size is an `error` then. A text is the address of a project file, as the attribute is.
    * @throws RangeError that names what is wrong with it; Error when read while the element is on no page.
    */
   get project(): Project {
@@ -156,7 +156,7 @@ export class C2Warp extends TypedElement {
     else this.#beginning.project = copied(given);
   }
 
-  /** Ids of the selected handles. Those set before there is a picture wait for it. */
+  /** Ids of the selected handles. Those set before there is a picture wait for it likewise. */
   get selection(): readonly string[] {
     return [...this.#present.workbench.editing.document.selection];
   }
@@ -181,7 +181,6 @@ export class C2Warp extends TypedElement {
     const given = project instanceof URL ? project.href : project;
     await desk.files.shown(() => desk.files.load(picture, given ?? this.#beginning.taken()));
     if (desk !== this.#desk) return;
-    this.#beginning.settle(desk);
     this.#emit('load', null);
   }
 
@@ -291,6 +290,7 @@ export class C2Warp extends TypedElement {
       },
       aside: this.#beginning.aside,
       changed: () => this.requestUpdate(),
+      opened: () => this.#desk && this.#beginning.settle(this.#desk),
       edited: (kind) => this.#edited(kind),
       emit: this.#emit,
       switchTheme: () => {

@@ -102,7 +102,6 @@ export class Beginning {
       if (desk === this.#host.desk) desk.talking.report(error);
       return false;
     }
-    this.settle(desk);
     this.#host.emit('load', null);
     return true;
   }
@@ -110,15 +109,15 @@ export class Beginning {
   async #attributes(desk: Desk, turn: Turn): Promise<boolean> {
     const { src, projectSource } = this.#host;
     if (!src) return false;
-    const [asked, project] = [this.#asked, this.project];
+    const [asked, project] = [this.#asked, this.taken()];
     try {
       await desk.files.load(src, project ?? projectSource ?? undefined, turn);
-    } finally {
+    } catch (error) {
       // Gone from the page, it is asked for still; and what is newer by now stays.
-      if (desk === this.#host.desk) {
-        if (asked === this.#asked) this.#asked = null;
-        if (project === this.project) this.project = null;
-      }
+      if (desk !== this.#host.desk) this.project ??= project ?? null;
+      throw error;
+    } finally {
+      if (desk === this.#host.desk && asked === this.#asked) this.#asked = null;
     }
     return true;
   }

@@ -45,6 +45,8 @@ export interface DeskHost {
   readonly hint: { readonly text: string; readonly handle: string | null } | null;
   /** What the templates show has changed. */
   changed(): void;
+  /** A picture is open, whoever brought it. */
+  opened(): void;
   edited(kind: ChangeKind): void;
   readonly emit: Emit;
   switchTheme(): void;
@@ -153,6 +155,7 @@ export class Desk {
     this.#reaching = new Reaching({ workbench: this.workbench, changed: () => this.#drawing?.look() });
     this.files = new Files(this.workbench, host.aside, {
       changed: () => host.changed(),
+      opened: () => host.opened(),
       notify: (notice) => this.talking.notify(notice),
       report: (error) => this.talking.report(error),
       begin: (label) => this.talking.begin(label),

@@ -4,7 +4,7 @@ import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
 import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
-import { fits, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
+import { fits, misfit, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
 import { type Turn, Turns } from './turn';
 import type { Kept, Work, Workbench } from './workbench';
 
@@ -18,6 +18,8 @@ export interface Aside {
 
 export interface FilesHost {
   changed(): void;
+  /** Something is open, whoever brought it. */
+  opened(): void;
   notify(notice: Notice): void;
   report(error: unknown): void;
   /** Something has begun that takes a while. Returns what ends it. */
@@ -183,6 +185,7 @@ export class Files {
     try {
       await this.#workbench.open(picture, work);
       this.#aside.left = left;
+      this.#host.opened();
     } finally {
       if (this.#aside.left.length > 0) this.#offerBack();
       else this.#ask();
@@ -216,11 +219,10 @@ export class Files {
     const picture = await this.#picture(file, name, turn);
     const awaited = this.#aside.awaiting?.project;
     const project = given ?? (awaited && fits(picture, awaited) ? awaited : undefined);
-    if (project && !fits(picture, project)) {
+    const error = project && misfit(picture, project);
+    if (error) {
       picture.bitmap.close();
-      const { width, height } = project.image;
-      const message = `The project is for a picture of ${width} × ${height} px; ${name} has ${picture.width} × ${picture.height} px.`;
-      throw Object.assign(new Error(message), { code: 'image-size' });
+      throw error;
     }
     if (project === awaited) this.#aside.awaiting = null;
     const present = project && { project, selection: [] };

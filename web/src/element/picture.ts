@@ -28,6 +28,14 @@ export function ofFile(name: string, error: unknown): unknown {
 export const fits = (picture: Picture | null, project: Project): boolean =>
   picture?.width === project.image.width && picture.height === project.image.height;
 
+/** What is wrong where they do not fit. */
+export function misfit(picture: Picture, project: Project): RangeError | null {
+  if (fits(picture, project)) return null;
+  const { width, height } = project.image;
+  const message = `The project is for a picture of ${width} × ${height} px; ${picture.name} has ${picture.width} × ${picture.height} px.`;
+  return Object.assign(new RangeError(message), { code: 'image-size' });
+}
+
 /** What was dropped, pasted or chosen: the first picture, the first project. Anything unknown counts as a picture. */
 export function sortFiles(files: readonly File[]): { picture?: File; project?: File } {
   const isProject = (file: File) => /\.json$/i.test(file.name) || file.type === 'application/json';

@@ -17,7 +17,7 @@ import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
 import type { Drawings } from '../tools/machine';
 import { Editing, type EditingHost } from './editing';
-import { fits, type Picture, stem } from './picture';
+import { misfit, type Picture, stem } from './picture';
 import { inEditorsWords } from './refusing';
 import { type Solved, Solving } from './solving';
 import type { Look } from './viewing';
@@ -144,9 +144,8 @@ export class Workbench {
   set(given: ProjectFile): void {
     if (!this.#engine || !this.#picture) throw new RangeError('there is no picture yet to set a project for');
     const project = this.#made(this.#engine, given);
-    if (!fits(this.#picture, project)) {
-      throw new RangeError('the project is for a picture of another size: load both together');
-    }
+    const error = misfit(this.#picture, project);
+    if (error) throw error;
     this.adopt(project, 'Set project');
   }
 
