@@ -30,7 +30,8 @@ pub struct Report {
     pub real_sites: usize,
     /// Sites that Algorithm 1 added.
     pub virtual_sites: usize,
-    /// Rounds of Algorithm 1, with the worst score δ / r_d before each.
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d −
+    /// `Site::reach_limit` in place of r_d − r_h.
     pub scores: Vec<f64>,
     /// Mean number of supports over a sample.
     pub cover_mean: f64,

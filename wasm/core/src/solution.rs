@@ -37,12 +37,13 @@ pub struct Solution {
     pub harmonic: HarmonicFields,
     /// Number of samples: the first vertices of the mesh; the others are the rim's.
     pub samples: usize,
-    /// The nearest site of each sample, `u32::MAX` on an island without sites. Where the nearest one's support ends before the sample, as it
-    /// may in a nook, another that moves it can stand for that.
+    /// The nearest site of each sample, `u32::MAX` on an island without sites. Where the support of the nearest site ends before the
+    /// sample, as it may in a nook, it can be another one that moves the sample.
     pub nearest: Vec<u32>,
     /// Σφ at each sample.
     pub phi_sums: Vec<f64>,
-    /// The worst score δ / r_d before each round of Algorithm 1.
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d −
+    /// `Site::reach_limit` in place of r_d − r_h.
     pub scores: Vec<f64>,
     /// Numbers of point handles, bars and polygons.
     pub(crate) kinds: [usize; 3],

@@ -62,6 +62,14 @@ describe('culprit', () => {
     expect(blamed(history, [], empty)).toBeNull();
   });
 
+  it('is none of another project: that comes and goes whole', () => {
+    const other: Step = () => add('a', 3)(add('bad')(empty));
+    expect(blamed(done(add('a'), other), ['bad'], add('a')(empty))).toBeNull();
+    expect(blamed(done(add('a'), other, move('bad')), ['bad'], add('a')(empty))).toBeNull();
+    const settings: Step = (document) => add('bad')(hold(document));
+    expect(blamed(done(add('a'), settings), ['bad'], add('a')(empty))).toBeNull();
+  });
+
   it('is not told of what is just opened, where settings are newer, or there is nothing before', () => {
     expect(blamed(done(add('a'), hold), ['a'])).toBeNull();
     expect(blamed(done(hold, add('a'), move('a')), ['a'])).toBe('a');

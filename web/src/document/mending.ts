@@ -11,8 +11,8 @@ import type { Handle, Project } from './project';
 import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
 
 /**
- * The handle to blame: of those named and not solved before, the one that became what it is last. Null where that cannot be told, or it
- * was so from the beginning.
+ * The handle to blame: of those named and not solved before, the one that became what it is last. Null where that cannot be told, where it
+ * was so from the beginning, and where it came with a step that put another project in place: such a step stands or falls as a whole.
  *
  * @param accepted what was solved last. Without that, a handle older than the settings may have become wrong by these.
  */
@@ -26,13 +26,20 @@ export function culprit(
   const suspects = named
     .flatMap((id) => handleById(present, id) ?? [])
     .filter((handle) => !accepted || !solvesWith(accepted, handle));
+  let after = present.project;
   for (const { project } of earlier) {
     if (!accepted && settingsKey(project) !== settingsKey(present.project)) return null;
     const found = suspects.findLast((handle) => !solvesWith(project, handle));
-    if (found) return found;
+    if (found) return keepsOthers(project, after, found.id) ? found : null;
+    after = project;
   }
   return null;
 }
+
+/** Whether a step leaves settings and all handles but one as they were for a solution; it may add more. */
+const keepsOthers = (before: Project, after: Project, id: string): boolean =>
+  settingsKey(before) === settingsKey(after) &&
+  before.handles.every((handle) => handle.id === id || solvesWith(after, handle));
 
 /** The values with the handle taken back, from where it became what it is in the present to where it ceased to be so. */
 export function withHandleBack({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {

@@ -108,21 +108,7 @@ impl Poser {
         }
         self.turn_automatic(handles, &mut motions);
         self.turn_alike(handles, &mut motions);
-        // What stays adds nothing: a held outline, and most handles as a rule.
-        let passed_on = |motion: &Motion| {
-            let passed_on = motion.passed_on();
-            (passed_on, passed_on.linear())
-        };
-        let passed_on: Vec<Option<(Motion, DMat2)>> =
-            motions.iter().map(|motion| (*motion != Motion::default()).then(|| passed_on(motion))).collect();
-        for site in (0..motions.len()).filter(|&site| !self.kinds[site].is_real()) {
-            let here = |&(real, share): &(u32, f64)| {
-                let real = real as usize;
-                let from = self.rest[site] - self.rest[real];
-                passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), share))
-            };
-            motions[site] = Motion::blended(self.shares[site].iter().filter_map(here));
-        }
+        self.blend_virtual(&mut motions);
         if let Some(rigid) = &self.rigid {
             let is_free = |kind: &SiteKind| match kind {
                 SiteKind::Virtual => true,
@@ -170,7 +156,27 @@ impl Poser {
         self.rest.iter().zip(&self.kinds).map(motion).collect()
     }
 
-    /// Finds automatic rotations: those that best take the edges to neighbouring real sites from rest to pose.
+    /// Blends the motions of virtual sites from those of real ones, by their harmonic shares (eq. 4).
+    fn blend_virtual(&self, motions: &mut [Motion]) {
+        // A motion that is the identity adds nothing: a held outline's, and usually those of most handles.
+        let passed_on = |motion: &Motion| {
+            (*motion != Motion::default()).then(|| {
+                let passed_on = motion.passed_on();
+                (passed_on, passed_on.linear())
+            })
+        };
+        let passed_on: Vec<Option<(Motion, DMat2)>> = motions.iter().map(passed_on).collect();
+        for site in (0..motions.len()).filter(|&site| !self.kinds[site].is_real()) {
+            let here = |&(real, share): &(u32, f64)| {
+                let real = real as usize;
+                let from = self.rest[site] - self.rest[real];
+                passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), share))
+            };
+            motions[site] = Motion::blended(self.shares[site].iter().filter_map(here));
+        }
+    }
+
+    /// Sets automatic rotations (section VI): the best fit of the pseudo-edges to neighbouring real sites, from rest to pose.
     fn turn_automatic(&self, handles: &[Handle], motions: &mut [Motion]) {
         let is_auto = |kind: &SiteKind| match *kind {
             SiteKind::Point { handle } => handles[handle as usize].rotation == Rotation::Auto,
@@ -215,7 +221,7 @@ impl Poser {
         }
     }
 
-    /// How large handles ask things to be around each site. How long bars and polygons are drawn is not meant for what is around them.
+    /// The scales of the handles at each site, spread by their harmonic shares. The stretch of a bar along itself is not passed on.
     fn scales(&self, handles: &[Handle]) -> Vec<f64> {
         let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
         if logs.iter().all(|&log| log == 0.0) {
@@ -295,8 +301,9 @@ fn meeting(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<
     graph.iter().filter_map(pair).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// The cell graph seen from its real sites alone: a link's weight is what flows between two handles, directly and by way of
-/// virtual sites (the Schur complement of the Laplacian). Links of point handles, that is; of the others there may be a million.
+/// Pseudo-edges (section VI) of point handles: the cell graph reduced to its real sites. The weight of an edge is the flow between
+/// two handles, directly and via virtual sites (the Schur complement of the Laplacian). Edges between other sites are left out: there
+/// may be a million.
 fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<(u32, u32, f64)> {
     let is_point = |site: usize| matches!(sites[site].kind, SiteKind::Point { .. });
     let mut flow = std::collections::BTreeMap::<(u32, u32), f64>::new();

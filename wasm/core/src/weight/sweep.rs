@@ -1,7 +1,7 @@
 //! The weights of all samples (eq. 2), in one sweep.
 //!
-//! Samples of one triangle of the navigation mesh follow one another, and all of them see through the same windows. So a window
-//! is asked about a [`BATCH`] of samples at once, in loops without branches over flat arrays, unless it cannot reach the box around them.
+//! Samples of one triangle of the navigation mesh are consecutive and share its windows. So each window is evaluated for a
+//! [`BATCH`] of samples at once, in branchless loops over flat arrays, unless it cannot reach their bounding box.
 //!
 //! Cost: for each sample and each support that reaches into its triangle, some 4 ns a window and as much for φ and the row.
 
@@ -125,7 +125,7 @@ impl Column {
 }
 
 impl Swept {
-    /// Adds the rows of a batch, normalised.
+    /// Appends the rows of a batch, normalised: the quotient of eq. 2.
     fn push_rows(&mut self, columns: &mut [Column], count: usize) {
         let (mut sums, mut least, mut nearest) = ([0.0; BATCH], [f64::INFINITY; BATCH], [NONE; BATCH]);
         let (sums, least, nearest) = (&mut sums[..count], &mut least[..count], &mut nearest[..count]);
