@@ -1,15 +1,18 @@
 /** `<c2-warp play>` in somebody's article: people pose the handles that are there, and everything else is the page's. */
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import type { Place, Told } from './editor';
+import { Editor, type Place, type Told } from './editor';
 import { expect, test } from './fixtures';
 
 /** One of the two rigs of the article. */
 class Rig {
   readonly element: Locator;
   readonly stage: Locator;
+  readonly still: Editor['still'];
 
   constructor(page: Page, id: 'first' | 'second' = 'first') {
+    const editor = new Editor(page);
+    this.still = (ask) => editor.still(ask);
     this.element = page.locator(`#${id}`);
     this.stage = this.element.locator('.stage');
   }
@@ -402,13 +405,14 @@ test('another picture is opened by the page, and what goes wrong is said', async
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-  /** Fingers on the glass: one step for each list of places. */
+  /** Fingers on the glass: one step for each list of places. They rest before they are lifted, or they would throw the page. */
   async function touch(session: CDPSession, steps: readonly (readonly Place[])[]): Promise<void> {
     for (const [index, touchPoints] of steps.entries()) {
       const type = index === 0 ? 'touchStart' : 'touchMove';
       const points = touchPoints.map((at, id) => ({ ...at, id }));
       await session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
     }
+    await new Promise((resolve) => setTimeout(resolve, 200));
     await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
   }
 
@@ -425,21 +429,23 @@ test.describe('by touch', () => {
     expect(await rig.project()).toBe(project);
     expect(await rig.selection()).toEqual(['head']);
 
-    const at = await scrolled(page);
-    await touch(fingers, upwards(await rig.place('right hand')));
+    // Nothing is touched before it has come to rest: the view follows what was dragged.
+    const { still } = rig;
+    const at = await still(() => scrolled(page));
+    await touch(fingers, upwards(await still(() => rig.place('right hand'))));
     await expect.poll(async () => (await rig.told('right hand')).y).toBeLessThan(350);
     expect(await scrolled(page)).toBe(at);
     expect(await rig.selection()).toEqual(['right-hand']);
     // By its ring, where no button lies.
+    const hand = await still(() => rig.place('right hand'));
     const turned = (await rig.told('right hand')).rotation;
-    const hand = await rig.place('right hand');
     await touch(fingers, [[by(hand, -52, 0)], [by(hand, -40, 34)], [by(hand, -10, 52)], [by(hand, 0, 52)]]);
     await expect
       .poll(async () => Math.abs((await rig.told('right hand')).rotation - turned))
       .toBeGreaterThan(40);
     expect(await scrolled(page)).toBe(at);
 
-    const empty = await beside(rig);
+    const empty = await still(() => beside(rig));
     await page.touchscreen.tap(empty.x, empty.y);
     await expect.poll(() => rig.selection()).toEqual([]);
   });
