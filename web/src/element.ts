@@ -3,36 +3,42 @@
  *
  * | attribute | |
  * |---|---|
- * | `src` | the address of the picture; a new one is opened in place of what is open |
- * | `project` | the address of the project file that goes with `src`: the two are opened together, and anew when either is set to another |
- * | `tool` | `select`, `point`, `bar`, `polygon` or `hand`: taken up when it is set, when the element comes to a page, and when it is no longer `readonly` or `play` |
- * | `readonly` | people look, pan and zoom, and change nothing; methods do |
+ * | `src` | the address of the picture; a new address replaces the open picture |
+ * | `project` | the address of the project file for `src`. Both are opened again when either changes |
+ * | `tool` | `select`, `point`, `bar`, `polygon` or `hand` |
+ * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
- * | `play` | the picture and its handles alone, for an article: people pose the handles that are there and nothing else, and the page keeps the wheel, the fingers and the keys that hold none. `readonly` as well: the picture alone |
- * | `theme` | `light` or `dark`; left out: as the system has it |
- * | `hint`, `hint-for` | what a first visitor is told, and the id of the handle that it is about |
- * | `autosave` | a key of the browser's storage: what is open is kept there after every step, and comes back in place of the first `src` |
+ * | `play` | only the picture and its handles, for an article; with `readonly`, only the picture |
+ * | `theme` | `light` or `dark`; without it, the system's |
+ * | `hint`, `hint-for` | a hint shown until the first change, and the id of the handle it points to |
+ * | `autosave` | a key in browser storage: work is saved after each step, and restored instead of the first `src` |
+ *
+ * `tool` is selected when it is set, when the element is connected, and when `readonly` or `play` is removed. With
+ * `play` people can only pose the existing handles; wheel, touches and keys that act on no handle are left to the page.
  *
  * | event | |
  * |---|---|
- * | `ready` | the element has come to a page, and what it begins with is open, or there is nothing, or it could not be opened or was given up |
- * | `load` | a picture is open and solved: by `src`, by `load()`, kept by `autosave`, or again where the element was moved; not where a person opens one |
- * | `input` | within a drag; `detail.project` is a copy of the project |
- * | `change` | a step was done, undone or redone, by a person or by a method; `detail.project` likewise |
- * | `selectionchange` | `detail.selection`: the ids, whatever changed them |
- * | `historychange` | `detail.undo`, `detail.redo`: what would be undone or redone, or null |
- * | `progress` | `detail.label`: what the solver is at, or that a PNG is being exported; null when it is done; for what takes longer than a person notices |
- * | `error` | `detail`: the Error of what went wrong that no method was asked for, or that was known only once it had returned |
+ * | `ready` | once after each connection, when the initial content is open, absent, failed or overtaken |
+ * | `load` | a picture is open and solved, unless a person opened it |
+ * | `input` | during a drag; `detail.project` is a copy of the project |
+ * | `change` | a step was done, undone or redone, by a person or a method; `detail.project` is a copy of the project |
+ * | `selectionchange` | `detail.selection`: the ids, whatever changed the selection |
+ * | `historychange` | `detail.undo`, `detail.redo`: labels of the next undo and redo steps, or null |
+ * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the PNG export; null when done |
+ * | `error` | `detail`: an Error that no method call can throw or reject with |
  *
- * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a folder, or a file that
- * is gone), `picture` (no picture, or none that can be opened), `project` (its message names the key), `image-size` (a project for a picture of another size), `engine`
- * (the solver could not be started), or what the solver refuses, such as `handle-outside`; then `handles` are the ids of the handles that
- * its message names.
+ * `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a document.
  *
- * Setting `readonly`, `disabled` or `play`, and taking `play` away, gives up the drag, the drawing or the number that a person is in the
- * midst of. Several elements may live on one page; one that is removed gives back its worker and its WebGL context, and has its document
- * still when it comes back. Properties may be set before the element is on a page, or known to it at all. Importing this file where there
- * is no DOM does nothing.
+ * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a
+ * folder, or a file that no longer exists), `picture` (not a picture, or not a readable one), `project` (the message
+ * names the key), `image-size` (a project for a picture of another size), `engine` (the solver could not start), or a
+ * refusal by the solver, such as `handle-outside`; its `handles` are then the ids of the handles that the message
+ * names.
+ *
+ * Setting `readonly` or `disabled`, and setting or removing `play`, cancels the drag, drawing or typed number in
+ * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
+ * keeps its document until it is connected again. Properties may be set before the element is connected, even before
+ * it is defined. Importing this file without a DOM does nothing.
  */
 import type { PropertyValues, TemplateResult } from 'lit';
 import { handleById } from './document/document';
@@ -67,7 +73,7 @@ import { touchStyle } from './ui/touch-style';
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
 export type { C2WarpEventMap } from './element/events';
 
-/** A handle that may leave its name to the editor. */
+/** A handle whose id is optional: the editor generates a missing one. */
 export type NewHandle<H = HandleFile> = H extends HandleFile
   ? Omit<H, 'id'> & { readonly id?: string }
   : never;
@@ -102,11 +108,11 @@ export class C2Warp extends TypedElement {
   readonly #emit = emitter(this);
   readonly #beginning: Beginning;
   #desk: Desk | null = null;
-  /** To open what the element begins with. Whatever is asked for from its arrival on comes after that. */
+  /** For the initial content. Taken on connection, so that every later request overtakes it. */
   #turn: Turn | null = null;
   #receiving: Receiving | null = null;
   #focusing: Focusing | null = null;
-  /** What was last told of. */
+  /** Values of the last `selectionchange` and `historychange`. */
   #selected = '';
   #past: string | null = null;
   #future: string | null = null;
@@ -141,9 +147,10 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * A copy of the project as it is now. Setting one for the open picture is a step that can be undone; one that is set before there
-   * is a picture waits for it, whoever brings it; one of another size is an `error` then. A text is the address of a project file, as the attribute is.
-   * @throws RangeError that names what is wrong with it; Error when read while the element is on no page.
+   * A copy of the current project. Setting a project for the open picture is an undoable step. A project that is set
+   * before there is a picture is applied to the next one, whoever opens it; if its size differs, an `error` is emitted.
+   * A string is the address of a project file, like the attribute.
+   * @throws RangeError that names the invalid key; Error when read while the element is not connected.
    */
   get project(): Project {
     return copied(this.#present.workbench.editing.project);
@@ -156,7 +163,7 @@ export class C2Warp extends TypedElement {
     else this.#beginning.project = copied(given);
   }
 
-  /** Ids of the selected handles. Those set before there is a picture wait for it likewise. */
+  /** Ids of the selected handles. A selection that is set before there is a picture is applied to the next one. */
   get selection(): readonly string[] {
     return [...this.#present.workbench.editing.document.selection];
   }
@@ -168,9 +175,9 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Opens a picture, with a project for it or a new one. Done once it is solved. The newest call wins.
-   * @throws Error with a code where it cannot be opened; what was open before stays. DOMException AbortError where another is
-   * opened, or the element removed, before that. TypeError for what is neither an address nor a Blob.
+   * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
+   * @throws Error with a `code` if the picture cannot be opened; the previous one stays open. DOMException AbortError
+   * if another is opened or the element is removed first. TypeError if `source` is neither an address nor a Blob.
    */
   async load(source: string | URL | Blob, project?: string | URL | ProjectFile | null): Promise<void> {
     const desk = this.#present;
@@ -185,9 +192,9 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * Adds a handle; without an id it gets one. Returns the id. What only the solver can tell, such as that it lies outside the picture,
-   * comes later: an `error`, and a `change` that takes this handle back and leaves what was done since.
-   * @throws RangeError for an id that is taken, for what no handle can be, and where there is no picture yet.
+   * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle later, for
+   * example outside the picture: then an `error`, and a `change` that removes this handle but keeps later steps.
+   * @throws RangeError if the id exists already, the handle is invalid, or no picture is open.
    */
   addHandle(handle: NewHandle): string {
     const { editing, picture } = this.#present.workbench;
@@ -200,7 +207,7 @@ export class C2Warp extends TypedElement {
     return id;
   }
 
-  /** @throws RangeError where there is no such handle, for another id or kind, and for what no handle can be. */
+  /** @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid. */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     const { editing } = this.#present.workbench;
     const handle = this.#handle(id);
@@ -214,7 +221,7 @@ export class C2Warp extends TypedElement {
     );
   }
 
-  /** @throws RangeError where there is no such handle. */
+  /** @throws RangeError if there is no such handle. */
   removeHandle(id: string): void {
     const { editing } = this.#present.workbench;
     editing.step('Delete handle', removeHandles(editing.document, [this.#handle(id).id]));
@@ -228,37 +235,37 @@ export class C2Warp extends TypedElement {
     this.#present.workbench.editing.redo();
   }
 
-  /** Puts all handles back to rest. */
+  /** Returns all handles to their rest pose. */
   reset(): void {
     this.#present.workbench.editing.reset(true);
   }
 
-  /** Where a point of the original goes by the solution that is shown, in image pixels; null outside what is warped. */
+  /** Maps a point of the original to the warped picture as shown, in image pixels; null outside the warped area. */
   mapPoint(point: Vec): Vec | null {
     return this.#present.posing.map(point)?.rest ?? null;
   }
 
   /**
    * The warped picture as PNG with alpha, at `scale` times the source's size.
-   * @throws Error where there is no picture, or the element is on no page. DOMException AbortError where another
-   * picture, or the element's removal, overtakes it.
+   * @throws Error if no picture is open or the element is not connected. DOMException AbortError if another picture is
+   * opened, or the element is removed, first.
    */
   async toBlob(scale = 1): Promise<Blob> {
     return this.#present.workbench.png(scale);
   }
 
-  /** The whole picture into view. */
+  /** Fits the whole picture into view. */
   fit(): void {
     this.#present.fit();
   }
 
-  /** Leaves the page for good. */
+  /** Removes the element and discards its document. */
   destroy(): void {
     this.remove();
     this.#beginning.forget();
   }
 
-  /** Keys go to the editor. */
+  /** Focuses the editor itself, which handles the keys. */
   override focus(options?: FocusOptions): void {
     this.shadowRoot?.querySelector<HTMLElement>('.shell')?.focus(options);
   }
@@ -307,7 +314,7 @@ export class C2Warp extends TypedElement {
     this.requestUpdate();
   }
 
-  /** Moved to another document. */
+  /** Called when the element is moved to another document. */
   adoptedCallback(): void {
     if (this.shadowRoot) this.#dress(this.shadowRoot);
   }
@@ -336,7 +343,7 @@ export class C2Warp extends TypedElement {
   }
 
   protected override willUpdate(changes: PropertyValues<this>): void {
-    // What the first update finds is what the element begins with.
+    // The attributes of the first update are the initial content, not a change.
     if (this.hasUpdated && this.#asks(changes)) this.#beginning.ask();
   }
 
@@ -364,7 +371,7 @@ export class C2Warp extends TypedElement {
     }
   }
 
-  /** Style sheets are of one document: another than that of this file needs its own. */
+  /** Constructed style sheets work only in the document that made them: another document needs new ones. */
   #dress(root: ShadowRoot): void {
     const view = this.ownerDocument.defaultView;
     if (!view) return;
@@ -375,7 +382,7 @@ export class C2Warp extends TypedElement {
     });
   }
 
-  /** Whether the attributes now name something else to open. */
+  /** Whether the changed attributes name something to open. */
   #asks(changes: PropertyValues<this>): boolean {
     const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
     return named && Boolean(this.src);
@@ -407,7 +414,7 @@ export class C2Warp extends TypedElement {
       this.#emit('selectionchange', { selection: this.selection });
     }
     if (kind === 'input' || kind === 'change') {
-      // Copied for those who ask: a drag has many.
+      // Copied only when read: a drag emits many events.
       const detail = {
         get project() {
           return copied(project);
@@ -420,7 +427,7 @@ export class C2Warp extends TypedElement {
     this.#emit('historychange', { undo: undoLabel, redo: redoLabel });
   }
 
-  /** What a page set before it knew this class hides the accessor of the same name. */
+  /** Sets a property again that the page set before the element was upgraded: it would hide the accessor. */
   #adopt(name: 'project' | 'selection'): void {
     if (!Reflect.getOwnPropertyDescriptor(this, name)) return;
     const value = Reflect.get(this, name);

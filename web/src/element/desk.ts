@@ -1,8 +1,9 @@
 /**
- * An editor at work, from the element's arrival on a page until it leaves: the workbench and all that shows it.
+ * A running editor, from the element's `connectedCallback` to its `disconnectedCallback`: the workbench and everything
+ * that shows it.
  *
- * The element gives it a place and draws the model; everything that holds a worker, a WebGL context or a listener is
- * here, so that `dispose` gives all of it back.
+ * The element hosts the desk and renders its model. Everything that holds a worker, a WebGL context or a listener
+ * belongs to the desk, so that `dispose` releases all of it.
  */
 import { blendOf } from '../document/bending';
 import { selectedHandles } from '../document/document';
@@ -38,29 +39,29 @@ export interface DeskHost {
   readonly disabled: boolean;
   readonly play: boolean;
   readonly dark: boolean;
-  /** The tool that the page names. */
+  /** The tool set by the page. */
   readonly tool: string | null;
   readonly aside: Aside;
-  /** What a first visitor is told of a handle. */
+  /** Shown until the first change, beside this handle, or beside the first if there is none of this id. */
   readonly hint: { readonly text: string; readonly handle: string | null } | null;
-  /** What the templates show has changed. */
+  /** The model has changed: render again. */
   changed(): void;
-  /** A picture is open, whoever brought it. */
+  /** A picture is open, whether the page or a person opened it. */
   opened(): void;
   edited(kind: ChangeKind): void;
   readonly emit: Emit;
   switchTheme(): void;
 }
 
-/** What a few words beside a handle take, CSS pixels. */
+/** Room for the hint beside a handle, CSS pixels. */
 const HINT_WIDTH = 170;
 
 const NO_OVERLAYS: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false, reach: false };
 
-/** The step of a drawing. */
+/** The undo and redo label while something is being drawn. */
 const SET_CORNER = 'Set a corner';
 
-/** Nudges with a longer pause between them are undone one by one. */
+/** Nudges merge into one undo step unless the pause between them is longer. */
 const SETTLE_MS = 800;
 
 export class Desk {
@@ -87,7 +88,7 @@ export class Desk {
   #numbers = false;
   #touched = false;
   #restoring = false;
-  /** The selection that the list has been scrolled to. */
+  /** The selection that the list was last scrolled to. */
   #listed: readonly string[] = [];
 
   constructor(host: DeskHost) {
@@ -135,9 +136,9 @@ export class Desk {
         this.posing.forget();
         this.#drawing?.setSolution(data);
         this.#noticing.solved(data.report);
-        // Now it is known how far it reaches.
+        // The bounds of the posed picture are known only now.
         if (first) this.viewing.refit();
-        // What has just been restored is kept already, or something newer of another tab.
+        // Restored work is stored already, or has been replaced by newer work of another tab.
         if (first && !this.#restoring) this.#keep();
         this.#host.changed();
       },
@@ -164,12 +165,12 @@ export class Desk {
     });
   }
 
-  /** Once the stage is on the page. */
+  /** Starts input and drawing; called once the stage is on the page. */
   attach(stage: HTMLElement): void {
     this.#sizing = new ResizeObserver(([entry]) => {
       if (!entry) return;
       const { width, height } = entry.contentRect;
-      // No longer shown: a press in hand will hear of no more moves.
+      // A hidden stage receives no more pointer moves.
       if (width === 0 || height === 0) this.#cancel();
       const typing = this.#host.root.activeElement instanceof HTMLInputElement;
       this.viewing.resize({ width, height }, typing && this.#input?.press === 'tap');
@@ -194,7 +195,7 @@ export class Desk {
     }
   }
 
-  /** People edit the picture, or pose its handles alone, as the host has it now. What they are in the midst of is given up. */
+  /** Adapts to the host's current `play` and `readonly`, and cancels a drag, drawing or input in progress. */
   rearrange(stage: HTMLElement): void {
     this.stop();
     const { editing } = this.workbench;
@@ -234,13 +235,13 @@ export class Desk {
     });
   }
 
-  /** From now on, what is open is kept under this key; under none, no more. */
+  /** Stores the open work under this key from now on; null stops that. */
   keepUnder(key: string | null): void {
     this.#keeping = key ? new Keeping(key) : null;
     this.#keep();
   }
 
-  /** What was kept. Returns whether there was anything that could be opened. */
+  /** Opens the stored work. Returns whether there was any that could be opened. */
   async restore(turn: Turn): Promise<boolean> {
     const kept = await this.#keeping?.restore();
     if (!kept) return false;
@@ -248,19 +249,19 @@ export class Desk {
     try {
       await this.reopen(kept, turn);
     } catch (error) {
-      // Without a solver nothing can be opened; anything else is a document that this version does not take.
+      // Without a solver nothing can be opened. Any other error means a document that this version does not accept.
       if (error instanceof Error && 'code' in error && error.code === 'engine') throw error;
       return false;
     } finally {
       this.#restoring = false;
     }
     this.#touched = kept.record.past.length > 0;
-    // Where its last step was refused, what is kept ends before that.
+    // The solver refused the last stored step: store the work without it.
     if (this.workbench.editing.document !== kept.record.present) this.#keep();
     return true;
   }
 
-  /** What was open elsewhere or before, with the guard as it was. */
+  /** Opens earlier work, with the guard as it was then. */
   async reopen(kept: Kept, turn: Turn): Promise<void> {
     this.guarding.on = kept.guarded;
     await this.files.restore(kept, turn);
@@ -279,13 +280,13 @@ export class Desk {
     this.workbench.dispose();
   }
 
-  /** People change nothing from here on: what they are in the midst of is given up. */
+  /** Cancels a drag, drawing or input in progress, and the comparison with the original. */
   stop(): void {
     this.#input?.stop();
     this.#compare(false);
   }
 
-  /** The whole picture into view, whoever asks. */
+  /** Fits the whole picture into view. */
   fit(): void {
     this.viewing.fit();
     this.#looked();
@@ -314,12 +315,12 @@ export class Desk {
     const { editing } = this.workbench;
     if (this.#host.play || (this.#host.readonly && tool !== 'hand')) return;
     editing.apply(editing.machine.choose(tool));
-    // A line is drawn on the picture: what was selected lets go of the arrow keys.
+    // Arrow keys move the crosshair of a line tool only while nothing is selected.
     if (tool === 'bar' || tool === 'polygon') {
       editing.select([]);
       this.#settings = false;
     }
-    // Enter is for what is placed now, and no longer for the handle that has the focus.
+    // With a placing tool Enter must reach the stage, not the focused handle.
     const places = tool !== 'select' && tool !== 'hand';
     if (places && this.#host.root.activeElement?.closest('.handles')) this.#focus(undefined);
     this.#aim(null);
@@ -408,7 +409,7 @@ export class Desk {
     theme: () => this.#host.switchTheme(),
   };
 
-  /** What a control asks for that a person may no longer use has come too late. */
+  /** Applies an edit of a control, or renders the control's old value again if editing is no longer allowed. */
   #edit(change: (editing: Editing) => void): void {
     if (this.#editable) change(this.workbench.editing);
     else this.#host.changed();
@@ -418,17 +419,17 @@ export class Desk {
     return !this.#host.readonly && !this.#host.disabled && this.workbench.picture !== null;
   }
 
-  /** Those who pose a picture see nothing else of it. */
+  /** With `play` there are no overlays. */
   get #shown(): OverlayFlags {
     return this.#host.play ? NO_OVERLAYS : this.#overlays;
   }
 
-  /** Nor are they told or offered what is of use to editors. */
+  /** With `play` only errors are shown. */
   get #notice(): Notice | null {
     return this.#host.play ? this.talking.error : this.talking.notice;
   }
 
-  /** Until something has been moved. */
+  /** Null after the first change. */
   get #hint(): Hint | null {
     const { hint, readonly } = this.#host;
     const { editing, solving } = this.workbench;
@@ -450,7 +451,7 @@ export class Desk {
     this.#looked();
   }
 
-  /** A picture that a person brings has nothing to hold yet: their first press on it is to place something, unless the page has its own tool. */
+  /** Names ignored files. Selects the point tool for a picture without handles, unless the page sets a tool. */
   #welcome(ignored: readonly string[]): void {
     const { editing, picture } = this.workbench;
     const [first, ...more] = ignored;
@@ -487,7 +488,7 @@ export class Desk {
     this.#host.changed();
   }
 
-  /** What has been moved can be moved back. */
+  /** Keeps the selected handles within view, so that they can be moved back. */
   #contain(): void {
     const selected = selectedHandles(this.workbench.editing.document);
     this.viewing.contain(selected.flatMap((handle) => corners(handle)));
@@ -516,7 +517,7 @@ export class Desk {
     editing.apply(editing.machine.cancel());
   }
 
-  /** Takes back what is at hand. Returns whether there was anything. */
+  /** Cancels or dismisses the innermost thing in progress. Returns whether there was any. */
   #bail(): boolean {
     const { editing } = this.workbench;
     const notice = this.#notice;
@@ -537,7 +538,7 @@ export class Desk {
     this.#looked();
   }
 
-  /** Once for each solve that finds other handles beyond the picture than the one before. */
+  /** Names handles that lie partly outside the picture; called when a solve finds others than the solve before. */
   #tellOutside(ids: readonly string[]): void {
     const names = ids.flatMap((id) => {
       const handle = this.workbench.editing.project.handles.find((other) => other.id === id);
@@ -569,7 +570,7 @@ export class Desk {
     this.#host.changed();
   }
 
-  /** A handle just held takes the focus, else the picture does, so that keys go on working. */
+  /** Focuses the handle or corner just pressed, else the stage, so that keys go on working. */
   #focus(id: string | undefined, corner?: number): void {
     this.#host.changed();
     queueMicrotask(() => {

@@ -1,7 +1,7 @@
 /**
- * The document in hand: its history, the tool that works on it, and every change that a command makes.
+ * The open document: its history, the current tool, and every change that a command makes.
  *
- * Knows no DOM. After each change the host hears what kind it was, and what to say aloud.
+ * Independent of the DOM. After each change the host gets its kind and a text for screen readers.
  */
 import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
 import { type Document, handleById, isSameWork, selectedHandles } from '../document/document';
@@ -46,25 +46,25 @@ import type { Draft, Effect } from '../tools/state';
 import type { Field } from '../ui/model';
 import type { Guarding } from './guarding';
 
-/** `open`: another document; `input`: within a drag; `change`: committed; `selection`: only what is selected. */
+/** `open`: another document; `input`: during a drag; `change`: committed; `selection`: only the selection changed. */
 export type ChangeKind = 'open' | 'input' | 'change' | 'selection';
 
 export interface EditingHost {
   edited(kind: ChangeKind): void;
   say(text: string): void;
-  /** How far automatic handles are turned under the document as it is. */
+  /** The turns of automatic handles in the current pose. */
   readonly turns: Turns;
   readonly guarding: Guarding;
-  /** Effects that are not about the document. */
+  /** Carries out an effect that does not concern the document. */
   carryOut(effect: Effect): void;
 }
 
 export class Editing {
   readonly machine = new ToolMachine();
   readonly #host: EditingHost;
-  /** What was drawn last, and the handle that it became. */
+  /** The last finished drawing and its handle, to resume the drawing if the solver refuses the handle. */
   #drawn: { readonly draft: Draft; readonly handle: Handle } | null = null;
-  /** Handles that were refused since the press in hand began. */
+  /** Handles that the solver has refused during the current press. */
   #refused: readonly Handle[] = [];
   #history: History<Document>;
 
@@ -93,7 +93,7 @@ export class Editing {
     return this.#history.record();
   }
 
-  /** Starts over with another document and its history, and with what was being drawn there. */
+  /** Opens another document with its history and its unfinished drawings. */
   open(record: HistoryRecord<Document>, drawings?: Drawings): void {
     this.#letGo(this.machine.restore(drawings));
     this.#drawn = null;
@@ -102,7 +102,7 @@ export class Editing {
     this.#host.edited('open');
   }
 
-  /** Carries out what a tool asks for. */
+  /** Carries out the effects of a tool. */
   apply(effects: readonly Effect[]): void {
     for (const effect of effects) {
       if (effect.type === 'begin') this.#begin(effect.label);
@@ -131,7 +131,7 @@ export class Editing {
     this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id]);
   }
 
-  /** A whole change in one go. */
+  /** Commits a change as one undo step, and announces it. */
   step(label: string, document: Document): void {
     this.#host.guarding.end();
     this.#step(label, document, null);
@@ -152,7 +152,7 @@ export class Editing {
     this.step(`Delete ${this.#selectionName()}`, removeHandles(this.document, selection));
   }
 
-  /** Back to rest: what is selected, or everything. */
+  /** Returns the selected handles, or all, to their rest pose. */
   reset(all: boolean): void {
     const ids = all ? this.project.handles.map((handle) => handle.id) : this.document.selection;
     if (!all && ids.length === 0) return;
@@ -166,7 +166,7 @@ export class Editing {
     this.#guarded(label, moveHandles(this.document, selection, by), `nudge ${selection.join(' ')}`);
   }
 
-  /** The same for one corner of a handle. */
+  /** Nudges one corner of a bar or polygon. */
   nudgeCorner(id: string, index: number, by: Vec): void {
     const handle = handleById(this.document, id);
     const at = handle && isLine(handle) ? handle.posed[index] : undefined;
@@ -175,13 +175,13 @@ export class Editing {
     this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`);
   }
 
-  /** One corner more on a bar or polygon. Returns which it is. */
+  /** Adds a corner to a bar or polygon. Returns its index. */
   addCorner(handle: LineHandle, at: LinePlace): number {
     this.step(`Add a corner to ${nameOf(handle)}`, addCorner(this.document, handle.id, at));
     return at.edge + 1;
   }
 
-  /** One corner less, if enough are left. Returns the one before it, or null where it stays. */
+  /** Removes a corner if enough remain. Returns the index of the corner before it, or null if none was removed. */
   removeCorner(handle: LineHandle, index: number): number | null {
     const needed = CORNERS_NEEDED[handle.kind];
     if (handle.posed.length <= needed) {
@@ -192,7 +192,7 @@ export class Editing {
     return Math.max(0, index - 1);
   }
 
-  /** Nearer to the eye by so much, or farther. */
+  /** Brings the selected handles forward by this many depth steps; negative sends them back. */
   raise(by: number): void {
     const { selection } = this.document;
     if (selection.length === 0) return;
@@ -217,10 +217,10 @@ export class Editing {
     this.#guarded(`Turn ${this.#selectionName()}`, turned, `turn ${selection.join(' ')}`);
   }
 
-  /** Lets everything selected turn by itself, or keeps it as it is turned now. */
+  /** Makes the rotation of the selected points automatic, or pins it as it is now. */
   automatic(on: boolean): void {
     const { turns } = this.#host;
-    // What has corners is turned by them, whatever its neighbours do.
+    // Bars and polygons take their rotation from their corners.
     const points = selectedHandles(this.document).filter((handle) => !isLine(handle));
     const ids = points.map((handle) => handle.id);
     const document = on
@@ -229,7 +229,7 @@ export class Editing {
     this.step(`${on ? 'Free' : 'Pin'} the turn of ${this.#selectionName()}`, document);
   }
 
-  /** Another way to bend, with the settings that go with it. */
+  /** Changes the pose mode, with the settings that belong to it. */
   bend(mode: PoseMode): void {
     if (mode === modeOf(this.project)) return;
     const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend smoothly';
@@ -240,7 +240,7 @@ export class Editing {
     this.step(`Set detail to ${detail}`, { ...this.document, project: detailed(this.project, detail) });
   }
 
-  /** Sets one number of everything selected, from what it is of each. */
+  /** Sets one field of every selected handle, computed from its current value. */
   field(field: Field, value: (now: number) => number): void {
     const { turns } = this.#host;
     const further = (now: number) => value(now) - now;
@@ -258,22 +258,22 @@ export class Editing {
     if (field === 'depth') this.#sayDepth();
   }
 
-  /** What came in a row of nudges is over. */
+  /** The next nudge starts a new undo step. */
   settle(): void {
     this.#history.settle();
   }
 
-  /** Nothing comes of a press in hand, nor of any drawing. */
+  /** Cancels the current press and all drawings. */
   giveUp(): void {
     this.apply(this.machine.clear());
     this.#drawn = null;
   }
 
   /**
-   * Takes back what is to blame that the solution of this key is not to be had: a handle of those `named`, or else whatever
-   * needs that solution. Returns whether anything was left to go back to.
+   * Takes back what makes the solution of this key impossible or unwanted: one of the `named` handles, or else every
+   * state that needs that solution. Returns whether the document has changed.
    *
-   * @param accepted what was solved last.
+   * @param accepted the last solved project.
    */
   withdraw(key: string, named: readonly string[] = [], accepted: Project | null = null): boolean {
     const { timeline } = this.#history;
@@ -286,7 +286,7 @@ export class Editing {
     const undrawn = drawn && solvesWith(project, drawn.handle) && !solvesWith(this.project, drawn.handle);
     if (handle) this.#refused = [...this.#refused, handle];
     if (!handle || undrawn) this.#putDown();
-    // What took a dozen clicks is not lost because one of them was wrong.
+    // A refused corner must not cost the dozen clicks of its drawing.
     if (undrawn) {
       this.#drawn = null;
       this.machine.resume(drawn.draft);
@@ -295,19 +295,19 @@ export class Editing {
     return left;
   }
 
-  /** The press in hand is over, and what it did so far stays. */
+  /** Ends the current press and keeps its changes so far. */
   #putDown(): void {
     this.#letGo(this.machine.cancel());
     this.#host.guarding.end();
     this.#history.commit();
   }
 
-  /** The document hears nothing of the end of a press; what a press shows does not go by itself. */
+  /** Drops the effects that end a press, except the one that clears its selection box. */
   #letGo(effects: readonly Effect[]): void {
     this.apply(effects.filter(({ type }) => type === 'box'));
   }
 
-  /** The same as a step, as far as the guard lets it go; what became of it is said. */
+  /** Commits a change as far as the guard against folds allows, and announces the result. */
   #guarded(label: string, wanted: Document, key: string): void {
     const { guarding } = this.#host;
     const document = guarding.limited(this.document, wanted);
@@ -319,10 +319,10 @@ export class Editing {
     this.#sayPlace();
   }
 
-  /** Steps of one key in a row are one undo step; one that changes nothing is none. */
+  /** Commits a step unless it changes nothing. Consecutive steps with the same key form one undo step. */
   #step(label: string, document: Document, key: string | null): void {
     if (!this.#history.step(label, document, key)) return;
-    // A press in hand knows nothing of this step: what it did so far is a step before it, and it is over.
+    // The current press would overwrite this step. Its changes so far are already a step of their own.
     if (this.machine.busy) this.apply(this.machine.cancel());
     this.#host.edited('change');
   }
@@ -347,7 +347,7 @@ export class Editing {
     this.#host.say(this.#place);
   }
 
-  /** What a person reads of the first selected handle. */
+  /** Describes the first selected handle for screen readers. */
   get #place(): string {
     const [handle] = selectedHandles(this.document);
     if (!handle) return '';
@@ -371,7 +371,7 @@ export class Editing {
   }
 
   #input(document: Document): void {
-    // A press goes on from the document as it was when it began.
+    // A drag computes every move from the document at its start, which still has the refused handles.
     const wanted = this.#refused.reduce(
       (mended, handle) => handleBack(mended, handle, this.document),
       document,
@@ -383,7 +383,7 @@ export class Editing {
   #commit(): void {
     this.#host.guarding.end();
     if (!this.#history.commit()) {
-      // Where it ended where it began, it is no longer what undo would take back.
+      // The drag changed nothing: its label must disappear from undo.
       this.#host.edited('input');
       return;
     }

@@ -1,4 +1,4 @@
-/** Opening and saving: by picker, drop, paste and address; what goes wrong is said, and nothing open is lost by it. */
+/** Opens and saves files: picker, drop, paste and address. Errors are reported and never cost the open work. */
 import type { Project, ProjectFile } from '../document/project';
 import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
@@ -8,29 +8,31 @@ import { fits, misfit, ofFile, type Picture, readPicture, sortFiles, stem } from
 import { type Turn, Turns } from './turn';
 import type { Kept, Work, Workbench } from './workbench';
 
-/** What a person has brought, and that is not in hand now. It is still there where the element has moved. */
+/** Projects and pictures of a person that are not open now. Kept when the element is moved. */
 export interface Aside {
-  /** A project that came without its picture. */
+  /** A project that was opened without its picture. */
   awaiting: { readonly name: string; readonly project: Project } | null;
-  /** Pictures that a person has worked on and left for others, the last one last. */
+  /** Edited pictures that were replaced by others, oldest first. */
   left: readonly Kept[];
 }
 
 export interface FilesHost {
   changed(): void;
-  /** Something is open, whoever brought it. */
+  /** A picture is open, whether the page or a person opened it. */
   opened(): void;
   notify(notice: Notice): void;
   report(error: unknown): void;
-  /** Something has begun that takes a while. Returns what ends it. */
+  /** Shows a long operation. Returns a function that ends the display. */
   begin(label: string): () => void;
-  /** What a person has brought is open, but for these: of several pictures the first is opened. */
+  /**
+   * A person's files have been taken, except those ignored: only the first picture and the first project are opened.
+   */
   received(ignored: readonly string[]): void;
-  /** Whether an export leaves out something of the picture as it is bent now. */
+  /** Whether an export would cut off part of the posed picture. */
   cuts(): boolean;
 }
 
-/** The size is the picture's by contract: what is bent beyond it has no place there. */
+/** An export always has the size of the original. */
 const CUT =
   'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
 
@@ -42,7 +44,7 @@ export class Files {
   readonly #host: FilesHost;
   readonly #aside: Aside;
   readonly #turns = new Turns();
-  /** How many are being opened: one may have been overtaken and not know it yet. */
+  /** A count, since an overtaken opening ends only after the next has begun. */
   #opening = 0;
 
   constructor(workbench: Workbench, aside: Aside, host: FilesHost) {
@@ -51,12 +53,12 @@ export class Files {
     this.#host = host;
   }
 
-  /** Something is being opened. */
+  /** Whether something is being opened. */
   get opening(): boolean {
     return this.#opening > 0;
   }
 
-  /** Asks for a picture or a project. */
+  /** Opens a picture or project from the file picker. */
   async choose(): Promise<void> {
     await this.#guarded(async () => {
       const file = await openFile('any');
@@ -64,12 +66,12 @@ export class Files {
     });
   }
 
-  /** Takes what was dropped, pasted or chosen; a project and its picture may come together. */
+  /** Opens dropped or pasted files; a project and its picture may come together. */
   async receive(files: readonly File[]): Promise<void> {
     await this.#guarded(() => this.shown(() => this.#take(files)));
   }
 
-  /** Opens something, and shows that it does for as long as it takes. */
+  /** Shows that something is being opened while `work` runs. */
   async shown<T>(work: () => Promise<T>): Promise<T> {
     this.#opening += 1;
     this.#host.changed();
@@ -81,17 +83,17 @@ export class Files {
     }
   }
 
-  /** The turn to open something: what is being opened in the turn before is given up. */
+  /** Starts a turn to open something; whatever the previous turn is opening is aborted. */
   turn(): Turn {
     return this.#turns.take();
   }
 
   /**
-   * Opens from addresses or blobs, a project also from what a page made.
-   * @throws Error, with what was open before still there. DOMException `AbortError` once the turn is over.
+   * Opens a picture from an address or blob, with a project from an address or an object.
+   * @throws Error if it cannot be opened; the previous picture stays. DOMException `AbortError` once the turn is over.
    */
   async load(source: string | Blob, project?: string | ProjectFile, turn = this.turn()): Promise<void> {
-    // At once: a page may go on changing what it gave.
+    // Copied before the first await: the page may change its object later.
     const made = typeof project === 'object' ? JSON.stringify(project) : undefined;
     turn.check();
     const file = typeof source === 'string' ? await turn.through(fetchFile(source, turn.signal)) : source;
@@ -107,7 +109,7 @@ export class Files {
     await this.#open(await this.#picture(kept.file, kept.name, turn), kept);
   }
 
-  /** Gives up what is being opened, and opens nothing more. */
+  /** Aborts what is being opened, and everything later. */
   dispose(): void {
     this.#turns.close();
   }
@@ -133,7 +135,7 @@ export class Files {
 
   async #receive(files: readonly File[]): Promise<void> {
     const { picture, project } = sortFiles(files);
-    // A project alone opens nothing: it is for the picture that is open.
+    // A project alone does not overtake a picture that is being opened.
     const turn = picture && this.turn();
     const given = project && (await this.#readProject(project));
     if (picture && turn) {
@@ -151,7 +153,7 @@ export class Files {
     }
   }
 
-  /** A project alone goes with the picture that is open, if it is of that size. */
+  /** Applies a project to the open picture if the size fits; otherwise asks for its picture. */
   #openProject(name: string, project: Project): void {
     const { picture } = this.#workbench;
     if (picture && fits(picture, project)) {
@@ -162,7 +164,7 @@ export class Files {
     this.#ask();
   }
 
-  /** For the picture of the project that waits. */
+  /** Asks for the picture of the waiting project. */
   #ask(): void {
     if (!this.#aside.awaiting) return;
     const { name, project } = this.#aside.awaiting;
@@ -174,13 +176,15 @@ export class Files {
     });
   }
 
-  /** Opens a picture over another, with a way back to that if it was worked on. @param left those that others lead back to. */
+  /** Opens a person's picture, and offers a way back to the previous one if it was edited. @param left earlier ones. */
   async #openOther(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
     const { kept } = this.#workbench;
     await this.#open(picture, work, kept && isWorkedOn(kept) ? [...left, kept] : left);
   }
 
-  /** What a person has left, or else what waits, is offered whatever comes of it: another picture, or the one before it again. */
+  /**
+   * Opens a picture. Then, also after an error, offers the way back, or else asks for the waiting project's picture.
+   */
   async #open(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
     try {
       await this.#workbench.open(picture, work);
@@ -209,7 +213,7 @@ export class Files {
     await this.#openOther(picture, kept, others);
   }
 
-  /** A picture to be opened, with the project that was given for it or waits for it. */
+  /** Decodes a picture, and pairs it with the given project or a waiting one of its size. */
   async #ready(
     file: Blob,
     name: string,

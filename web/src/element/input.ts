@@ -1,4 +1,4 @@
-/** From pointers and keys to the tools: presses in image pixels, what the pointer would take hold of, nudges. */
+/** Turns pointer and key events into tool presses in image pixels, cursors and nudges. */
 import { handleById, selectedHandles } from '../document/document';
 import { isLine } from '../document/handle';
 import type { LineHandle } from '../document/project';
@@ -22,32 +22,32 @@ export interface InputHost {
   readonly editable: boolean;
   readonly disabled: boolean;
   readonly readonly: boolean;
-  /** Handles are posed and nothing else; the view stands still, and its gestures and keys are the page's. Never changes. */
+  /** With `play`: handles can only be posed, and gestures and keys of the view are left to the page. Never changes. */
   readonly playing: boolean;
-  /** The original is shown, and no handle with it. */
+  /** Whether the original is shown, without handles. */
   readonly comparing: boolean;
   /** Camera, cursor or crosshair changed. */
   looked(): void;
   run(command: CommandName): void;
   compare(on: boolean): void;
-  /** Takes back what is at hand. Returns whether there was anything. */
+  /** Cancels or dismisses the innermost thing in progress. Returns whether there was any. */
   bail(): boolean;
   say(text: string): void;
-  /** A press has ended on this handle, or on one of its corners: it takes the focus. */
+  /** Focuses a handle or one of its corners, or the stage without an id. */
   held(id: string | undefined, corner?: number): void;
 }
 
-/** CSS pixels that the controls reach, for a mouse and for a finger. */
+/** Sizes of the hit areas for a mouse and for a finger, CSS pixels. See `Grips`. */
 const REACH = {
   fine: { handle: 14, line: 9, ring: 40, band: 8, slop: 3 },
   coarse: { handle: 24, line: 20, ring: 52, band: 18, slop: 8 },
 } as const;
 
-/** An arrow key moves the picture or the crosshair by this many CSS pixels for each pixel it would nudge. */
+/** CSS pixels that an arrow key moves the picture or the crosshair for each pixel that it would nudge. */
 const ARROW_PAN = 40;
 const ARROW_CROSSHAIR = 4;
 
-/** A turning arrow, since CSS has no cursor for it. */
+/** A circular arrow: CSS has no cursor for rotation. */
 const TURN_CURSOR = `url("data:image/svg+xml,${encodeURIComponent(
   `<svg xmlns='http://www.w3.org/2000/svg' width='24' height='24' fill='none' stroke-linecap='round' stroke-linejoin='round'>
   <g id='a'><path d='M18.5 14.5A7 7 0 1 1 18 8.5M18.6 4.6v4.2h-4.2' stroke='white' stroke-width='4'/></g>
@@ -62,9 +62,9 @@ export class Input {
   #coarse = matchMedia('(pointer: coarse)').matches;
   #space = false;
   #hovered: Vec | null = null;
-  /** Where the pointer was last heard of, over which part of the picture. */
+  /** The last pointer position, and the camera at that moment. */
   #pointer: { readonly at: StagePointer; readonly camera: Camera } | null = null;
-  /** Where Enter places a handle, once an arrow key has moved it. Image pixels. */
+  /** Where Enter places a handle, image pixels; null until an arrow key has moved it. */
   crosshair: Vec | null = null;
 
   constructor(root: ShadowRoot, stage: HTMLElement, host: InputHost) {
@@ -102,7 +102,7 @@ export class Input {
     });
   }
 
-  /** How far the controls reach now, image pixels. */
+  /** Current sizes of the hit areas, image pixels. */
   get grips(): Grips {
     const reach = this.#coarse ? REACH.coarse : REACH.fine;
     const { scale } = this.#host.viewing.camera;
@@ -141,18 +141,18 @@ export class Input {
     return places ? 'crosshair' : 'default';
   }
 
-  /** There is something to edit, and it can be seen. */
+  /** Whether handles are visible and editable. */
   get #shown(): boolean {
     const { editable, comparing } = this.#host;
     return editable && !comparing;
   }
 
-  /** A press moves the view, whatever the tool. */
+  /** Whether a press moves the view, whatever the tool. */
   get #pans(): boolean {
     return !this.#host.playing && (!this.#shown || this.#space);
   }
 
-  /** What is being drawn is done. */
+  /** Finishes the current drawing. */
   finish(): void {
     const { editing, editable } = this.#host;
     if (!editable) return;
@@ -161,7 +161,7 @@ export class Input {
     if (!editing.machine.draft) this.#host.held(editing.document.selection[0]);
   }
 
-  /** One corner more: half way to the next from the corner that has the focus, else on the longest edge of what is selected. */
+  /** Adds a corner halfway after the focused corner, or else on the longest edge of the only selected handle. */
   addCorner(): void {
     const { document } = this.#host.editing;
     const corner = this.#focusedCorner;
@@ -174,14 +174,14 @@ export class Input {
     this.#addCorner(handle, { edge, share: 0.5 });
   }
 
-  /** The corner that has the focus goes, and the one before it takes the focus. */
+  /** Removes the focused corner and focuses the one before it. */
   removeCorner(): void {
     const corner = this.#focusedCorner;
     const handle = corner && handleById(this.#host.editing.document, corner.id);
     if (handle && isLine(handle)) this.#removeCorner(handle, corner.index);
   }
 
-  /** Nothing more comes of what was begun: a drag, a drawing, a number being typed. */
+  /** Cancels what is in progress: a drag, a drawing, a number being typed. */
   stop(): void {
     this.crosshair = null;
     this.#finishField();
@@ -189,7 +189,7 @@ export class Input {
     this.#host.looked();
   }
 
-  /** The view has perhaps moved under a pointer that stands still: another part of the picture lies there. */
+  /** Repeats the last hover if the camera has moved under a resting pointer. */
   follow(): void {
     const pointer = this.#pointer;
     if (pointer && pointer.camera !== this.#host.viewing.camera && !this.crosshair) this.#hover(pointer.at);
@@ -219,7 +219,7 @@ export class Input {
     this.#apply(machine.down(this.#press(pointer), this.scene, once));
   }
 
-  /** A number being typed belongs to what is selected now: it is committed before the press selects something else. */
+  /** Commits a number being typed before a press changes the selection, since it belongs to the current one. */
   #finishField(): void {
     const active = this.#root.activeElement;
     if (active instanceof HTMLInputElement) active.blur();
@@ -232,13 +232,13 @@ export class Input {
     const held = drawing ? null : hit(this.scene, press.at, editing.machine.tool === 'select');
     this.#apply(editing.machine.up(press, this.scene));
     const { selection } = editing.document;
-    // What a Shift-click has just let go of would be selected again by the focus.
+    // Focusing a handle selects it: not one that a Shift-click has just deselected.
     const keeps = held !== null && held.part !== 'ring' && selection.includes(held.id);
     if (keeps && held.part === 'corner') this.#host.held(held.id, held.index);
     else this.#host.held(keeps ? held.id : selection[0]);
   }
 
-  /** On a corner it goes; on the line beside them there is one more. What is drawn ends by two clicks as well. */
+  /** A double click removes a corner or adds one on a line. Select tool only: others end a drawing by it. */
   #pressedTwice(at: Vec): void {
     const { editing } = this.#host;
     if (this.#pans || editing.machine.tool !== 'select') return;
@@ -296,7 +296,7 @@ export class Input {
     return true;
   }
 
-  /** Nudges the corner that has the focus, else what is selected; with a tool that places, the crosshair; else the picture. */
+  /** Nudges the focused corner, else the selected handles; else moves a placing tool's crosshair, or the picture. */
   #arrow(by: Vec): boolean {
     const { editing, viewing, editable } = this.#host;
     const { draft } = editing.machine;
@@ -316,19 +316,19 @@ export class Input {
     return true;
   }
 
-  /** Places a handle or sets a corner at the crosshair. Where no arrow key has moved it, what is drawn is done. */
+  /** Places a handle or sets a corner at the crosshair; without a crosshair, finishes the current drawing. */
   #placeByKey(): boolean {
     const { editing, editable } = this.#host;
     const { machine } = editing;
     if (!editable || !this.#places) return false;
-    // A press in hand goes on: it is no place for another.
+    // A pointer press is in progress: ignore the key.
     if (machine.busy) return true;
     if (machine.draft && !this.crosshair) {
       this.finish();
       return true;
     }
     const press = this.#pressAt(this.crosshair ?? this.#middle);
-    // Away from handles' reach does not matter here: what is asked for is a new one.
+    // No hit areas: Enter always places, even on an existing handle.
     const scene = { ...this.scene, grips: { ...this.grips, handle: -1, line: -1, band: -1 } };
     this.#apply(machine.down(press, scene));
     this.#apply(machine.up(press, scene));
@@ -338,13 +338,13 @@ export class Input {
     return true;
   }
 
-  /** The tool in hand puts something on the picture. */
+  /** Whether the current tool places something on the picture. */
   get #places(): boolean {
     const { tool } = this.#host.editing.machine;
     return tool !== 'select' && tool !== 'hand';
   }
 
-  /** The place on the stage that is nearest. */
+  /** The nearest point within the stage, image pixels. */
   #inView(at: Vec): Vec {
     const { camera, stage } = this.#host.viewing;
     const [x, y] = toStage(camera, at);
@@ -356,7 +356,7 @@ export class Input {
     return { at, stage: at, shift: false, alt: false };
   }
 
-  /** The corner whose button has the focus. */
+  /** The corner whose button has the focus, or null. */
   get #focusedCorner(): { readonly id: string; readonly index: number } | null {
     const active = this.#root.activeElement;
     if (!(active instanceof HTMLElement)) return null;

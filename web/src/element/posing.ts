@@ -1,4 +1,4 @@
-/** The posed picture as geometry: the motions that draw it, and what lies where on it. */
+/** The posed picture as geometry: the motions that draw it, and lookups between places on it and in the original. */
 import { blendOf } from '../document/bending';
 import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
@@ -13,7 +13,7 @@ import type { Placement } from '../tools/state';
 import type { FoldedMesh, SiteGraph } from '../ui/overlays';
 import type { Workbench } from './workbench';
 
-/** Less of a pixel than this is not missed, nor what rounding takes. */
+/** Image pixels beyond the frame that nobody misses; also covers rounding. */
 const SLACK = 0.5;
 
 export class Posing {
@@ -30,7 +30,7 @@ export class Posing {
     this.#workbench = workbench;
   }
 
-  /** Another solution: nothing computed before holds. */
+  /** Clears all cached values, for another solution. */
   forget(): void {
     this.#project = null;
     this.#motions = null;
@@ -41,7 +41,7 @@ export class Posing {
     this.#order = null;
   }
 
-  /** Motions under the pose as it is now; null where there is no solution yet. */
+  /** The motions of all sites in the current pose; null without a solution. */
   motions(): Float32Array | null {
     const { project } = this.#workbench.editing;
     if (project !== this.#project) {
@@ -54,14 +54,14 @@ export class Posing {
     return this.#motions;
   }
 
-  /** How far automatic handles are turned: by their own motions, or as the picture is where the solution knows none yet. */
+  /** Turns of automatic handles: from their own sites, or from the picture around handles not solved yet. */
   turns(): Turns {
     const motions = this.motions();
     this.#turns ??= motions ? this.#turnsUnder(motions) : new Map();
     return this.#turns;
   }
 
-  /** What lies under a place of the posed picture. Without a solution, the picture as it is. */
+  /** The point of the original under a place of the posed picture; without a solution, the place itself. */
   place(at: Vec): Placement | null {
     const { picture, solving } = this.#workbench;
     if (!picture) return null;
@@ -70,21 +70,21 @@ export class Posing {
     return inside ? { rest: at, rotation: 0, scale: 1 } : null;
   }
 
-  /** The same, and beside the picture as if it went on there. */
+  /** Like `place`, but beside the picture as if its nearest part continued there. */
   placeNear(at: Vec): Placement {
     const { current } = this.#workbench.solving;
     const near = current && locateNear(this.#drawn(current.data), this.#positions(), at);
     return near ?? { rest: at, rotation: 0, scale: 1 };
   }
 
-  /** How many triangles the pose as it is now turns over. */
+  /** The number of triangles that the current pose turns over. */
   folds(): number {
     this.motions();
     this.#folds ??= foldCount(this.#foldable, this.#positions());
     return this.#folds;
   }
 
-  /** The same for any other pose of the handles, at most one beyond `limit`; infinite where there is no such pose. */
+  /** `folds` for any pose, counted up to `limit` + 1; infinite if the solver cannot pose it. */
   foldsOf(project: Project, limit: number): number {
     const { solving } = this.#workbench;
     if (!solving.current) return 0;
@@ -96,20 +96,20 @@ export class Posing {
     }
   }
 
-  /** The triangles that have turned over. */
+  /** The triangles that the current pose turns over; null if there are none. */
   folded(): FoldedMesh | null {
     if (this.folds() === 0) return null;
     const posed = this.#positions();
     return { posed, triangles: foldedTriangles(this.#foldable, posed) };
   }
 
-  /** The least box around the posed picture, image pixels; null where there is no solution yet. What surrounds the rim does not count. */
+  /** Bounding box of the posed picture without the mesh around its rim, image pixels; null without a solution. */
   bounds(): Box | null {
     const { current } = this.#workbench.solving;
     return current && boxAround(this.#positions(), current.data.report.samples);
   }
 
-  /** Whether something of the posed picture lies beyond the picture's own rectangle. */
+  /** Whether part of the posed picture lies outside the picture's own rectangle. */
   beyond(): boolean {
     const { picture } = this.#workbench;
     const bounds = this.bounds();
@@ -117,7 +117,7 @@ export class Posing {
     return reachesBeyond(bounds, { min: [0, 0], max: [picture.width, picture.height] }, SLACK);
   }
 
-  /** Where a point of the original goes; null outside what is warped. */
+  /** Where a point of the original is posed; null outside the warped area. */
   map(rest: Vec): Located | null {
     const { current } = this.#workbench.solving;
     if (!current) return null;
@@ -144,16 +144,16 @@ export class Posing {
     return new Map(
       automatic.map((handle) => {
         const site = sites.get(handle.id);
-        // The map goes from the posed picture to rest: its turn is the other way round.
+        // `map` reports the turn from the posed picture to rest, hence the sign.
         const turn =
           site === undefined ? -(this.map(anchor(handle, 'rest'))?.rotation ?? 0) : siteTurn(motions, site);
-        // As it is kept when it is pinned, so that pinning changes no digit.
+        // Rounded as in the document, so that pinning changes no digit.
         return [handle.id, rounded(turn)];
       }),
     );
   }
 
-  /** A pose that is none, such as a bar drawn together to one spot, leaves the picture as it was. */
+  /** If the solver cannot pose this, for example a bar of no length, the last motions stay. */
   #newest(project: Project): Float32Array | null {
     try {
       return this.#workbench.solving.motions(project);
@@ -162,14 +162,14 @@ export class Posing {
     }
   }
 
-  /** What can fold of the solution shown. */
+  /** The triangles of the current solution that are checked for folds. */
   get #foldable(): FoldingMesh {
     const data = this.#workbench.solving.current?.data;
     this.#folding ??= data ? foldingMesh(data, data.report.samples) : new Uint32Array();
     return this.#folding;
   }
 
-  /** The mesh with its triangles as they are drawn under the pose as it is now. */
+  /** The mesh with its triangles in the drawing order of the current pose. */
   #drawn(data: Skin): Skin {
     const motions = this.motions();
     this.#order ??= new DrawingOrder(data);

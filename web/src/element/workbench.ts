@@ -1,9 +1,9 @@
 /**
  * Picture, document and solution, kept consistent with one another.
  *
- * What the solver refuses never stays: a picture or project that cannot be opened leaves the ones before it, a handle
- * that cannot be solved is taken back through the history, be it that of a document just opened, and any other edit that cannot with what was done
- * since. The host shows what comes of it.
+ * Nothing that the solver refuses stays. If a picture or project cannot be opened, the previous one comes back. A
+ * handle that cannot be solved is taken back throughout the history, even that of a document just opened; any other
+ * edit is taken back together with what was done since. The host shows the result.
  */
 import type { Engine } from '../compute/engine';
 import { EngineError } from '../compute/errors';
@@ -23,36 +23,36 @@ import { type Solved, Solving } from './solving';
 import type { Look } from './viewing';
 
 export interface WorkbenchHost extends EditingHost {
-  /** Where the person looks now. */
+  /** The current view. */
   readonly look: Look;
-  /** Another picture is open, or none. @param look where the person looked when it was open before. */
+  /** Another picture is open, or none. @param look the view of this picture when it was last open. */
   opened(picture: Picture | null, look?: Look): void;
-  /** @param first it is the first of this picture. */
+  /** @param first whether this is the first solution of the picture. */
   solved(solved: Solved, first: boolean): void;
-  /** Something has begun that takes a while, and perhaps can be given up. Returns what ends it. */
+  /** Shows a long operation; `cancel` is null if it cannot be cancelled. Returns a function that ends the display. */
   begin(label: string, cancel: (() => void) | null): () => void;
   report(error: Error): void;
 }
 
-/** What a person has made of a picture. */
+/** A person's work on one picture. */
 export interface Work {
   readonly record: HistoryRecord<Document>;
-  /** What is being drawn. */
+  /** Unfinished bars and polygons. */
   readonly drawings?: Drawings;
   readonly look?: Look;
 }
 
-/** What a closed picture leaves behind, enough to open it again. */
+/** Everything needed to open a closed picture again. */
 export interface Kept extends Work {
   readonly file: Blob;
   readonly name: string;
-  /** The guard against folds was on. */
+  /** Whether the guard against folds was on. */
   readonly guarded: boolean;
 }
 
 interface Opening {
   readonly before: { readonly picture: Picture; readonly work: Work } | null;
-  /** The picture, where its project is the editor's own. */
+  /** The picture if it came without a project, else null. */
   readonly fresh: Picture | null;
   resolve(): void;
   reject(error: Error): void;
@@ -66,7 +66,7 @@ export class Workbench {
   readonly #host: WorkbenchHost;
   #picture: Picture | null = null;
   #opening: Opening | null = null;
-  /** Once it is there: what a page gives in one go is checked in one go. */
+  /** Null until started. Kept outside its promise so that `set` can check a project synchronously. */
   #engine: Engine | null = null;
 
   constructor(host: WorkbenchHost) {
@@ -90,7 +90,7 @@ export class Workbench {
       solved: (solved, first) => this.#solved(solved, first),
       refused: (key, error) => this.#refused(key, error),
       failed: (error) => this.#failed(error),
-      // Without a solution to go back to there is nothing to give up for.
+      // The first solve cannot be cancelled: there is no solution to return to.
       begin: (label) => host.begin(label, this.solving.current && (() => this.cancelSolve())),
     });
   }
@@ -99,7 +99,7 @@ export class Workbench {
     return this.#picture;
   }
 
-  /** What is open, to be kept; while another picture is on its way, what was open before. */
+  /** The open picture and its work; while another picture is being opened, the previous ones. */
   get kept(): Kept | null {
     const open = this.#opening ? this.#opening.before : this.#picture && this.#snapshot(this.#picture);
     if (!open) return null;
@@ -108,8 +108,8 @@ export class Workbench {
   }
 
   /**
-   * Opens a picture, with what was made of it or a new project. Done once it is solved.
-   * @throws Error with a code where the solver refuses it; what was open before stays.
+   * Opens a picture, with earlier work on it or a new project. Resolves once the picture is solved.
+   * @throws Error with a `code` if the solver refuses it; the previous picture comes back.
    */
   open(picture: Picture, work?: Work): Promise<void> {
     this.#opening?.reject(new DOMException('another picture was opened', 'AbortError'));
@@ -127,19 +127,19 @@ export class Workbench {
     });
   }
 
-  /** A project for the picture that is open, as a step that can be undone. */
+  /** Replaces the project of the open picture, as an undoable step. */
   adopt(project: Project, label: string): void {
     this.editing.step(label, openDocument(project));
   }
 
-  /** There is a picture to set a project for. */
+  /** Whether a project can be set: a picture is open and the solver has started. */
   get isOpen(): boolean {
     return this.#picture !== null && this.#engine !== null;
   }
 
   /**
-   * The same for what a page made, which it may go on changing.
-   * @throws RangeError that names the offending key, or where there is no picture of that size open.
+   * Adopts a copy of a page's own project object, after checking it.
+   * @throws RangeError that names the invalid key, or if no picture of that size is open.
    */
   set(given: ProjectFile): void {
     if (!this.#engine || !this.#picture) throw new RangeError('there is no picture yet to set a project for');
@@ -149,13 +149,13 @@ export class Workbench {
     this.adopt(project, 'Set project');
   }
 
-  /** Reads a project file. @throws Error with a code and a message that names the offending key. */
+  /** Parses a project file. @throws Error with a `code` and a message that names the invalid key. */
   async readProject(text: string): Promise<Project> {
     if (text.trim() === '') throw Object.assign(new Error('the file is empty'), { code: 'project' });
     return checked((await this.solving.engine()).checkProject(text));
   }
 
-  /** The project file of what is open, named as the picture. */
+  /** The open project as a file, named after the picture. */
   projectFile(): { readonly name: string; readonly blob: Blob } {
     const { project } = this.editing;
     const image = { ...project.image, src: this.#picture?.name ?? project.image.src };
@@ -171,7 +171,7 @@ export class Workbench {
     return encodePng(width, height, rgba);
   }
 
-  /** Gives up a solve under way, and with it the edit that asked for it. */
+  /** Cancels the running solve, and takes back the edit that required it. */
   cancelSolve(): void {
     const { pending } = this.solving;
     if (pending === null || this.#opening) return;
@@ -207,7 +207,7 @@ export class Workbench {
   }
 
   #put(picture: Picture, { record, drawings, look }: Work): void {
-    // First of all: where the picture before reached says nothing of how this one is fitted.
+    // First, so that this picture is not fitted with the bounds of the previous one.
     this.solving.setPicture(picture);
     this.#show(picture, look);
     this.editing.open(record, drawings);
@@ -233,7 +233,7 @@ export class Workbench {
   #refused(key: string, error: Error): void {
     const opening = this.#opening;
     const named = error instanceof EngineError ? error.handles : [];
-    // What was kept may hold a step that nobody waited for to be refused: the others stand.
+    // Restored work may contain a step that was never solved: only that step goes.
     const left = this.editing.withdraw(key, named, this.solving.current?.project ?? null);
     if (left || !opening) {
       this.#host.report(error);
@@ -258,7 +258,7 @@ export class Workbench {
   }
 }
 
-/** What the file format takes may still be beyond what can be drawn. */
+/** Refuses a project that is valid as a file but has a handle that cannot be drawn. */
 function checked(project: Project): Project {
   try {
     project.handles.forEach(checkedHandle);
