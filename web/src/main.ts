@@ -1,4 +1,4 @@
-/** The editor's page: one element that fills it, opened on the sample or on what was left here last time. */
+/** The editor's page: one element that fills the page and opens the work of the last visit, or else the sample. */
 import './element';
 
 const editor = document.querySelector('c2-warp');
@@ -6,16 +6,16 @@ const THEME = 'theme';
 
 if (editor) {
   editor.theme = stored((storage) => storage.getItem(THEME));
-  // The switch in the editor sets the attribute.
+  // The editor's theme switch sets the attribute.
   new MutationObserver(() => {
     const { theme } = editor;
     if (theme) stored((storage) => storage.setItem(THEME, theme));
   }).observe(editor, { attributeFilter: [THEME] });
-  // Keys work at once, before the first click.
+  // So that keys work before the first click.
   editor.addEventListener('ready', () => editor.focus({ preventScroll: true }), { once: true });
 }
 
-/** What the browser's storage has to say; nothing where the browser grants none. */
+/** The result of `ask` on the browser's storage; null if the browser refuses storage. */
 function stored<T>(ask: (storage: Storage) => T): T | null {
   try {
     return ask(localStorage);

@@ -1,2 +1,2 @@
-/** What a server that renders pages imports in place of the element: there is no DOM for it, and nothing to draw. */
+/** Replaces the element on a server that renders pages: without a DOM there is nothing to draw. */
 export class C2Warp {}

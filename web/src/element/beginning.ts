@@ -1,7 +1,7 @@
 /**
- * What the element opens by itself: what its attributes name, what was kept, and what was open when it left a page.
+ * What the element opens by itself: its attributes, stored work, and what was open when it was disconnected.
  *
- * It outlasts the desk, so that nothing is lost where the element is moved or set up before it comes to a page.
+ * Outlives the desk, so that nothing is lost when the element is moved, or set up before it is connected.
  */
 import type { ProjectFile } from '../document/project';
 import type { Desk } from './desk';
@@ -13,7 +13,7 @@ import type { Kept } from './workbench';
 export interface BeginningHost {
   readonly src: string | null;
   readonly projectSource: string | null;
-  /** Where the element is now; null while it is on no page. */
+  /** The current desk; null while the element is not connected. */
   readonly desk: Desk | null;
   readonly emit: Emit;
 }
@@ -21,20 +21,20 @@ export interface BeginningHost {
 const nothing = (): Aside => ({ awaiting: null, left: [] });
 
 export class Beginning {
-  /** What a page has set while there was no picture for it. */
+  /** Set by the page before there was a picture. */
   project: ProjectFile | null = null;
   selection: readonly string[] | null = null;
   aside = nothing();
   readonly #host: BeginningHost;
   #left: Kept | null = null;
-  /** What the attributes name anew since the element began, and that is not open yet. Each change is another. */
+  /** Identifies the last change of the attributes that is not open yet; null if there is none. */
   #asked: symbol | null = null;
 
   constructor(host: BeginningHost) {
     this.#host = host;
   }
 
-  /** What the attributes name is to be opened, as soon as the element is on a page. */
+  /** Notes that the attributes have changed, for `open` or, while disconnected, the next `begin`. */
   ask(): void {
     this.#asked = Symbol();
   }
@@ -48,14 +48,14 @@ export class Beginning {
     this.aside = nothing();
   }
 
-  /** The project that was set for a picture still to come; it is handed out once. */
+  /** Takes the project that was set before there was a picture: later calls return undefined. */
   taken(): ProjectFile | undefined {
     const { project } = this;
     this.project = null;
     return project ?? undefined;
   }
 
-  /** On a page. */
+  /** Opens the initial content after a connection, and emits `ready`. */
   async begin(desk: Desk, turn: Turn): Promise<void> {
     const left = this.#left;
     const asked = this.#asked;
@@ -65,7 +65,7 @@ export class Beginning {
       else if (!(await desk.restore(turn))) return this.#attributes(desk, turn);
       return true;
     });
-    // Where the new picture is not to be had, the one before it stays.
+    // The new picture could not be opened: return to the previous one.
     if (asked && left && !opened) {
       await this.#open(desk, async () => {
         await desk.reopen(left, turn);
@@ -75,13 +75,13 @@ export class Beginning {
     if (desk === this.#host.desk) this.#host.emit('ready', null);
   }
 
-  /** On the same page, when the attributes have changed. */
+  /** Opens what the changed attributes name. */
   async open(desk: Desk): Promise<void> {
     const turn = desk.files.turn();
     await this.#open(desk, () => this.#attributes(desk, turn));
   }
 
-  /** A picture is open: what the page has set meanwhile is for it. */
+  /** Applies to the open picture what the page set before. */
   settle({ workbench, talking }: Desk): void {
     const [project, selection] = [this.taken(), this.selection];
     this.selection = null;
@@ -93,12 +93,12 @@ export class Beginning {
     if (selection) workbench.editing.select(selection);
   }
 
-  /** Tells the page what came of it. @param opening whether there was anything to open. @returns whether it is open. */
+  /** Emits `load`, or reports the error. @param opening resolves to whether something was opened. @returns the same. */
   async #open(desk: Desk, opening: () => Promise<boolean>): Promise<boolean> {
     try {
       if (!(await desk.files.shown(opening)) || desk !== this.#host.desk) return false;
     } catch (error) {
-      // Gone from the page, it is opened on the next.
+      // After a disconnection the next `begin` tries again.
       if (desk === this.#host.desk) desk.talking.report(error);
       return false;
     }
@@ -113,7 +113,7 @@ export class Beginning {
     try {
       await desk.files.load(src, project ?? projectSource ?? undefined, turn);
     } catch (error) {
-      // Gone from the page, it is asked for still; and what is newer by now stays.
+      // After a disconnection the project is still needed, unless the page has set a newer one.
       if (desk !== this.#host.desk) this.project ??= project ?? null;
       throw error;
     } finally {

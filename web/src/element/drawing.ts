@@ -1,4 +1,4 @@
-/** Draws at most once a frame what has changed since the last: the pose, the view, or both. */
+/** Redraws at most once a frame, after a change of the pose or the view. */
 import type { SolutionData } from '../compute/solution';
 import type { Blend } from '../geometry/blend';
 import type { View } from '../geometry/view';
@@ -9,11 +9,11 @@ export interface DrawingHost {
   view(): View;
   motions(): Float32Array | null;
   blend(): Blend;
-  /** Vertices: what is drawn of it as a heat map; null where nothing is. */
+  /** The heat map, one value for each vertex; null without one. */
   reach(): Float32Array | null;
 }
 
-/** Drawings come back a little before they are in sight. */
+/** Margin around the viewport within which a canvas has its context, so that it is drawn before it is visible. */
 const AROUND = '25%';
 
 export class Drawing {
@@ -23,7 +23,7 @@ export class Drawing {
   #frame = 0;
   #posed = true;
 
-  /** @throws Error with the code `webgl` where the browser cannot draw. */
+  /** @throws Error with the code `webgl` if WebGL2 is not available. */
   constructor(canvas: HTMLCanvasElement, host: DrawingHost) {
     this.#host = host;
     this.#renderer = new Renderer(canvas);

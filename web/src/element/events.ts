@@ -1,8 +1,8 @@
-/** The events of `<c2-warp>`: what each of them carries, for those who emit them and for pages that listen. */
+/** The events of `<c2-warp>` and their types, for emitters and listeners. */
 import { LitElement } from 'lit';
 import type { Project } from '../document/project';
 
-/** The `detail` of each event; null where it carries nothing. */
+/** The `detail` of each event; null if it has none. */
 export interface EventDetails {
   readonly ready: null;
   readonly load: null;
@@ -18,7 +18,7 @@ export type EventName = keyof EventDetails;
 
 export type C2WarpEventMap = { [T in EventName]: CustomEvent<EventDetails[T]> };
 
-/** Those of every other element are what they are elsewhere. */
+/** Events of other names keep their standard types. */
 type EventMap = Omit<HTMLElementEventMap, EventName> & C2WarpEventMap;
 
 export type Emit = <T extends EventName>(type: T, detail: EventDetails[T]) => void;
@@ -32,7 +32,7 @@ export const emitter =
 type Listener<T extends keyof EventMap> = (event: EventMap[T]) => unknown;
 type AnyListener = EventListenerOrEventListenerObject | null;
 
-/** An element whose listeners know what they are given. */
+/** An element whose listeners get typed events. */
 export abstract class TypedElement extends LitElement {
   override addEventListener<T extends keyof EventMap>(
     type: T,

@@ -1,9 +1,9 @@
-/** Bars with all that is in them, and what else is pressed and not typed into. */
+/** The bars with all their contents, and other controls that are pressed rather than typed into. */
 const CONTROLS = '.top, .tools, .status, .draft-bar, .switch, button, summary';
 
 /**
- * Keeps the keys with the editor: what has the focus may vanish (a deleted handle) or be disabled (the last undo), and
- * browsers then give it to nobody. Only a press elsewhere or the Tab key takes it away.
+ * Keeps the focus in the editor: the focused element may disappear (a deleted handle) or be disabled (the last undo),
+ * and browsers then focus nothing. Only a press outside or the Tab key takes the focus away.
  */
 export class Focusing {
   readonly #host: HTMLElement;
@@ -22,11 +22,11 @@ export class Focusing {
       capture: true,
     });
     host.ownerDocument.addEventListener('pointerdown', elsewhere, { signal, capture: true });
-    // The path of an event does not tell a document what lies in a closed shadow.
+    // At the document, an event's path omits what is inside a closed shadow root.
     host.addEventListener('pointerdown', () => this.#enter(true), { signal, capture: true });
   }
 
-  /** To be called after each change of what is shown. */
+  /** Restores a lost focus; to be called after each render. */
   repair(): void {
     if (this.#inside && this.#isLost()) this.#host.focus({ preventScroll: true });
   }
@@ -35,7 +35,7 @@ export class Focusing {
     this.#listening.abort();
   }
 
-  /** A pressed control does its work and leaves the keys with the picture, or gives them back from a field or a control that has them. */
+  /** A pressed control does not take the focus: it stays on the stage, or moves to the editor from elsewhere. */
   #press(event: MouseEvent): void {
     const target = event.composedPath()[0];
     if (!(target instanceof Element) || target.closest('.stage') || !target.closest(CONTROLS)) return;
@@ -43,7 +43,10 @@ export class Focusing {
     if (!this.#held?.closest('.stage')) this.#host.focus({ preventScroll: true });
   }
 
-  /** Whether nobody has the focus, or what has it can no longer hold it: browsers notice that a frame or two later, and lose keys. */
+  /**
+   * Whether nothing has the focus, or the focused element is disabled or hidden: browsers notice that a frame or two
+   * later, and keys are lost until then.
+   */
   #isLost(): boolean {
     const held = this.#held;
     if (held) return held.matches(':disabled') || !held.checkVisibility({ visibilityProperty: true });
@@ -51,13 +54,13 @@ export class Focusing {
     return document.activeElement === document.body && document.hasFocus();
   }
 
-  /** A menu that closes takes what has the focus with it. */
+  /** A closing menu would drop the focus of an element inside it. */
   #leave({ target, newState }: ToggleEvent): void {
     if (newState === 'closed' && (target as Element).contains(this.#held))
       this.#host.focus({ preventScroll: true });
   }
 
-  /** What has the focus in here. */
+  /** The focused element in the editor's shadow tree. */
   get #held(): Element | null {
     return this.#host.shadowRoot?.activeElement ?? null;
   }

@@ -1,8 +1,8 @@
 /**
- * The guard against folds: a drag, a turn, a nudge or a number goes as far as it folds nothing, and stops there.
+ * The guard against folds: a drag, a turn, a nudge or a typed number goes only as far as it adds no folds.
  *
- * Between the last pose that was allowed and the one that is wanted, the farthest one without more folds than there were
- * before is found by bisection. Cost: one pose and one look at all triangles for each of `STEPS`, some milliseconds in all.
+ * Bisects between the last allowed pose and the wanted one for the farthest pose without more folds than before. Cost:
+ * one pose and one pass over all triangles for each of `STEPS`, some milliseconds in all.
  */
 import type { Document } from '../document/document';
 import { between } from '../document/easing';
@@ -10,13 +10,13 @@ import type { Turns } from '../document/handle';
 import type { Project } from '../document/project';
 
 export interface GuardingHost {
-  /** How many triangles a pose turns over; counts no farther than one beyond `limit`. */
+  /** The number of triangles that a pose turns over, counted up to `limit` + 1. */
   foldsOf(project: Project, limit: number): number;
-  /** How far automatic handles are turned in the pose as it is. */
+  /** The turns of automatic handles in the current pose. */
   readonly turns: Turns;
 }
 
-/** Of the way that the pointer went since the last frame this leaves less than a hundredth. */
+/** Bisections: the result is within a hundredth of the pointer's way since the last frame (2⁻⁸). */
 const STEPS = 8;
 
 export class Guarding {
@@ -38,23 +38,23 @@ export class Guarding {
     this.#holding = false;
   }
 
-  /** Something is held back now. */
+  /** Whether the last change was limited. */
   get holding(): boolean {
     return this.#holding;
   }
 
-  /** A drag begins at this pose: it may keep the folds that it has, and make no more. */
+  /** Starts a drag: the folds of this pose are allowed, but no more. */
   begin(document: Document): void {
     this.#allowed = this.#on ? this.#host.foldsOf(document.project, Number.POSITIVE_INFINITY) : null;
   }
 
-  /** The drag is over. */
+  /** Ends a drag. */
   end(): void {
     this.#allowed = null;
     this.#holding = false;
   }
 
-  /** How far the document may go from `present`, which is allowed, to `wanted`. */
+  /** The document as far as allowed on the way from `present`, which is allowed, to `wanted`. */
   limited(present: Document, wanted: Document): Document {
     if (!this.#on) return wanted;
     const allowed = this.#allowed ?? this.#host.foldsOf(present.project, Number.POSITIVE_INFINITY);
@@ -71,7 +71,7 @@ export class Guarding {
       share += 0.5 ** step;
       good = tried;
     }
-    // Less than what a pose is rounded to: the present itself, so that no step of the history comes of it.
+    // Equal after rounding: return the same object, so that no undo step is made.
     const same = JSON.stringify(good.handles) === JSON.stringify(present.project.handles);
     return same ? present : { ...wanted, project: good };
   }

@@ -1,22 +1,22 @@
-/** Room for the cards over the stage. The breakpoints are those of `ui/layout.ts`, which are of the stage with its bars. */
+/** Room for the cards over the stage. Breakpoints as in `ui/layout.ts`, which measures the stage with its bars. */
 import type { Insets, Size } from '../geometry/camera';
 
-/** What the insets depend on. */
+/** The layout that the insets depend on. */
 export interface Cards {
   /** CSS pixels. */
   readonly stage: Size;
-  /** Bars and buttons are as wide as a finger. */
+  /** Bars and buttons are sized for fingers. */
   readonly coarse: boolean;
-  /** The panel is open, where it is a sheet. */
+  /** The panel is open, if the layout shows it as a sheet. */
   readonly sheet: boolean;
-  /** What is shown without any bars and cards. */
+  /** What `play` shows without bars and cards; null in the editor. */
   readonly bare: 'handles' | 'picture' | null;
 }
 
-/** A handle at the rim of a bare picture is seen whole, and can be taken hold of. CSS pixels. */
+/** Room for a whole handle at the rim of a bare picture, and for its hit area, CSS pixels. */
 const RIM = { fine: 16, coarse: 24 } as const;
 
-/** What both bars take of the height, CSS pixels. */
+/** Height of both bars together, CSS pixels. */
 const BARS = { fine: 82, coarse: 98 } as const;
 
 const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by });
@@ -27,7 +27,7 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Card
   if (width >= 640 && whole < 372) return { top: 16, right: 248, bottom: 16, left: whole < 290 ? 182 : 134 };
   if (width >= 900) return { top: 28, right: 260, bottom: 28, left: 84 };
   if (width >= 640) return { top: 20, right: 248, bottom: 20, left: 72 };
-  // So low that a sheet may lie over the picture: beside it, nothing would be left of it.
+  // Too low for room beside the sheet: the sheet may cover the picture.
   if (whole < 372) return { top: 8, right: 8, bottom: 8, left: !coarse ? 108 : whole < 290 ? 174 : 124 };
   return { top: 16, right: 16, bottom: sheet ? 136 : 76, left: 16 };
 }

@@ -1,8 +1,9 @@
 /**
- * Keeps what is open in the browser's own storage, so that a reload or a crash brings it back: the picture once, the
- * document with its history after every step, and whether the guard against folds is on. Several tabs have one place there: what changed last is what comes back, whole.
+ * Stores the open work in the browser, so that it survives a reload or a crash: the picture once, and after every
+ * step the document with its history and whether the guard against folds is on. Tabs share the key: the last change
+ * of any of them is restored, picture and document together.
  *
- * Where the browser grants no storage, as in some private windows, nothing is kept and nothing fails.
+ * If the browser refuses storage, as in some private windows, nothing is stored and nothing fails.
  */
 import { readKept, writeKept } from '../io/storage';
 import type { Kept } from './workbench';
@@ -11,7 +12,7 @@ interface KeptPicture extends Pick<Kept, 'file' | 'name'> {
   readonly mark: string;
 }
 
-/** What an older version has kept says nothing of the guard. */
+/** `guarded` is missing in documents stored by older versions. */
 interface KeptDocument extends Pick<Kept, 'record'>, Partial<Pick<Kept, 'guarded'>> {
   readonly mark: string;
 }
@@ -19,7 +20,7 @@ interface KeptDocument extends Pick<Kept, 'record'>, Partial<Pick<Kept, 'guarded
 export class Keeping {
   readonly #key: string;
   #file: Blob | null = null;
-  /** Tells the picture from those of other tabs: a document is worth nothing with another. */
+  /** Identifies the picture, so that a document is never restored with another tab's picture. */
   #mark = '';
   #writing: Promise<void> = Promise.resolve();
   #next: Kept | null = null;
@@ -42,7 +43,7 @@ export class Keeping {
     }
   }
 
-  /** Writes the newest state; states that come while one is written replace one another. */
+  /** Stores a state. While one is being written, only the newest of the waiting states is kept. */
   keep(kept: Kept): void {
     const idle = this.#next === null;
     this.#next = kept;
@@ -68,7 +69,7 @@ export class Keeping {
         { name: markName, is: mark, values: { [`${this.#key}/picture`]: picture, [markName]: mark } },
       );
     } catch {
-      // Storage full or refused: the work in hand is not touched by it.
+      // Storage full or refused: editing goes on.
     }
   }
 }

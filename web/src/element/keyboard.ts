@@ -1,4 +1,6 @@
-/** The keys of the editor, heard only while it has the focus. Fields keep theirs, but for those of the document. */
+/**
+ * The keys of the editor while it has the focus. Text fields keep their keys, except document commands such as save.
+ */
 import type { Vec } from '../geometry/vec';
 import { type CommandName, commandOfKey } from '../ui/commands';
 import { isTyped } from '../ui/untyped';
@@ -6,19 +8,23 @@ import { isTyped } from '../ui/untyped';
 export interface KeyboardHost {
   /** People can do nothing. */
   readonly disabled: boolean;
-  /** What keys may ask for: all others are the page's. */
+  /** The commands that keys may run: all other keys are left to the page. */
   readonly commands: readonly CommandName[];
   run(command: CommandName): void;
-  /** Escape. Returns whether there was anything to take back: if not, the key is the page's, for a dialog perhaps. */
+  /**
+   * Escape. Returns whether there was anything to cancel: if not, the key is left to the page, such as for a dialog.
+   */
   bail(): boolean;
   compare(on: boolean): void;
-  /** Space is held over the picture: the next press pans. Returns, as those below, whether the key means anything here. */
+  /**
+   * Space pressed or released on the stage: while held, presses pan. Like those below, returns whether it was handled.
+   */
   space(held: boolean): boolean;
-  /** Arrow keys over the picture, in steps of 1 or, with Shift, 10. */
+  /** Arrow keys on the stage, in steps of 1 or, with Shift, 10. */
   arrow(by: Vec): boolean;
   /** Comma and full stop turn by 1° or, with Shift, 15°. */
   turn(degrees: number): boolean;
-  /** Enter on the picture itself. */
+  /** Enter on the stage itself. */
   place(): boolean;
 }
 
@@ -29,26 +35,26 @@ const ARROWS: Readonly<Record<string, Vec>> = {
   ArrowDown: [0, 1],
 };
 
-/** What they ask for is meant for the document, wherever the keys are. */
+/** Commands of the document, run even from a text field. */
 const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export'];
-/** These are the field's as long as something is typed into it. */
+/** Left to a text field while it has uncommitted input. */
 const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 
-/** By the key's place, since Shift changes what it types. */
+/** By `code`, since Shift changes `key`. */
 const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
 
 export class Keyboard {
   readonly #root: ShadowRoot;
   readonly #host: KeyboardHost;
   readonly #listening = new AbortController();
-  /** The place of the key that holds the original up; what it types is another matter in every script. */
+  /** The `code` of the key held to compare with the original: its `key` depends on the keyboard layout. */
   #compares: string | null = null;
 
   constructor(root: ShadowRoot, host: KeyboardHost) {
     this.#root = root;
     this.#host = host;
     const { signal } = this.#listening;
-    // The browser's own :focus-visible also holds for what a script focused before the first click.
+    // :focus-visible also matches elements that a script focused before the first click.
     const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
     root.addEventListener('keydown', () => keyed(true), { signal });
     root.addEventListener('pointerdown', () => keyed(false), { signal });
@@ -65,7 +71,7 @@ export class Keyboard {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#host.disabled) return;
     if (target.matches('input:not([type=checkbox])') && !this.#leavesField(event, target)) return;
-    // An open menu closes by itself, as long as nobody takes its key.
+    // The browser closes an open menu on Escape unless the event is cancelled.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
     const onStage = target.matches('.shell, .stage, .stage *');
     if (onStage && this.#stageKey(event, target)) {
@@ -86,7 +92,7 @@ export class Keyboard {
     }
   }
 
-  /** Whether a key in a field is for the document; what is typed there is committed before. */
+  /** Whether a key in a field is a document command; if so, commits the field first. */
   #leavesField(event: KeyboardEvent, field: Element): boolean {
     const command = event.ctrlKey || event.metaKey ? commandOfKey(event) : null;
     if (command === null) return false;
@@ -96,7 +102,7 @@ export class Keyboard {
     return true;
   }
 
-  /** Keys that mean something over the picture only. Returns whether this did. */
+  /** Handles keys of the stage. Returns whether the key was one. */
   #stageKey(event: KeyboardEvent, target: Element): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const arrow = ARROWS[event.key];
@@ -111,13 +117,13 @@ export class Keyboard {
   #up(event: KeyboardEvent): void {
     if (event.key === ' ') {
       const held = this.#host.space(false);
-      // A button with the focus would take the release for a click.
+      // A focused button would be clicked by the release of Space.
       if (held && (event.target as Element).closest('.stage')) event.preventDefault();
     }
     if (event.code === this.#compares) this.#host.compare(false);
   }
 
-  /** A key let go elsewhere is never heard of. */
+  /** Without the focus no `keyup` arrives: held keys count as released. */
   #letGo(): void {
     this.#host.space(false);
     this.#host.compare(false);

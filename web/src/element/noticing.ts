@@ -1,19 +1,19 @@
 /**
- * What is worth a word though nobody asked: folds that a pose makes, parts that it takes beyond the picture's frame, and handles that
- * lie beside the picture.
+ * Watches for what a person may overlook: folds, parts of the picture outside its frame, and handles partly outside the
+ * picture.
  *
- * Folds and what lies beyond take a look at the whole mesh. It is done once a drag pauses, and a few times a second while it lasts.
+ * Folds and the frame need a pass over the whole mesh, made a few times a second during a drag and once after it.
  */
 import type { Report } from '../compute/solution';
 
 export interface NoticingHost {
-  /** How many triangles the pose as it is turns over. */
+  /** The number of triangles that the current pose turns over. */
   folds(): number;
-  /** Whether something of it lies beyond the picture's frame. */
+  /** Whether part of the posed picture lies outside the picture's frame. */
   beyond(): boolean;
-  /** Something else is to be shown of either. */
+  /** One of these two has changed. */
   changed(): void;
-  /** Other handles than before have parts outside of what bends; none, where all are back. */
+  /** The parts of handles outside the bending area have changed, and there are some. */
   outside(ids: readonly string[]): void;
 }
 

@@ -1,15 +1,15 @@
-/** The open picture, and how files become one. */
+/** The open picture, and how it is read from a file. */
 import type { Project } from '../document/project';
 import { type DecodedPicture, decodePicture } from '../io/decode';
 
 export interface Picture extends DecodedPicture {
-  /** File name, as the project file refers to it. */
+  /** The file name that the project file refers to. */
   readonly name: string;
-  /** The file as it was opened: what is kept for the next visit. */
+  /** The original file, stored for the next visit. */
   readonly file: Blob;
 }
 
-/** @throws Error with a code, its message led by the file's name. */
+/** @throws Error with a `code` and a message that begins with the file's name. */
 export async function readPicture(file: Blob, name: string): Promise<Picture> {
   try {
     return { ...(await decodePicture(file)), name, file };
@@ -18,9 +18,9 @@ export async function readPicture(file: Blob, name: string): Promise<Picture> {
   }
 }
 
-/** An error, its message led by the file's name. */
+/** The same error, with the file's name before its message. */
 export function ofFile(name: string, error: unknown): unknown {
-  // The message of a DOMException, such as that the editor is gone, cannot be set.
+  // The message of a DOMException, such as an AbortError, is read-only.
   if (error instanceof Error && !(error instanceof DOMException)) error.message = `${name}: ${error.message}`;
   return error;
 }
@@ -28,7 +28,7 @@ export function ofFile(name: string, error: unknown): unknown {
 export const fits = (picture: Picture | null, project: Project): boolean =>
   picture?.width === project.image.width && picture.height === project.image.height;
 
-/** What is wrong where they do not fit. */
+/** An error if the project is for a picture of another size, else null. */
 export function misfit(picture: Picture, project: Project): RangeError | null {
   if (fits(picture, project)) return null;
   const { width, height } = project.image;
@@ -36,7 +36,7 @@ export function misfit(picture: Picture, project: Project): RangeError | null {
   return Object.assign(new RangeError(message), { code: 'image-size' });
 }
 
-/** What was dropped, pasted or chosen: the first picture, the first project. Anything unknown counts as a picture. */
+/** The first picture and the first project of some files. Every file that is not JSON counts as a picture. */
 export function sortFiles(files: readonly File[]): { picture?: File; project?: File } {
   const isProject = (file: File) => /\.json$/i.test(file.name) || file.type === 'application/json';
   const picture = files.find((file) => !isProject(file));

@@ -1,8 +1,8 @@
 /**
- * How far the selected handles reach in the pose as it is.
+ * How far the selected handles reach in the current pose.
  *
- * Four poses and four blends are too much for every frame of a drag: some 8 ms at 10,000 samples in the rigid mode. While one goes on
- * it is found anew some times a second; in between, what was found before goes along with the picture.
+ * Four poses and four blends are too much for every frame of a drag: some 8 ms at 10,000 samples in the rigid mode.
+ * During a drag the reach is computed a few times a second; in between, the last values move with the picture.
  */
 import { blendOf } from '../document/bending';
 import { displaced } from '../document/handle';
@@ -14,11 +14,11 @@ import type { Workbench } from './workbench';
 
 export interface ReachingHost {
   readonly workbench: Workbench;
-  /** It is to be drawn anew. */
+  /** The reach has changed: draw again. */
   changed(): void;
 }
 
-/** In a drag, from one time to the next. */
+/** Between two computations during a drag. */
 const PAUSE_MS = 120;
 
 export class Reaching {
@@ -33,7 +33,7 @@ export class Reaching {
     this.#host = host;
   }
 
-  /** Vertices of the solution shown: how much of a move each follows. Null where nothing is selected that the solution knows. */
+  /** How much of a move each vertex of the solution follows; null if no selected handle is part of the solution. */
   reach(): Float32Array | null {
     const { editing, solving } = this.#host.workbench;
     const { selection, project } = editing.document;
@@ -76,11 +76,11 @@ export class Reaching {
       const moved = steps.map((by) => this.#moved(by)) as readonly (Float32Array | null)[];
       this.#reach = reachOf(data, moved as MovedMotions, step, blendOf(project));
     } catch {
-      // No pose at all, such as a bar drawn together to one spot: the picture is left as it was, and so is this.
+      // The solver cannot pose this, for example a bar of no length: the last reach stays, like the picture.
     }
   }
 
-  /** Motions with everything selected moved. */
+  /** Motions with all selected handles moved. */
   #moved(by: Vec): Float32Array | null {
     const { editing, solving } = this.#host.workbench;
     const { selection, project } = editing.document;

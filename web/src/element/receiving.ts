@@ -2,7 +2,7 @@
 export class Receiving {
   readonly #listening = new AbortController();
 
-  /** @param willing whether files are welcome now. */
+  /** @param willing whether files are accepted now. */
   constructor(element: HTMLElement, willing: () => boolean, receive: (files: readonly File[]) => void) {
     const { signal } = this.#listening;
     const mark = (dropping: boolean) => element.classList.toggle('dropping', dropping);

@@ -1,11 +1,11 @@
-/** Why the solver refuses a picture that came without a project: nobody who opens one has set the keys that its own words name. */
+/** Refusals of a picture without a project: the solver's messages name project keys that the person has never set. */
 
 const WORDS: Readonly<Record<string, string>> = {
   'nothing-opaque': 'nothing in this picture is opaque enough to be warped.',
   domain: 'the outline of this picture has too many corners to be warped: smooth its transparency.',
 };
 
-/** The same error, led by the file's name. */
+/** The error in words for the editor, with the same `code`; other errors are returned unchanged. */
 export function inEditorsWords(error: Error & { readonly code?: unknown }, name: string): Error {
   const words = WORDS[String(error.code)];
   if (words === undefined) return error;

@@ -1,4 +1,4 @@
-/** What each command does, as far as the editor is in a state to do it. */
+/** Runs commands, as far as the state of the editor allows. */
 import type { ToolName } from '../tools/machine';
 import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Editing } from './editing';
@@ -12,13 +12,13 @@ export interface RunningHost {
   readonly readonly: boolean;
   readonly editable: boolean;
   choose(tool: ToolName): void;
-  /** Holds the original up until it is asked again. */
+  /** Switches the comparison with the original on or off. */
   flip(): void;
   bail(): void;
   say(text: string): void;
   addCorner(): void;
   removeCorner(): void;
-  /** Opens or closes what concerns the whole picture, where there is no room for it always. */
+  /** Opens or closes the settings of the whole picture, in layouts without room to show them always. */
   settings(): void;
   looked(): void;
 }
@@ -34,7 +34,7 @@ export function run(command: CommandName, host: RunningHost): void {
     host.choose(tool);
     if (editing.machine.tool === tool) host.say(COMMANDS[tool].label);
   };
-  // In the middle of a drawing what is taken back is its last corner.
+  // During a drawing, undo takes back its last corner.
   const drawing = () => editing.machine.draft !== null;
   const back = () => editing.apply(editing.machine.back());
   const again = () => editing.apply(editing.machine.again());

@@ -1,8 +1,8 @@
 /**
- * Keeps the solution in step with the project: solves when what it depends on has changed, poses otherwise.
+ * Keeps the solution in step with the project: solves when its dependencies have changed, poses otherwise.
  *
- * The newest project wins. Solutions of the last few are kept, so that undo and redo across an added handle answer at
- * once. Progress is told only for what takes longer than a person notices.
+ * The newest project wins. The last few solutions are cached, so that undo and redo across an added handle are
+ * immediate. Progress is reported only once a wait is noticeable.
  */
 import { Engine } from '../compute/engine';
 import type { Poser } from '../compute/module';
@@ -11,7 +11,7 @@ import type { Project } from '../document/project';
 import { followedHandles, solveKey } from '../document/solved';
 import type { SolvedLabel } from '../ui/model';
 
-/** A solution and the project that it was made for. */
+/** A solution and the project that was solved. */
 export interface Solved {
   readonly key: string;
   readonly project: Project;
@@ -20,19 +20,19 @@ export interface Solved {
 }
 
 export interface SolvingHost {
-  /** Another solution is to be shown. @param first it is the first of this picture. */
+  /** Shows another solution. @param first whether this is the first solution of the picture. */
   solved(solved: Solved, first: boolean): void;
-  /** The solver does not take this project. */
+  /** The solver refuses the project of this key. */
   refused(key: string, error: Error): void;
-  /** The solver itself is at fault. */
+  /** The solver itself failed or could not start. */
   failed(error: Error): void;
-  /** A stage has begun that people wait for. Returns what ends it. */
+  /** Shows the stage of a long solve. Returns a function that ends the display. */
   begin(label: string): () => void;
 }
 
-/** Kept solutions: some 3 MB each at 10,000 samples. */
+/** Number of cached solutions, some 3 MB each at 10,000 samples. */
 const KEPT = 6;
-/** From here on waiting is noticed. */
+/** From here on a wait is noticeable. */
 const PATIENCE_MS = 200;
 
 const LABELS: Readonly<Record<Stage | 'begin', string>> = {
@@ -51,9 +51,9 @@ export class Solving {
   #kept: Solved[] = [];
   #current: Solved | null = null;
   #wanted: string | null = null;
-  /** The stage under way. */
+  /** The current stage; null between solves. */
   #label: string | null = null;
-  /** Ends what is told of it. */
+  /** Ends the display of progress. */
   #end: (() => void) | null = null;
   #patience: ReturnType<typeof setTimeout> | undefined;
 
@@ -65,12 +65,12 @@ export class Solving {
     return this.#current;
   }
 
-  /** The key that is being solved for, null when the newest project has its solution. */
+  /** The key being solved; null if the shown solution is that of the newest project. */
   get pending(): string | null {
     return this.#current?.key === this.#wanted ? null : this.#wanted;
   }
 
-  /** What the status line tells of the solution shown. */
+  /** The shown solution in numbers, for the status line. */
   get label(): SolvedLabel | null {
     if (!this.#current) return null;
     const { samples, virtual_sites: virtualSites, ms } = this.#current.data.report;
@@ -86,7 +86,7 @@ export class Solving {
     );
   }
 
-  /** Shows the solution of a project, now if it is known, else as soon as it is solved. */
+  /** Shows the solution of a project: at once if it is cached, else when solved. */
   want(project: Project): void {
     const key = solveKey(project);
     if (key === this.#wanted || !this.#pixels || this.#disposed) return;
@@ -96,14 +96,14 @@ export class Solving {
     else void this.#solve(project, key);
   }
 
-  /** Motions of the shown solution's sites under the newest pose that it can follow. */
+  /** Motions of the shown solution's sites, posed as in `project` where the solution has the handles. */
   motions(project: Project): Float32Array | null {
     if (!this.#current) return null;
     const handles = followedHandles(this.#current.project, project);
     return this.#current.poser.pose(JSON.stringify(handles));
   }
 
-  /** The solver, started at the first call. */
+  /** The solver; the first call starts it. */
   engine(): Promise<Engine> {
     if (this.#disposed) return Promise.reject(new DOMException('the editor is gone', 'AbortError'));
     this.#engine ??= this.#start();
@@ -179,7 +179,7 @@ export class Solving {
     this.#pixels = null;
   }
 
-  /** A stage begins; people hear of it if it lasts. */
+  /** Starts a stage, which is shown once the solve has taken `PATIENCE_MS`. */
   #expect(label: string): void {
     const begins = this.#label === null;
     this.#label = label;

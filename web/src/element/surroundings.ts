@@ -1,4 +1,4 @@
-/** What the system may change while the page is open: light or dark colours, and how many device pixels a CSS pixel has. */
+/** Watches for changes of the system's colour scheme and of the device pixel ratio. */
 export interface SurroundingsHost {
   coloured(): void;
   scaled(): void;
@@ -19,7 +19,7 @@ export class Surroundings {
     this.#listening.abort();
   }
 
-  /** A query matches one resolution, and tells only that it is left: each is another. */
+  /** A query matches only one resolution, so each change needs a new query. */
   #watchScale(): void {
     const { signal } = this.#listening;
     const left = () => {

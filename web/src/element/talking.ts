@@ -1,6 +1,6 @@
 /**
- * What the editor says: notices that stay until they are answered, words for screen readers, progress. What passes by itself lies over
- * what waits for an answer, and takes nothing of it away.
+ * What the editor says: notices, texts for screen readers, progress. A notice that disappears by itself covers a notice
+ * that waits for an answer, and does not replace it.
  */
 import type { Notice, Progress } from '../ui/model';
 import type { Emit } from './events';
@@ -8,7 +8,7 @@ import type { Emit } from './events';
 export interface TalkingHost {
   changed(): void;
   readonly emit: Emit;
-  /** Whether people may do what a notice offers. */
+  /** Whether people may run the action of a notice. */
   readonly answerable: boolean;
 }
 
@@ -17,12 +17,12 @@ const PASSING_MS = 6000;
 
 export class Talking {
   readonly #host: TalkingHost;
-  /** What offers something, what went wrong, and what passes: the last that there is is shown. */
+  /** A notice with an action, an error, and a notice that disappears by itself: the last one present is shown. */
   #offer: Notice | null = null;
   #error: Notice | null = null;
   #passing: Notice | null = null;
   #announcement = '';
-  /** What is under way, the newest last. */
+  /** Current operations, the newest last. */
   #works: readonly Progress[] = [];
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -34,7 +34,7 @@ export class Talking {
     return this.#passing ?? this.#error ?? this.#offer;
   }
 
-  /** What went wrong and has not been answered. */
+  /** The last error, until it is dismissed. */
   get error(): Notice | null {
     return this.#error;
   }
@@ -43,12 +43,12 @@ export class Talking {
     return this.#announcement;
   }
 
-  /** The newest of what is under way. */
+  /** The newest current operation. */
   get progress(): Progress | null {
     return this.#works.at(-1) ?? null;
   }
 
-  /** Shows a notice; answering it closes it, and what needs no answer passes. */
+  /** Shows a notice. Its action dismisses it; without an action, anything but an error disappears by itself. */
   notify({ action, ...plain }: Notice): void {
     this.#pass();
     const run = () => {
@@ -65,7 +65,7 @@ export class Talking {
     this.#host.changed();
   }
 
-  /** The notice that is shown goes. */
+  /** Closes the shown notice. */
   dismiss(): void {
     if (this.#passing) this.#pass();
     else if (this.#error) this.#error = null;
@@ -73,7 +73,7 @@ export class Talking {
     this.#host.changed();
   }
 
-  /** All of them do. */
+  /** Closes all notices. */
   clear(): void {
     this.#pass();
     this.#error = null;
@@ -86,7 +86,7 @@ export class Talking {
     this.#passing = null;
   }
 
-  /** An error as a notice, and as an event for the page. Work overtaken by newer work is no error. */
+  /** Shows an error as a notice and emits it. Ignores AbortErrors: overtaken work is no error. */
   report(thrown: unknown): void {
     const error = thrown instanceof Error ? thrown : new Error(String(thrown));
     if (error.name === 'AbortError') return;
@@ -94,7 +94,7 @@ export class Talking {
     this.#host.emit('error', error);
   }
 
-  /** The same words twice are told apart by a space that is not heard: screen readers read what changes. */
+  /** Announces a text. Screen readers read only changes: a repeated text gets a trailing space that is not read. */
   say(text: string): void {
     this.#announcement = this.#announcement === text ? `${text}\u00a0` : text;
     this.#host.changed();
@@ -104,7 +104,7 @@ export class Talking {
     clearTimeout(this.#timer);
   }
 
-  /** Something has begun that takes a while, and perhaps can be given up. Returns what ends it. */
+  /** Shows a long operation; `cancel` is null if it cannot be cancelled. Returns a function that ends the display. */
   begin(label: string, cancel: (() => void) | null = null): () => void {
     const work = { label, cancel };
     this.#progress([...this.#works, work]);

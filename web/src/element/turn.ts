@@ -1,13 +1,13 @@
 /**
- * Whose turn it is to open something: the newest's.
+ * Turns to open something: the newest wins.
  *
- * Files are fetched, decoded and read one after the other. Whatever of an older turn comes in after a newer one has begun, or
- * after the editor has gone, is given up.
+ * Opening takes several steps: fetching, decoding, reading. Once a newer turn begins or the editor is disposed, the
+ * older turn is aborted and its late results are dropped.
  */
 export class Turn {
   readonly #ending = new AbortController();
 
-  /** Ends a request that is under way. */
+  /** Aborts the requests of this turn. */
   get signal(): AbortSignal {
     return this.#ending.signal;
   }
@@ -23,7 +23,7 @@ export class Turn {
     }
   }
 
-  /** What comes of `work`, good or bad, if the turn lasts. @throws DOMException `AbortError` if not. */
+  /** Settles as `work` does while the turn lasts. @throws DOMException `AbortError` once the turn is over. */
   async through<T>(work: Promise<T>): Promise<T> {
     try {
       return await work;
@@ -33,12 +33,12 @@ export class Turn {
   }
 }
 
-/** One turn at a time; none after the last has been ended. */
+/** Hands out one turn at a time; after `close` only ended ones. */
 export class Turns {
   #newest = new Turn();
   #closed = false;
 
-  /** The next turn; the one before it is over. */
+  /** Ends the current turn and returns the next. */
   take(): Turn {
     this.#newest.end();
     if (!this.#closed) this.#newest = new Turn();

@@ -1,6 +1,6 @@
 /**
- * Where the person looks. Until they look elsewhere the whole picture stays in view, whatever the size of the stage: its own rectangle,
- * which is what is exported, and whatever has been bent beyond it.
+ * The view of the picture. Until the person pans or zooms, the whole picture stays fitted to the stage: its own
+ * rectangle, which is exported, and whatever is bent beyond that.
  */
 import { type Box, boxOfBoth, reachesBeyond } from '../geometry/box';
 import { type Camera, fitted, type Insets, panned, type Size, scaledAt, toStage } from '../geometry/camera';
@@ -9,25 +9,25 @@ import { type Cards, insetsOf } from './insets';
 
 const beyond = (at: number, least: number, most: number): number => at - Math.max(least, Math.min(at, most));
 
-/** Image pixels that rounding takes a pose beyond its picture. */
+/** Image pixels that rounding alone may move a pose beyond its picture. */
 const SLACK = 0.5;
 
-/** One notch of the zoom buttons. */
+/** Zoom factor of one step of the zoom buttons. */
 const NOTCH = Math.SQRT2;
 
-/** A view of a picture that can be come back to. */
+/** A view of a picture, to be restored later. */
 export interface Look {
   readonly camera: Camera;
-  /** The size of the stage that the camera is made for. */
+  /** The stage size that the camera belongs to. */
   readonly stage: Size;
-  /** The whole picture is in view, and stays so. */
+  /** The whole picture is kept in view. */
   readonly fitted: boolean;
-  /** It is beside the sheet. */
+  /** The fit leaves room for the sheet. */
   readonly beside: boolean;
 }
 
 export interface ViewingHost extends Omit<Cards, 'stage'> {
-  /** Where the posed picture lies, image pixels; null where nobody knows yet. */
+  /** Bounding box of the posed picture, image pixels; null if not known yet. */
   bounds(): Box | null;
 }
 
@@ -36,7 +36,7 @@ export class Viewing {
   stage: Size = { width: 1, height: 1 };
   #picture: Size | null = null;
   #now: Look = { camera: { scale: 1, x: 0, y: 0 }, stage: this.stage, fitted: true, beside: false };
-  /** What has been bent beyond its rectangle made a bare picture smaller. */
+  /** Whether `contain` has shrunk the picture to show parts bent beyond its rectangle. */
   #widened = false;
 
   constructor(host: ViewingHost) {
@@ -51,7 +51,7 @@ export class Viewing {
     return this.#now.camera;
   }
 
-  /** @param look as it was looked at before; left out: the whole of it. */
+  /** @param look an earlier view to restore; without it the whole picture is fitted. */
   show(picture: Size | null, look?: Look): void {
     this.#picture = picture;
     if (look) {
@@ -61,9 +61,9 @@ export class Viewing {
   }
 
   /**
-   * A stage that is not shown has no size, and the view stays as it was.
+   * Ignores a hidden stage, which has no size.
    *
-   * @param typing a keyboard on the glass takes some of the height and gives it back: nothing moves for that.
+   * @param typing an on-screen keyboard may change the height: the picture does not move for that.
    */
   resize(stage: Size, typing = false): void {
     if (!(stage.width > 0 && stage.height > 0)) return;
@@ -89,12 +89,12 @@ export class Viewing {
     this.#now = { ...this.#now, camera: fitted(all, this.stage, this.#insets(sheet)) };
   }
 
-  /** The same once more, unless the person looks elsewhere. What is selected meanwhile moves nothing. */
+  /** Fits again unless the person has panned or zoomed. A sheet opened meanwhile does not move the picture. */
   refit(): void {
     if (this.#now.fitted) this.fit(this.#now.beside);
   }
 
-  /** One image pixel on one pixel of the stage. */
+  /** Zooms to 100 %: one image pixel for one CSS pixel. */
   actual(): void {
     this.look(scaledAt(this.camera, 1, this.middle));
   }
@@ -103,15 +103,15 @@ export class Viewing {
     this.look(scaledAt(this.camera, this.camera.scale * NOTCH ** notches, this.middle));
   }
 
-  /** Brings a place of the picture into what the cards leave free, by the shortest way. */
+  /** Pans by the shortest way until no card covers a point of the picture. */
   reveal(at: Vec): void {
     const [x, y] = this.#outside(at);
     if (x !== 0 || y !== 0) this.look(panned(this.camera, [-x, -y]));
   }
 
   /**
-   * Nobody can pan or zoom a bare picture: all of it comes into view as soon as one of these places is out of reach, and goes back to its
-   * size with the pose that took it there.
+   * For a bare picture, which nobody can pan or zoom: fits the whole posed picture once one of these points is out of
+   * view, and restores its size once no part is bent beyond the frame.
    */
   contain(places: readonly Vec[]): void {
     if (!this.#widened && places.every((at) => this.shows(at))) return;
@@ -120,12 +120,12 @@ export class Viewing {
     this.#widened = posed !== null && reachesBeyond(posed, this.#frame, SLACK);
   }
 
-  /** Whether a place of the picture is where no card lies, with as much room to the right of it, stage pixels. */
+  /** Whether no card covers a point of the picture, nor `room` to its right, CSS pixels. */
   shows(at: Vec, room = 0): boolean {
     return this.#outside(at, room).every((by) => Math.abs(by) < 1);
   }
 
-  /** How far a place lies outside of what the cards leave free, stage pixels. */
+  /** How far a point lies outside the area free of cards, CSS pixels. */
   #outside(at: Vec, room = 0): Vec {
     const { top, right, bottom, left } = this.#insets();
     const [x, y] = toStage(this.camera, at);
@@ -141,7 +141,7 @@ export class Viewing {
     return insetsOf({ stage: this.stage, coarse, sheet, bare });
   }
 
-  /** The middle of what the cards leave free, stage pixels. */
+  /** The middle of the area free of cards, CSS pixels. */
   get middle(): Vec {
     const { top, right, bottom, left } = this.#insets();
     return [(left + this.stage.width - right) / 2, (top + this.stage.height - bottom) / 2];

@@ -1,4 +1,4 @@
-/** Drawing a box over empty space: it selects the handles inside, with Shift in addition to those selected before. */
+/** Dragging a box over empty space selects the handles inside; with Shift, in addition to the selection before. */
 
 import { anchor, corners } from '../document/handle';
 import type { Project } from '../document/project';
@@ -6,7 +6,7 @@ import { type Box, boxBetween, boxContains } from '../geometry/box';
 import type { Vec } from '../geometry/vec';
 import { outcome, type State } from './state';
 
-/** A bar or polygon is within once its middle or one of its corners is. */
+/** A bar or polygon is inside if its middle or one of its corners is. */
 const idsWithin = (project: Project, box: Box): readonly string[] =>
   project.handles
     .filter((handle) => [anchor(handle), ...corners(handle)].some((p) => boxContains(box, p)))

@@ -1,4 +1,4 @@
-/** Dragging one corner of a bar or polygon. Shift keeps the edge that leads to it to steps of 45°. */
+/** Dragging one corner of a bar or polygon. Shift snaps the direction of its edge to steps of 45°. */
 import { type Document, handleById } from '../document/document';
 import { putCorner } from '../document/edits';
 import { isLine, rotationOf } from '../document/handle';
@@ -7,14 +7,14 @@ import { add, subtract, type Vec } from '../geometry/vec';
 import { STEP_DEGREES } from './drafting';
 import { outcome, type State } from './state';
 
-/** @param origin the document at the mark. */
+/** @param origin the document at the start of the drag. */
 export const cornering = (origin: Document, id: string, index: number, from: Vec, rest: State): State => {
   const handle = handleById(origin, id);
   const start = handle && isLine(handle) ? handle.posed[index] : undefined;
   if (!handle || !start || !isLine(handle)) return rest;
   const { posed } = handle;
   const neighbour = posed[index - 1] ?? posed[index + 1] ?? start;
-  /** The turn goes on from move to move. */
+  /** Each move passes its turn on, so that full turns are counted. */
   const after = (turn: number): State => ({
     move: (press) => {
       const at = add(start, subtract(press.at, from));

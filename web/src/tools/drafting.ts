@@ -1,8 +1,9 @@
 /**
- * Drawing a bar or polygon: every press sets a corner, which follows the pointer until it is let go.
+ * Drawing a bar or polygon: every press sets a corner, which follows the pointer until the release.
  *
- * A press on the last corner finishes (a double click is that), and on the first one of a polygon. One press-drag-release
- * draws a whole bar. Shift keeps to steps of 45°. Cancelling a press takes back the corner that it set, not the drawing.
+ * A press on the last corner finishes the drawing (so does a double click), and a press on the first corner of a
+ * polygon. One press, drag and release draws a whole bar. Shift snaps to steps of 45°. Cancelling a press removes
+ * only its corner.
  */
 import { addHandle, freeId } from '../document/edits';
 import { CORNERS_NEEDED, isLine, rounded, roundedVec } from '../document/handle';
@@ -13,19 +14,19 @@ import { type Draft, type Outcome, outcome, type Press, type Scene, type State }
 
 export type LineKind = LineHandle['kind'];
 
-/** Steps of direction while Shift is held, degrees. */
+/** Direction step with Shift, degrees. */
 export const STEP_DEGREES = 45;
 
 export const isDrawable = ({ kind, corners }: Draft): boolean => corners.length >= CORNERS_NEEDED[kind];
 
-/** The tool's state between presses, with nothing or something drawn. `rest` is the tool itself. */
+/** The state between two presses of a drawing. `rest` is the tool without one. */
 export function drafting(draft: Draft, rest: State): State {
   const { corners, taken } = draft;
   const state: State = {
     draft,
     down: (press, scene) => {
       if (finishes(draft, press.at, scene)) return outcome(finishing(draft, rest));
-      // Still on the last corner: there is nothing to add yet.
+      // Still on the last corner, with too few corners to finish.
       if (onLast(draft, press.at, scene)) return outcome(state);
       return outcome(setting(draft, press, drawn(draft, press, scene), rest));
     },
@@ -42,7 +43,7 @@ export function drafting(draft: Draft, rest: State): State {
   return state;
 }
 
-/** What was taken back can come again, also where it was all that was drawn. */
+/** Redo of the corner that was taken back last, even if the drawing has no other corner. */
 function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
   const [last] = draft.taken.slice(-1);
   if (!last) return {};
@@ -55,17 +56,17 @@ function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
   return { again: () => outcome(drafting(longer, rest), { type: 'drafted', draft: longer }) };
 }
 
-/** The first press of a drawing. */
+/** Starts a drawing with its first press. */
 export function begun(kind: LineKind, press: Press, scene: Scene, rest: State): Outcome {
   const draft: Draft = { kind, corners: [], taken: [], next: null, finishing: false };
   return outcome(setting(draft, press, drawn(draft, press, scene), rest), { type: 'select', ids: [] });
 }
 
-/** A drawing that comes back as it was. */
+/** Resumes a drawing. */
 export const resumed = (draft: Draft, rest: State): State =>
   drafting({ ...draft, next: null, finishing: false }, rest);
 
-/** A corner is held: it follows the pointer. The first stays, and becomes an edge as soon as the pointer is dragged off. */
+/** The new corner follows the pointer until the release. The first corner stays, and a drag from it adds a second. */
 const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   const first = draft.corners.length === 0;
   const anchored: Draft = first ? { ...draft, corners: [at] } : draft;
@@ -90,7 +91,7 @@ const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   return held(first ? [at] : [...draft.corners, at]);
 };
 
-/** A press that finishes: on release, so that a slip or a second finger may still take it back. */
+/** A press that finishes the drawing: on release, so that a second finger can still cancel it. */
 const finishing = (draft: Draft, rest: State): State => ({
   draft,
   up: (_, scene) => finished(draft, scene, rest),
@@ -118,7 +119,7 @@ function finished(draft: Draft, scene: Scene, rest: State): Outcome {
   );
 }
 
-/** The handle that a drawing stands for. Its growth is the picture's own where it lies, so that the picture does not jump. */
+/** The handle of a drawing, with the mean scale of the picture under its corners, so that the picture does not jump. */
 export function lineHandle(
   project: Project,
   { kind, corners }: Draft,
@@ -134,7 +135,7 @@ export function lineHandle(
   return { id: freeId(project, kind), kind, rest, posed, rotation: 'auto', scale: rounded(growth) || 1 };
 }
 
-/** Where a corner of another handle rests that is posed exactly here: the two are to meet at rest as well. */
+/** The rest place of another handle's corner that is posed exactly here, so that joined corners also meet at rest. */
 function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
   for (const { rest, posed } of handles) {
     const index = posed.findIndex((corner) => corner[0] === at[0] && corner[1] === at[1]);
@@ -143,7 +144,10 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
   return null;
 }
 
-/** Where the next corner goes: under the pointer, on a step with Shift, onto the nearest corner of another handle within reach. */
+/**
+ * Where the next corner goes: with Shift on a step of direction, else onto another handle's corner within reach, else
+ * under the pointer.
+ */
 function drawn({ corners }: Draft, press: Press, scene: Scene): Vec {
   const last = corners.at(-1);
   if (press.shift && last) return constrained(last, press.at, STEP_DEGREES);

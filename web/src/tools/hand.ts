@@ -1,4 +1,4 @@
-/** The hand tool (H): pans, whatever lies under it. */
+/** The hand tool (H): pans, whatever lies under the pointer. */
 import { panning } from './panning';
 import { outcome, type State } from './state';
 

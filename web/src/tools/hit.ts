@@ -1,4 +1,4 @@
-/** What lies under a press: a handle, one of its corners, the rotation ring of a selected one, or nothing. */
+/** Hit testing of a press: a handle, one of its corners, the rotation ring of a selected handle, or nothing. */
 
 import { anchor, isLine } from '../document/handle';
 import type { Handle } from '../document/project';
@@ -10,7 +10,7 @@ export type Hit =
   | { readonly part: 'handle' | 'ring'; readonly id: string }
   | { readonly part: 'corner'; readonly id: string; readonly index: number };
 
-/** Something that may be taken hold of, and how far beside it the press is, beyond which it is out of reach. */
+/** A candidate, and its distance from the press, image pixels. */
 interface Reach {
   readonly hit: Hit;
   readonly away: number;
@@ -18,9 +18,9 @@ interface Reach {
 
 /**
  * The nearest point or corner within reach; else the nearest ring; else the nearest line; else the polygon around the
- * press. A handle inside another's ring stays reachable so.
+ * press. This order keeps a handle within another's ring reachable.
  *
- * @param bodies whether the inside of a polygon counts: what is placed may lie in one.
+ * @param bodies whether the inside of a polygon counts; not for tools that place something, possibly inside one.
  */
 export function hit(
   { document, grips }: Pick<Scene, 'document' | 'grips'>,
@@ -46,7 +46,7 @@ export function hit(
   );
 }
 
-/** "<=": of two on one spot the later is drawn on top. */
+/** "<=": of two at the same distance the later one wins, since it is drawn on top. */
 function nearest(reaches: readonly Reach[], within: number): Hit | null {
   let [best, least]: [Hit | null, number] = [null, within];
   for (const { hit, away } of reaches) if (away <= least) [best, least] = [hit, away];
@@ -67,7 +67,7 @@ const ring = (handle: Handle, at: Vec, radius: number): Reach => ({
   away: Math.abs(distance(anchor(handle), at) - radius),
 });
 
-/** The line itself, or while it is selected the mark at its middle, which may lie beside it. */
+/** The line itself or, while selected, also the mark at its middle, which may lie off the line. */
 const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({
   hit: { part: 'handle', id: handle.id },
   away: isLine(handle)

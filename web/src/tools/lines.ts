@@ -1,6 +1,6 @@
 /**
- * The bar tool (B) and the polygon tool (G): presses on the picture draw. On a point handle, or on anything selected, a
- * press does what select does; a click on a ring draws.
+ * The bar tool (B) and the polygon tool (G): presses on the picture draw. A press on a point handle, or on anything
+ * selected, works as with the select tool, but a click on a ring draws.
  */
 import { handleById } from '../document/document';
 import { begun, type LineKind } from './drafting';

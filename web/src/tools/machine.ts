@@ -1,4 +1,4 @@
-/** The tools by name, and the machine that keeps the state of each and knows the one in hand. */
+/** The tools by name, and the machine that holds the current tool and the state of each. */
 import { resumed } from './drafting';
 import { hand } from './hand';
 import { bar, polygon } from './lines';
@@ -12,14 +12,14 @@ export type ToolName = keyof typeof TOOLS;
 
 const NAMES = Object.keys(TOOLS) as ToolName[];
 
-/** What each tool draws, or the tool itself. */
+/** For each tool its unfinished drawing, or the tool itself. */
 export type Drawings = Readonly<Record<ToolName, State>>;
 
 export const isToolName = (name: unknown): name is ToolName => typeof name === 'string' && name in TOOLS;
 
 export class ToolMachine {
   #tool: ToolName = 'select';
-  /** Between presses: each tool itself, or what is being drawn with it. That waits while another tool is in hand. */
+  /** The states between presses: each tool itself, or its drawing, which waits while another tool is selected. */
   readonly #resting: Record<ToolName, State> = { ...TOOLS };
   #state: State = select;
 
@@ -27,27 +27,27 @@ export class ToolMachine {
     return this.#tool;
   }
 
-  /** A press is held: between down and up or cancel. */
+  /** Whether a press is in progress, between `down` and `up` or `cancel`. */
   get busy(): boolean {
     return this.#state !== this.#resting[this.#tool];
   }
 
-  /** What is being drawn, with the corner in hand. */
+  /** The current tool's drawing, including the corner that is being set. */
   get draft(): Draft | null {
     return this.#state.draft ?? this.#resting[this.#tool].draft ?? null;
   }
 
-  /** What is being drawn with other tools, until they are taken up again. */
+  /** Unfinished drawings of the other tools. */
   get waiting(): readonly Draft[] {
     return NAMES.flatMap((name) => (name === this.#tool ? [] : (this.#resting[name].draft ?? [])));
   }
 
-  /** All that is being drawn, to be put back by `restore`; a press in hand is no part of it. */
+  /** All unfinished drawings, for `restore`, without the current press. */
   get drawings(): Drawings {
     return { ...this.#resting };
   }
 
-  /** Takes up another tool; the press in hand is over, what is being drawn waits. */
+  /** Selects another tool and cancels the current press; a drawing waits. */
   choose(tool: ToolName): readonly Effect[] {
     const effects = this.cancel();
     if (tool === this.#tool) return effects;
@@ -58,7 +58,7 @@ export class ToolMachine {
     return effects;
   }
 
-  /** A press. `once` takes it instead of the tool in hand: a space-drag pans, whatever the tool. */
+  /** Starts a press. `once` handles it instead of the current tool: a space-drag pans with every tool. */
   down(press: Press, scene: Scene, once: State = this.#state): readonly Effect[] {
     return this.#take(once.down?.(press, scene));
   }
@@ -73,7 +73,7 @@ export class ToolMachine {
     return effects;
   }
 
-  /** The press in hand is over, as if it had not been. */
+  /** Cancels the current press, with all its effects. */
   cancel(): readonly Effect[] {
     if (!this.busy) return [];
     const effects = this.#take(this.#state.cancel?.());
@@ -81,7 +81,7 @@ export class ToolMachine {
     return effects;
   }
 
-  /** Gives up the press in hand, and what is being drawn. */
+  /** Cancels the current press and the current tool's drawing. */
   bail(): readonly Effect[] {
     const effects = this.cancel();
     if (!this.draft) return effects;
@@ -89,14 +89,14 @@ export class ToolMachine {
     return [...effects, { type: 'drafted', draft: null }];
   }
 
-  /** The same, with what waits for other tools. */
+  /** Cancels the current press and the drawings of all tools. */
   clear(): readonly Effect[] {
     const effects = this.bail();
     Object.assign(this.#resting, TOOLS);
     return effects;
   }
 
-  /** Gives up the press in hand, and puts these in the place of what is being drawn. */
+  /** Cancels the current press and replaces all drawings. */
   restore(drawings: Drawings = TOOLS): readonly Effect[] {
     const effects = this.cancel();
     Object.assign(this.#resting, drawings);
@@ -104,39 +104,39 @@ export class ToolMachine {
     return effects;
   }
 
-  /** The pointer goes by, or has left. */
+  /** The pointer moves without a press, or leaves (null). */
   hover(press: Press | null, scene: Scene): void {
     if (this.busy) return;
     const result = this.#state.hover?.(press, scene);
     if (result) this.#settle(result.next);
   }
 
-  /** The drawing is done. */
+  /** Finishes the drawing. */
   finish(scene: Scene): readonly Effect[] {
     return this.#between(this.#resting[this.#tool].finish?.(scene));
   }
 
-  /** Takes the last corner back. */
+  /** Takes back the last corner. */
   back(): readonly Effect[] {
     return this.#between(this.#resting[this.#tool].back?.());
   }
 
-  /** There are corners that were taken back and can come again. */
+  /** Whether there are corners to redo. */
   get takenBack(): boolean {
     return this.#resting[this.#tool].again !== undefined;
   }
 
-  /** Brings the last of them again. */
+  /** Redoes the corner that was taken back last. */
   again(): readonly Effect[] {
     return this.#between(this.#resting[this.#tool].again?.());
   }
 
-  /** A drawing that was taken back altogether is over: something before it is taken back. */
+  /** Drops the corners to redo if no drawing is left: undo or redo has gone on to other steps. */
   forget(): void {
     if (!this.draft && !this.busy) this.#settle(TOOLS[this.#tool]);
   }
 
-  /** Goes on with a drawing, with its tool, unless something else is being drawn by now. */
+  /** Resumes a drawing with its tool, unless another drawing or press has begun since. */
   resume(draft: Draft): void {
     if (this.draft || this.busy || this.#resting[draft.kind].draft) return;
     this.#tool = draft.kind;
@@ -154,7 +154,7 @@ export class ToolMachine {
     this.#state = state;
   }
 
-  /** After a press: what is drawn goes on, everything else is over. */
+  /** Returns to the state between presses: a drawing continues, everything else is over. */
   #rest(): void {
     const lasts = this.#state === TOOLS[this.#tool] || this.#state.draft !== undefined;
     this.#settle(lasts ? this.#state : this.#resting[this.#tool]);

@@ -1,11 +1,11 @@
-/** Dragging handles: everything selected follows the pointer by the same way. */
+/** Dragging handles: all selected handles move by the same vector. */
 
 import type { Document } from '../document/document';
 import { moveHandles } from '../document/edits';
 import { subtract, type Vec } from '../geometry/vec';
 import { outcome, type State } from './state';
 
-/** @param origin the document at the mark; every move is computed from it, so that rounding never adds up. */
+/** @param origin the document at the start of the drag; every move starts from it, so that rounding never adds up. */
 export const moving = (origin: Document, ids: readonly string[], from: Vec, rest: State): State => {
   const state: State = {
     move: (press) =>

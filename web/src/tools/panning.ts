@@ -1,4 +1,4 @@
-/** Pushing the picture about under the pointer. */
+/** Panning: the picture follows the pointer. */
 import { subtract, type Vec } from '../geometry/vec';
 import { outcome, type State } from './state';
 

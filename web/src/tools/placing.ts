@@ -1,6 +1,6 @@
 /**
- * Placing a point handle: it is there as soon as the pointer goes down, and may be dragged before it is let go.
- * Both together are one undo step.
+ * Placing a point handle: it appears when the pointer goes down, and can be dragged before the release. Both together
+ * are one undo step.
  */
 
 import { restingRotation } from '../document/bending';
@@ -12,8 +12,8 @@ import { moving } from './moving';
 import { type Outcome, outcome, type Placement, type Press, type Scene, type State } from './state';
 
 /**
- * A handle at a place of the posed picture, with the motion it has there, so that the picture does not jump. One that
- * turns by itself finds its turn again.
+ * A handle at a place of the posed picture, with the motion that the picture has there, so that the picture does not
+ * jump. An automatic rotation is computed again by the solver.
  */
 export const pointHandle = (project: Project, at: Vec, placement: Placement): PointHandle => ({
   id: freeId(project),

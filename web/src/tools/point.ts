@@ -1,4 +1,6 @@
-/** The point tool (P): a press on the picture places a handle; on a handle it does what select does, and so does a drag of a ring. */
+/**
+ * The point tool (P): a press on the picture places a handle. On a handle, and for drags of a ring, as the select tool.
+ */
 import { hit } from './hit';
 import { placed } from './placing';
 import { pressed } from './pressing';

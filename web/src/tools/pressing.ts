@@ -1,8 +1,8 @@
 /**
- * Holding a handle or a ring, not yet known whether for a click or a drag.
+ * Pressing a handle or a ring, before it is known whether this is a click or a drag.
  *
- * A click selects (Shift: adds or takes away); a drag moves or, on the ring or with Alt, turns; on a corner it moves that
- * one alone. A click on a ring is for what lies beneath.
+ * A click selects (Shift: adds or removes). A drag moves or, on the ring or with Alt, turns; on a corner it moves only
+ * that corner. A click on a ring applies to what lies beneath.
  */
 
 import { handleById } from '../document/document';
@@ -17,9 +17,9 @@ import { turning } from './turning';
 type Down = NonNullable<State['down']>;
 
 /**
- * The answer to a press on `target`: what is not selected becomes so at once, the rest waits for the release.
+ * Starts a press on `target`: selects an unselected handle at once; everything else waits for the release.
  *
- * @param beneath what a click on a ring does, as if there were no rings: for most tools it selects.
+ * @param beneath handles a click on a ring, as if there were no rings; selects unless given.
  */
 export function pressed(
   target: Hit,
@@ -45,7 +45,7 @@ const selecting =
     return outcome(rest, { type: 'select', ids: [...more, target.id] });
   };
 
-/** What comes of a press that is over as soon as it has begun. */
+/** The outcome of a press that is released at once. */
 function atOnce(down: Down, press: Press, scene: Scene): Outcome {
   const begun = down(press, scene);
   const ended = begun.next.up?.(press, scene);
@@ -72,7 +72,7 @@ const pressing = (target: Hit, from: Press, already: boolean, rest: State, benea
   return state;
 };
 
-/** The drag begins: a mark is set, and the first move carried out. */
+/** Starts a drag: opens an undo step and carries out the first move. */
 function dragged(target: Hit, from: Press, press: Press, scene: Scene, rest: State): Outcome {
   const { document } = scene;
   const handle = handleById(document, target.id);
@@ -82,7 +82,7 @@ function dragged(target: Hit, from: Press, press: Press, scene: Scene, rest: Sta
   const what = ids.length > 1 && !alone ? `${ids.length} handles` : nameOf(handle);
   const turns = target.part === 'ring' || from.alt;
   const pivot = anchor(handle);
-  // A press on the handle's own middle has no bearing yet; the first point off it has.
+  // A press on the handle's middle has no direction yet: turns start from the first point of the drag.
   const hold = target.part === 'ring' ? from.at : press.at;
   const moves =
     target.part === 'corner'

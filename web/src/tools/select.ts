@@ -1,4 +1,4 @@
-/** The select tool (V): presses handles and rings, boxes over empty space. */
+/** The select tool (V): presses handles and rings, and draws a selection box over empty space. */
 import { distance } from '../geometry/vec';
 import { boxing } from './boxing';
 import { hit } from './hit';
@@ -13,7 +13,7 @@ export const select: State = {
   },
 };
 
-/** Holding empty space: a click selects nothing, a drag draws a box. */
+/** Pressing empty space: a click clears the selection, or keeps it with Shift; a drag draws a box. */
 const emptyPressing = (from: Press): State => {
   const state: State = {
     move: (press, scene) => {

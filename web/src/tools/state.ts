@@ -1,8 +1,8 @@
 /**
- * How a tool speaks: it is a state that takes presses and answers with the next state and effects.
+ * The interface of tools: a tool is a state that takes presses and returns the next state and effects.
  *
- * States are values without DOM or clock; each file named in a gerund holds one. `machine.ts` keeps the current one,
- * the editor carries out the effects.
+ * States are values without DOM or clock; each file named with a gerund holds one. `machine.ts` holds the current
+ * state, and the editor carries out the effects.
  */
 
 import type { Document } from '../document/document';
@@ -21,47 +21,47 @@ export interface Press {
   readonly alt: boolean;
 }
 
-/** How far the controls reach, in image pixels: it depends on the zoom and on finger or mouse. */
+/** Sizes of the hit areas, image pixels: they depend on the zoom and on finger or mouse. */
 export interface Grips {
-  /** Radius around a handle's place or corner that takes hold of it. */
+  /** Radius of the hit area around a point handle or a corner. */
   readonly handle: number;
-  /** How far beside its line a bar is taken hold of. */
+  /** How far beside its line a bar or polygon can be pressed. */
   readonly line: number;
-  /** Radius of the rotation ring, and half the width of the band that takes hold of it. */
+  /** Radius of the rotation ring, and half the width of its hit area. */
   readonly ring: number;
   readonly band: number;
-  /** How far a pointer may slip before a click becomes a drag. */
+  /** How far the pointer may move before a click becomes a drag. */
   readonly slop: number;
 }
 
-/** Where a new handle would go: its rest place and the motion that the picture has there now. */
+/** A place for a new handle: where it rests, and the rotation (degrees) and scale of the picture there now. */
 export interface Placement {
   readonly rest: Vec;
   readonly rotation: number;
   readonly scale: number;
 }
 
-/** What a tool can see. */
+/** The editor's state as seen by tools. */
 export interface Scene {
   readonly document: Document;
   readonly grips: Grips;
   readonly turns: Turns;
-  /** The picture under a place, or null where there is none. */
+  /** The picture under a point, or null beside the picture. */
   place(at: Vec): Placement | null;
-  /** The same, and beside the picture as if it went on from its nearest part. */
+  /** Like `place`, but beside the picture as if its nearest part continued there. */
   placeNear(at: Vec): Placement;
 }
 
 /** A bar or polygon that is being drawn. */
 export interface Draft {
   readonly kind: LineHandle['kind'];
-  /** Where its corners are, on the posed picture. */
+  /** Corners on the posed picture, image pixels. */
   readonly corners: readonly Vec[];
-  /** Corners that were taken back, the last one last, until another is set. */
+  /** Corners to redo, the next one last; emptied when another corner is set. */
   readonly taken: readonly Vec[];
-  /** Where the pointer would put the next. */
+  /** Where a press would set the next corner. */
   readonly next: Vec | null;
-  /** A press there would finish it. */
+  /** A press there would finish the drawing. */
   readonly finishing: boolean;
 }
 
@@ -76,7 +76,7 @@ export type Effect =
   | { readonly type: 'miss'; readonly at: Vec }
   /** A corner was set or taken back. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }
-  /** The handle just committed was drawn like this: should the solver refuse it, the drawing comes back. */
+  /** The drawing of the handle just committed, to be resumed if the solver refuses the handle. */
   | { readonly type: 'drawn'; readonly draft: Draft; readonly handle: LineHandle };
 
 export interface Outcome {
@@ -84,21 +84,21 @@ export interface Outcome {
   readonly effects: readonly Effect[];
 }
 
-/** A state answers what it cares about; anything else leaves it as it is. */
+/** A state implements only the inputs that it handles; any other leaves it unchanged. */
 export interface State {
-  /** What is being drawn. A state with a draft lasts from press to press. */
+  /** The current drawing. A state with a draft lasts from press to press. */
   readonly draft?: Draft;
   down?(press: Press, scene: Scene): Outcome;
   move?(press: Press, scene: Scene): Outcome;
   up?(press: Press, scene: Scene): Outcome;
   cancel?(): Outcome;
-  /** The pointer goes by without a press; null: it has left. */
+  /** The pointer moves without a press; null: it has left. */
   hover?(press: Press | null, scene: Scene): Outcome;
-  /** The drawing is done. */
+  /** Finishes the drawing. */
   finish?(scene: Scene): Outcome;
-  /** Takes the last corner back. */
+  /** Takes back the last corner. */
   back?(): Outcome;
-  /** Sets the corner again that was taken back last; there where one was. */
+  /** Redoes the corner that was taken back last; present only if there is one. */
   again?(): Outcome;
 }
 

@@ -1,6 +1,7 @@
 /**
- * Turning handles, by the ring or by an Alt-drag: each selected one about its own place. Shift snaps to 15°. An automatic
- * one goes on from the turn that it has, and keeps what it is given. The way around counts: twice around is two turns.
+ * Turning handles by the ring or an Alt-drag, each selected handle about its own centre. Shift snaps to 15°. An
+ * automatic handle starts from its current turn, and its rotation is then pinned. Full turns count: twice around is
+ * two turns.
  */
 
 import { turnHandles } from '../document/edits';
@@ -10,7 +11,7 @@ import { outcome, type Scene, type State } from './state';
 
 export const SNAP_DEGREES = 15;
 
-/** @param scene the one at the mark; `pivot` the place that the pointer goes around; `from` is where it took hold. */
+/** @param scene at the start of the drag. @param pivot the centre of the drag. @param from where the drag started. */
 export const turning = (
   { document, turns }: Pick<Scene, 'document' | 'turns'>,
   ids: readonly string[],
