@@ -150,7 +150,7 @@ export class C2Warp extends TypedElement {
    * A copy of the current project. Setting a project for the open picture is an undoable step. A project that is set
    * before there is a picture is applied to the next one, whoever opens it; if its size differs, an `error` is emitted.
    * A string is the address of a project file, like the attribute.
-   * @throws RangeError that names the invalid key; Error when read while the element is not connected.
+   * @throws RangeError that names what is invalid; Error when read while the element is not connected.
    */
   get project(): Project {
     return copied(this.#present.workbench.editing.project);

@@ -93,7 +93,11 @@ export class Beginning {
     if (selection) workbench.editing.select(selection);
   }
 
-  /** Emits `load`, or reports the error. @param opening resolves to whether something was opened. @returns the same. */
+  /**
+   * Emits `load` or reports the error.
+   * @param opening resolves to false if there was nothing to open.
+   * @returns whether something was opened.
+   */
   async #open(desk: Desk, opening: () => Promise<boolean>): Promise<boolean> {
     try {
       if (!(await desk.files.shown(opening)) || desk !== this.#host.desk) return false;

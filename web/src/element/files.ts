@@ -176,7 +176,10 @@ export class Files {
     });
   }
 
-  /** Opens a person's picture, and offers a way back to the previous one if it was edited. @param left earlier ones. */
+  /**
+   * Opens a person's picture, and offers a way back to the previous one if it was edited.
+   * @param left the edited pictures before that.
+   */
   async #openOther(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
     const { kept } = this.#workbench;
     await this.#open(picture, work, kept && isWorkedOn(kept) ? [...left, kept] : left);

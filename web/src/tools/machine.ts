@@ -73,7 +73,7 @@ export class ToolMachine {
     return effects;
   }
 
-  /** Cancels the current press, with all its effects. */
+  /** Cancels the current press, as if it had not happened. */
   cancel(): readonly Effect[] {
     if (!this.busy) return [];
     const effects = this.#take(this.#state.cancel?.());

@@ -13,7 +13,7 @@ import { type Outcome, outcome, type Placement, type Press, type Scene, type Sta
 
 /**
  * A handle at a place of the posed picture, with the motion that the picture has there, so that the picture does not
- * jump. An automatic rotation is computed again by the solver.
+ * jump. An automatic rotation follows from the pose.
  */
 export const pointHandle = (project: Project, at: Vec, placement: Placement): PointHandle => ({
   id: freeId(project),

@@ -11,7 +11,11 @@ import { outcome, type Scene, type State } from './state';
 
 export const SNAP_DEGREES = 15;
 
-/** @param scene at the start of the drag. @param pivot the centre of the drag. @param from where the drag started. */
+/**
+ * @param scene the scene at the start of the drag.
+ * @param pivot the point that the pointer goes around.
+ * @param from where the drag started.
+ */
 export const turning = (
   { document, turns }: Pick<Scene, 'document' | 'turns'>,
   ids: readonly string[],
