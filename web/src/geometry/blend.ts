@@ -1,8 +1,9 @@
 /**
- * Blending on the page: where a mesh's vertices go under the sites' motions. Linearly that is equation 1, p′ = Σ w T(p).
+ * Blending on the page: the positions of a mesh's vertices under the sites' motions. The linear blend is equation 1,
+ * p′ = Σ w T(p).
  *
- * The GPU does the same for every frame; this copy serves questions that are asked once per click (what lies under the
- * pointer?). Cost: linear in the number of stored weights.
+ * The GPU does the same for every frame; this copy serves rarer queries, such as what lies under the pointer of a
+ * click. Cost: linear in the number of stored weights.
  */
 import { rigidlyBlended } from './dual';
 import { MOTION_STRIDE, type Skin } from './skin';
@@ -11,7 +12,7 @@ import type { Vec } from './vec';
 /** How the motions that reach a vertex are blended. */
 export type Blend = 'linear' | 'rigid';
 
-/** Vertices × 2: the posed positions. Without motions, the rest positions. */
+/** Vertices × 2: the posed positions; the rest positions where `motions` is null. */
 export function posedPositions(
   skin: Skin,
   motions: Float32Array | null,
@@ -28,7 +29,7 @@ export function posedPositions(
   return posed;
 }
 
-/** T(p) = posed + [a c; b d] (p − rest), by weight. */
+/** Σ w T(p), where T(p) = posed + [a c; b d] (p − rest). */
 function linearlyBlended(skin: Skin, motions: Float32Array, vertex: number): Vec {
   const px = skin.positions[2 * vertex] ?? 0;
   const py = skin.positions[2 * vertex + 1] ?? 0;

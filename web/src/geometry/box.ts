@@ -1,4 +1,4 @@
-/** Axis-parallel boxes: of a drag over empty space, of what can be seen, of where the posed picture lies. */
+/** Axis-aligned boxes: of a drag over empty space, of the visible area, of the posed picture. */
 import type { Vec } from './vec';
 
 export interface Box {
@@ -6,13 +6,13 @@ export interface Box {
   readonly max: Vec;
 }
 
-/** The box between two opposite corners, in whatever order they come. */
+/** The box between two opposite corners, given in any order. */
 export const boxBetween = (a: Vec, b: Vec): Box => ({
   min: [Math.min(a[0], b[0]), Math.min(a[1], b[1])],
   max: [Math.max(a[0], b[0]), Math.max(a[1], b[1])],
 });
 
-/** The least box around the first `count` of points, given as × 2; null for none. Cost: linear. */
+/** The smallest box around the first `count` of `points` (× 2); null where `count` is 0. Cost: linear. */
 export function boxAround(points: Float32Array, count: number): Box | null {
   if (count === 0) return null;
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
@@ -26,13 +26,13 @@ export function boxAround(points: Float32Array, count: number): Box | null {
   return { min: [left, top], max: [right, bottom] };
 }
 
-/** The least box around two. */
+/** The smallest box around two boxes. */
 export const boxOfBoth = (a: Box, b: Box): Box => ({
   min: [Math.min(a.min[0], b.min[0]), Math.min(a.min[1], b.min[1])],
   max: [Math.max(a.max[0], b.max[0]), Math.max(a.max[1], b.max[1])],
 });
 
-/** Whether a box reaches out of another by more than `slack`. */
+/** Whether `box` extends beyond the other box by more than `slack` on any side. */
 export const reachesBeyond = (box: Box, { min, max }: Box, slack: number): boolean =>
   box.min[0] < min[0] - slack ||
   box.min[1] < min[1] - slack ||
@@ -42,7 +42,7 @@ export const reachesBeyond = (box: Box, { min, max }: Box, slack: number): boole
 export const boxContains = ({ min, max }: Box, p: Vec): boolean =>
   p[0] >= min[0] && p[0] <= max[0] && p[1] >= min[1] && p[1] <= max[1];
 
-/** Between which shares of the way from `a` to `b` it is in the box; null where it never is (Liang and Barsky 1984). */
+/** The segment from `a` to `b` clipped to the box, as shares of the segment; null outside (Liang and Barsky 1984). */
 export function sharesInside({ min, max }: Box, a: Vec, b: Vec): readonly [number, number] | null {
   let [from, to] = [0, 1];
   for (const axis of [0, 1] as const) {

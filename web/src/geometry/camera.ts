@@ -1,7 +1,7 @@
 /**
- * Where the person looks: a picture scaled and shifted, in CSS pixels of the stage.
+ * The camera: how the picture is scaled and shifted on the stage, in CSS pixels.
  *
- * A camera is a value; every function returns a new one. The renderer's `View` is the same thing in device pixels.
+ * A camera is a value; every function returns a new one. The renderer's `View` holds the same in device pixels.
  */
 import type { Box } from './box';
 import { distance, midpoint, type Vec } from './vec';
@@ -20,7 +20,7 @@ export interface Size {
   readonly height: number;
 }
 
-/** Room that the editor's own controls take at the edges of the stage, CSS pixels. */
+/** Space that the editor's controls cover at the edges of the stage, CSS pixels. */
 export interface Insets {
   readonly top: number;
   readonly right: number;
@@ -28,7 +28,7 @@ export interface Insets {
   readonly left: number;
 }
 
-/** From a 16,384 px picture in a thumbnail to single pixels the size of a thumb. */
+/** From a 16,384 px picture shown as a thumbnail to single pixels the size of a thumb. */
 export const SCALE_LIMITS = [0.01, 64] as const;
 
 const clampScale = (scale: number): number => Math.min(SCALE_LIMITS[1], Math.max(SCALE_LIMITS[0], scale));
@@ -60,7 +60,7 @@ export function scaledAt(camera: Camera, scale: number, anchor: Vec): Camera {
   };
 }
 
-/** A box of the image, centred in what the insets leave of the stage; a small one grows to `largest` at most. */
+/** The camera that centres a box of the image in the stage without its insets, at a scale of `largest` at most. */
 export function fitted({ min, max }: Box, stage: Size, insets: Insets, largest = 2): Camera {
   const width = Math.max(1, stage.width - insets.left - insets.right);
   const height = Math.max(1, stage.height - insets.top - insets.bottom);
@@ -72,7 +72,7 @@ export function fitted({ min, max }: Box, stage: Size, insets: Insets, largest =
   };
 }
 
-/** The camera after two fingers went from `before` to `after`: the image points under them follow as a pair. */
+/** The camera after two fingers moved from `before` to `after`: it follows their midpoint and their distance. */
 export function pinched(camera: Camera, before: readonly [Vec, Vec], after: readonly [Vec, Vec]): Camera {
   const spread = distance(...before);
   const from = midpoint(...before);
@@ -81,7 +81,7 @@ export function pinched(camera: Camera, before: readonly [Vec, Vec], after: read
   return panned(turned, [to[0] - from[0], to[1] - from[1]]);
 }
 
-/** The same look in device pixels, for the renderer. */
+/** The camera in device pixels, for the renderer. */
 export const deviceView = (camera: Camera, stage: Size, pixelRatio: number): View => ({
   scale: camera.scale * pixelRatio,
   x: camera.x * pixelRatio,

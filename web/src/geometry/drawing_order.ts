@@ -1,17 +1,17 @@
 /**
- * The drawing order of triangles where a posed picture covers itself: from the farthest to the nearest, equally deep ones in
- * the order of the mesh. `wasm/core/src/drawing_order.rs` defines the rule.
+ * The drawing order of triangles where a posed picture covers itself: from the farthest to the nearest; triangles of
+ * equal depth keep the order of the mesh. `wasm/core/src/drawing_order.rs` defines the rule.
  *
- * Cost: a look at every site's depth; where one has changed, linear in stored weights and triangles.
+ * Cost: one comparison per site; after a change of depth, linear in stored weights and triangles.
  */
 import { MOTION_STRIDE, type Skin } from './skin';
 
 /** Depth steps from the farthest site to the nearest. */
 const DEPTH_STEPS = 1024;
-/** Depths that differ by less than this share of the greatest are equal. */
+/** Depths that differ by less than this share of the greatest count as equal. */
 const SAME_DEPTH = 1e-6;
 
-/** The drawing order of one skin, kept as long as the depths stay. */
+/** The drawing order of one skin, cached until a depth changes. */
 export class DrawingOrder {
   readonly #skin: Skin;
   #depths = new Float32Array();
@@ -22,7 +22,7 @@ export class DrawingOrder {
     this.#triangles = skin.triangles;
   }
 
-  /** Triangles × 3: the same array as before where no depth has changed. */
+  /** Triangles × 3, in drawing order. Returns the same array until a depth changes. */
   triangles(motions: Float32Array): Uint32Array {
     const depths = new Float32Array(motions.length / MOTION_STRIDE);
     for (let site = 0; site < depths.length; site++) depths[site] = motions[MOTION_STRIDE * site + 8] ?? 0;
@@ -64,7 +64,7 @@ function sorted(skin: Skin, depths: Float32Array): Uint32Array {
   return countingSort(triangles, steps);
 }
 
-/** Triangles by step, stably. */
+/** Triangles sorted by step; the sort is stable. */
 function countingSort(triangles: Uint32Array, steps: Int32Array): Uint32Array {
   const start = new Uint32Array(DEPTH_STEPS + 2);
   for (const step of steps) start[step + 1] = (start[step + 1] ?? 0) + 1;

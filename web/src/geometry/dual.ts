@@ -1,9 +1,9 @@
 /**
- * The rigid blend on the page: where dual complex numbers take a vertex. The maths, its guarantees and its limits are
- * told in `wasm/core/src/pose/dual.rs`, and `render/warp.vert.glsl` is the third to do the same.
+ * The rigid blend on the page: positions of vertices by dual complex numbers. `wasm/core/src/pose/dual.rs` documents
+ * the maths, its guarantees and its limits; `render/warp.vert.glsl` is the third implementation.
  *
- * Complex numbers stand as pairs of numbers here, real and imaginary part named x and y: vectors would be thrown away by
- * the million. Cost: 10,000 vertices take some three milliseconds.
+ * Complex numbers are pairs of local variables, real part x and imaginary part y: arrays would be allocated by the
+ * million. Cost: 10,000 vertices take about three milliseconds.
  */
 import { MOTION_STRIDE, type Skin } from './skin';
 import type { Vec } from './vec';
@@ -11,7 +11,7 @@ import type { Vec } from './vec';
 /** |P|² from which the blend is rigid. */
 const RIGID = 0.25;
 
-/** Where the sites of a vertex that has some take it. */
+/** The blended position of a vertex that at least one site moves. */
 export function rigidlyBlended(skin: Skin, motions: Float32Array, vertex: number): Vec {
   const px = skin.positions[2 * vertex] ?? 0;
   const py = skin.positions[2 * vertex + 1] ?? 0;
@@ -34,7 +34,7 @@ export function rigidlyBlended(skin: Skin, motions: Float32Array, vertex: number
     movedX += weight * (hx * goneX + hy * goneY);
     movedY += weight * (hx * goneY - hy * goneX);
   }
-  // How far the rigid blend is from the linear one, times P̄.
+  // The rigid blend minus the linear one, times P̄.
   const apartX = movedX - halfX * posedX - halfY * posedY;
   const apartY = movedY - halfX * posedY + halfY * posedX;
   const u = (halfX * halfX + halfY * halfY) / RIGID;

@@ -1,12 +1,12 @@
 /**
- * Where a pose folds the picture: triangles that have turned over. What surrounds the rim does not count, as for the solver:
- * its slivers turn over where the outline merely bends.
+ * Where a pose folds the picture: triangles that have turned over. As in the solver, triangles around the rim do not
+ * count: these slivers turn over where the outline merely bends.
  *
  * Cost: linear in the triangles; 20,000 take a fraction of a millisecond.
  */
 import type { Skin } from './skin';
 
-/** Triangles × 3: those of the first `samples` vertices, each with its corners in the order that gives it a positive area at rest. */
+/** Triangles × 3: those of the first `samples` vertices, with corners ordered for a positive area at rest. */
 export type FoldingMesh = Uint32Array;
 
 export function foldingMesh({ positions, triangles }: Skin, samples: number): FoldingMesh {
@@ -22,7 +22,7 @@ export function foldingMesh({ positions, triangles }: Skin, samples: number): Fo
   return kept.subarray(0, count);
 }
 
-/** How many triangles have turned over. Counts no farther than one beyond `limit`. */
+/** The number of triangles that have turned over. Counting stops at the first above `limit`. */
 export function foldCount(mesh: FoldingMesh, posed: Float32Array, limit = Number.POSITIVE_INFINITY): number {
   let count = 0;
   for (let at = 0; at < mesh.length && count <= limit; at += 3) if (isFolded(mesh, posed, at)) count++;

@@ -1,9 +1,9 @@
 /**
- * From the posed picture back to rest: which point of the original lies under the pointer, and how it is turned there.
+ * From the posed picture back to rest: which point of the original lies under the pointer, and how the picture is
+ * turned there.
  *
- * Within a triangle the map is affine, so its inverse is exact; triangles are searched from the last drawn to the
- * first, which picks what the person sees where the picture overlaps itself. Cost: linear in the triangles, once per
- * click.
+ * Within a triangle the map is affine, so its inverse is exact. Triangles are searched from the last drawn to the
+ * first, which finds the visible one where the picture overlaps itself. Cost: linear in the triangles, once per click.
  */
 import type { Skin } from './skin';
 import type { Vec } from './vec';
@@ -15,7 +15,7 @@ export interface Located {
   readonly scale: number;
 }
 
-/** The point of the rest picture, its triangles in drawing order, that `posed` places at `at`, or null where there is no picture. */
+/** The rest point that `posed` takes to `at`, or null beside the picture. `skin.triangles` are in drawing order. */
 export function locate(skin: Skin, posed: Float32Array, at: Vec): Located | null {
   const { triangles, positions } = skin;
   for (let index = triangles.length - 3; index >= 0; index -= 3) {
@@ -46,8 +46,8 @@ export function locate(skin: Skin, posed: Float32Array, at: Vec): Located | null
 }
 
 /**
- * The same, and beside the picture as if it went on from the triangle that is nearest to `at`. Null for a mesh without any.
- * Cost: linear in the triangles.
+ * Like {@link locate}, but beside the picture extrapolates from a triangle at the vertex nearest to `at`. Null for a
+ * mesh without triangles. Cost: linear in the triangles.
  */
 export function locateNear(skin: Skin, posed: Float32Array, at: Vec): Located | null {
   const inside = locate(skin, posed, at);
@@ -81,7 +81,7 @@ const corner = (points: Float32Array, index: number): Vec => [
   points[2 * index + 1] ?? 0,
 ];
 
-/** Barycentric coordinates of `p`, or null outside the triangle or where it has no area. Either orientation. */
+/** Barycentric coordinates of `p`, in either orientation; null outside the triangle, or where its area is 0. */
 function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, number] | null {
   const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   if (area === 0) return null;

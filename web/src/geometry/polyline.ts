@@ -1,27 +1,27 @@
-/** Lines through corners, open or closed: how far away they are, what lies inside, how they are turned. */
+/** Polylines, open or closed: edges, nearest places, points inside, turns. */
 import { add, bearing, between, distance, scaled, snapped, subtract, type Vec } from './vec';
 
-/** The mean of the corners; the origin where there are none. */
+/** The mean of the corners; the origin where there are no corners. */
 export const centre = (corners: readonly Vec[]): Vec =>
   scaled(
     corners.reduce<Vec>((sum, p) => add(sum, p), [0, 0]),
     1 / Math.max(1, corners.length),
   );
 
-/** The edges, as pairs of corners: from each corner to the next, and at last, of a closed line, to the first. */
+/** The edges, as pairs of corners: from each corner to the next; a closed line ends with the edge back to the first. */
 export const edgesOf = (corners: readonly Vec[], closed: boolean): readonly (readonly [Vec, Vec])[] =>
   corners.flatMap((from, k) => {
     const to = corners[k + 1] ?? (closed ? corners[0] : undefined);
     return to ? [[from, to] as const] : [];
   });
 
-/** A place on a line: a share of the way along an edge, which are counted as {@link edgesOf} lists them. */
+/** A place on a line: the index of an edge in {@link edgesOf}, and the share of the way along that edge. */
 export interface LinePlace {
   readonly edge: number;
   readonly share: number;
 }
 
-/** The place of the line that is nearest to a point, and how far that is; infinitely far where there is no edge. */
+/** The place on the line nearest to a point, and its distance `away`, infinite where there is no edge. */
 export function nearestPlace(
   corners: readonly Vec[],
   closed: boolean,
@@ -39,11 +39,11 @@ export function nearestPlace(
   return best;
 }
 
-/** From a point to the nearest place of the line. */
+/** The distance from a point to the nearest place on the line. */
 export const distanceToLine = (corners: readonly Vec[], closed: boolean, p: Vec): number =>
   nearestPlace(corners, closed, p).away;
 
-/** By the even-odd rule. */
+/** Whether a point lies inside the closed line, by the even-odd rule. */
 export const isInside = (corners: readonly Vec[], [x, y]: Vec): boolean =>
   edgesOf(corners, true).filter(
     ([a, b]) => a[1] > y !== b[1] > y && x < a[0] + ((b[0] - a[0]) * (y - a[1])) / (b[1] - a[1]),
@@ -53,7 +53,7 @@ export const isInside = (corners: readonly Vec[], [x, y]: Vec): boolean =>
 
 /**
  * The turn (degrees) that takes the corners of `rest` nearest to those of `posed`, both about their means: the least
- * squares one, as the solver reads it. Null where there is none, because one of them has no extent.
+ * squares turn, as in the solver. Null where no turn is better than another, because one of them has no extent.
  */
 export function bestTurn(rest: readonly Vec[], posed: readonly Vec[]): number | null {
   const [from, to] = [centre(rest), centre(posed)];
@@ -67,11 +67,11 @@ export function bestTurn(rest: readonly Vec[], posed: readonly Vec[]): number | 
   return cos === 0 && sin === 0 ? null : (Math.atan2(sin, cos) * 180) / Math.PI;
 }
 
-/** The same direction, whole turns added until it is nearest to another angle. Degrees. */
+/** `degrees` with whole turns added to be nearest to the angle `to`, in degrees. */
 export const nearestTurn = (degrees: number, to: number): number =>
   degrees + 360 * Math.round((to - degrees) / 360);
 
-/** `to`, moved so that it is seen from `from` in a direction of whole steps. */
+/** `to`, projected onto the ray from `from` whose bearing is the nearest multiple of `step` degrees. */
 export function constrained(from: Vec, to: Vec, step: number): Vec {
   const direction = (snapped(bearing(from, to), step) * Math.PI) / 180;
   const along: Vec = [Math.cos(direction), Math.sin(direction)];

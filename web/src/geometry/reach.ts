@@ -1,21 +1,22 @@
 /**
- * How far a move of some handles reaches: how much of it each place of the posed picture follows.
+ * The reach of a move of some handles: how much of the move each place of the posed picture follows.
  *
- * That is the size of the derivative of the posed place by the move: the root of half the sum of its four squared entries. 1 goes
- * along whole, straight or turned; 0 stays; what a move swings around goes farther than 1. Whole poses are compared, so that it is
- * the same question in either pose mode and for either blend. Cost: that of blending four times.
+ * Reach is the size of the derivative of the posed place by the move: the root of half the sum of its four squared
+ * entries. A place of reach 1 moves as far as the handles, straight or turned; at 0 it stays; above 1 it swings farther
+ * than they do. Whole poses are compared, which works alike in both pose modes and for both blends. Cost: four blends.
  */
 import { type Blend, posedPositions } from './blend';
 import type { Skin } from './skin';
 
 /**
- * How far to move to either side, as a share of the picture's diagonal. The rigid mode stops relaxing where that gains little, a turn
- * earlier or later, and what is drawn jumps by a fraction of a pixel. Along a drag of the sample, compared over a pixel, such jumps change
- * the reach by 0.12, and over ten by 0.014. In the harmonic mode, where nothing jumps, any step gives the same.
+ * Step of the central difference, as a share of the picture's diagonal. The rigid mode stops relaxing once an iteration
+ * gains little; one iteration more or less makes the pose jump by a fraction of a pixel. Along a drag of the sample,
+ * such jumps change the reach by 0.12 over a pixel, and by 0.014 over ten. The harmonic mode has no jumps: there any
+ * step gives the same result.
  */
 export const REACH_STEP = 0.005;
 
-/** Motions of all sites, see `MOTION_STRIDE`, with the handles moved by a step along x, against x, along y, against y. */
+/** Motions of all sites, see `MOTION_STRIDE`, with the handles moved one step along +x, −x, +y and −y. */
 export type MovedMotions = readonly [
   right: Float32Array,
   left: Float32Array,
@@ -23,7 +24,7 @@ export type MovedMotions = readonly [
   up: Float32Array,
 ];
 
-/** Vertices: the reach there. @param step Image pixels. */
+/** Vertices: the reach at each. @param step Image pixels. */
 export function reachOf(skin: Skin, moved: MovedMotions, step: number, blend: Blend): Float32Array {
   const reach = new Float32Array(skin.positions.length / 2);
   const [right, left, down, up] = moved;
@@ -39,12 +40,12 @@ export function reachOf(skin: Skin, moved: MovedMotions, step: number, blend: Bl
   return reach.map((sum) => Math.sqrt(sum / 2) / (2 * step));
 }
 
-/** A colour in sRGB, 0 to 255, and how opaque it is. */
+/** A colour in sRGB, 0 to 255, and its opacity, 0 to 1. */
 export type RampColour = readonly [red: number, green: number, blue: number, alpha: number];
 
 /**
- * What shows a reach of 0, 0.2, … 1 over the picture: from nothing through blue to yellow. Lightness rises by equal steps, from 0.42 to 0.93 in
- * OKLab, so that it reads without the hues; blue to yellow is what nearly all people tell apart.
+ * Colours of a reach of 0, 0.2, … 1 over the picture: from transparent through blue to yellow. Lightness rises by equal
+ * steps, from 0.42 to 0.93 in OKLab, so that the ramp reads without hues; nearly everyone can tell blue from yellow.
  */
 export const REACH_RAMP: readonly RampColour[] = [
   [85, 40, 169, 0],

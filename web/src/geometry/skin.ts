@@ -1,29 +1,29 @@
-/** A mesh that sites move, and their motions, as the solver and its poser hand them out. */
+/** A mesh that sites move, and the sites' motions, as the solver and its poser return them. */
 import type { Vec } from './vec';
 
-/** A mesh with sparse weights, as the solver hands it out. */
+/** A mesh with sparse weights, as the solver returns it. */
 export interface Skin {
   /** Vertices × 2, rest positions in image pixels. */
   readonly positions: Float32Array;
-  /** Triangles × 3: vertices; the later covers the earlier, where all sites are equally deep. */
+  /** Triangles × 3: vertices. Later triangles cover earlier ones while all sites have the same depth. */
   readonly triangles: Uint32Array;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array;
   /** Entries: index of a site. */
   readonly sites: Uint32Array;
-  /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without any stays at rest. */
+  /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without weights stays at rest. */
   readonly weights: Float32Array;
 }
 
-/** Numbers per site in a motions array: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half of it. */
+/** Numbers per site in motions: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle θ, cos θ/2, sin θ/2. */
 export const MOTION_STRIDE = 12;
 
-/** Where a site is posed. */
+/** The posed place of a site. */
 export const sitePlace = (motions: Float32Array, site: number): Vec => [
   motions[MOTION_STRIDE * site + 6] ?? 0,
   motions[MOTION_STRIDE * site + 7] ?? 0,
 ];
 
-/** How far a site is turned, degrees. */
+/** The turn of a site, degrees. */
 export const siteTurn = (motions: Float32Array, site: number): number =>
   ((motions[MOTION_STRIDE * site + 9] ?? 0) * 180) / Math.PI;

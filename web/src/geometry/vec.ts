@@ -5,11 +5,11 @@ export const add = (a: Vec, b: Vec): Vec => [a[0] + b[0], a[1] + b[1]];
 export const subtract = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1]];
 export const scaled = (a: Vec, factor: number): Vec => [a[0] * factor, a[1] * factor];
 export const midpoint = (a: Vec, b: Vec): Vec => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-/** At a share of the way. */
+/** The point at a share of the way from `a` to `b`. */
 export const between = (a: Vec, b: Vec, share: number): Vec => add(a, scaled(subtract(b, a), share));
 export const distance = (a: Vec, b: Vec): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
-/** Turned about the origin, in degrees, clockwise on the screen. */
+/** A vector turned about the origin by degrees, clockwise on the screen. */
 export function rotated([x, y]: Vec, degrees: number): Vec {
   const turn = (degrees * Math.PI) / 180;
   const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
@@ -20,7 +20,7 @@ export function rotated([x, y]: Vec, degrees: number): Vec {
 export const bearing = (from: Vec, to: Vec): number =>
   (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
 
-/** The same direction in (−180, 180]: what a person wants to read. */
+/** The same direction in (−180, 180], for display. */
 export function wrapDegrees(degrees: number): number {
   const turned = degrees - 360 * Math.ceil((degrees - 180) / 360);
   return turned === 0 ? 0 : turned;

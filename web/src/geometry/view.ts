@@ -1,4 +1,4 @@
-/** Where the picture lies on the canvas, and what is drawn of it. Lengths are device pixels. */
+/** Where the picture lies on the canvas, and what is drawn. Lengths are device pixels. */
 export interface View {
   /** Device pixels per image pixel. */
   readonly scale: number;
@@ -8,15 +8,15 @@ export interface View {
   /** Size of the canvas. */
   readonly width: number;
   readonly height: number;
-  /** Device pixels per CSS pixel, 1 where it is left out: lines are as wide as that. */
+  /** Device pixels per CSS pixel, which is the width of lines; 1 by default. */
   readonly pixelRatio?: number;
-  /** Draw the picture as it was, for comparison. */
+  /** Draw the unwarped picture, for comparison. */
   readonly compare?: boolean;
   readonly overlays?: Overlays;
 }
 
-/** What may be drawn over the picture. */
+/** Optional drawings over the picture. */
 export interface Overlays {
-  /** The triangles that the picture is drawn with. */
+  /** The triangles of the picture's mesh. */
   readonly mesh?: boolean;
 }

@@ -1,28 +1,28 @@
 /**
- * Which drawings of a page have a WebGL context. Browsers give a page some 16, and take the oldest away for one more, seen
- * or not; here those that have been out of sight for longest give theirs back in time.
+ * Decides which drawings of a page hold a WebGL context. Browsers allow a page about 16, and take the oldest away for
+ * a new one, visible or not; here the drawings that have been out of sight longest release theirs before that.
  */
 
 export interface Drawn {
-  /** Gives the context back until `wake`. */
+  /** Releases the context until `wake`. */
   sleep(): void;
   wake(): void;
 }
 
-/** Fewer than any browser gives: the page may have contexts of its own. */
+/** Fewer than any browser allows: the page may have contexts of its own. */
 const MOST = 12;
 
 export class Contexts {
   readonly #most: number;
   readonly #seen = new Set<Drawn>();
-  /** Awake and out of sight, those that have been so for longest first. */
+  /** Awake and out of sight, starting with the drawing that has been out of sight longest. */
   #unseen: Drawn[] = [];
 
   constructor(most = MOST) {
     this.#most = most;
   }
 
-  /** One that is awake, and of which nobody knows yet whether it is in sight. */
+  /** Adds a drawing that is awake; whether it is visible is not known yet. */
   add(drawn: Drawn): void {
     this.#unseen.unshift(drawn);
     this.#giveBack();
@@ -53,5 +53,5 @@ export class Contexts {
   }
 }
 
-/** Of this page. */
+/** The contexts of this page. */
 export const contexts = new Contexts();

@@ -1,5 +1,5 @@
 /**
- * Arrays that the vertex shader looks things up in, as textures of floats.
+ * Lookup arrays of the vertex shader, as textures of floats.
  *
  * Texel i lies at (i mod width, i / width).
  */
@@ -9,14 +9,14 @@ const WIDTH = 2048;
 
 export interface DataTexture {
   readonly texture: WebGLTexture;
-  /** Replaces the records; as many as there were, or fewer. */
+  /** Replaces the first texels; `data` must fit the texture. */
   update(data: Float32Array): void;
   dispose(): void;
 }
 
 /**
- * @param channels Numbers in a texel: 2 or 4.
- * @param texels How many texels there must be room for.
+ * @param channels Numbers per texel: 2 or 4.
+ * @param texels Texels that the texture must hold at least.
  */
 export function createDataTexture(gl: WebGL2RenderingContext, channels: 2 | 4, texels: number): DataTexture {
   const height = Math.max(1, Math.ceil(texels / WIDTH));

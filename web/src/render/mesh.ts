@@ -1,12 +1,12 @@
 import type { Skin } from '../geometry/skin';
 
-/** What is drawn: a skin, and how many sites move it. */
+/** A skin to draw, and the sites that move it. */
 export interface WarpMesh extends Skin {
-  /** Sites × 2; only how many there are matters here. */
+  /** Sites × 2; only the length matters here. */
   readonly siteRest: ArrayLike<number>;
 }
 
-/** The whole picture as two triangles at rest: what is drawn while nothing is solved. */
+/** The whole picture as two triangles at rest, drawn while there is no solution. */
 export function unwarpedMesh(width: number, height: number): WarpMesh {
   return {
     positions: new Float32Array([0, 0, width, 0, 0, height, width, height]),
@@ -29,14 +29,14 @@ export function weightRows(offsets: Uint32Array): Uint32Array {
   return rows;
 }
 
-/** Edges × 2: every edge of the triangles once. Costs a sort of all edges. */
+/** Edges × 2: every edge of the triangles once. Cost: a sort of all edges. */
 export function meshEdges(triangles: Uint32Array): Uint32Array {
   const keys = new Float64Array(triangles.length);
   for (let corner = 0; corner < triangles.length; corner++) {
     const next = corner % 3 === 2 ? corner - 2 : corner + 1;
     const a = triangles[corner] ?? 0;
     const b = triangles[next] ?? 0;
-    // Two vertices in one number: exact, since vertices are fewer than 2^26.
+    // Two vertex indices in one number: exact, since there are fewer than 2^26 vertices.
     keys[corner] = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
   }
   keys.sort();

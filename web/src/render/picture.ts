@@ -1,22 +1,22 @@
 /**
- * The picture as a texture: premultiplied, so that neither filter nor blending mixes in colours from under transparent
- * pixels, with mipmaps, and without anisotropy, so that every machine and the CPU filter alike.
+ * The picture as a texture: premultiplied, so that neither filtering nor blending mixes in the colours of transparent
+ * pixels; with mipmaps; without anisotropy, so that every GPU and the CPU filter alike.
  */
 import * as twgl from 'twgl.js';
 
-/** Above this many device pixels per image pixel, the pixels of the picture show as squares. */
+/** Above this many device pixels per image pixel, image pixels are drawn as squares. */
 const CRISP_ABOVE = 4;
 
 /**
- * Uploads a premultiplied bitmap. One larger than the graphics card takes is shown smaller: only on screen, an export
- * never comes from here.
+ * Uploads a premultiplied bitmap, shrunk where it exceeds the GPU's largest texture. Only the screen uses this texture,
+ * never an export.
  */
 export function createPictureTexture(gl: WebGL2RenderingContext, source: ImageBitmap): WebGLTexture {
   const most: number = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   const ratio = Math.min(1, most / source.width, most / source.height);
   return twgl.createTexture(gl, {
     src: ratio < 1 ? shrunk(source, ratio) : source,
-    // Bitmaps are uploaded as they are, premultiplied; a canvas has to be asked.
+    // A bitmap is uploaded as it is, premultiplied; of a canvas this must be requested.
     premultiplyAlpha: ratio < 1 ? 1 : 0,
     internalFormat: gl.RGBA8,
     min: gl.LINEAR_MIPMAP_LINEAR,
@@ -26,7 +26,7 @@ export function createPictureTexture(gl: WebGL2RenderingContext, source: ImageBi
   });
 }
 
-/** Chooses how a magnified picture looks. */
+/** Sets the magnification filter for a scale, in device pixels per image pixel. */
 export function setMagnification(gl: WebGL2RenderingContext, texture: WebGLTexture, scale: number): void {
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, scale > CRISP_ABOVE ? gl.NEAREST : gl.LINEAR);

@@ -1,14 +1,14 @@
-/** Programs that draw the posed mesh, and a draw by one of them. */
+/** Compiles programs that draw the posed mesh, and draws with them. */
 import * as twgl from 'twgl.js';
 import warpVertex from './warp.vert.glsl?raw';
 
 /**
- * @param define What the vertex shader asks for by `#ifdef`.
- * @throws Error where a shader does not compile, which names the reason.
+ * @param define A macro that the vertex shader tests with `#ifdef`.
+ * @throws Error where a shader does not compile, with the reason.
  */
 export function program(gl: WebGL2RenderingContext, fragment: string, define = ''): twgl.ProgramInfo {
   let reason = 'unknown';
-  // The version has to stay the first line.
+  // `#version` has to stay the first line.
   const vertex = define ? warpVertex.replace('\n', `\n#define ${define}\n`) : warpVertex;
   const info: twgl.ProgramInfo | null = twgl.createProgramInfo(gl, [vertex, fragment], (message) => {
     reason = message;

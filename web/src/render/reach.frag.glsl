@@ -1,11 +1,11 @@
 #version 300 es
-// The picture, premultiplied, under the colours of a reach from 0 to 1, with a line at every tenth and a bold one at the half.
+// The picture, premultiplied, under the colours of a reach from 0 to 1, with a line at every tenth, bold at 0.5.
 precision highp float;
 
 uniform sampler2D u_picture;
-// At 0, 0.2, … 1, straight alpha.
+// Colours at 0, 0.2, … 1, straight alpha.
 uniform vec4 u_ramp[6];
-// How wide a line is, device pixels.
+// Width of a line, device pixels.
 uniform float u_line;
 
 in vec2 v_texcoord;
@@ -20,7 +20,7 @@ vec4 ramp(float reach) {
   return mix(u_ramp[below], u_ramp[below + 1], at - float(below));
 }
 
-// How much of a pixel a band covers whose middle is so far away.
+// The share of a pixel that a band of this width covers, at a distance from the band's middle.
 float covered(float away, float width) {
   return clamp(0.5 + 0.5 * width - away, 0.0, 1.0);
 }
@@ -35,7 +35,7 @@ void main() {
   float line = clamp(round(tenths), 1.0, LINES - 1.0);
   float away = abs(tenths - line) / max(slope, 1e-6);
   float bold = line == 5.0 ? 2.0 : 1.0;
-  // Closer together than they are wide they would make one dark spot.
+  // Lines closer together than their width would merge into a dark spot.
   float apart = 1.0 - smoothstep(0.15, 0.4, slope * u_line);
   float pale = 0.35 * apart * covered(away, (bold + 2.0) * u_line);
   float dark = (bold > 1.0 ? 0.85 : 0.65) * apart * covered(away, bold * u_line);

@@ -1,13 +1,13 @@
 /**
- * The picture under a heat map with isolines: a number for each vertex as a colour. In the same pass as the picture, so that
- * what it covers shows in neither.
+ * The picture under a heat map with isolines, of one number per vertex. Both are drawn in one pass, so that parts that
+ * the picture covers show in neither.
  */
 import * as twgl from 'twgl.js';
 import { REACH_RAMP } from '../geometry/reach';
 import { drawWith, program } from './program';
 import reachFragment from './reach.frag.glsl?raw';
 
-/** Of an isoline, CSS pixels. */
+/** Width of an isoline, CSS pixels. */
 const LINE_CSS_PX = 1.2;
 
 const RAMP = REACH_RAMP.flatMap(([red, green, blue, alpha]) => [red / 255, green / 255, blue / 255, alpha]);
@@ -27,7 +27,7 @@ export class ReachLayer {
     return this.#buffer !== undefined;
   }
 
-  /** Vertices of the mesh that is drawn next. */
+  /** One number per vertex of the mesh that is drawn next. */
   set(reach: Float32Array): void {
     this.clear();
     this.#buffer = twgl.createBufferFromTypedArray(this.#gl, reach);
@@ -51,7 +51,7 @@ export class ReachLayer {
       { ...uniforms, ...own },
       gl.TRIANGLES,
     );
-    // Programs that know nothing of it refuse to draw once its buffer is gone.
+    // An enabled attribute without its buffer makes draws of other programs fail.
     gl.disableVertexAttribArray(gl.getAttribLocation(this.#program.program, 'a_reach'));
   }
 }

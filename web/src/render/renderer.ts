@@ -1,8 +1,8 @@
 /**
- * Draws the warped picture on a canvas by WebGL2.
+ * Draws the warped picture on a canvas with WebGL2.
  *
- * Takes flat arrays, and knows of neither handles nor solver. Keeps what it was given, so that a context which the
- * browser took away is filled again once it comes back.
+ * Takes flat arrays, and knows neither handles nor solver. Keeps its inputs, to fill a context again that was lost and
+ * restored.
  */
 import type { Blend } from '../geometry/blend';
 import { MOTION_STRIDE } from '../geometry/skin';
@@ -16,7 +16,7 @@ export class Renderer {
   readonly #lending: WEBGL_lose_context | null;
   readonly #listening = new AbortController();
   #asleep = false;
-  /** Whose the context is; the browser's from when it has said so, and only then it may be asked for. */
+  /** Who holds the context. Only the browser's can be restored: once `webglcontextlost` has been handled. */
   #context: 'ours' | 'given back' | "the browser's" = 'ours';
   #scene: Scene | undefined;
   #picture: ImageBitmap | null = null;
@@ -25,7 +25,7 @@ export class Renderer {
   #reach: Float32Array | null = null;
   #blend: Blend = 'linear';
 
-  /** Called when a lost context is back and the picture wants to be drawn again. */
+  /** Called when a lost context is restored and the picture must be drawn again. */
   onrestore: (() => void) | null = null;
 
   /** @throws Error with the code `webgl` where the browser has no WebGL2. */
@@ -38,7 +38,7 @@ export class Renderer {
     }
     this.#canvas = canvas;
     this.#gl = gl;
-    // A lost context has no extensions.
+    // Requested now, as a lost context has no extensions.
     this.#lending = gl.getExtension('WEBGL_lose_context');
     const { signal } = this.#listening;
     canvas.addEventListener('webglcontextlost', (event) => this.#lose(event), { signal });
@@ -46,12 +46,12 @@ export class Renderer {
     if (!gl.isContextLost()) this.#scene = new Scene(gl);
   }
 
-  /** Whether the browser has taken the context away; drawing does nothing until it is back. */
+  /** Whether the context is lost; drawing does nothing until it is restored. */
   get lost(): boolean {
     return this.#scene === undefined || this.#gl.isContextLost();
   }
 
-  /** Shows another picture, unwarped, or none. The bitmap is premultiplied, and stays open as long as it is shown. */
+  /** Shows another picture, unwarped, or none. The bitmap must be premultiplied, and open while it is shown. */
   setPicture(source: ImageBitmap | null): void {
     this.#picture = source;
     this.#mesh = null;
@@ -61,7 +61,7 @@ export class Renderer {
     this.#fill();
   }
 
-  /** The mesh to draw the picture on, at rest until motions are set; null for the picture as it is. */
+  /** The mesh to draw the picture on, at rest until motions are set; null for the unwarped picture. */
   setSolution(mesh: WarpMesh | null): void {
     this.#mesh = mesh;
     this.#motions = null;
@@ -70,8 +70,8 @@ export class Renderer {
   }
 
   /**
-   * Sites × 12, see {@link MOTION_STRIDE}, and how they are blended; null lays the mesh at rest.
-   * @throws RangeError where there is not one motion for each site of the mesh.
+   * Sites × 12, see {@link MOTION_STRIDE}, and how they are blended; null draws the mesh at rest.
+   * @throws RangeError unless there is one motion per site of the mesh.
    */
   setMotions(motions: Float32Array | null, blend: Blend = 'linear'): void {
     const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
@@ -84,8 +84,8 @@ export class Renderer {
   }
 
   /**
-   * Vertices of the mesh: a number from 0 to 1 each, to be drawn as a heat map over the picture; null for the picture alone.
-   * @throws RangeError where there is not one for each vertex.
+   * One number from 0 to 1 per vertex of the mesh, drawn as a heat map over the picture; null for the picture alone.
+   * @throws RangeError unless there is one number per vertex.
    */
   setReach(reach: Float32Array | null): void {
     if (reach === this.#reach) return;
@@ -99,13 +99,13 @@ export class Renderer {
 
   draw(view: View): void {
     if (this.lost) return;
-    // Setting a size clears the canvas even where it stays the same.
+    // Assigning a size clears the canvas, even if the size stays the same.
     if (this.#canvas.width !== view.width) this.#canvas.width = view.width;
     if (this.#canvas.height !== view.height) this.#canvas.height = view.height;
     this.#scene?.draw(view);
   }
 
-  /** Draws, and reads what was drawn: premultiplied RGBA, rows from the top. */
+  /** Draws, and returns the pixels: premultiplied RGBA, rows from the top. */
   readPixels(view: View): Uint8Array {
     this.draw(view);
     const { width, height } = view;
@@ -114,7 +114,7 @@ export class Renderer {
     return flipped(pixels, width * 4);
   }
 
-  /** Gives the context back to the browser until `wake`. The canvas is empty meanwhile, and nothing is forgotten. */
+  /** Releases the context until `wake`. The canvas is empty meanwhile; picture, mesh and motions are kept. */
   sleep(): void {
     this.#asleep = true;
     if (this.lost) return;
@@ -129,7 +129,7 @@ export class Renderer {
     this.#lending?.restoreContext();
   }
 
-  /** Gives the context back to the browser. The canvas cannot be drawn on again. */
+  /** Releases the context for good: the canvas cannot be drawn on again. */
   dispose(): void {
     this.#listening.abort();
     this.sleep();
@@ -137,13 +137,13 @@ export class Renderer {
   }
 
   #lose(event: Event): void {
-    // Without this the browser never gives the context back.
+    // Without this the browser never restores the context.
     event.preventDefault();
     this.#scene = undefined;
     if (this.#context === 'given back') setTimeout(() => this.#giveBack());
   }
 
-  /** The browser has the context, and it was perhaps wanted again meanwhile. */
+  /** The browser has the context now; `wake` may have been called meanwhile. */
   #giveBack(): void {
     this.#context = "the browser's";
     if (!this.#asleep) this.wake();

@@ -1,8 +1,9 @@
 /**
- * What one WebGL context holds: programs, the picture, the mesh with its weights, the motions. A lost context takes all
- * of it away, and `Renderer` builds another scene.
+ * Everything that one WebGL context holds: programs, the picture, the mesh with its weights, the motions. All of it is
+ * lost with the context; `Renderer` then builds a new scene.
  *
- * A drag costs one upload of sites × 48 bytes a frame, another depth one of the triangles in their new order; the blending runs per vertex on the graphics card.
+ * A drag uploads sites × 48 bytes a frame, a change of depth the triangles in their new order; blending runs per vertex
+ * on the GPU.
  */
 import * as twgl from 'twgl.js';
 import type { Blend } from '../geometry/blend';
@@ -17,7 +18,7 @@ import pictureFragment from './picture.frag.glsl?raw';
 import { drawWith, program } from './program';
 import { ReachLayer } from './reach';
 
-/** Of the mesh overlay, premultiplied: reads on light and on dark pictures. */
+/** Colour of the mesh overlay, premultiplied: visible on light and on dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
 
 interface LoadedMesh {
@@ -27,7 +28,7 @@ interface LoadedMesh {
   readonly motions: DataTexture;
   edges: twgl.BufferInfo | undefined;
   readonly order: DrawingOrder;
-  /** As they lie in the buffer. */
+  /** The triangles as the index buffer holds them. */
   drawn: Uint32Array;
 }
 
@@ -37,14 +38,14 @@ export class Scene {
   readonly #lineProgram: twgl.ProgramInfo;
   #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
   #loaded: LoadedMesh | undefined;
-  /** The picture as it is, to compare with. */
+  /** The unwarped picture, for comparison. */
   #whole: LoadedMesh | undefined;
-  /** Made when it is first asked for. */
+  /** Created at first use. */
   #reach: ReachLayer | undefined;
   #posed = false;
   #blend: Blend = 'linear';
 
-  /** @throws Error where a shader does not compile, which names the reason. */
+  /** @throws Error where a shader does not compile, with the reason. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#pictureProgram = program(gl, pictureFragment);
@@ -59,7 +60,7 @@ export class Scene {
     this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
-  /** Shows nothing until there is another picture. */
+  /** Removes picture and mesh: nothing is drawn until the next picture. */
   clear(): void {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     this.#unload(this.#whole);
@@ -68,7 +69,7 @@ export class Scene {
     [this.#picture, this.#whole, this.#loaded] = [undefined, undefined, undefined];
   }
 
-  /** Replaces the mesh; it is drawn at rest until motions come. */
+  /** Replaces the mesh, which is drawn at rest until motions are set. */
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);
     this.#loaded = this.#load(mesh);
@@ -100,7 +101,7 @@ export class Scene {
     };
   }
 
-  /** Sites × 12, or null to lay the mesh at rest. */
+  /** Sites × 12, or null to draw the mesh at rest. */
   setMotions(motions: Float32Array | null, blend: Blend): void {
     this.#posed = motions !== null;
     this.#blend = blend;
@@ -110,7 +111,7 @@ export class Scene {
     this.#reorder(loaded, loaded.order.triangles(motions));
   }
 
-  /** Vertices of the mesh, drawn as colours over the picture; null for the picture alone. */
+  /** One number per vertex of the mesh, drawn as colours over the picture; null for the picture alone. */
   setReach(reach: Float32Array | null): void {
     if (!reach) {
       this.#reach?.clear();

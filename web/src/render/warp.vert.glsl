@@ -1,15 +1,15 @@
 #version 300 es
-// Where a vertex goes: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex, or the rigid blend of
-// wasm/core/src/pose/dual.rs. Everything is summed relative to p: at 6,000 px a sum of places would lose a hundredth of a pixel.
-// A motion T_i is kept about its site's own rest place: T_i(p) = posed_i + [a c; b d] (p − rest_i).
+// The posed place of a vertex: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex, or the
+// rigid blend of wasm/core/src/pose/dual.rs. Everything is summed relative to p: at 6,000 px a sum of absolute places
+// would lose a hundredth of a pixel.
+// A motion T_i is stored about its site's own rest place: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 
 // Per entry: (site, weight).
 uniform sampler2D u_weights;
-// Three texels per site: (a, b, c, d), (rest, posed), (depth, angle, cosine and sine of half
-// of it).
+// Three texels per site: (a, b, c, d), (rest, posed), (depth, angle, cosine and sine of half the angle).
 uniform sampler2D u_motions;
 uniform vec2 u_picture_size;
 uniform vec2 u_canvas_size;
@@ -18,7 +18,7 @@ uniform vec3 u_view;
 uniform bool u_at_rest;
 uniform bool u_rigid;
 
-// At the same places in all programs: what one leaves switched on belongs to the next.
+// The same locations in all programs: arrays that one program leaves enabled serve the next.
 layout(location = 0) in vec2 a_rest;
 // First entry and number of entries.
 layout(location = 1) in uvec2 a_row;
@@ -45,7 +45,7 @@ vec2 linearly_blended(vec2 p) {
   return p + sum;
 }
 
-// Of complex numbers.
+// The product of complex numbers.
 vec2 product(vec2 a, vec2 b) {
   return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
