@@ -1,8 +1,9 @@
 /**
- * The solver as the page sees it: a worker that solves and exports, and what is quick enough to be done at once.
+ * The solver as the page uses it: a worker solves and exports; posing and checking projects are fast enough to run on
+ * the page.
  *
- * A newer solve overtakes an older one. Placing a handle therefore never waits for more than one stage of the solve
- * before it, and the page itself never waits at all.
+ * A newer solve overtakes an older one. Placing a handle therefore never waits for more than one stage of the previous
+ * solve, and the page itself never waits.
  */
 import type { Project } from '../document/project';
 import { superseded } from './errors';
@@ -12,7 +13,7 @@ import type { Pixels, SolutionData, Stage } from './solution';
 
 export class Engine {
   readonly #link: Link;
-  /** Rejects where the solver refused the picture; every request waits for it. */
+  /** Rejects where the solver refuses the picture; every request awaits it. */
   #picture: Promise<unknown> = Promise.resolve();
   #newestSolve = 0;
 
@@ -27,7 +28,7 @@ export class Engine {
     return new Engine(new Link(spawn, module));
   }
 
-  /** The picture that later calls are about, in straight alpha. A picture the solver refuses fails those calls. */
+  /** Sets the picture of all later calls, in straight alpha. If the solver refuses it, those calls reject. */
   setPicture(width: number, height: number, rgba: Uint8Array<ArrayBuffer>): void {
     this.#newestSolve += 1;
     this.#link.abandon('solve');
@@ -36,7 +37,7 @@ export class Engine {
   }
 
   /**
-   * @param onProgress Told each stage once it is done.
+   * @param onProgress Called with each stage once it is done.
    * @throws DOMException `AbortError` when a newer solve or picture overtakes this one; EngineError otherwise.
    */
   async solve(project: Project, onProgress?: (stage: Stage) => void): Promise<SolutionData> {
@@ -58,7 +59,7 @@ export class Engine {
     return this.#link.send('warp', { project: JSON.stringify(project), scale });
   }
 
-  /** What turns the handles' poses into motions of the solution's sites. Free it when the solution goes. */
+  /** The poser of a solution: turns the handles' poses into motions of its sites. Free it with the solution. */
   poser(solution: SolutionData): Poser {
     return createPoser(solution.poser);
   }
@@ -71,7 +72,7 @@ export class Engine {
     return JSON.parse(checkedProject(text)) as Project;
   }
 
-  /** Ends the worker; what is under way rejects as overtaken. */
+  /** Ends the worker; pending requests reject with `AbortError`. */
   dispose(): void {
     this.#newestSolve += 1;
     this.#link.dispose();

@@ -1,12 +1,12 @@
 /** Errors of the engine: a stable code for programs, a sentence for people, and the handles that it names. */
 import type { Failure } from './messages';
 
-/** Code of an error that is the engine's own fault, not the input's. */
+/** Code of an error of the engine itself, not of its input. */
 export const ENGINE = 'engine';
 
 export class EngineError extends Error {
   readonly code: string;
-  /** Ids. */
+  /** Ids of the handles that the message names. */
   readonly handles: readonly string[];
 
   constructor({ code, message, handles = [] }: Failure, options?: ErrorOptions) {
@@ -17,7 +17,7 @@ export class EngineError extends Error {
   }
 }
 
-/** What a request rejects with that a newer one has made pointless. */
+/** The error that rejects a request which a newer one has made pointless. */
 export function superseded(): DOMException {
   return new DOMException('superseded', 'AbortError');
 }

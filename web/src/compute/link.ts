@@ -1,14 +1,15 @@
 /**
- * The page's end of the line to the worker: requests with their promises, and another worker in place of one that died.
+ * The page's end of the connection to the worker: requests with their promises, and a new worker in place of one that
+ * died.
  *
- * What was under way when a worker died is asked of its successor once more, after the picture; a request that ends
- * two workers is given up.
+ * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
+ * pending at two deaths is rejected.
  */
 import { ENGINE, EngineError, superseded } from './errors';
 import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
 import type { Stage } from './solution';
 
-/** As much of a Worker as is needed here. */
+/** The part of a Worker that is used here. */
 export interface Port {
   postMessage(message: Boot | Request): void;
   terminate(): void;
@@ -29,9 +30,9 @@ const DEATHS_ALLOWED = 1;
 export class Link {
   readonly #spawn: () => Port;
   readonly #module: WebAssembly.Module;
-  /** In the order of their requests. */
+  /** By id, in the order of sending. */
   readonly #pending = new Map<number, Pending>();
-  /** None after one died with nothing left to do. */
+  /** Undefined after a worker died with no request pending. */
   #port: Port | undefined;
   #lastId = 0;
   #disposed = false;
@@ -65,7 +66,7 @@ export class Link {
     });
   }
 
-  /** Gives up on every request of this name; the worker notices when it next pauses. */
+  /** Rejects every pending request of this name; the worker drops it at a pause, for the newer request. */
   abandon(name: Name): void {
     for (const [id, pending] of this.#pending) {
       if (pending.request.name !== name) continue;
@@ -81,12 +82,12 @@ export class Link {
     this.#pending.clear();
   }
 
-  /** Another worker that knows the module, the picture, and what is still to be answered. */
+  /** Starts a worker, and sends it the module, the picture, and the pending requests. */
   #start(): Port {
     const port = this.#spawn();
     this.#port = port;
     port.onmessage = ({ data }) => this.#receive(data);
-    // What a worker script throws outside of a request, or says by not loading at all.
+    // The worker script threw outside of a request, or did not load.
     port.onerror = (event) => this.#replace(event.message || 'the worker could not be started');
     port.postMessage({ module: this.#module });
     const requests = [...this.#pending.values()].map(({ request }) => request);
@@ -111,7 +112,7 @@ export class Link {
       return;
     }
     const pending = this.#pending.get(reply.id);
-    // Nobody waits for what was abandoned.
+    // Replies to abandoned requests are dropped.
     if (!pending) return;
     if (reply.kind === 'progress') {
       pending.onProgress?.(reply.stage);
@@ -131,7 +132,7 @@ export class Link {
       if (pending.request.name === 'picture') this.#picture = undefined;
       pending.reject(new EngineError({ code: ENGINE, message: `The solver failed: ${reason}` }));
     }
-    // With nothing to do a successor could die of the same picture again and again.
+    // A successor without requests could die of the same picture again and again.
     if (this.#pending.size > 0) this.#start();
   }
 }

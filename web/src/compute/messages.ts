@@ -1,11 +1,11 @@
-/** What page and worker say to each other. */
+/** The messages between page and worker. */
 import type { Pixels, SolutionData, Stage } from './solution';
 
-/** Name of a request → what it carries, what answers it. Projects travel as their JSON text. */
+/** Name of a request → [body, response]. Projects are sent as JSON text. */
 export interface Messages {
-  /** The picture that all later requests are about. */
+  /** The picture of all later requests. */
   picture: [request: Pixels, response: null];
-  /** Is given up, and answered as superseded, when a newer one or another picture arrives. */
+  /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
   /** The warped picture at full quality. */
   warp: [request: { readonly project: string; readonly scale: number }, response: Pixels];
@@ -13,12 +13,12 @@ export interface Messages {
 
 export type Name = keyof Messages;
 
-/** A request as it is sent; `id` comes back with every reply to it. */
+/** A request as it is sent; every reply to it repeats `id`. */
 export type Request = {
   [N in Name]: { readonly id: number; readonly name: N; readonly body: Messages[N][0] };
 }[Name];
 
-/** What the worker is started with: the compiled module, shared with the page. */
+/** The first message to a worker: the compiled module, shared with the page. */
 export interface Boot {
   readonly module: WebAssembly.Module;
 }
@@ -35,8 +35,8 @@ export type Reply =
   | { readonly id: number; readonly kind: 'done'; readonly body: Messages[Name][1] }
   | { readonly id: number; readonly kind: 'progress'; readonly stage: Stage }
   | { readonly id: number; readonly kind: 'failed'; readonly failure: Failure }
-  /** The module panicked: the worker is of no more use. */
+  /** The module panicked: the worker must be replaced. */
   | { readonly kind: 'died'; readonly message: string };
 
-/** Code of the failure that answers an overtaken solve. */
+/** Code of the failure that answers a superseded solve. */
 export const SUPERSEDED = 'superseded';

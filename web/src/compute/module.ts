@@ -1,4 +1,4 @@
-/** The solver's module in the page: compiled once, whatever the number of editors. Alone here in importing the glue. */
+/** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
 import { ENGINE, EngineError } from './errors';
 import init, { Poser as GeneratedPoser, project_check } from './generated/c2warp';
@@ -7,7 +7,7 @@ import init, { Poser as GeneratedPoser, project_check } from './generated/c2warp
 export interface Poser {
   /**
    * @param handles The project's handles as JSON.
-   * @returns Sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half of it.
+   * @returns Sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle θ, cos θ/2, sin θ/2.
    */
   pose(handles: string): Float32Array<ArrayBuffer>;
   free(): void;
@@ -15,10 +15,10 @@ export interface Poser {
 
 let loading: Promise<WebAssembly.Module> | undefined;
 
-/** Fetches, compiles and instantiates the module, the first time; later calls get the same. */
+/** Fetches, compiles and instantiates the module once; later calls return the same one. */
 export function loadModule(): Promise<WebAssembly.Module> {
   loading ??= load().catch((error: unknown) => {
-    // A network may come back.
+    // A later call tries again: the network may be back.
     loading = undefined;
     throw new EngineError(
       { code: ENGINE, message: `The solver could not be loaded: ${error}` },
@@ -28,12 +28,12 @@ export function loadModule(): Promise<WebAssembly.Module> {
   return loading;
 }
 
-/** To be called once the module is loaded. */
+/** Requires the module to be loaded. */
 export function createPoser(bytes: Uint8Array): Poser {
   return new GeneratedPoser(bytes);
 }
 
-/** The project file with every key written out. To be called once the module is loaded. */
+/** The project file with every key written out. Requires the module to be loaded. */
 export function checkedProject(text: string): string {
   return project_check(text);
 }
@@ -47,7 +47,7 @@ async function load(): Promise<WebAssembly.Module> {
 async function compile(url: URL): Promise<WebAssembly.Module> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url.pathname} answers ${response.status}`);
-  // Streaming wants this type, which not every static server knows.
+  // Streaming requires this type, which not every static server sends.
   if (response.headers.get('content-type')?.startsWith('application/wasm')) {
     return WebAssembly.compileStreaming(response);
   }

@@ -1,22 +1,22 @@
-/** What a solve gives: flat arrays for drawing and for the overlays, and a report of what the solver did. */
+/** The result of a solve: flat arrays for drawing and for the overlays, and a report of what the solver did. */
 export interface SolutionData {
-  /** Vertices × 2: rest places, image pixels; first the samples, then what surrounds the rim. */
+  /** Vertices × 2: rest places, image pixels; first the samples, then the vertices around the rim. */
   readonly positions: Float32Array<ArrayBuffer>;
-  /** Triangles × 3: vertices, in the order in which they are drawn as long as no handle has a depth. */
+  /** Triangles × 3: vertices, in drawing order while no handle has a depth. */
   readonly triangles: Uint32Array<ArrayBuffer>;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array<ArrayBuffer>;
   /** Entries: index of a site. */
   readonly sites: Uint32Array<ArrayBuffer>;
-  /** Entries: a vertex's weights sum to 1; a vertex without any stays at rest. */
+  /** Entries: weight of that site. A vertex's weights sum to 1; a vertex without weights stays at rest. */
   readonly weights: Float32Array<ArrayBuffer>;
   /** Sites × 2: rest places, image pixels. */
   readonly siteRest: Float64Array<ArrayBuffer>;
   /** Sites: index of the handle in the project, −1 for a virtual site. */
   readonly siteHandle: Int32Array<ArrayBuffer>;
-  /** Edges × 2: the cell graph, between sites. */
+  /** Edges × 2: the cell graph, as pairs of sites. */
   readonly siteEdges: Uint32Array<ArrayBuffer>;
-  /** What the page's `Poser` is made from; opaque. */
+  /** Opaque data from which the page creates its `Poser`. */
   readonly poser: Uint8Array<ArrayBuffer>;
   readonly report: Report;
 }
@@ -37,7 +37,7 @@ export interface Report {
   readonly folded_triangles: number;
   /** Parts of bars and polygons that lie outside the domain, or on its held boundary, and move nothing. */
   readonly outside?: readonly OutsidePart[];
-  /** Equal exactly where all weights are equal bit for bit. */
+  /** Equal for two solves whose weights are all equal bit for bit, and only for those. */
   readonly weights_hash: string;
   readonly ms: Readonly<Record<string, number>>;
 }
@@ -45,7 +45,7 @@ export interface Report {
 export interface OutsidePart {
   /** Id of the handle. */
   readonly handle: string;
-  /** From where to where it lies outside, at rest. */
+  /** Both ends of the part that lies outside, at rest. */
   readonly from: readonly [x: number, y: number];
   readonly to: readonly [x: number, y: number];
 }

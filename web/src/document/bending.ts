@@ -1,13 +1,13 @@
 /**
- * How the picture bends: the settings that go together, as one choice.
+ * How the picture bends: the settings that belong together, as one choice.
  *
- * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the paper's own way.
- * `Project::bent_rigidly` in wasm/core/src/project has the same settings.
+ * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the method of the
+ * paper. `Project::bent_rigidly` in wasm/core/src/project has the same settings.
  */
 import type { Blend } from '../geometry/blend';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
-/** Virtual sites to ask for: how finely a rigid picture can bend. */
+/** Virtual sites to request: how finely a rigid picture can bend. */
 export const DETAILS = { coarse: 30, medium: 100, fine: 200 } as const;
 
 export type Detail = keyof typeof DETAILS;
@@ -26,10 +26,10 @@ export const blended = (project: Project, blend: Blend): Project => ({
   pose: { ...project.pose, blend },
 });
 
-/** The rotation of a point that nobody has turned. */
+/** The rotation of an unturned point. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
-/** The project bent in another way. Points that nobody has turned rest as they do there, and the others keep their turn. */
+/** The project in another mode. Unturned points take that mode's resting rotation; the others keep their turn. */
 export function bent(project: Project, mode: PoseMode): Project {
   const { support, density, rotation } = SETTINGS[mode];
   return {
@@ -40,7 +40,7 @@ export function bent(project: Project, mode: PoseMode): Project {
   };
 }
 
-/** The detail of a project, null where a file asks for a number of its own. */
+/** The detail of a project; null where its density is none of {@link DETAILS}. */
 export const detailOf = (project: Project): Detail | null =>
   (Object.keys(DETAILS) as Detail[]).find((name) => DETAILS[name] === project.pose?.density) ?? null;
 

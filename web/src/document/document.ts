@@ -1,4 +1,4 @@
-/** What is edited: the project and which of its handles are selected. */
+/** The edited document: the project, and which of its handles are selected. */
 import { DETAILS } from './bending';
 import type { Handle, ImageRef, Project } from './project';
 
@@ -11,10 +11,10 @@ export interface Document {
 export const openDocument = (project: Project): Document => ({ project, selection: [] });
 
 /**
- * A project without handles for a newly opened picture, with the editor's choices written out: it bends rigidly, so that
- * what is dragged keeps its shape and what is far from it stays.
+ * A project without handles for a newly opened picture, with the editor's choices written out. The picture bends
+ * rigidly, so that dragged parts keep their shape and distant parts stay.
  *
- * @param threshold the alpha from which on a picture with transparency is warped, `null` for one that is opaque.
+ * @param threshold the alpha threshold of a picture with transparency, `null` for an opaque picture.
  */
 export const newProject = (image: ImageRef, threshold: number | null): Project => ({
   format: 'c2warp/1',
@@ -27,7 +27,7 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   handles: [],
 });
 
-/** What is selected is no part of the work. */
+/** Whether two documents have equal projects; the selection does not count. */
 export const isSameWork = (a: Document, b: Document): boolean =>
   a.project === b.project || JSON.stringify(a.project) === JSON.stringify(b.project);
 

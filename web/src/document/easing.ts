@@ -1,12 +1,12 @@
-/** Between two poses of the same handles: what a guard tries when the farther one goes too far. */
+/** Poses between two poses of the same handles, for a guard to try when the second one goes too far. */
 import { centre } from '../geometry/polyline';
 import { add, rotated, scaled, subtract, type Vec } from '../geometry/vec';
 import { corners, isLine, rotationOf, rounded, roundedVec, scaleOf, type Turns } from './handle';
 import type { Handle, Project } from './project';
 
 /**
- * The pose at `share` of the way from one to the other: 0 is `from`, 1 is `to`. Everything but the poses is of `to`, and
- * handles that `from` lacks are as in `to`.
+ * The project posed at `share` of the way: 0 is the pose of `from`, 1 that of `to`. All but the poses is taken from
+ * `to`, as are handles that `from` lacks.
  *
  * @param turns how far automatic points are turned in `from`.
  */
@@ -35,7 +35,7 @@ function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
 const mixed = (from: Handle, to: Handle, share: number): Vec =>
   roundedVec(mix(centre(corners(from)), centre(corners(to)), share));
 
-/** A line is turned as a whole, so that it keeps its length on the way. */
+/** Turns a line as a whole, so that it keeps its length on the way. */
 function turnedBetween(
   from: Handle,
   to: Handle,

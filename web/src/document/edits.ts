@@ -52,14 +52,14 @@ export const removeHandles = (document: Document, ids: readonly string[]): Docum
 export const moveHandles = (document: Document, ids: readonly string[], by: Vec): Document =>
   changeHandles(document, ids, (handle) => moved(handle, by));
 
-/** Each handle turned about its own place to the rotation that `degrees` gives it. */
+/** Turns each handle about its own anchor to the rotation that `degrees` returns for it. */
 export const turnHandles = (
   document: Document,
   ids: readonly string[],
   degrees: (handle: Handle) => number,
 ): Document => changeHandles(document, ids, (handle) => turnedTo(handle, degrees(handle)));
 
-/** One corner of a handle put elsewhere; its turn goes on from `before`. */
+/** Moves one corner of a handle; the handle's turn continues from `before` (degrees). */
 export const putCorner = (
   document: Document,
   id: string,
@@ -68,19 +68,19 @@ export const putCorner = (
   before?: number,
 ): Document => changeLine(document, id, (handle) => cornerPut(handle, index, at, before));
 
-/** One corner more on an edge of a handle. */
+/** Adds a corner on an edge of a handle. */
 export const addCorner = (document: Document, id: string, at: LinePlace): Document =>
   changeLine(document, id, (handle) => cornerAdded(handle, at));
 
-/** One corner of a handle less. */
+/** Removes one corner of a handle. */
 export const removeCorner = (document: Document, id: string, index: number): Document =>
   changeLine(document, id, (handle) => cornerRemoved(handle, index));
 
-/** Nearer to the eye by so much, or farther where it is negative. */
+/** Adds `by` to the depth of handles: positive is nearer to the eye. */
 export const raiseHandles = (document: Document, ids: readonly string[], by: number): Document =>
   changeHandles(document, ids, (handle) => atDepth(handle, depthOf(handle) + by));
 
-/** Whether the outline of what bends stays where it is. */
+/** Sets whether the boundary of the warped area stays where it is. */
 export const holdBoundary = (document: Document, held: boolean): Document => ({
   ...document,
   project: { ...document.project, fix_boundary: held },
@@ -95,7 +95,7 @@ export function selectHandles(document: Document, ids: readonly string[]): Docum
   return { ...document, selection: [...new Set(ids)].filter((id) => known.has(id)) };
 }
 
-/** "bar-2": the first free number after the count of those with this word, so that names rarely come back. */
+/** A free id such as "bar-2". Numbers start after the count of ids with this word, so that ids are rarely reused. */
 export function freeId(project: Project, word = 'handle'): string {
   const taken = new Set(project.handles.map((handle) => handle.id));
   let number = project.handles.filter(({ id }) => id.startsWith(`${word}-`)).length + 1;

@@ -1,7 +1,7 @@
 /** Handles for tests. */
 import type { BarHandle } from './project';
 
-/** A bar at rest, of so many pixels to the right from the origin. */
+/** A bar at rest, from the origin to the right. Its length is in pixels. */
 export const straightBar = (length: number): BarHandle => {
   const line = [
     [0, 0],

@@ -3,34 +3,34 @@ import { bestTurn, centre, edgesOf, type LinePlace, nearestTurn } from '../geome
 import { add, between, rotated, scaled, subtract, type Vec, wrapDegrees } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
-/** How far each automatic handle is turned now, degrees by id. */
+/** The current turn of each automatic handle: degrees by id. */
 export type Turns = ReadonlyMap<string, number>;
 
 const NO_TURNS: Turns = new Map();
 
-/** Numbers from here on are beyond all measure: they have no hundredths, and drawing them would overflow. */
+/** Numbers from here on are refused, and not rounded: hundredths mean nothing, and drawing them would overflow. */
 const BEYOND = 1e12;
 
-/** Hundredths of a pixel and of a degree: what the file keeps and the panel shows. */
+/** Rounds to hundredths of a pixel or degree, as the file stores and the panel shows them. */
 const rounded = (value: number): number =>
   Math.abs(value) < BEYOND ? Math.round(value * 100) / 100 || 0 : value;
 const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 
-/** The corners of a handle at rest or posed; a point has one. */
+/** The corners of a handle, at rest or posed; a point has one. */
 export const corners = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonly Vec[] =>
   handle.kind === 'point' ? [handle[of]] : handle[of];
 
-/** Where a handle is taken hold of: the mean of its corners. */
+/** Where a handle is grabbed: the mean of its corners. */
 export const anchor = (handle: Handle, of: 'rest' | 'posed' = 'posed'): Vec => centre(corners(handle, of));
 
 export const isLine = (handle: Handle): handle is LineHandle => handle.kind !== 'point';
 
-/** A point that is turned by what is around it. What has corners is turned by them. */
+/** Whether a point is turned by its surroundings. Bars and polygons are turned by their corners. */
 export const isAutomatic = (handle: Handle): boolean => !isLine(handle) && handle.rotation === 'auto';
 
 /**
- * The handle's rotation in degrees. What has corners is turned as they are: by the angle nearest to the number that it
- * was given, so that whole turns count. An automatic point reads as in `turns`.
+ * The handle's rotation in degrees. A bar or polygon is turned as its corners are, with the whole turns that bring the
+ * angle nearest to its own `rotation`. An automatic point's rotation is its entry in `turns`.
  */
 export function rotationOf(handle: Handle, turns = NO_TURNS): number {
   const given = typeof handle.rotation === 'number' ? handle.rotation : 0;
@@ -41,10 +41,10 @@ export function rotationOf(handle: Handle, turns = NO_TURNS): number {
 export const scaleOf = (handle: Handle): number => handle.scale ?? 1;
 export const depthOf = (handle: Handle): number => handle.depth ?? 0;
 
-/** How far below or above the others a handle may be put. */
+/** The range of depths that an edit can give a handle. */
 export const DEPTHS = { least: -10, most: 10 } as const;
 
-/** What screen readers and messages call it: its id as words. */
+/** The handle's name for screen readers and messages: its id as words. */
 export const nameOf = (handle: Handle): string => handle.id.replace(/[-_]+/g, ' ').trim() || handle.id;
 
 /** The handle with every posed corner passed through `place`. */
@@ -53,10 +53,10 @@ const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
 
 export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => roundedVec(add(p, by)));
 
-/** The same to the last digit: for a pose that is asked about and not kept. */
+/** Like {@link moved}, but not rounded: for a pose that is evaluated and not kept. */
 export const displaced = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => add(p, by));
 
-/** Turned about its own anchor to a rotation in degrees: a point to one in (−180, 180], what has corners by any number of turns. */
+/** The handle turned about its anchor to a rotation in degrees; that of a point is wrapped to (−180, 180]. */
 export function turnedTo(handle: Handle, degrees: number): Handle {
   if (!isLine(handle)) return { ...handle, rotation: rounded(wrapDegrees(degrees)) };
   const pivot = anchor(handle);
@@ -66,8 +66,8 @@ export function turnedTo(handle: Handle, degrees: number): Handle {
 }
 
 /**
- * One corner put elsewhere. The handle's turn goes on from `before` (degrees), so that a corner led around the others
- * more than half a turn does not flip what they hold.
+ * The handle with one corner moved. Its turn continues from `before` (degrees), so that leading a corner around the
+ * others by more than half a turn does not flip the picture.
  */
 export function cornerPut(
   handle: LineHandle,
@@ -82,10 +82,10 @@ export function cornerPut(
   return counted ? { ...next, rotation: rounded(turn) } : next;
 }
 
-/** Corners that a bar or polygon has at least. */
+/** The least number of corners of a bar or polygon. */
 export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'], number>> = { bar: 2, polygon: 3 };
 
-/** One corner more, on an edge. At rest it is as far along: the edge stays straight, and nothing bends by it. */
+/** The handle with a corner added at the same share of an edge, at rest and posed: the edge stays straight. */
 export function cornerAdded(handle: LineHandle, { edge, share }: LinePlace): LineHandle {
   const divided = (corners: readonly Vec[]): readonly Vec[] => {
     const ends = edgesOf(corners, handle.kind === 'polygon')[edge];
@@ -95,7 +95,7 @@ export function cornerAdded(handle: LineHandle, { edge, share }: LinePlace): Lin
   return { ...handle, rest: divided(handle.rest), posed: divided(handle.posed) };
 }
 
-/** One corner less. */
+/** The handle without one of its corners. */
 export function cornerRemoved(handle: LineHandle, index: number): LineHandle {
   const without = (corners: readonly Vec[]) => corners.filter((_, k) => k !== index);
   return { ...handle, rest: without(handle.rest), posed: without(handle.posed) };
@@ -105,8 +105,8 @@ const KEYS: readonly string[] = ['id', 'kind', 'rest', 'posed', 'rotation', 'sca
 const KINDS: readonly string[] = ['point', 'bar', 'polygon'];
 
 /**
- * The same handle, if the solver can pose it.
- * @throws RangeError that names the handle and what is wrong with it.
+ * Returns the handle if the solver can pose it.
+ * @throws RangeError that names the handle and says what is wrong with it.
  */
 export function checkedHandle(handle: Handle): Handle {
   const { id, rotation = 0, scale = 1, depth = 0 } = handle;
@@ -134,10 +134,10 @@ export function checkedHandle(handle: Handle): Handle {
   return handle;
 }
 
-/** Turned by whatever is around it. */
+/** The handle with an automatic rotation: turned by its surroundings. */
 export const freed = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' });
 
-/** As large as a scale says, what has corners about its own anchor: it grows along itself as across. */
+/** The handle at a scale. A bar's or polygon's corners are scaled about its anchor, so that it grows in length too. */
 export function scaledTo(handle: Handle, scale: number): Handle {
   const grown = { ...handle, scale: rounded(scale) };
   if (!isLine(handle)) return grown;
@@ -150,23 +150,23 @@ export const atDepth = (handle: Handle, depth: number): Handle => ({
   depth: rounded(Math.min(DEPTHS.most, Math.max(DEPTHS.least, depth))),
 });
 
-/** Back at rest: where it was placed, not scaled, and turned by nothing or by what is around it. */
+/** The handle at its rest place, with a scale of 1; a point takes `rotation`. */
 export const atRest = (handle: Handle, rotation: Rotation): Handle =>
   isLine(handle)
     ? { ...handle, posed: handle.rest, rotation: 'auto', scale: 1 }
     : { ...handle, posed: handle.rest, rotation, scale: 1 };
 
-/** Whether it is where it rests, turned and scaled or not. */
+/** Whether every corner is at its rest place; rotation and scale do not count. */
 export function isInPlace(handle: Handle): boolean {
   const rest = corners(handle, 'rest');
   return corners(handle).every((p, k) => p[0] === rest[k]?.[0] && p[1] === rest[k]?.[1]);
 }
 
-/** An automatic rotation is never a change of its own. */
+/** Whether nothing is moved, turned or scaled. An automatic rotation of a point does not count. */
 export const isAtRest = (handle: Handle): boolean =>
   isInPlace(handle) && rotationOf(handle) === 0 && scaleOf(handle) === 1;
 
-/** The turn of the corners that is nearest to `degrees`. */
+/** The turn of the corners, with the whole turns that bring it nearest to `degrees`. */
 function turnNear({ rest, posed }: LineHandle, degrees: number): number {
   const turn = bestTurn(rest, posed);
   return turn === null ? degrees : nearestTurn(turn, degrees);

@@ -1,26 +1,26 @@
 /**
  * Undo and redo by marks.
  *
- * A drag opens a step with `begin`, replaces the present as often as it likes with `update`, and ends with `commit`
- * (one undo step, or none if it ended where it began) or `bail` (back to the mark). Changes in one go are `step`s; steps with
- * the same key in a row become one, until `settle`. Values are immutable, so that a state costs what it does not share
- * with its neighbours. Holds at most `LIMIT` steps.
+ * A drag opens a step with `begin`, replaces the present any number of times with `update`, and ends with `commit`
+ * (one undo step, or none if it ended where it began) or `bail` (back to the mark). Immediate changes use `step`;
+ * consecutive steps with the same key merge into one, until `settle`. Values are immutable: a state costs only what it
+ * does not share with its neighbours. Holds at most `LIMIT` steps.
  */
 export interface Step<T> {
-  /** What was done, for people: "Move head". */
+  /** What was done, as people read it: "Move head". */
   readonly label: string;
-  /** The value before the step when it is undoable, after it when it is redoable. */
+  /** In the past, the value before the step; in the future, the value after it. */
   readonly value: T;
 }
 
-/** A history as plain data, to be stored. */
+/** A history as plain data, for storage. */
 export interface HistoryRecord<T> {
   readonly past: readonly Step<T>[];
   readonly present: T;
   readonly future: readonly Step<T>[];
 }
 
-/** All values in the order of time, and the place of the present among them. */
+/** All values from the oldest to the newest, and the index of the present. */
 export interface Timeline<T> {
   readonly values: readonly T[];
   readonly at: number;
@@ -28,7 +28,7 @@ export interface Timeline<T> {
 
 const LIMIT = 500;
 
-/** Whether a step from one value to the other would be none. */
+/** Whether two values are equal, so that going from one to the other is no step. */
 export type Equality<T> = (a: T, b: T) => boolean;
 
 export class History<T> {
@@ -54,7 +54,7 @@ export class History<T> {
     return this.#present;
   }
 
-  /** What undo would take back, or null when there is nothing. */
+  /** The label of the step that undo would take back, or null. */
   get undoLabel(): string | null {
     return (this.#open ?? this.#past.at(-1))?.label ?? null;
   }
@@ -63,13 +63,13 @@ export class History<T> {
     return this.#future.at(-1)?.label ?? null;
   }
 
-  /** Opens a step; one already open is committed first. */
+  /** Opens a step; an open one is committed first. */
   begin(label: string): void {
     this.commit();
     this.#open = { label, value: this.#present };
   }
 
-  /** Replaces the present, within an open step or as a change that undo does not count (a selection). */
+  /** Replaces the present, within an open step or as a change without undo (a selection). */
   update(value: T): void {
     this.#present = value;
   }
@@ -90,7 +90,7 @@ export class History<T> {
     this.#open = null;
   }
 
-  /** A whole step in one go. With the key of the step before, it joins that one. Returns whether it changed anything. */
+  /** Makes a whole step; with the key of the previous step, merges into that. Returns whether it changed anything. */
   step(label: string, value: T, key: string | null = null): boolean {
     if (this.#equal(value, this.#present)) return false;
     this.commit();
@@ -102,12 +102,12 @@ export class History<T> {
     return true;
   }
 
-  /** The next step starts afresh, whatever its key. */
+  /** Keeps the next step from merging, whatever its key. */
   settle(): void {
     this.#key = null;
   }
 
-  /** Takes the last step back; an open step first of all. Returns its label, or null. */
+  /** Takes back the open step, or else the last one. Returns its label, or null. */
   undo(): string | null {
     if (this.#open) {
       const { label } = this.#open;
@@ -143,8 +143,8 @@ export class History<T> {
   }
 
   /**
-   * Puts as many other values in the place of those of the timeline, and forgets every step that changes nothing any
-   * more. An open step stays open. Returns whether the present is another.
+   * Replaces the values of the timeline by as many others, and drops every step that no longer changes anything. An
+   * open step stays open. Returns whether the present changed.
    */
   mend(values: readonly T[]): boolean {
     const [before, { at }] = [this.#present, this.timeline];

@@ -1,8 +1,8 @@
 /**
- * What becomes of a history when the solver refuses its present: what is to blame goes, and what was done since stays.
+ * Repairs a history when the solver refuses its present: the change to blame is reverted, and later changes stay.
  *
- * Where the solver names handles, one of them is taken back at a time, to what it was before it became so; what is left may be
- * refused for another.
+ * Where the solver names handles, one of them at a time is reverted to what it was before; the rest may then be refused
+ * for another.
  */
 import { type Document, handleById } from './document';
 import { selectHandles } from './edits';
@@ -11,10 +11,16 @@ import type { Handle, Project } from './project';
 import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
 
 /**
+<<<<<<< HEAD
  * The handle to blame: of those named and not solved before, the one that became what it is last. Null where that cannot be told, where it
  * was so from the beginning, and where it came with a step that put another project in place: such a step stands or falls as a whole.
+=======
+ * The handle to blame: of those named and not solved before, the last to become what it is now. Null where none can be
+ * determined, or where it was so from the beginning.
+>>>>>>> e089ae9 (Comments of compute, document and io say in plain words what is returned, thrown, kept and sent)
  *
- * @param accepted what was solved last. Without that, a handle older than the settings may have become wrong by these.
+ * @param accepted the project solved last. Without it, handles older than the present settings are not blamed: the
+ *   settings may be what made them wrong.
  */
 export function culprit(
   { values, at }: Timeline<Document>,
@@ -36,26 +42,30 @@ export function culprit(
   return null;
 }
 
+<<<<<<< HEAD
 /** Whether a step leaves settings and all handles but one as they were for a solution; it may add more. */
 const keepsOthers = (before: Project, after: Project, id: string): boolean =>
   settingsKey(before) === settingsKey(after) &&
   before.handles.every((handle) => handle.id === id || solvesWith(after, handle));
 
 /** The values with the handle taken back, from where it became what it is in the present to where it ceased to be so. */
+=======
+/** The values with the handle reverted wherever, without a break around the present, it is what it is now. */
+>>>>>>> e089ae9 (Comments of compute, document and io say in plain words what is returned, thrown, kept and sent)
 export function withHandleBack({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {
   const otherwise = ({ project }: Document) => !solvesWith(project, handle);
   const first = values.findLastIndex((document, k) => k < at && otherwise(document)) + 1;
   const next = values.findIndex((document, k) => k > at && otherwise(document));
   let before = values[first - 1];
   return values.map((document, k) => {
-    // The one that follows, too, may be no other than the last before by now.
+    // The value at `next` is included: it may now equal the one before it.
     if (k < first || (next >= 0 && k > next)) return document;
     before = handleBack(document, handle, before);
     return before;
   });
 }
 
-/** The document with a handle of it taken back to what it was `before`, or away: `before` itself where nothing else is new. */
+/** The document with a handle reverted to `before`, or removed if new; `before` itself where nothing else differs. */
 export function handleBack(document: Document, handle: Handle, before: Document | undefined): Document {
   const back = before && handleById(before, handle.id);
   const handles = document.project.handles.flatMap((other) =>
@@ -66,7 +76,10 @@ export function handleBack(document: Document, handle: Handle, before: Document 
   return selectHandles({ ...document, project }, document.selection);
 }
 
-/** The values without any that needs the solution of this key: the last one before stands in its place, or else the first that there is. */
+/**
+ * The values with each one that needs the solution of this key replaced by the last one before it that does not, or
+ * else by the first that does not.
+ */
 export function withoutSolution({ values }: Timeline<Document>, key: string): readonly Document[] {
   const stands = ({ project }: Document) => solveKey(project) !== key;
   let before = values.find(stands);

@@ -1,4 +1,4 @@
-/** The project file's text: one key of the project a line, one handle a line, so that a change reads as a change of lines. */
+/** The text of a project file: one line per key of the project and per handle, so that diffs by line are readable. */
 import type { Project } from './project';
 
 export function projectText(project: Project): string {
@@ -13,7 +13,7 @@ function valueText(value: unknown): string {
   return `[\n${value.map((item) => `    ${lineText(item)}`).join(',\n')}\n  ]`;
 }
 
-/** Everything in one line, with a space after commas and colons. */
+/** A value in one line, with a space after commas and colons. */
 function lineText(value: unknown): string {
   if (Array.isArray(value)) return `[${value.map(lineText).join(', ')}]`;
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);

@@ -1,5 +1,5 @@
 /**
- * The project file, as the editor holds it: the format's own types, with every handle's pose written out.
+ * The project file as the editor holds it: the format's own types, with every handle's pose written out.
  *
  * Coordinates are image pixels, angles degrees.
  */
@@ -24,9 +24,9 @@ export interface Project extends Omit<ProjectFile, 'handles'> {
   readonly handles: readonly Handle[];
 }
 
-/** Left out, the pose is the rest. */
+/** The handle with its pose written out, which is the rest pose where the file has none. */
 export const posedHandle = (handle: HandleFile): Handle =>
   ({ ...handle, posed: handle.posed ?? handle.rest }) as Handle;
 
-/** A copy that shares nothing: a page may change it, and no step of the history with it. */
+/** A deep copy: a page may change it without changing a step of the history. */
 export const copied = <T>(data: T): T => JSON.parse(JSON.stringify(data));

@@ -1,6 +1,6 @@
 /** Files by their addresses. */
 
-/** A file that cannot be had. The message is fit to be shown. */
+/** A file that cannot be loaded. The message can be shown to the person. */
 export class AddressError extends Error {
   readonly code = 'address';
 
@@ -10,19 +10,19 @@ export class AddressError extends Error {
   }
 }
 
-/** The last part of an address or path. What an address holds, or the browser alone knows it by, is no name. */
+/** The last part of an address or path. `data:` and `blob:` addresses hold no name: `picture.png` stands for it. */
 export function fileName(address: string): string {
   if (/^\s*(data|blob):/i.test(address)) return 'picture.png';
   const written = address.split(/[?#]/)[0]?.split('/').at(-1) ?? '';
   try {
     return decodeURIComponent(written) || 'picture';
   } catch {
-    // A percent sign that begins no character.
+    // A percent sign that encodes no character.
     return written;
   }
 }
 
-/** @throws AddressError where the file cannot be had; AbortError where the signal says so. */
+/** @throws AddressError where the file cannot be loaded; AbortError where the signal is aborted. */
 export async function fetchFile(address: string, signal: AbortSignal): Promise<Blob> {
   try {
     const response = await fetch(address, { signal });

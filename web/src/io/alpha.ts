@@ -1,12 +1,12 @@
-/** From which alpha on a picture is warped, so that nothing that can be seen is left out. */
+/** The alpha from which on a picture is warped, so that nothing visible is left out. */
 
-/** Half way up a hard edge, or one that fades within a few pixels: the outline runs where the eye sees it. */
+/** Halfway up an edge that is hard or fades within a few pixels: the outline runs where the eye sees it. */
 const EDGE = 128;
-/** What the solver draws beyond the outline, pixels: the rest of such an edge (`WIDTH` in `sample/rim.rs`). */
+/** How far the solver draws beyond the outline, pixels: the rest of such an edge (`WIDTH` in `sample/rim.rs`). */
 const RIM = 3;
-/** Alpha below this is not seen. */
+/** Alpha below this is invisible. */
 const FAINT = 6;
-/** So many faint pixels beyond the rim are a shadow or a veil, fewer are dust. */
+/** More faint pixels than this beyond the rim are a shadow or a veil, fewer are dust. */
 const DUST = 64;
 
 interface Rgba {
@@ -15,7 +15,7 @@ interface Rgba {
   readonly rgba: Uint8Array;
 }
 
-/** The threshold, in (0, 1]; `null` where the picture is opaque. Soft shadows and veils ask for a low one. */
+/** The threshold, in (0, 1]; `null` where the picture is opaque. Soft shadows and veils need a low one. */
 export function alphaThreshold(picture: Rgba): number | null {
   const { rgba } = picture;
   let [opaque, beyond] = [true, 0];
@@ -29,7 +29,7 @@ export function alphaThreshold(picture: Rgba): number | null {
   return opaque ? null : 0.5;
 }
 
-/** Whether the rim of something that is more than half opaque reaches a pixel. */
+/** Whether a pixel lies within the rim of something that is more than half opaque. */
 function isNearEdge({ width, height, rgba }: Rgba, pixel: number): boolean {
   const [x, y] = [pixel % width, Math.floor(pixel / width)];
   for (let row = Math.max(0, y - RIM); row <= Math.min(height - 1, y + RIM); row++) {

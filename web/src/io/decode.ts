@@ -1,6 +1,6 @@
 /**
- * Opens a picture by the browser's own decoders: upright, as its EXIF data has it, and in sRGB, as its colour profile
- * has it. A picture without either keeps its bytes.
+ * Decodes a picture with the browser's own decoders: turned upright by its EXIF data, and converted to sRGB from its
+ * colour profile. A picture without either keeps its bytes.
  */
 import { readHeader } from './header';
 import { checkSize } from './limits';
@@ -9,7 +9,7 @@ import { straightPixels } from './pixels';
 import { readBytes } from './read';
 
 export interface DecodedPicture {
-  /** Premultiplied, for drawing. Close it when the picture goes. */
+  /** Premultiplied, for drawing. The caller closes it. */
   readonly bitmap: ImageBitmap;
   readonly width: number;
   readonly height: number;
@@ -18,7 +18,7 @@ export interface DecodedPicture {
 }
 
 /**
- * @throws PictureError where the file is no picture, not a whole one, or of a size that cannot be opened; ReadError where it
+ * @throws PictureError where the file is no picture, incomplete, or of a size that cannot be opened; ReadError where it
  * cannot be read.
  */
 export async function decodePicture(file: Blob): Promise<DecodedPicture> {
@@ -27,7 +27,7 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   if (kind === 'svg') {
     throw new PictureError('An SVG is a drawing without pixels: export it as PNG, and open that.');
   }
-  // Before decoding: a small file can hold more pixels than there is memory.
+  // Before decoding: a small file can hold more pixels than memory does.
   if (size) checkSize(size.width, size.height);
   if (!complete) throw new PictureError('The picture is cut off: the end of the file is missing.');
 
@@ -35,7 +35,7 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   try {
     checkSize(straight.width, straight.height);
     const rgba = straightPixels(straight);
-    // Last, as it is for the caller to close.
+    // Last: the caller closes this bitmap, so nothing may fail after it.
     const bitmap = await bitmapOf(file, 'premultiply', true);
     return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
   } finally {

@@ -1,16 +1,16 @@
 /**
- * PNG files, written in straight alpha: what the solver gives is what the file holds, to the byte.
+ * PNG files, written in straight alpha: the file holds exactly the bytes that the solver returns.
  *
  * Compressing takes about 0.1 s per million pixels, so a worker does it, one for all editors of a page.
  */
 
 let worker: Worker | null = null;
 
-/** Loads what encoding takes, so that it needs no network when it is asked for. */
+/** Loads the worker ahead, so that a later export needs no network. */
 export function preparePng(): Worker {
   if (worker) return worker;
   const made = new Worker(new URL('./worker/png.ts', import.meta.url), { type: 'module' });
-  // Where it did not come, another try begins anew.
+  // After a failure, the next call starts another worker.
   made.addEventListener('error', () => {
     if (worker === made) worker = null;
     made.terminate();
@@ -19,7 +19,7 @@ export function preparePng(): Worker {
   return made;
 }
 
-/** @param rgba Straight alpha, rows from the top. It goes to the worker: whoever needs it longer gives a copy. */
+/** @param rgba Straight alpha, rows from the top. Transferred to the worker: pass a copy to keep the original. */
 export async function encodePng(width: number, height: number, rgba: Uint8Array<ArrayBuffer>): Promise<Blob> {
   const encoder = preparePng();
   const { port1: here, port2: there } = new MessageChannel();

@@ -1,4 +1,4 @@
-/** Files that the person chooses: through the browser's own file system access where it has it, else by up- and download. */
+/** Files that the person chooses: by the browser's file system access where available, else by up- and download. */
 import { type FileWithHandle, fileOpen, fileSave } from 'browser-fs-access';
 
 const KINDS = {
@@ -13,14 +13,14 @@ const KINDS = {
 
 type Kind = keyof typeof KINDS;
 
-/** Asks for a file to open; undefined where the person thinks better of it. */
+/** Asks for a file to open; undefined when the person cancels. */
 export function openFile(kind: Kind): Promise<FileWithHandle | undefined> {
   return unlessCancelled(fileOpen({ ...KINDS[kind], multiple: false, id: kind }));
 }
 
 /**
- * Asks where to save a file of this name; nothing is saved where the person thinks better of it. A blob that takes time to
- * make is given as a promise, since the browser only asks while the click that led here is fresh.
+ * Asks where to save a file of this name; saves nothing when the person cancels. Pass a blob that takes time to make as
+ * a promise, since the browser only asks while the click that led here is fresh.
  */
 export async function saveFile(blob: Blob | Promise<Blob>, fileName: string, kind: Kind): Promise<void> {
   await unlessCancelled(fileSave(blob, { ...KINDS[kind], fileName, id: kind }));

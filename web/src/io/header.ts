@@ -1,13 +1,13 @@
 /**
- * What the first look at a picture file tells: its kind, its size before anything is decoded, and whether its end is
- * there. Browsers show as much of a truncated file as there is; a tool must not take half a picture for a whole one.
+ * Reads a picture file before it is decoded: its kind, its size, and whether it is complete. Browsers show as much of a
+ * truncated file as there is; a tool must not take half a picture for a whole one.
  *
- * Reads PNG, JPEG and WebP, by their specifications (PNG 3rd edition §5, ITU T.81 annex B, the WebP container). Of other
- * kinds the browser alone decides.
+ * Supports PNG, JPEG and WebP, by their specifications (PNG 3rd edition §5, ITU T.81 annex B, the WebP container).
+ * Other kinds are left to the browser.
  */
 export interface Header {
   readonly kind: 'png' | 'jpeg' | 'webp' | 'svg' | 'other';
-  /** Undefined where the file ends before its size, or the kind is not read. */
+  /** Undefined where the file ends before its size, or the kind is not supported. */
   readonly size: { readonly width: number; readonly height: number } | undefined;
   /** False where the file ends before the picture does. */
   readonly complete: boolean;
@@ -50,11 +50,11 @@ function jpeg(view: DataView): Header {
 
 const START_OF_SCAN = 0xffda;
 
-/** SOF0 to SOF15 but for DHT, JPG and DAC, which lie among them. */
+/** SOF0 to SOF15, except DHT, JPG and DAC, whose codes lie among them. */
 const isFrame = (marker: number): boolean =>
   marker >= 0xffc0 && marker <= 0xffcf && marker !== 0xffc4 && marker !== 0xffc8 && marker !== 0xffcc;
 
-/** From the scan on, since a thumbnail before it has an end of its own. */
+/** Searches from the scan on, since a thumbnail before it has its own end marker. */
 function hasEndMarker(view: DataView, from: number): boolean {
   for (let at = view.byteLength - 2; at >= from; at--) {
     if (view.getUint8(at) === 0xff && view.getUint8(at + 1) === 0xd9) return true;
@@ -88,7 +88,7 @@ function webpSize(view: DataView): Header['size'] {
 
 const startsWith = (view: DataView, text: string, at = 0): boolean => latin(view, at, text.length) === text;
 
-/** Bytes as characters of the same number; fewer where the file ends. */
+/** Bytes decoded as Latin-1; fewer where the file ends. */
 function latin(view: DataView, at: number, length: number): string {
   const end = Math.min(at + length, view.byteLength);
   return at < end ? String.fromCharCode(...new Uint8Array(view.buffer, at, end - at)) : '';

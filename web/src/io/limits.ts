@@ -1,4 +1,4 @@
-/** Which sizes of picture can be opened; the solver has the same limits. */
+/** The sizes of pictures that can be opened; the solver has the same limits. */
 import { PictureError } from './picture_error';
 
 export const MIN_SIDE = 2;

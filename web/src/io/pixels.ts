@@ -9,7 +9,7 @@ const TILE = 2048;
 /**
  * @param bitmap Decoded without premultiplying.
  * @returns RGBA, rows from the top.
- * @throws PictureError where the browser has no WebGL2 to read it with, or takes it away meanwhile.
+ * @throws PictureError where the browser has no WebGL2 to read it with, or loses the context meanwhile.
  */
 export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
@@ -25,7 +25,7 @@ export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
       readTile(gl, bitmap, pixels, [x, y, Math.min(TILE, width - x), Math.min(TILE, height - y)]);
     }
   }
-  // What is read of a lost context is zeros.
+  // A lost context reads as zeros.
   if (gl.isContextLost()) {
     throw new PictureError('The browser has lost its graphics while it read the picture: open it once more.');
   }

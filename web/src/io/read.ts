@@ -1,6 +1,6 @@
-/** Reading what a person gave: a folder can be dropped too, and a file be gone or changed by the time it is read. */
+/** Reads files that the person gave: these may be folders, or moved or changed by the time they are read. */
 
-/** A file that cannot be read. The message is fit to be shown. */
+/** A file that cannot be read. The message can be shown to the person. */
 export class ReadError extends Error {
   readonly code = 'file';
 
@@ -10,7 +10,7 @@ export class ReadError extends Error {
   }
 }
 
-/** @throws ReadError where the bytes are not to be had. */
+/** @throws ReadError where the bytes cannot be read. */
 export async function readBytes(file: Blob): Promise<ArrayBuffer> {
   try {
     return await file.arrayBuffer();

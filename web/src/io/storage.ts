@@ -1,22 +1,22 @@
-/** What is kept in this browser, in a database of its own: values that can be cloned, files among them, by name. */
+/** Values by name, kept in a database (IndexedDB) of the editor's own. Anything that can be cloned, files included. */
 import { createStore, getMany, promisifyRequest, type UseStore } from 'idb-keyval';
 
 let store: UseStore | undefined;
 
-/** Opened at the first use, so that this module loads where there is no database. */
+/** Opened at first use, so that this module loads where there is no database. */
 function kept(): UseStore {
   store ??= createStore('c2warp', 'kept');
   return store;
 }
 
-/** Values as they are at one time. @throws DOMException where the browser grants no storage. */
+/** Reads all values in one transaction. @throws DOMException where the browser grants no storage. */
 export function readKept(names: readonly string[]): Promise<readonly unknown[]> {
   return getMany([...names], kept());
 }
 
 /**
  * Writes some values, all of them or none.
- * @param unless values that are left out where there is this one under this name already.
+ * @param unless values that are written too, unless `name` already holds the value `is`.
  * @throws DOMException where the browser grants no storage, or no more of it.
  */
 export function writeKept(

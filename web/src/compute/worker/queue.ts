@@ -1,7 +1,7 @@
 /**
- * One request at a time, in order, with a look at what else has come whenever the one in work pauses.
+ * One request at a time, in order; whenever the running one pauses, it can look for newer ones.
  *
- * A running wasm call cannot be interrupted; a request in stages can give up between them.
+ * A running wasm call cannot be interrupted; a request in stages can stop between them.
  */
 export class Queue<Request> {
   readonly #waiting: Request[] = [];
@@ -17,14 +17,14 @@ export class Queue<Request> {
     if (!this.#running) void this.#run();
   }
 
-  /** Whether a request of this kind waits behind the one in work. */
+  /** Whether a request of this kind waits behind the running one. */
   waits(kind: (request: Request) => boolean): boolean {
     return this.#waiting.some(kind);
   }
 
   async #run(): Promise<void> {
     this.#running = true;
-    // Requests posted together arrive one by one: let all of them in before the first is begun.
+    // Requests posted together arrive one by one: let all of them in before the first starts.
     await nextTask();
     for (let request = this.#waiting.shift(); request !== undefined; request = this.#waiting.shift()) {
       await this.#handle(request);
@@ -37,7 +37,7 @@ const channel = new MessageChannel();
 const resumes: (() => void)[] = [];
 channel.port1.onmessage = () => resumes.shift()?.();
 
-/** Lets messages in that have arrived. Timers would be slowed down to 4 ms each. */
+/** Lets messages that have arrived be handled. A timer would be clamped to 4 ms. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     resumes.push(resolve);

@@ -1,8 +1,8 @@
 /**
- * The solving worker: owns the session, and is alone here in importing the generated glue.
+ * The solving worker: owns the session. The only worker file that imports the generated code.
  *
- * Errors with a code are answers. Anything else is a panic, after which the module's memory cannot be trusted: the
- * worker says so, and the page replaces it.
+ * Errors with a code are sent as replies. Anything else is a panic, after which the module's memory cannot be trusted:
+ * the worker reports that it died, and the page replaces it.
  */
 import init, { Session, type Solution } from '../generated/c2warp';
 import { type Boot, type Failure, type Messages, type Reply, type Request, SUPERSEDED } from '../messages';
@@ -74,7 +74,7 @@ async function handle(session: Session, request: Request): Promise<void> {
   }
 }
 
-/** Runs every stage; false where a newer request has made the rest of them pointless. */
+/** Runs the stages; false where a newer request has made the remaining ones pointless. */
 async function advanced(session: Session, project: string, id: number): Promise<boolean> {
   const overtaken = () => queue.waits((waiting) => 'name' in waiting && waiting.name !== 'warp');
   if (overtaken()) return false;
@@ -114,7 +114,7 @@ function asFailure(error: unknown): Failure | undefined {
   return { code: error.code, message: error.message, ...(handles && { handles }) };
 }
 
-/** Skipped where somebody waits already. */
+/** Skipped where a request is waiting already. */
 function warmUp(): void {
   if (queue.waits(() => true)) return;
   const scratch = new Session();

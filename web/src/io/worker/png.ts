@@ -8,7 +8,7 @@ interface Picture {
   readonly width: number;
   readonly height: number;
   readonly rgba: Uint8Array;
-  /** Where the file's bytes go. */
+  /** Receives the file's bytes. */
   readonly to: MessagePort;
 }
 
