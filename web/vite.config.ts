@@ -12,7 +12,7 @@ export default defineConfig({
   worker: { format: 'es' },
   build: {
     target: 'es2022',
-    // The wasm stays a file of its own: it is compiled while it streams in.
+    // The wasm stays a separate file, to be compiled while it is streamed.
     assetsInlineLimit: 0,
   },
   test: {

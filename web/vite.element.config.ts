@@ -1,6 +1,6 @@
 /**
- * The element for other people's pages, in dist/element: one module, its workers and the solver, as files of fixed names that find one
- * another by where they lie. So they work in a plain page, and bundlers take them along as assets.
+ * Builds the element for other pages, in dist/element: one module, its workers and the solver, as files with fixed
+ * names and relative URLs. They work in a plain page, and bundlers include them as assets.
  */
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';

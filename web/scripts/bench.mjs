@@ -1,8 +1,8 @@
 /**
- * `npm run bench`: what solving costs, natively and in Chromium's WebAssembly, in the form of the paper's tables. The cases
- * are those of the crate `c2warp-bench`; nothing here measures.
+ * `npm run bench`: the time of solving, natively and in Chromium's WebAssembly, in the form of the paper's tables. The
+ * crate `c2warp-bench` defines the cases and measures them.
  *
- * Fails where something does not build or run, never because of a time.
+ * Fails if something does not build or run, never because of a time.
  */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
@@ -14,10 +14,10 @@ import { heading, main, ROOT, step } from './steps.mjs';
 const OUTPUT = 'tests/output/bench';
 const MODULE = ['c2warp.js', 'c2warp_bg.wasm'];
 
-/** Native and WebAssembly run in turns, so often: what slows the machine for a while slows both. */
+/** Rounds of native and WebAssembly runs in turn: what slows the machine for a while slows both. */
 const ROUNDS = 2;
 
-/** Never asked for over a network: the page's files are handed to it. A page of this machine may be isolated. */
+/** Never requested over a network: the page's files are routed. On localhost, a page may be cross-origin isolated. */
 const ORIGIN = 'http://localhost';
 
 const cargo = (/** @type {string} */ binary, /** @type {string[]} */ args) => [
@@ -26,7 +26,7 @@ const cargo = (/** @type {string} */ binary, /** @type {string[]} */ args) => [
 ];
 
 await main(async () => {
-  // Before the builds add to it.
+  // Read before the builds add to the load.
   const load = loadavg()[0] ?? 0;
   await prepare();
   await prepareChromium();
@@ -72,7 +72,7 @@ await main(async () => {
 });
 
 /**
- * The least of each time of two runs of the same cases; numbers of sites and samples are the same in both.
+ * The smaller of each number in two runs of the same cases; numbers of sites and samples are equal in both.
  * @param {unknown} a
  * @param {unknown} b
  * @returns {unknown}
@@ -88,11 +88,11 @@ function least(a, b) {
 
 /**
  * Runs the module's cases in a page.
- * @param {string} folder Holds the module.
- * @returns {Promise<string>} What it measured, as JSON.
+ * @param {string} folder The folder of the module.
+ * @returns {Promise<string>} The measurements, as JSON.
  */
 async function ranInChromium(folder) {
-  // Loaded only now: a moment ago it may not have been installed.
+  // Imported only here: it may have just been installed.
   const { chromium } = await import('@playwright/test');
   const executablePath = findChromium();
   const browser = await chromium.launch({
@@ -107,7 +107,7 @@ async function ranInChromium(folder) {
         ? readFileSync(join(folder, name))
         : '<!doctype html><title>Benchmark</title>';
       const contentType = name.endsWith('.js') ? 'text/javascript' : name ? 'application/wasm' : 'text/html';
-      // Isolated pages have the finer clock.
+      // Isolated pages have a finer clock.
       const headers = {
         'Cross-Origin-Opener-Policy': 'same-origin',
         'Cross-Origin-Embedder-Policy': 'require-corp',

@@ -1,4 +1,4 @@
-/** `npm run build`: in web/dist the editor as static files, and in its folder `element` the element for other pages. */
+/** `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element. */
 import { writeDeclarations } from './declarations.mjs';
 import { prepare } from './prepare.mjs';
 import { main, step, toolPath } from './steps.mjs';

@@ -1,4 +1,4 @@
-/** `npm run check`: everything that is looked at without running the program. */
+/** `npm run check`: all checks that do not run the program. */
 import { runChecks } from './checks.mjs';
 import { prepare, prepareRustLints } from './prepare.mjs';
 import { main, StepError } from './steps.mjs';

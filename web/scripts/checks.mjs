@@ -1,4 +1,4 @@
-/** What `npm run check` looks at: formatting, lints and types of both languages, and what is generated from Rust. */
+/** The checks of `npm run check`: formatting, lints and types of both languages, and the files generated from Rust. */
 import { heading, run, toolPath } from './steps.mjs';
 
 /** @type {[title: string, program: string, args: string[]][]} */
@@ -15,8 +15,8 @@ const CHECKS = [
 ];
 
 /**
- * Runs every check, whatever the others say.
- * @returns {Promise<{ passed: number, failed: string[] }>} How many passed, and the titles of those that did not.
+ * Runs every check, even after one has failed.
+ * @returns {Promise<{ passed: number, failed: string[] }>} The number of checks that passed, and titles of the failed.
  */
 export async function runChecks() {
   const failed = [];

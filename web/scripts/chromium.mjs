@@ -1,6 +1,6 @@
 /**
- * A Chromium for the browser tests: the one that CHROMIUM names, one in PATH, or, on Debian and its kin and with the
- * right to do so, one from apt.
+ * A Chromium for the browser tests: the one that CHROMIUM names, one in PATH, or, on Debian and its derivatives and
+ * with the permission to install, one from apt.
  */
 import { accessSync, constants, existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
@@ -10,8 +10,8 @@ const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-s
 const MAC = '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome';
 
 /**
- * WebGL2 on the processor, so that a machine without a graphics card can test, and every machine draws alike.
- * The sandbox has to go where everything runs as root, as it does in containers.
+ * WebGL2 on the CPU, so that machines without a GPU can test, and every machine draws alike. The sandbox is off, since
+ * it does not work as root, as in containers.
  */
 export const CHROMIUM_ARGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
@@ -28,7 +28,7 @@ export function findChromium() {
   return existsSync(MAC) ? MAC : undefined;
 }
 
-/** Installs a Chromium where there is none. */
+/** Installs a Chromium if none is found. */
 export async function prepareChromium() {
   const found = findChromium();
   if (found !== undefined) {

@@ -1,9 +1,9 @@
-/** How many tests passed and failed, as the test runners report it. */
+/** Counts of passed and failed tests, read from the reports of the test runners. */
 
 /** @typedef {{ passed: number, failed: number, skipped: number }} Counts */
 
 /**
- * @param {string} output What `cargo test` printed.
+ * @param {string} output The output of `cargo test`.
  * @returns {Counts}
  */
 export function cargoCounts(output) {
@@ -35,7 +35,7 @@ export function playwrightCounts(json) {
 }
 
 /**
- * The line that a whole run ends with.
+ * The last line of a whole run.
  * @param {Counts[]} parts
  */
 export function summary(parts) {

@@ -1,4 +1,4 @@
-/** The declarations of the built element: of all that the compiler writes, what a page can come to see. */
+/** The type declarations of the built element: of all that the compiler writes, those reachable from the element. */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT, step, toolPath } from './steps.mjs';
@@ -6,7 +6,7 @@ import { ROOT, step, toolPath } from './steps.mjs';
 const WRITTEN = 'node_modules/.cache/tsc/element';
 const RELATIVE = /(from '|import\(")(\.[^'"]*)/g;
 
-/** @param {string} folder Where they go, from the root of the repository. */
+/** @param {string} folder The output folder, relative to the root of the repository. */
 export async function writeDeclarations(folder) {
   await step(
     'Types of the element',
@@ -16,7 +16,7 @@ export async function writeDeclarations(folder) {
   );
   rmSync(join(ROOT, folder), { recursive: true, force: true });
   for (const name of reachable('element')) {
-    // With the endings that every kind of module resolution knows.
+    // With file endings, which every kind of module resolution accepts.
     const text = readFileSync(join(ROOT, WRITTEN, `${name}.d.ts`), 'utf8').replace(RELATIVE, '$1$2.js');
     const file = join(ROOT, folder, `${name}.d.ts`);
     mkdirSync(dirname(file), { recursive: true });
@@ -25,7 +25,7 @@ export async function writeDeclarations(folder) {
 }
 
 /**
- * A module and all that its declarations import from this project.
+ * A module, and all modules of this project that its declarations import, directly or not.
  * @param {string} first
  * @param {Set<string>} [known]
  */

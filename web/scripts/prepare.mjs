@@ -1,6 +1,6 @@
 /**
- * Brings a machine with rustup, Node and npm to where the editor can be built: checks what is there, installs what is
- * missing, builds the solver. Every part is skipped where its work is already done.
+ * Prepares a machine with rustup, Node and npm for building the editor: checks what is there, installs what is missing,
+ * builds the solver. Every part is skipped if its work is already done.
  */
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { homedir } from 'node:os';
@@ -22,7 +22,7 @@ export async function prepare() {
   );
 }
 
-/** The parts of the Rust toolchain that lint and format. */
+/** Installs the parts of the Rust toolchain that lint and format. */
 export async function prepareRustLints() {
   if (printed('cargo', ['clippy', '--version']) && printed('cargo', ['fmt', '--version'])) return;
   await step(
@@ -42,7 +42,7 @@ function checkNode() {
 }
 
 async function prepareRust() {
-  // rustup writes itself into PATH at the next login only.
+  // rustup adds itself to PATH only at the next login.
   const bin = join(process.env.CARGO_HOME ?? join(homedir(), '.cargo'), 'bin');
   if (!process.env.PATH?.split(delimiter).includes(bin)) process.env.PATH += delimiter + bin;
 
@@ -76,7 +76,7 @@ async function prepareRust() {
   );
 }
 
-/** @param {string} version What `rustc --version` says. */
+/** @param {string} version The output of `rustc --version`. */
 function checkRustVersion(version) {
   const least = /^rust-version = "(\d+)\.(\d+)"/m.exec(readFileSync(join(ROOT, 'Cargo.toml'), 'utf8'));
   const here = /^rustc (\d+)\.(\d+)/.exec(version);
@@ -89,12 +89,12 @@ function checkRustVersion(version) {
   }
 }
 
-/** npm writes node_modules/.package-lock.json last, so it tells whether an installation is whole and how old it is. */
+/** npm writes node_modules/.package-lock.json last: the file shows whether an installation is complete, and its age. */
 async function prepareNpm() {
   const installed = join(ROOT, 'node_modules/.package-lock.json');
   const lock = join(ROOT, 'package-lock.json');
   if (existsSync(installed) && statSync(installed).mtimeMs >= statSync(lock).mtimeMs) return;
-  // npm names itself to what it runs.
+  // npm passes its own path to the scripts that it runs.
   const npm = process.env.npm_execpath;
   await step(
     'npm packages',

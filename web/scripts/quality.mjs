@@ -1,9 +1,10 @@
 /**
- * `npm run quality`: how well pictures bend, by every mode and by two methods to compare with, on standard poses. Prints tables
- * and writes a sheet of pictures for each pose. The poses are those of the crate `c2warp-quality`; nothing here measures.
+ * `npm run quality`: how well pictures bend on standard poses, in every mode and by two other methods for comparison.
+ * Prints tables and writes a sheet of pictures for each pose. The crate `c2warp-quality` defines the poses and measures
+ * them.
  *
- * `npm run quality -- NAME` does the poses whose name contains NAME. Fails where something does not build or run, never
- * because of a figure.
+ * `npm run quality -- NAME` runs only the poses whose name contains NAME. Fails if something does not build or run,
+ * never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

@@ -9,7 +9,7 @@ import { heading, main, ROOT } from './steps.mjs';
 
 const FOLDER = join(ROOT, 'web/screenshots');
 
-/** How the sample is bent: whole steps on screen, from where a handle rests. */
+/** How the sample is bent: moves of handles from their rest places, in whole steps on screen. */
 const PULLS = /** @type {const} */ ([
   ['left hand', 30, -90],
   ['right hand', 0, 50],
@@ -21,7 +21,7 @@ await main(async () => {
   await prepareChromium();
   heading('Screenshots');
   mkdirSync(FOLDER, { recursive: true });
-  // Loaded only now: a moment ago they may not have been installed.
+  // Imported only here: they may have just been installed.
   const [{ createServer }, { chromium }] = await Promise.all([import('vite'), import('@playwright/test')]);
   const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
   await server.listen();

@@ -13,7 +13,7 @@ await main(async () => {
   }
   await prepare();
   heading('Editor');
-  // Loaded only now: a moment ago it may not have been installed.
+  // Imported only here: it may have just been installed.
   const { createServer: createVite } = await import('vite');
   const server = await createVite({
     configFile: `${ROOT}/web/vite.config.ts`,

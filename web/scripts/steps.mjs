@@ -1,6 +1,6 @@
 /**
- * Steps of a command line job: each is named while it runs, shows what its programs print, and when it fails ends the
- * job with one line that says what to do. Uses nothing that npm would have to install first.
+ * Steps of a command line job: each prints its title and the output of its programs; a failed step ends the job with
+ * one line that says what to do. Uses nothing that npm would have to install first.
  */
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const OFFLINE =
   /ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ENETUNREACH|ETIMEDOUT|ECONNRESET|resolve host|could not connect|error sending request|failed to download|spurious network error|temporary failure/i;
 
-/** Command line tools among the npm packages; run by Node itself, which is quicker than npx, and the same on Windows. */
+/** Command line tools among the npm packages. Node runs them directly: quicker than npx, and the same on Windows. */
 const TOOLS = {
   biome: '@biomejs/biome/bin/biome',
   playwright: '@playwright/test/cli.js',
@@ -22,7 +22,7 @@ const TOOLS = {
 };
 
 /**
- * What Node has to be told to run a tool.
+ * The path of the script with which Node runs a tool.
  * @param {keyof typeof TOOLS} name
  */
 export const toolPath = (name) => join(ROOT, 'node_modules', TOOLS[name]);
@@ -30,10 +30,10 @@ export const toolPath = (name) => join(ROOT, 'node_modules', TOOLS[name]);
 /** A step that failed; the message says what to do about it. */
 export class StepError extends Error {}
 
-/** @typedef {{ code: number, output: string }} Ended How a program ended, and the last of what it printed. */
+/** @typedef {{ code: number, output: string }} Ended A program's exit code, and the end of its output. */
 
 /**
- * Runs a program, passing on what it prints.
+ * Runs a program, passing on its output.
  * @param {string} program
  * @param {string[]} args
  * @param {{ env?: NodeJS.ProcessEnv }} [options]
@@ -61,10 +61,10 @@ export function run(program, args, { env = {} } = {}) {
 
 /**
  * Runs a program that has to succeed.
- * @param {string} title Names the step.
+ * @param {string} title The name of the step.
  * @param {string} program
  * @param {string[]} args
- * @param {string} hint What to do when it fails, unless it failed for want of a network.
+ * @param {string} hint What to do if the program fails for another reason than a missing network.
  */
 export async function step(title, program, args, hint) {
   heading(title);
@@ -81,7 +81,7 @@ export function heading(title) {
 }
 
 /**
- * What a program prints, or nothing where it is missing or fails.
+ * The output of a program, or undefined if it is missing or fails.
  * @param {string} program
  * @param {string[]} args
  * @returns {string | undefined}
@@ -92,7 +92,7 @@ export function printed(program, args) {
 }
 
 /**
- * Runs a whole job; a step that fails ends it with its line.
+ * Runs a whole job; a failed step ends the job with its message.
  * @param {() => Promise<void>} job
  */
 export async function main(job) {

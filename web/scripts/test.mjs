@@ -1,6 +1,6 @@
 /**
- * `npm test`: prepares the machine, then runs the checks, the native tests, the unit tests of the TypeScript and the
- * browser tests, all of them whatever the others say, and ends with one line over everything.
+ * `npm test`: prepares the machine, then runs the checks, the native tests, the TypeScript unit tests and the browser
+ * tests, all of them even after failures, and ends with one line that sums up.
  */
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -65,7 +65,7 @@ async function nativeTests() {
  * Runs a test runner that writes a JSON report.
  * @param {string} title
  * @param {string[]} args For Node.
- * @param {(report: string) => { args: string[], env: NodeJS.ProcessEnv }} reportTo How the runner is told where to.
+ * @param {(report: string) => { args: string[], env: NodeJS.ProcessEnv }} reportTo Sets the runner's report file.
  * @param {(json: string) => Counts} counts
  * @returns {Promise<Counts>}
  */
@@ -85,7 +85,7 @@ async function reported(title, args, reportTo, counts) {
 }
 
 /**
- * A runner that failed without naming a test, because nothing compiled say, counts as one failure.
+ * Counts a runner that failed without naming a test, for example in compiling, as one failure.
  * @param {number} code
  * @param {Counts} counts
  * @returns {Counts}

@@ -1,4 +1,4 @@
-/** How the picture bends: a choice of two, in words, how finely, and switches. Folded up to one line beside what is selected. */
+/** How the picture bends: two modes, their detail, and switches. Folded to one line while handles are selected. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';

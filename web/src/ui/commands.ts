@@ -1,4 +1,4 @@
-/** Everything a person can ask for by button or key: one table, from which tooltips, key map and ARIA hints come. */
+/** All commands that a person can run by button or key: one table for tooltips, key map and ARIA hints. */
 import type { ToolName } from '../tools/machine';
 import type { IconName } from './icons';
 
@@ -41,7 +41,7 @@ export type CommandName = keyof typeof COMMANDS;
 
 const NAMES = Object.keys(COMMANDS) as CommandName[];
 
-/** All that there is to ask for where handles are posed and nothing else. */
+/** The commands available where handles can only be posed. */
 const OF_PLAY: readonly CommandName[] = [
   'undo',
   'redo',
@@ -52,17 +52,17 @@ const OF_PLAY: readonly CommandName[] = [
   'bail',
 ];
 
-/** What people may ask for. A picture that plays and is readonly is looked at, as any image. */
+/** The available commands: none for a picture that plays and is readonly, which is like any image. */
 export const commandsFor = (playing: boolean, readonly: boolean): readonly CommandName[] =>
   !playing ? NAMES : readonly ? [] : OF_PLAY;
 
-/** Signs that some keyboards type only with Alt, or with Ctrl and Alt. */
+/** Characters that some keyboards type only with Alt, or with Ctrl and Alt. */
 const SIGNS = ['[', ']'];
 const LETTER_PLACE = /^Key([A-Z])$/;
 
 /**
- * Which of these commands a key asks for. Shift counts only where the table writes it, since "+" may need it to be typed. A letter of another script
- * is the Latin one of the same key.
+ * The one of these commands that a key runs, or null. Shift counts only together with Mod, since "+" may need Shift to
+ * be typed. A letter of another script counts as the Latin letter of the same key.
  */
 export function commandOfKey(event: KeyPress, commands: readonly CommandName[] = NAMES): CommandName | null {
   const types = event.altKey && SIGNS.includes(event.key);
@@ -74,7 +74,7 @@ export function commandOfKey(event: KeyPress, commands: readonly CommandName[] =
   return commands.find((name) => (COMMANDS[name].keys as readonly string[]).includes(written)) ?? null;
 }
 
-/** What of a KeyboardEvent counts. */
+/** The parts of a KeyboardEvent that count. */
 export type KeyPress = Pick<KeyboardEvent, 'key' | 'code' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>;
 
 const MAC = /Mac|iPhone|iPad/;
@@ -96,7 +96,7 @@ export function keyHint(name: CommandName, platform: string): string {
     .concat(key === '+' ? '+' : '');
 }
 
-/** The same for `aria-keyshortcuts`. */
+/** The keys of a command for `aria-keyshortcuts`. */
 export const ariaKeys = (name: CommandName): string =>
   (COMMANDS[name].keys as readonly string[])
     .filter((key) => key !== '+')

@@ -1,6 +1,6 @@
 /**
- * Dotted lines. A dot out of sight costs as much as any other, and from near there are thousands of them along a bar: what is
- * drawn of a line is what is on the stage.
+ * Dotted lines. A dot out of sight costs as much as any other, and at high zoom a bar has thousands of them: only the
+ * part of a line that is on the stage is drawn.
  */
 import { type SVGTemplateResult, svg } from 'lit';
 import { sharesInside } from '../geometry/box';
@@ -12,14 +12,14 @@ import { between, distance, type Vec } from '../geometry/vec';
 const SPACING = 6.5;
 /** A dot with round caps is hardly longer than wide. */
 const DOT = 0.5;
-/** Half the width of a dot, and more. */
+/** More than half the width of a dot, CSS pixels. */
 const ROOM = 4;
 
 /** A dotted line along a path that is {@link onStage}. */
 export const dots = (kind: string, path: string): SVGTemplateResult =>
   svg`<path class=${kind} stroke-dasharray="${DOT} ${SPACING - DOT}" d=${path}/>`;
 
-/** The parts of the edges that can be seen. Each begins a whole number of dots from its corner: so these stand still in a pan. */
+/** The visible parts of the edges. Each begins a whole number of dots from its corner: dots stay in place in a pan. */
 export function onStage(corners: readonly Vec[], closed: boolean, { width, height }: Size): string {
   const box = { min: [-ROOM, -ROOM], max: [width + ROOM, height + ROOM] } as const;
   return edgesOf(corners, closed)

@@ -1,4 +1,4 @@
-/** A bar or polygon that is being drawn: its line as far as it goes, on to the pointer, and what can be done with it. */
+/** A bar or polygon being drawn: its corners so far, its line on to the pointer, and buttons for it. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { CORNERS_NEEDED } from '../document/handle';
 import { type Camera, type Size, toStage } from '../geometry/camera';
@@ -12,7 +12,7 @@ import type { EditorActions, EditorModel } from './model';
 export const draftMarks = ({ draft, waiting, camera, stage }: EditorModel): SVGTemplateResult => svg`
   ${waiting.map((other) => marks(other, camera, stage, true))} ${draft ? marks(draft, camera, stage, false) : nothing}`;
 
-/** @param waits for its tool to be taken up again: a press there means nothing now. */
+/** @param waits the draft belongs to a tool that is not current: presses on it have no effect now. */
 function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTemplateResult {
   const set = draft.corners.map((corner) => toStage(camera, corner));
   const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
@@ -45,7 +45,7 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
   </g>`;
 }
 
-/** What to do next, with buttons for those who have no Enter key. */
+/** The next thing to do, with buttons for people without an Enter key. */
 export function draftBar(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
   const { draft } = model;
   if (!draft) return nothing;

@@ -1,6 +1,6 @@
 /**
- * Under the colours that a system forces on pages, which take backgrounds and shadows away: what is chosen takes the system's
- * colour for it. Handles lie on a picture, which no system colours: they keep their own.
+ * For forced colours, which remove backgrounds and shadows: selected items and pressed buttons take the system's
+ * highlight colours. Handles lie on a picture, which is not recoloured, and keep their own.
  */
 import { css } from 'lit';
 

@@ -1,9 +1,9 @@
 /**
- * The handles over the picture: a faint mark where each rests, a thread to where it is posed, the rotation ring of the
- * selected ones, and over them one focusable button per handle, and per corner of a bar or polygon. The buttons are for
- * keyboards and screen readers too; presses of a pointer go to the stage, which knows the tools.
+ * The handles over the picture: a faint mark where each rests, a dotted line to where it is posed, the rotation ring of
+ * selected handles, and on top one focusable button per handle, and per corner of a bar or polygon. The buttons also
+ * serve keyboards and screen readers; pointer presses go to the stage, which knows the tools.
  *
- * Styles are set as properties: a Content Security Policy may refuse what stands in an attribute.
+ * Styles are set as properties, since a Content Security Policy may refuse style attributes.
  */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
@@ -24,7 +24,7 @@ import { distance, type Vec } from '../geometry/vec';
 import { dots, onStage } from './dots';
 import type { EditorActions, EditorModel } from './model';
 
-/** What a screen reader says of a handle. */
+/** The label of a handle for screen readers. */
 export function handleLabel(handle: Handle, turns: Turns): string {
   const [x, y] = anchor(handle);
   const scale = scaleOf(handle);
@@ -59,13 +59,13 @@ const restMark = (rest: Vec, posed: Vec, stage: Size): SVGTemplateResult => svg`
   <circle cx=${rest[0]} cy=${rest[1]} r="4.5"/>
 </g>`;
 
-/** Twice, the first time dark and wider: it reads on any picture. */
+/** Drawn twice, first dark and wider, to be visible on any picture. */
 function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemplateResult {
   const path = onStage(places, closed, stage);
   return svg`${dots('dots under', path)}${dots('dots', path)}`;
 }
 
-/** Where a bar or polygon rests, faintly, as soon as it is elsewhere; and where it is. */
+/** A bar or polygon as posed, and faintly its rest place once it has left that. */
 function lineMarks(
   handle: LineHandle,
   { camera, stage, playing }: EditorModel,
@@ -116,7 +116,7 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
   </div>`;
 }
 
-/** The Tab key comes by the corners of what is selected only: of many handles it would never get through. */
+/** Only the corners of selected handles are tab stops: all of them would be too many. */
 const cornerButtons = (
   handle: LineHandle,
   selected: boolean,
@@ -143,10 +143,10 @@ const cornerButtons = (
 const isKeyed = (target: Element): boolean =>
   (target.getRootNode() as ShadowRoot).host.classList.contains('keyed');
 
-/** The keyboard selects as it goes from handle to handle, and takes the view along; a pointer has its own way to select. */
+/** Keyboard focus selects a handle and brings it into view; a pointer selects through the tools. */
 function focused(event: FocusEvent, id: string, at: Vec, model: EditorModel, actions: EditorActions): void {
   const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
-  // After a press too the focus goes to a handle: that one is in view, and stays under the finger.
+  // A press focuses a handle too, but that one is in view already, and must stay under the finger.
   if (keyboard && isKeyed(event.target)) actions.reveal(at);
   if (keyboard && !model.draft && !model.document.selection.includes(id)) actions.select([id]);
 }

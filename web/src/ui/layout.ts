@@ -1,4 +1,4 @@
-/** Where things stand: bars above and below, cards floating over the stage; on a phone the tools go below, the panel becomes a sheet. */
+/** The layout: bars above and below, cards over the stage; on a phone the tools go below, the panel becomes a sheet. */
 import { css } from 'lit';
 
 export const layout = css`

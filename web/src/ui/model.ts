@@ -1,4 +1,4 @@
-/** What the templates show and what they can ask for. The element owns the state; nothing here keeps any. */
+/** The data that the templates show, and the actions that they call. The element owns the state; none is kept here. */
 import type { Detail } from '../document/bending';
 import type { Document } from '../document/document';
 import type { Turns } from '../document/handle';
@@ -16,25 +16,25 @@ export interface EditorModel {
   readonly document: Document;
   readonly turns: Turns;
   readonly picture: PictureLabel | null;
-  /** One is on its way. */
+  /** A picture is being opened. */
   readonly opening: boolean;
   readonly tool: ToolName;
   readonly readonly: boolean;
-  /** The picture and its handles alone; where it is readonly, the picture alone. */
+  /** Shows only the picture and its handles, or only the picture where `readonly`. */
   readonly playing: boolean;
   readonly disabled: boolean;
   readonly camera: Camera;
   /** CSS pixels. */
   readonly stage: Size;
   readonly grips: Grips;
-  /** A press on the stage goes on. */
+  /** A press on the stage is in progress. */
   readonly pressing: boolean;
-  /** What a short press is called: fingers tap. */
+  /** The word for a short press: fingers tap. */
   readonly press: 'click' | 'tap';
   readonly undo: string | null;
   readonly redo: string | null;
   readonly solved: SolvedLabel | null;
-  /** What is under way, once it has taken long enough to be worth a word. */
+  /** The running task, once it has taken long enough to be shown. */
   readonly progress: Progress | null;
   readonly notice: Notice | null;
   readonly hint: Hint | null;
@@ -42,21 +42,21 @@ export interface EditorModel {
   readonly comparing: boolean;
   readonly overlays: OverlayFlags;
   readonly sites: SiteGraph | null;
-  /** Triangles that have turned over, where they are to be shown. */
+  /** Triangles that have turned over, while they are to be shown. */
   readonly folded: FoldedMesh | null;
-  /** How many there are. */
+  /** The number of triangles that have turned over. */
   readonly folds: number;
-  /** Something of the posed picture lies beyond the picture's frame, which is what is exported. */
+  /** Part of the posed picture lies beyond the picture's frame, which bounds the export. */
   readonly beyond: boolean;
-  /** The guard against folds is on; it holds something back now. */
+  /** `guarded`: the guard against folds is on. `holding`: it holds a drag back now. */
   readonly guarded: boolean;
   readonly holding: boolean;
-  /** What is open where there is no room for it always: settings of the whole picture, numbers of the selected handles. */
+  /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
   readonly numbers: boolean;
-  /** What is being drawn. */
+  /** The line being drawn with the current tool. */
   readonly draft: Draft | null;
-  /** What is being drawn with tools that are not in hand. */
+  /** Unfinished lines of the other tools. */
   readonly waiting: readonly Draft[];
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
@@ -67,11 +67,11 @@ export interface EditorModel {
   readonly dark: boolean;
 }
 
-/** What a first visitor is told, and the place of the picture it is about. */
+/** A hint shown until the first change, and the place of the picture that it points to. */
 export interface Hint {
   readonly text: string;
   readonly at: Vec;
-  /** There is no room to the right of it. */
+  /** Shown above the place, since there is no room to the right of it. */
   readonly above: boolean;
 }
 
@@ -87,7 +87,7 @@ export interface SolvedLabel {
 
 export interface Progress {
   readonly label: string;
-  /** Gives it up, where it can be. */
+  /** Cancels the task; null where it cannot be cancelled. */
   readonly cancel: (() => void) | null;
 }
 
@@ -106,28 +106,28 @@ export interface EditorActions {
   run(command: CommandName): void;
   compare(on: boolean): void;
   overlay(name: keyof OverlayFlags, on: boolean): void;
-  /** Sets a number of what is selected, from what it is of each. */
+  /** Sets a number of each selected handle, from its current value. */
   field(field: Field, value: (now: number) => number): void;
   automatic(on: boolean): void;
   bend(mode: PoseMode): void;
   detail(detail: Detail): void;
   holdBoundary(held: boolean): void;
-  /** How motions blend. */
+  /** Sets how motions blend. */
   blend(blend: Blend): void;
-  /** Drags stop where they would fold the picture. */
+  /** Sets whether drags stop where they would fold the picture. */
   guard(on: boolean): void;
-  /** What is being drawn is done; its last corner is taken back. */
+  /** `finish` completes the line being drawn; `back` removes its last corner. */
   finish(): void;
   back(): void;
   settings(on: boolean): void;
   numbers(on: boolean): void;
   select(ids: readonly string[]): void;
   toggle(id: string): void;
-  /** A handle takes the focus. */
+  /** Focuses a handle. */
   hold(id: string): void;
-  /** What was typed cannot be: a word on what can. */
+  /** Rejects what was typed, with words on what is valid. */
   refuse(words: string): void;
-  /** A place of the picture comes into view. */
+  /** Brings a place of the picture into view. */
   reveal(at: Vec): void;
   dismiss(): void;
   theme(): void;

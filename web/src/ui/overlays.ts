@@ -1,13 +1,13 @@
-/** Virtual sites, the cell graph and folds, drawn over the picture where it has been posed. */
+/** Virtual sites, the cell graph and folds, drawn over the posed picture. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
 import { sitePlace } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { OverlayFlags } from './model';
 
-/** The sites of a solution as they are posed now. */
+/** The sites of a solution in their current pose. */
 export interface SiteGraph {
-  /** Sites: index of the handle they belong to, −1 for a virtual one. */
+  /** Sites: index of the site's handle, −1 for a virtual site. */
   readonly handles: Int32Array;
   /** Edges × 2: sites whose cells touch. */
   readonly edges: Uint32Array;
@@ -32,7 +32,7 @@ export function siteOverlay(graph: SiteGraph | null, camera: Camera, flags: Over
     ${graph && flags.sites ? outlined('sites', sitePath(graph, camera)) : nothing}`;
 }
 
-/** Twice, the first time pale and wider: it reads on any picture. */
+/** Drawn twice, first pale and wider, to be visible on any picture. */
 const outlined = (name: string, path: string): SVGTemplateResult =>
   svg`<path class="${name} pale" d=${path}/><path class=${name} d=${path}/>`;
 

@@ -1,8 +1,8 @@
 /**
- * The property panel: the numbers of what is selected, how the picture bends, and the list of all handles.
+ * The property panel: the numbers of the selected handles, how the picture bends, and the list of all handles.
  *
- * On a phone it is a sheet with one of the first two. Of what is selected it shows a line, and the numbers at a press; with them
- * it keeps clear of what is selected and out of the way of what is dragged.
+ * On a phone it is a sheet with one of the first two. For selected handles the sheet shows one line, and the numbers at
+ * a press; it keeps clear of the selected handles, and is hidden during a drag.
  */
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
@@ -34,11 +34,11 @@ interface FieldLook {
   readonly name: string;
   readonly unit: string;
   readonly step: number;
-  /** Decimals shown: as many as one can set by hand. */
+  /** Decimals shown: as many as can be set by hand. */
   readonly digits: number;
   readonly least?: number;
   readonly most?: number;
-  /** Hardly ever below zero: the keyboards of some phones have digits alone, or a minus. */
+  /** Asks for a keyboard with digits, which lacks a minus on some phones: the value is hardly ever negative. */
   readonly digitKeys?: boolean;
   readonly tip?: string;
   read(handle: Handle, turns: Turns): number;
@@ -90,7 +90,7 @@ const FIELDS: readonly FieldLook[] = [
   },
 ];
 
-/** Pixels and degrees that can be typed: far beyond any picture. */
+/** Limit of typed pixels and degrees: far beyond any picture. */
 const MOST = 1e6;
 
 export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
@@ -109,10 +109,10 @@ export function panel(model: EditorModel, actions: EditorActions): TemplateResul
   </section>`;
 }
 
-/** How far the sheet reaches from below with one line, and the dot of a handle above it. CSS pixels. */
+/** Height of the sheet with one line, from the bottom of the stage, with room for a handle's dot above. CSS pixels. */
 const LINE_SHEET = 150;
 
-/** Whether what is selected stands, in the middle, where the sheet would lie: with its numbers that is the lower half of the stage. */
+/** Whether the centre of the selection lies where the sheet would: with numbers, in the lower half of the stage. */
 function isLow(selected: readonly Handle[], { camera, stage: { height }, numbers }: EditorModel): boolean {
   if (selected.length === 0) return false;
   const [, y] = toStage(camera, centre(selected.map((handle) => anchor(handle))));
@@ -161,7 +161,7 @@ const cornersRow = ({ posed }: LineHandle, model: EditorModel, actions: EditorAc
     ${commandButton('add-corner', model, actions, { enabled: !model.readonly })}
   </div>`;
 
-/** A field, with the buttons that belong to it. */
+/** A field with its buttons. */
 function besides(
   { field }: FieldLook,
   input: TemplateResult,
@@ -189,12 +189,12 @@ const expected = ({ label, least, most }: FieldLook): string =>
     ? `${label} takes a number, such as 120 or −3.5.`
     : `${label} takes a number from ${least} to ${most}.`;
 
-/** Arrow keys in a field: so many steps. */
+/** Steps per arrow key in a field. */
 const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
 
 /**
- * Commits on Enter and on leaving the field; arrow keys change each of what is selected by a step, with Shift by ten; Escape puts
- * the old number back.
+ * Commits on Enter and on leaving the field; arrow keys change every selected handle by a step, with Shift by ten;
+ * Escape restores the old number.
  */
 function numberField(
   look: FieldLook,
@@ -252,7 +252,7 @@ function numberField(
   </label>`;
 }
 
-/** Whether what is selected turns by itself. Among several that differ, a press frees them all. */
+/** Whether the selected points turn automatically. Where they differ, a press makes all of them automatic. */
 function automaticToggle(
   selected: readonly Handle[],
   model: EditorModel,
@@ -275,14 +275,14 @@ function automaticToggle(
   </button>`;
 }
 
-/** What is chosen comes into view. A press takes hold of the handle itself, so that arrow keys move it; the keyboard stays in the list. */
+/** Selects a handle and brings it into view. A press also focuses it, for arrow keys; the keyboard stays in the list. */
 function listed(event: MouseEvent, handle: Handle, actions: EditorActions): void {
   actions.select([handle.id]);
   actions.reveal(anchor(handle));
   if (event.detail > 0) actions.hold(handle.id);
 }
 
-/** A press that adds to what is selected, or takes away from it. */
+/** Whether a press adds to the selection, or removes from it. */
 const adds = (event: MouseEvent): boolean => event.shiftKey || event.ctrlKey || event.metaKey;
 
 function handleList(model: EditorModel, actions: EditorActions): TemplateResult {
@@ -312,7 +312,7 @@ function handleList(model: EditorModel, actions: EditorActions): TemplateResult 
   </section>`;
 }
 
-/** Scrolls the list, and nothing else, as far as the first handle that is selected. */
+/** Scrolls the list, and nothing else, to the first selected handle. */
 export function showSelected(root: ShadowRoot): void {
   const list = root.querySelector('.list ul');
   const item = list?.querySelector('[aria-pressed="true"]');

@@ -1,4 +1,4 @@
-/** A picture that plays in an article: it is as wide as its column and as high as an image would be, and lies on the page itself. */
+/** A picture that plays in an article: as wide as its column, as high as an image, and directly on the page. */
 import { css } from 'lit';
 
 export const playStyle = css`

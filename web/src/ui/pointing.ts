@@ -1,9 +1,10 @@
 /**
- * From the pointers, wheel and space bar of a stage to presses of a tool and moves of the camera.
+ * Translates pointers, wheel and space bar of a stage into presses of a tool and moves of the camera.
  *
- * One pointer works the tool; space, the middle button or a second finger make it navigate instead. A second finger
- * takes back what the first began: two fingers never edit. Or all that takes hold of nothing is left to the page: it scrolls by the
- * wheel and by a finger, is pinched by two, and has its menu. Places are the stage's own CSS pixels, however the page scales it.
+ * One pointer works the tool; with space, the middle button or a second finger it navigates instead. A second finger
+ * cancels what the first began: two fingers never edit. With the owner `page`, gestures that hold no handle are left to
+ * the page, which scrolls by wheel or finger, zooms by pinch, and shows its menu. Places are CSS pixels of the stage,
+ * however the page scales it.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
@@ -19,38 +20,38 @@ export interface StagePointer {
 export interface PointingHost {
   readonly camera: Camera;
   look(camera: Camera): void;
-  /** @param pans the press pans, whatever the tool. */
+  /** @param pans the press pans, with any tool. */
   pressDown(pointer: StagePointer, pans: boolean): void;
   pressMove(pointer: StagePointer): void;
   pressUp(pointer: StagePointer): void;
   pressCancel(): void;
-  /** Whether a press there takes hold of something. */
+  /** Whether a press there would hold something. */
   holds(pointer: StagePointer): boolean;
   /** A click that was left to the page. */
   pressedBeside(): void;
-  /** The press that is over was the second of two in one place. */
+  /** The press that just ended was the second of a double click. */
   pressedTwice(pointer: StagePointer): void;
   hover(pointer: StagePointer | null): void;
 }
 
-/** Zoom per pixel of wheel; a notch of a mouse wheel (100 to 120 px) is a step of about a fifth. */
+/** Zoom per wheel pixel; a notch of a mouse wheel (100 to 120 px) zooms by about a fifth. */
 const WHEEL_ZOOM = 0.0018;
-/** A pinch on a touchpad arrives as a wheel with Ctrl and small deltas. */
+/** Zoom per pixel of a touchpad pinch, which arrives as wheel events with Ctrl and small deltas. */
 const PINCH_ZOOM = 0.01;
-/** Three of them are a notch. */
+/** Pixels per line of a wheel that counts lines; three lines are a notch. */
 const LINE_PX = 36;
 
-/** Two presses so soon after one another, and so near, are a double click. CSS pixels of a mouse and of a finger. */
+/** Two presses within this time and distance are a double click. CSS pixels, for a mouse and for a finger. */
 const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
-/** A press that goes farther than this is a drag, which the tools take it for as well. */
+/** A press that moves farther than this is a drag, here as in the tools. CSS pixels. */
 const SLIP = { fine: 3, coarse: 8 } as const;
 
-/** Whose the gestures are that take hold of nothing. */
+/** Who receives the gestures that hold nothing. */
 export type Owner = 'editor' | 'page';
 
 const kindOf = ({ coarse }: StagePointer): 'coarse' | 'fine' => (coarse ? 'coarse' : 'fine');
 
-/** Of what the browser is at already it tells only. */
+/** Once the browser has begun to scroll, its touch events cannot be cancelled. */
 const prevent = (event: Event): void => {
   if (event.cancelable) event.preventDefault();
 };
@@ -67,11 +68,11 @@ export class Pointing {
   readonly #listening = new AbortController();
   readonly #fingers = new Map<number, Vec>();
   #pressing: number | null = null;
-  /** Which of `PointerEvent.buttons` holds it. */
+  /** The bit of `PointerEvent.buttons` that holds the press. */
   #button = 1;
-  /** Where the press in hand began, and where and when the last that was no drag ended. */
+  /** Where the current press began, null if it pans. `#clicked` is where and when the last click ended. */
   #begun: Vec | null = null;
-  /** The same of a press that is left to the page. */
+  /** Where a press that is left to the page began. */
   #beside: Vec | null = null;
   #clicked: Click | null = null;
   #navigating = false;
@@ -91,7 +92,7 @@ export class Pointing {
       stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
       return;
     }
-    // Else a click follows, on whatever the press has brought up under the finger.
+    // Otherwise a click follows, on any control that the press has brought up under the finger.
     stage.addEventListener('touchend', (event) => prevent(event), { signal, passive: false });
     stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
     stage.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
@@ -112,7 +113,7 @@ export class Pointing {
       this.#leave(event);
       return;
     }
-    // A handle's button would otherwise start a selection or take the focus away from where the editor puts it.
+    // A handle's button would otherwise start a text selection, or take the focus from where the editor puts it.
     event.preventDefault();
     this.#stage.setPointerCapture(event.pointerId);
     if (event.pointerType === 'touch') this.#fingers.set(event.pointerId, this.#place(event));
@@ -135,7 +136,7 @@ export class Pointing {
     if (this.#navigating && this.#fingers.has(event.pointerId)) {
       this.#navigate(event);
     } else if (event.pointerId === this.#pressing) {
-      // A release that nobody was told of, or one while another button is held.
+      // The release was missed, or came while another button was held.
       if (event.pointerType === 'mouse' && !(event.buttons & this.#button)) this.#up(event);
       else this.#host.pressMove(this.#pointer(event));
     } else if (event.pointerType !== 'touch') {
@@ -156,7 +157,7 @@ export class Pointing {
       this.#host.pressedTwice(pointer);
   }
 
-  /** Whether a press that ends now makes a double click with the one before it. Of three in a row only the first two do. */
+  /** Whether a press that ends now makes a double click with the one before; of three presses, only the second does. */
   #isSecond(pointer: StagePointer, time: number): boolean {
     const { stage } = pointer;
     const [begun, before, kind] = [this.#begun, this.#clicked, kindOf(pointer)] as const;
@@ -167,7 +168,7 @@ export class Pointing {
     return isClick && second;
   }
 
-  /** Presses by the middle button, by a second finger and beside handles, where they are the page's. */
+  /** Whether the page receives a press: with the owner `page`, by other buttons or fingers, or beside handles. */
   #isOfPage(event: PointerEvent): boolean {
     if (this.#owner === 'editor') return false;
     return event.button !== 0 || this.#pressing !== null || !this.#host.holds(this.#pointer(event));
@@ -179,7 +180,7 @@ export class Pointing {
     this.#pressing = null;
   }
 
-  /** A finger that holds something scrolls nothing. */
+  /** Prevents a finger that holds something from scrolling. */
   #keep(event: TouchEvent): void {
     if (this.#pressing !== null) prevent(event);
   }
@@ -212,7 +213,7 @@ export class Pointing {
   #wheel(event: WheelEvent): void {
     event.preventDefault();
     this.#roll(event);
-    // What is dragged stays under the pointer.
+    // Keeps a dragged handle under the pointer.
     if (this.#pressing !== null) this.#host.pressMove(this.#pointer(event));
   }
 

@@ -1,4 +1,4 @@
-/** What the heat map of the reach means: its colours, or what to do to see it. */
+/** The legend of the reach's heat map, or a hint on how to see it. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { REACH_RAMP } from '../geometry/reach';
 import type { EditorModel } from './model';
@@ -10,7 +10,7 @@ export function reachHint(model: EditorModel): TemplateResult | typeof nothing {
   if (!overlays.reach || !picture || draft || comparing || document.project.handles.length === 0)
     return nothing;
   if (document.selection.length > 0) return legend;
-  // These two have words of their own there, and something to draw before anything is selected.
+  // These two tools have their own hint there, and draw something before anything is selected.
   if (tool === 'bar' || tool === 'polygon') return nothing;
   return html`<p class="hint" part="hint">Select a handle to see its reach</p>`;
 }

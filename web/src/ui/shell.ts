@@ -1,4 +1,4 @@
-/** The whole of the editor as one template: stage, bars, panel, and what floats over them; or of a picture that plays, next to nothing of it. */
+/** The whole editor as one template: stage, bars, panel and floating parts; a picture that plays has few of them. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
@@ -15,7 +15,7 @@ import { statusLine } from './status';
 import { toolHint } from './tool-hint';
 import { toolStrip, topBar } from './toolbar';
 
-/** @param canvas what the picture is drawn on; it lives as long as its WebGL context. */
+/** @param canvas shows the picture; it lives as long as its WebGL context. */
 export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
   const { playing } = model;
   return html`${playing ? room(model) : nothing}
@@ -34,13 +34,13 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
   </div>`;
 }
 
-/** The height that the element has where the page does not say: an image's, or enough for a word on why there is none. */
+/** The element's height where the page sets none: that of the picture, or enough for a notice on why there is none. */
 function room({ picture }: EditorModel): TemplateResult {
   const size = picture ? `aspect-ratio: ${picture.width} / ${picture.height}` : 'min-height: 240px';
   return html`<div .style=${size}></div>`;
 }
 
-/** What is there to be seen by those who edit, by those who pose, and by those who look. */
+/** The picture with its overlays and handles, for editing, posing or only viewing. */
 function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
   const { camera, playing } = model;
   const handled = !(playing && model.readonly);
@@ -67,7 +67,7 @@ function stageLabel({ picture, playing, readonly }: EditorModel): string {
   return `Picture ${picture.name}${playing && !readonly ? ', to be posed by its handles' : ''}`;
 }
 
-/** A bubble over the place it speaks of. */
+/** A bubble at the place that it points to. */
 function hint({ text, at, above }: Hint, camera: Camera): TemplateResult {
   const [x, y] = toStage(camera, at);
   return html`<p class="hint bubble ${above ? 'above' : ''}" part="hint" .style=${`left: ${x}px; top: ${y}px`}>${text}</p>`;

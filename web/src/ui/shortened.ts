@@ -1,9 +1,9 @@
-/** Words that nobody reads to the end, such as the names that cameras and browsers give to files. */
+/** Shortens words that are too long to read, such as file names made by cameras and browsers. */
 
 const MOST = 36;
 const ENDING = 14;
 
-/** The text with every word beyond some length cut in its middle: how it begins and how it ends tell it from others. */
+/** The text with every word of more than `MOST` characters cut in its middle: its start and end identify it. */
 export const shortened = (text: string): string =>
   text.replace(/\S+/gu, (word) => {
     const signs = [...word];

@@ -1,4 +1,4 @@
-/** The line at the bottom: what the solver did, where the zoom stands, and that nothing leaves the browser. */
+/** The line at the bottom: what the solver did, the zoom, and that nothing leaves the browser. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Progress } from './model';
@@ -29,7 +29,7 @@ export function statusLine(model: EditorModel, actions: EditorActions): Template
   </div>`;
 }
 
-/** A gentle warning, which shows them at a press; while the guard holds something back, that it does. */
+/** A quiet warning of folds, which a press shows or hides; while the guard holds a drag back, it says so. */
 function folds(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
   const { folds: count, holding, overlays } = model;
   if (count === 0 && !holding) return nothing;

@@ -1,7 +1,7 @@
 /**
- * Colours, type and the shapes that everything shares.
+ * Shared colours, type and shapes.
  *
- * A page restyles the editor through the `--c2-*` properties; the names with an underscore are what the editor reads.
+ * A page restyles the editor through the `--c2-*` properties; the editor itself reads the names with an underscore.
  */
 import { css } from 'lit';
 

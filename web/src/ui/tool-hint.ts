@@ -1,11 +1,11 @@
-/** A few words over the picture: what the tool in hand is for, until something is made with it; which to take, where there is nothing to hold. */
+/** A hint over the picture: what the current tool does, or which tool to choose while there are no handles. */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { ToolName } from '../tools/machine';
 import type { EditorModel } from './model';
 
 export function toolHint(model: EditorModel): TemplateResult | typeof nothing {
   const { draft, document, picture } = model;
-  // An offer stays until it is answered, such as the way back to another picture: words have their place above it.
+  // A notice with an action, such as going back to another picture, stays until it is answered: hints appear above it.
   const silent = !model.notice || model.notice.action !== undefined;
   const idle = !model.readonly && silent && !model.hint && !model.comparing;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;

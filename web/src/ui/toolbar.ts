@@ -84,7 +84,7 @@ export function toolStrip(model: EditorModel, actions: EditorActions): TemplateR
   </div>`;
 }
 
-/** Shows the original for as long as it is held, by pointer or key; what can only click, such as a screen reader, switches. */
+/** Shows the original while it is held, by pointer or key; a click without a press, as of a screen reader, toggles. */
 function compareButton(model: EditorModel, actions: EditorActions): TemplateResult {
   const hold = () => actions.compare(true);
   const release = () => actions.compare(false);
@@ -118,7 +118,7 @@ function compareButton(model: EditorModel, actions: EditorActions): TemplateResu
   </button>`;
 }
 
-/** What each is called, and what it shows. */
+/** The name of each overlay, and what it shows. */
 const OVERLAYS = {
   mesh: ['Mesh', 'The triangles that the picture is drawn with'],
   sites: ['Virtual handles', 'What moves the picture between your handles'],
@@ -169,7 +169,7 @@ function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult
   </div>`;
 }
 
-/** A popover lies in the top layer, where only the window's coordinates count. */
+/** Places a popover, which lies in the top layer, in coordinates of the window. */
 function placeBelowButton(event: Event): void {
   const popover = event.currentTarget as HTMLElement;
   const button = popover.previousElementSibling;

@@ -1,7 +1,8 @@
 /**
- * What a finger needs, on a phone as on a tablet: targets of 44 px, and fields of 16 px type, as browsers zoom in on smaller ones.
+ * Sizes for fingers, on phones and tablets: targets of 44 px, and fields of 16 px type, as browsers zoom in on smaller
+ * ones.
  *
- * It hangs on the pointer, not on the width, and comes after the other sheets, which know sizes for a mouse alone.
+ * They depend on the pointer, not on the width. This sheet comes after the others, whose sizes are for a mouse.
  */
 import { css } from 'lit';
 

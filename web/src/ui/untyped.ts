@@ -1,8 +1,8 @@
-/** A field's value as the editor knows it, without taking away what a person is typing. */
+/** Binds a field to its value in the editor without overwriting what a person is typing. */
 import { noChange } from 'lit';
 import { Directive, directive, type PropertyPart } from 'lit/directive.js';
 
-/** Fields with something typed into them that is neither committed nor left. */
+/** Fields with typed text that is not committed yet, and not left. */
 const typed = new WeakSet<EventTarget>();
 
 export const isTyped = (field: EventTarget): boolean => typed.has(field);
@@ -17,12 +17,12 @@ class Untyped extends Directive {
   override update({ element }: PropertyPart, [value]: [string]): string | typeof noChange {
     const input = element as HTMLInputElement;
     if (!this.#listening) this.#listen(input);
-    // Set here: Lit compares with what it set last, not with what a person has put there since.
+    // Set here: Lit compares with the value it set last, not with what was typed since.
     if (!isTyped(input) && input.value !== value) input.value = value;
     return noChange;
   }
 
-  /** Before the field's own listeners: what they change may be shown at once. */
+  /** Captures events before the field's own listeners, whose changes may be rendered at once. */
   #listen(input: HTMLInputElement): void {
     this.#listening = true;
     const over = () => typed.delete(input);
@@ -32,5 +32,5 @@ class Untyped extends Directive {
   }
 }
 
-/** For `.value=` of an input: the value, except from the first key typed into it until that is committed or left. */
+/** For `.value=` of an input: sets the value, except between the first typed key and commit or blur. */
 export const untyped = directive(Untyped);
