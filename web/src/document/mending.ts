@@ -11,13 +11,8 @@ import type { Handle, Project } from './project';
 import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
 
 /**
-<<<<<<< HEAD
- * The handle to blame: of those named and not solved before, the one that became what it is last. Null where that cannot be told, where it
- * was so from the beginning, and where it came with a step that put another project in place: such a step stands or falls as a whole.
-=======
- * The handle to blame: of those named and not solved before, the last to become what it is now. Null where none can be
- * determined, or where it was so from the beginning.
->>>>>>> e089ae9 (Comments of compute, document and io say in plain words what is returned, thrown, kept and sent)
+ * The handle to blame: of those named and not solved before, the last to change. Null if it cannot be determined, if the
+ * handle was so from the beginning, or if it came with a step that replaced the project: such a step is undone whole.
  *
  * @param accepted the project solved last. Without it, handles older than the present settings are not blamed: the
  *   settings may be what made them wrong.
@@ -42,16 +37,12 @@ export function culprit(
   return null;
 }
 
-<<<<<<< HEAD
 /** Whether a step leaves settings and all handles but one as they were for a solution; it may add more. */
 const keepsOthers = (before: Project, after: Project, id: string): boolean =>
   settingsKey(before) === settingsKey(after) &&
   before.handles.every((handle) => handle.id === id || solvesWith(after, handle));
 
-/** The values with the handle taken back, from where it became what it is in the present to where it ceased to be so. */
-=======
 /** The values with the handle reverted wherever, without a break around the present, it is what it is now. */
->>>>>>> e089ae9 (Comments of compute, document and io say in plain words what is returned, thrown, kept and sent)
 export function withHandleBack({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {
   const otherwise = ({ project }: Document) => !solvesWith(project, handle);
   const first = values.findLastIndex((document, k) => k < at && otherwise(document)) + 1;
