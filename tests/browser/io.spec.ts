@@ -68,9 +68,9 @@ test('a picture whose pixels cannot be read is refused, and nothing of it stays 
       },
     });
     // As browsers do that have too many contexts, or whose graphics driver fails.
-    const { getContext } = OffscreenCanvas.prototype;
-    Object.assign(OffscreenCanvas.prototype, {
-      getContext(this: OffscreenCanvas, kind: 'webgl2') {
+    const { getContext } = HTMLCanvasElement.prototype;
+    Object.assign(HTMLCanvasElement.prototype, {
+      getContext(this: HTMLCanvasElement, kind: 'webgl2') {
         const gl = getContext.call(this, kind) as WebGL2RenderingContext | null;
         if (kind === 'webgl2') gl?.getExtension('WEBGL_lose_context')?.loseContext();
         return gl;

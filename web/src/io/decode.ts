@@ -34,7 +34,8 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   const straight = await bitmapOf(file, 'none', kind !== 'other');
   try {
     checkSize(straight.width, straight.height);
-    const rgba = straightPixels(straight);
+    const exact = kind === 'jpeg' || (await bitmapsKeepColours()) ? straight : await imageOf(file, straight);
+    const rgba = straightPixels(exact, straight.width, straight.height);
     // Last: the caller closes this bitmap, so nothing may fail after it.
     const bitmap = await bitmapOf(file, 'premultiply', true);
     return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
@@ -53,5 +54,30 @@ async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', kn
         : 'This is not a picture that the browser can show: PNG, JPEG and WebP work everywhere.',
       { cause: error },
     );
+  }
+}
+
+/** False in WebKit, whose bitmaps have colours that were premultiplied and divided again. */
+async function bitmapsKeepColours(): Promise<boolean> {
+  const colour = Uint8ClampedArray.of(200, 100, 50, 1);
+  const bitmap = await createImageBitmap(new ImageData(colour, 1, 1), { premultiplyAlpha: 'none' });
+  try {
+    return straightPixels(bitmap, 1, 1).every((value, i) => value === colour[i]);
+  } finally {
+    bitmap.close();
+  }
+}
+
+/** An image element, which keeps its colours in every browser, or the bitmap where the page's policy forbids it. */
+async function imageOf(file: Blob, bitmap: ImageBitmap): Promise<HTMLImageElement | ImageBitmap> {
+  const image = new Image();
+  image.src = URL.createObjectURL(file);
+  try {
+    await image.decode();
+    return image;
+  } catch {
+    return bitmap;
+  } finally {
+    URL.revokeObjectURL(image.src);
   }
 }

@@ -1,5 +1,5 @@
 /**
- * The exact bytes of a bitmap in straight alpha. A 2D canvas would premultiply and round them, and lose the colours
+ * The exact bytes of a picture in straight alpha. A 2D canvas would premultiply and round them, and lose the colours
  * under transparent pixels; a WebGL texture keeps them.
  */
 import { PictureError } from './picture_error';
@@ -7,14 +7,18 @@ import { PictureError } from './picture_error';
 const TILE = 2048;
 
 /**
- * @param bitmap Decoded without premultiplying.
+ * @param picture Decoded without premultiplying, of this width and height.
  * @returns RGBA, rows from the top.
  * @throws PictureError where the browser has no WebGL2 to read it with, or loses the context meanwhile.
  */
-export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
-  const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
+export function straightPixels(
+  picture: ImageBitmap | HTMLImageElement,
+  width: number,
+  height: number,
+): Uint8Array<ArrayBuffer> {
+  // Not an OffscreenCanvas: WebKitGTK and older Safaris give those no WebGL.
+  const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) throw new PictureError('This browser has no WebGL2 to read a picture with.');
-  const { width, height } = bitmap;
   const pixels = new Uint8Array(width * height * 4);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
@@ -22,7 +26,7 @@ export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
   // In tiles, since a picture may be larger than the largest texture.
   for (let y = 0; y < height; y += TILE) {
     for (let x = 0; x < width; x += TILE) {
-      readTile(gl, bitmap, pixels, [x, y, Math.min(TILE, width - x), Math.min(TILE, height - y)]);
+      readTile(gl, picture, pixels, [x, y, Math.min(TILE, width - x), Math.min(TILE, height - y)]);
     }
   }
   // A lost context reads as zeros.
@@ -35,13 +39,13 @@ export function straightPixels(bitmap: ImageBitmap): Uint8Array<ArrayBuffer> {
 
 function readTile(
   gl: WebGL2RenderingContext,
-  bitmap: ImageBitmap,
+  picture: ImageBitmap | HTMLImageElement,
   pixels: Uint8Array,
   [x, y, width, height]: [number, number, number, number],
 ): void {
   gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, x);
   gl.pixelStorei(gl.UNPACK_SKIP_ROWS, y);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, picture);
   const texture: WebGLTexture = gl.getParameter(gl.TEXTURE_BINDING_2D);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
   gl.pixelStorei(gl.PACK_SKIP_PIXELS, x);
