@@ -52,11 +52,11 @@ import {
   type ProjectFile,
   posedHandle,
 } from './document/project';
-import { Beginning } from './element/beginning';
 import { Desk } from './element/desk';
 import type { ChangeKind } from './element/editing';
 import { emitter, TypedElement } from './element/events';
 import { Focusing } from './element/focusing';
+import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
 import type { Turn } from './element/turn';
 import type { Vec } from './geometry/vec';
@@ -106,7 +106,7 @@ export class C2Warp extends TypedElement {
   declare autosave: string | null;
 
   readonly #emit = emitter(this);
-  readonly #beginning: Beginning;
+  readonly #initial: InitialContent;
   #desk: Desk | null = null;
   /** For the initial content. Taken on connection, so that every later request overtakes it. */
   #turn: Turn | null = null;
@@ -130,7 +130,7 @@ export class C2Warp extends TypedElement {
     this.hintFor = null;
     this.autosave = null;
     const element = this;
-    this.#beginning = new Beginning({
+    this.#initial = new InitialContent({
       get src() {
         return element.src;
       },
@@ -157,10 +157,10 @@ export class C2Warp extends TypedElement {
   }
 
   set project(given: ProjectFile | string | null) {
-    this.#beginning.project = null;
+    this.#initial.project = null;
     if (given === null || typeof given !== 'object') this.projectSource = given ?? null;
     else if (this.#desk?.workbench.isOpen) this.#desk.workbench.set(given);
-    else this.#beginning.project = copied(given);
+    else this.#initial.project = copied(given);
   }
 
   /** Ids of the selected handles. A selection that is set before there is a picture is applied to the next one. */
@@ -171,7 +171,7 @@ export class C2Warp extends TypedElement {
   set selection(ids: readonly string[]) {
     if (!Array.isArray(ids)) throw new TypeError('selection: expected a list of ids');
     if (this.#desk?.workbench.picture) this.#desk.workbench.editing.select(ids);
-    else this.#beginning.selection = [...ids];
+    else this.#initial.selection = [...ids];
   }
 
   /**
@@ -186,7 +186,7 @@ export class C2Warp extends TypedElement {
       throw new TypeError('load: expected the address of a picture, or a Blob such as a File');
     }
     const given = project instanceof URL ? project.href : project;
-    await desk.files.shown(() => desk.files.load(picture, given ?? this.#beginning.taken()));
+    await desk.files.shown(() => desk.files.load(picture, given ?? this.#initial.taken()));
     if (desk !== this.#desk) return;
     this.#emit('load', null);
   }
@@ -237,12 +237,12 @@ export class C2Warp extends TypedElement {
 
   /** Returns all handles to their rest pose. */
   reset(): void {
-    this.#present.workbench.editing.reset(true);
+    this.#present.workbench.commands.reset(true);
   }
 
   /** Maps a point of the original to the warped picture as shown, in image pixels; null outside the warped area. */
   mapPoint(point: Vec): Vec | null {
-    return this.#present.posing.map(point)?.rest ?? null;
+    return this.#present.workbench.posing.map(point)?.rest ?? null;
   }
 
   /**
@@ -262,7 +262,7 @@ export class C2Warp extends TypedElement {
   /** Removes the element and discards its document. */
   destroy(): void {
     this.remove();
-    this.#beginning.forget();
+    this.#initial.forget();
   }
 
   /** Focuses the editor itself, which handles the keys. */
@@ -295,9 +295,9 @@ export class C2Warp extends TypedElement {
       get hint() {
         return element.hint ? { text: element.hint, handle: element.hintFor } : null;
       },
-      aside: this.#beginning.aside,
+      aside: this.#initial.aside,
       changed: () => this.requestUpdate(),
-      opened: () => this.#desk && this.#beginning.settle(this.#desk),
+      opened: () => this.#desk && this.#initial.settle(this.#desk),
       edited: (kind) => this.#edited(kind),
       emit: this.#emit,
       switchTheme: () => {
@@ -325,7 +325,7 @@ export class C2Warp extends TypedElement {
     this.#focusing?.release();
     const desk = this.#desk;
     this.#desk = null;
-    this.#beginning.leave(desk?.workbench.kept ?? null);
+    this.#initial.leave(desk?.workbench.kept ?? null);
     desk?.dispose();
   }
 
@@ -344,7 +344,7 @@ export class C2Warp extends TypedElement {
 
   protected override willUpdate(changes: PropertyValues<this>): void {
     // The attributes of the first update are the initial content, not a change.
-    if (this.hasUpdated && this.#asks(changes)) this.#beginning.ask();
+    if (this.hasUpdated && this.#asks(changes)) this.#initial.ask();
   }
 
   protected override updated(changes: PropertyValues<this>): void {
@@ -365,9 +365,9 @@ export class C2Warp extends TypedElement {
     if (isToolName(this.tool) && (fresh || freed || changes.has('tool'))) desk.choose(this.tool);
     if (fresh) {
       if (stage) desk.attach(stage);
-      void this.#beginning.begin(desk, turn);
+      void this.#initial.begin(desk, turn);
     } else if (this.#asks(changes)) {
-      void this.#beginning.open(desk);
+      void this.#initial.open(desk);
     }
   }
 

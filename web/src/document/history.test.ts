@@ -120,7 +120,8 @@ describe('History', () => {
     history.step('Add', 1);
     history.begin('Move');
     history.update(2);
-    const copy = History.from(history.record());
+    const copy = new History(0);
+    copy.restore(history.record());
     expect(copy.present).toBe(1);
     copy.undo();
     expect(state(copy)).toEqual([0, null, 'Add']);

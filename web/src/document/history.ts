@@ -33,21 +33,22 @@ export type Equality<T> = (a: T, b: T) => boolean;
 
 export class History<T> {
   readonly #equal: Equality<T>;
-  #past: readonly Step<T>[];
+  #past: readonly Step<T>[] = [];
   #present: T;
-  #future: readonly Step<T>[];
+  #future: readonly Step<T>[] = [];
   #open: Step<T> | null = null;
   #key: string | null = null;
 
-  constructor(present: T, equal: Equality<T> = Object.is, record?: Omit<HistoryRecord<T>, 'present'>) {
+  constructor(present: T, equal: Equality<T> = Object.is) {
     this.#equal = equal;
-    this.#past = record?.past ?? [];
     this.#present = present;
-    this.#future = record?.future ?? [];
   }
 
-  static from<T>(record: HistoryRecord<T>, equal?: Equality<T>): History<T> {
-    return new History(record.present, equal, record);
+  /** Replaces everything by another history. */
+  restore({ past, present, future }: HistoryRecord<T>): void {
+    [this.#past, this.#present, this.#future] = [past, present, future];
+    this.#open = null;
+    this.#key = null;
   }
 
   get present(): T {

@@ -16,19 +16,18 @@ import type { CommandName } from '../ui/commands';
 import type { EditorActions, EditorModel, Hint, Notice, OverlayFlags } from '../ui/model';
 import { showSelected } from '../ui/panel';
 import { Drawing } from './drawing';
-import type { ChangeKind, Editing } from './editing';
+import type { EditCommands } from './edit_commands';
+import type { ChangeKind } from './editing';
 import type { Emit } from './events';
 import { type Aside, Files } from './files';
-import { Guarding } from './guarding';
 import { Input } from './input';
 import { Keeping } from './keeping';
-import { Noticing } from './noticing';
+import { Notices } from './notices';
 import type { Picture } from './picture';
-import { Posing } from './posing';
+import { PoseChecks } from './pose_checks';
 import { Reaching } from './reaching';
 import { run } from './running';
 import { Surroundings } from './surroundings';
-import { Talking } from './talking';
 import type { Turn } from './turn';
 import { type Look, Viewing } from './viewing';
 import { type Kept, Workbench } from './workbench';
@@ -67,13 +66,11 @@ const SETTLE_MS = 800;
 export class Desk {
   readonly workbench: Workbench;
   readonly viewing: Viewing;
-  readonly posing: Posing;
   readonly files: Files;
-  readonly talking: Talking;
-  readonly guarding: Guarding;
+  readonly notices: Notices;
   readonly canvas = document.createElement('canvas');
   readonly #host: DeskHost;
-  readonly #noticing: Noticing;
+  readonly #checks: PoseChecks;
   readonly #reaching: Reaching;
   #keeping: Keeping | null = null;
   #drawing: Drawing | null = null;
@@ -95,7 +92,7 @@ export class Desk {
     this.#host = host;
     const desk = this;
     this.viewing = new Viewing({
-      bounds: () => this.posing.bounds(),
+      bounds: () => this.workbench.posing.bounds(),
       get coarse() {
         return matchMedia('(pointer: coarse)').matches;
       },
@@ -107,23 +104,17 @@ export class Desk {
         return host.readonly ? 'picture' : 'handles';
       },
     });
-    this.talking = new Talking({
+    this.notices = new Notices({
       changed: () => host.changed(),
       emit: host.emit,
       get answerable() {
         return !host.readonly && !host.disabled;
       },
     });
-    this.guarding = new Guarding({
-      foldsOf: (project, limit) => this.posing.foldsOf(project, limit),
-      get turns() {
-        return desk.posing.turns();
-      },
-    });
     this.#surroundings = new Surroundings({ coloured: () => host.changed(), scaled: () => this.#looked() });
-    this.#noticing = new Noticing({
-      folds: () => this.posing.folds(),
-      beyond: () => this.posing.beyond(),
+    this.#checks = new PoseChecks({
+      folds: () => this.workbench.posing.folds(),
+      beyond: () => this.workbench.posing.beyond(),
       changed: () => host.changed(),
       outside: (ids) => this.#tellOutside(ids),
     });
@@ -133,9 +124,8 @@ export class Desk {
       },
       opened: (picture, look) => this.#opened(picture, look),
       solved: ({ data }, first) => {
-        this.posing.forget();
         this.#drawing?.setSolution(data);
-        this.#noticing.solved(data.report);
+        this.#checks.solved(data.report);
         // The bounds of the posed picture are known only now.
         if (first) this.viewing.refit();
         // Restored work is stored already, or has been replaced by newer work of another tab.
@@ -143,24 +133,19 @@ export class Desk {
         this.#host.changed();
       },
       edited: (kind) => this.#edited(kind),
-      say: (text) => this.talking.say(text),
+      say: (text) => this.notices.say(text),
       carryOut: (effect) => this.#carryOut(effect),
-      guarding: this.guarding,
-      get turns() {
-        return desk.posing.turns();
-      },
-      begin: (label, cancel) => this.talking.begin(label, cancel && (() => this.#edit(cancel))),
-      report: (error) => this.talking.report(error),
+      begin: (label, cancel) => this.notices.begin(label, cancel && (() => this.#edit(cancel))),
+      report: (error) => this.notices.report(error),
     });
-    this.posing = new Posing(this.workbench);
     this.#reaching = new Reaching({ workbench: this.workbench, changed: () => this.#drawing?.look() });
     this.files = new Files(this.workbench, host.aside, {
       changed: () => host.changed(),
       opened: () => host.opened(),
-      notify: (notice) => this.talking.notify(notice),
-      report: (error) => this.talking.report(error),
-      begin: (label) => this.talking.begin(label),
-      cuts: () => this.posing.beyond(),
+      notify: (notice) => this.notices.notify(notice),
+      report: (error) => this.notices.report(error),
+      begin: (label) => this.notices.begin(label),
+      cuts: () => this.workbench.posing.beyond(),
       received: (ignored) => this.#welcome(ignored),
     });
   }
@@ -186,12 +171,12 @@ export class Desk {
           compare: this.#comparing,
           overlays: this.#shown,
         }),
-        motions: () => this.posing.motions(),
+        motions: () => this.workbench.posing.motions(),
         blend: () => blendOf(this.workbench.editing.project),
         reach: () => (this.#shown.reach ? this.#reaching.reach() : null),
       });
     } catch (error) {
-      this.talking.report(error);
+      this.notices.report(error);
     }
   }
 
@@ -211,8 +196,9 @@ export class Desk {
     const desk = this;
     return new Input(this.#host.root, stage, {
       editing: this.workbench.editing,
+      commands: this.workbench.commands,
       viewing: this.viewing,
-      posing: this.posing,
+      posing: this.workbench.posing,
       get editable() {
         return desk.#editable;
       },
@@ -230,7 +216,7 @@ export class Desk {
       run: (command) => this.run(command),
       compare: (on) => this.#compare(on),
       bail: () => !this.#host.disabled && this.#bail(),
-      say: (text) => this.talking.say(text),
+      say: (text) => this.notices.say(text),
       held: (id, corner) => this.#focus(id, corner),
     });
   }
@@ -263,14 +249,14 @@ export class Desk {
 
   /** Opens earlier work, with the guard as it was then. */
   async reopen(kept: Kept, turn: Turn): Promise<void> {
-    this.guarding.on = kept.guarded;
+    this.workbench.guarding.on = kept.guarded;
     await this.files.restore(kept, turn);
   }
 
   dispose(): void {
     clearTimeout(this.#settling);
-    this.talking.dispose();
-    this.#noticing.dispose();
+    this.notices.dispose();
+    this.#checks.dispose();
     this.#reaching.dispose();
     this.#sizing?.disconnect();
     this.#surroundings.release();
@@ -296,6 +282,7 @@ export class Desk {
     if (this.#host.disabled) return;
     run(command, {
       editing: this.workbench.editing,
+      commands: this.workbench.commands,
       viewing: this.viewing,
       files: this.files,
       readonly: this.#host.readonly,
@@ -303,7 +290,7 @@ export class Desk {
       choose: (tool) => this.choose(tool),
       flip: () => this.#compare(!this.#comparing),
       bail: () => void this.#bail(),
-      say: (text) => this.talking.say(text),
+      say: (text) => this.notices.say(text),
       addCorner: () => this.#input?.addCorner(),
       removeCorner: () => this.#input?.removeCorner(),
       settings: () => this.#openSettings(!this.#settings),
@@ -333,7 +320,7 @@ export class Desk {
     const overlays = this.#shown;
     return {
       document: editing.document,
-      turns: this.posing.turns(),
+      turns: this.workbench.posing.turns(),
       picture,
       opening: this.files.opening,
       tool: machine.tool,
@@ -349,18 +336,19 @@ export class Desk {
       undo: machine.draft ? SET_CORNER : editing.undoLabel,
       redo: machine.takenBack ? SET_CORNER : machine.draft ? null : editing.redoLabel,
       solved: solving.label,
-      progress: this.talking.progress,
+      progress: this.notices.progress,
       notice: this.#notice,
       hint: this.#hint,
-      announcement: this.talking.announcement,
+      announcement: this.notices.announcement,
       comparing: this.#comparing,
       overlays,
-      sites: overlays.sites || overlays.graph ? this.posing.graph() : null,
-      folded: overlays.folds ? this.posing.folded() : null,
-      folds: overlays.folds || this.guarding.on ? this.posing.folds() : this.#noticing.folds,
-      beyond: this.#noticing.beyond,
-      guarded: this.guarding.on,
-      holding: this.guarding.holding,
+      sites: overlays.sites || overlays.graph ? this.workbench.posing.graph() : null,
+      folded: overlays.folds ? this.workbench.posing.folded() : null,
+      folds:
+        overlays.folds || this.workbench.guarding.on ? this.workbench.posing.folds() : this.#checks.folds,
+      beyond: this.#checks.beyond,
+      guarded: this.workbench.guarding.on,
+      holding: this.workbench.guarding.holding,
       settings: this.#settings,
       numbers: this.#numbers,
       draft: machine.draft,
@@ -378,14 +366,14 @@ export class Desk {
       this.#overlays = { ...this.#overlays, [name]: on };
       this.#looked();
     },
-    field: (field, value) => this.#edit((editing) => editing.field(field, value)),
-    automatic: (on) => this.#edit((editing) => editing.automatic(on)),
-    bend: (mode) => this.#edit((editing) => editing.bend(mode)),
-    detail: (detail) => this.#edit((editing) => editing.detail(detail)),
-    blend: (blend) => this.#edit((editing) => editing.blend(blend)),
-    holdBoundary: (held) => this.#edit((editing) => editing.holdBoundary(held)),
+    field: (field, value) => this.#edit((commands) => commands.field(field, value)),
+    automatic: (on) => this.#edit((commands) => commands.automatic(on)),
+    bend: (mode) => this.#edit((commands) => commands.bend(mode)),
+    detail: (detail) => this.#edit((commands) => commands.detail(detail)),
+    blend: (blend) => this.#edit((commands) => commands.blend(blend)),
+    holdBoundary: (held) => this.#edit((commands) => commands.holdBoundary(held)),
     guard: (on) => {
-      this.guarding.on = on;
+      this.workbench.guarding.on = on;
       this.#keep();
       this.#host.changed();
     },
@@ -399,19 +387,19 @@ export class Desk {
     select: (ids) => this.workbench.editing.select(ids),
     toggle: (id) => this.workbench.editing.toggle(id),
     hold: (id) => this.#focus(id),
-    refuse: (text) => this.talking.notify({ kind: 'info', text }),
+    refuse: (text) => this.notices.notify({ kind: 'info', text }),
     reveal: (at) => {
       if (this.#host.play) this.viewing.contain([at]);
       else this.viewing.reveal(at);
       this.#looked();
     },
-    dismiss: () => this.talking.dismiss(),
+    dismiss: () => this.notices.dismiss(),
     theme: () => this.#host.switchTheme(),
   };
 
   /** Applies an edit of a control, or renders the control's old value again if editing is no longer allowed. */
-  #edit(change: (editing: Editing) => void): void {
-    if (this.#editable) change(this.workbench.editing);
+  #edit(change: (commands: EditCommands) => void): void {
+    if (this.#editable) change(this.workbench.commands);
     else this.#host.changed();
   }
 
@@ -426,7 +414,7 @@ export class Desk {
 
   /** With `play` only errors are shown. */
   get #notice(): Notice | null {
-    return this.#host.play ? this.talking.error : this.talking.notice;
+    return this.#host.play ? this.notices.error : this.notices.notice;
   }
 
   /** Null after the first change. */
@@ -443,9 +431,8 @@ export class Desk {
   }
 
   #opened(picture: Picture | null, look?: Look): void {
-    this.posing.forget();
-    this.talking.clear();
-    if (picture && !this.#host.play) this.talking.say(`${picture.name} is open`);
+    this.notices.clear();
+    if (picture && !this.#host.play) this.notices.say(`${picture.name} is open`);
     this.#drawing?.setPicture(picture?.bitmap ?? null);
     this.viewing.show(picture, look);
     this.#looked();
@@ -457,7 +444,7 @@ export class Desk {
     const [first, ...more] = ignored;
     if (first !== undefined) {
       const others = more.length === 0 ? first : `${first} and ${more.length} more`;
-      this.talking.notify({
+      this.notices.notify({
         kind: 'info',
         text: `One picture is open at a time: ${others} ${more.length === 0 ? 'was' : 'were'} not opened.`,
       });
@@ -475,7 +462,7 @@ export class Desk {
       if (this.#shown.reach) this.#drawing?.look();
     } else {
       this.#drawing?.pose();
-      this.#noticing.posed();
+      this.#checks.posed();
       if (this.workbench.editing.undoLabel !== null) this.#touched = true;
     }
     if (kind === 'change') {
@@ -505,7 +492,7 @@ export class Desk {
     else if (effect.type === 'pan') {
       this.viewing.look(panned(this.viewing.camera, effect.by));
     } else if (effect.type === 'miss') {
-      this.talking.notify({
+      this.notices.notify({
         kind: 'info',
         text: 'There is nothing to hold here: place the handle on the picture.',
       });
@@ -526,9 +513,9 @@ export class Desk {
       this.#looked();
     } else if (this.#input?.crosshair) this.#aim(null);
     else if (this.#settings) this.#openSettings(false);
-    else if (notice && !notice.action) this.talking.dismiss();
+    else if (notice && !notice.action) this.notices.dismiss();
     else if (editing.document.selection.length > 0) editing.select([]);
-    else if (notice) this.talking.dismiss();
+    else if (notice) this.notices.dismiss();
     else return false;
     return true;
   }
@@ -550,7 +537,7 @@ export class Desk {
       more.length === 0
         ? `Only the part of ${first} on the picture bends it: the rest lies beside it.`
         : `Only the parts on the picture bend it of ${more.slice(0, -1).reduce((all, name) => `${all}, ${name}`, first)} and ${more.at(-1)}.`;
-    this.talking.notify({ kind: 'info', text });
+    this.notices.notify({ kind: 'info', text });
   }
 
   #openSettings(on: boolean): void {

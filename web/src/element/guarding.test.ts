@@ -26,7 +26,7 @@ const place = (document: Document) => {
 describe('the guard against folds', () => {
   let guarding: Guarding;
   beforeEach(() => {
-    guarding = new Guarding({ foldsOf, turns: new Map() });
+    guarding = new Guarding({ foldsOf, turns: () => new Map() });
     guarding.on = true;
   });
 

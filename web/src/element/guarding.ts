@@ -6,27 +6,19 @@
  */
 import type { Document } from '../document/document';
 import { between } from '../document/easing';
-import type { Turns } from '../document/handle';
-import type { Project } from '../document/project';
-
-export interface GuardingHost {
-  /** The number of triangles that a pose turns over, counted up to `limit` + 1. */
-  foldsOf(project: Project, limit: number): number;
-  /** The turns of automatic handles in the current pose. */
-  readonly turns: Turns;
-}
+import type { Posing } from './posing';
 
 /** Bisections: the result is within a hundredth of the pointer's way since the last frame (2⁻⁸). */
 const STEPS = 8;
 
 export class Guarding {
-  readonly #host: GuardingHost;
+  readonly #posing: Pick<Posing, 'foldsOf' | 'turns'>;
   #on = false;
   #allowed: number | null = null;
   #holding = false;
 
-  constructor(host: GuardingHost) {
-    this.#host = host;
+  constructor(posing: Pick<Posing, 'foldsOf' | 'turns'>) {
+    this.#posing = posing;
   }
 
   get on(): boolean {
@@ -45,7 +37,7 @@ export class Guarding {
 
   /** Starts a drag: the folds of this pose are allowed, but no more. */
   begin(document: Document): void {
-    this.#allowed = this.#on ? this.#host.foldsOf(document.project, Number.POSITIVE_INFINITY) : null;
+    this.#allowed = this.#on ? this.#posing.foldsOf(document.project, Number.POSITIVE_INFINITY) : null;
   }
 
   /** Ends a drag. */
@@ -57,17 +49,17 @@ export class Guarding {
   /** The document as far as allowed on the way from `present`, which is allowed, to `wanted`. */
   limited(present: Document, wanted: Document): Document {
     if (!this.#on) return wanted;
-    const allowed = this.#allowed ?? this.#host.foldsOf(present.project, Number.POSITIVE_INFINITY);
-    this.#holding = this.#host.foldsOf(wanted.project, allowed) > allowed;
+    const allowed = this.#allowed ?? this.#posing.foldsOf(present.project, Number.POSITIVE_INFINITY);
+    this.#holding = this.#posing.foldsOf(wanted.project, allowed) > allowed;
     return this.#holding ? this.#farthest(present, wanted, allowed) : wanted;
   }
 
   #farthest(present: Document, wanted: Document, allowed: number): Document {
-    const { turns } = this.#host;
+    const turns = this.#posing.turns();
     let [good, share] = [present.project, 0];
     for (let step = 1; step <= STEPS; step++) {
       const tried = between(present.project, wanted.project, share + 0.5 ** step, turns);
-      if (this.#host.foldsOf(tried, allowed) > allowed) continue;
+      if (this.#posing.foldsOf(tried, allowed) > allowed) continue;
       share += 0.5 ** step;
       good = tried;
     }

@@ -10,6 +10,7 @@ import { hit } from '../tools/hit';
 import type { Grips, Press, Scene } from '../tools/state';
 import { type CommandName, commandsFor } from '../ui/commands';
 import { Pointing, type PointingHost, type StagePointer } from '../ui/pointing';
+import type { EditCommands } from './edit_commands';
 import type { Editing } from './editing';
 import { Keyboard } from './keyboard';
 import type { Posing } from './posing';
@@ -17,6 +18,7 @@ import type { Viewing } from './viewing';
 
 export interface InputHost {
   readonly editing: Editing;
+  readonly commands: EditCommands;
   readonly viewing: Viewing;
   readonly posing: Posing;
   readonly editable: boolean;
@@ -252,11 +254,11 @@ export class Input {
   }
 
   #addCorner(handle: LineHandle, at: LinePlace): void {
-    this.#host.held(handle.id, this.#host.editing.addCorner(handle, at));
+    this.#host.held(handle.id, this.#host.commands.addCorner(handle, at));
   }
 
   #removeCorner(handle: LineHandle, index: number): void {
-    const before = this.#host.editing.removeCorner(handle, index);
+    const before = this.#host.commands.removeCorner(handle, index);
     if (before !== null) this.#host.held(handle.id, before);
   }
 
@@ -290,19 +292,19 @@ export class Input {
   }
 
   #turn(degrees: number): boolean {
-    const { editing, editable } = this.#host;
+    const { editing, commands, editable } = this.#host;
     if (!editable || editing.document.selection.length === 0) return false;
-    editing.turn(degrees);
+    commands.turn(degrees);
     return true;
   }
 
   /** Nudges the focused corner, else the selected handles; else moves a placing tool's crosshair, or the picture. */
   #arrow(by: Vec): boolean {
-    const { editing, viewing, editable } = this.#host;
+    const { editing, commands, viewing, editable } = this.#host;
     const { draft } = editing.machine;
     const corner = this.#focusedCorner;
-    if (editable && corner && !draft) editing.nudgeCorner(corner.id, corner.index, by);
-    else if (editable && editing.document.selection.length > 0 && !draft) editing.nudge(by);
+    if (editable && corner && !draft) commands.nudgeCorner(corner.id, corner.index, by);
+    else if (editable && editing.document.selection.length > 0 && !draft) commands.nudge(by);
     else if (editable && this.#places) {
       const step = ARROW_CROSSHAIR / viewing.camera.scale;
       this.crosshair = this.#inView(

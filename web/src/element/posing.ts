@@ -1,6 +1,8 @@
 /** The posed picture as geometry: the motions that draw it, and lookups between places on it and in the original. */
 import { blendOf } from '../document/bending';
+import type { Document } from '../document/document';
 import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
+import type { History } from '../document/history';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
 import { type Box, boxAround, reachesBeyond } from '../geometry/box';
@@ -11,13 +13,14 @@ import { type Skin, siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
 import type { FoldedMesh, SiteGraph } from '../ui/overlays';
-import type { Workbench } from './workbench';
+import type { Solving } from './solving';
 
 /** Image pixels beyond the frame that nobody misses; also covers rounding. */
 const SLACK = 0.5;
 
 export class Posing {
-  readonly #workbench: Workbench;
+  readonly #history: History<Document>;
+  readonly #solving: Solving;
   #project: Project | null = null;
   #motions: Float32Array | null = null;
   #posed: Float32Array | null = null;
@@ -26,8 +29,9 @@ export class Posing {
   #folding: FoldingMesh | null = null;
   #order: DrawingOrder | null = null;
 
-  constructor(workbench: Workbench) {
-    this.#workbench = workbench;
+  constructor(history: History<Document>, solving: Solving) {
+    this.#history = history;
+    this.#solving = solving;
   }
 
   /** Clears all cached values, for another solution. */
@@ -43,7 +47,7 @@ export class Posing {
 
   /** The motions of all sites in the current pose; null without a solution. */
   motions(): Float32Array | null {
-    const { project } = this.#workbench.editing;
+    const { project } = this.#history.present;
     if (project !== this.#project) {
       this.#project = project;
       this.#motions = this.#newest(project);
@@ -63,16 +67,16 @@ export class Posing {
 
   /** The point of the original under a place of the posed picture; without a solution, the place itself. */
   place(at: Vec): Placement | null {
-    const { picture, solving } = this.#workbench;
+    const { picture, current } = this.#solving;
     if (!picture) return null;
-    if (solving.current) return locate(this.#drawn(solving.current.data), this.#positions(), at);
+    if (current) return locate(this.#drawn(current.data), this.#positions(), at);
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
     return inside ? { rest: at, rotation: 0, scale: 1 } : null;
   }
 
   /** Like `place`, but beside the picture as if its nearest part continued there. */
   placeNear(at: Vec): Placement {
-    const { current } = this.#workbench.solving;
+    const { current } = this.#solving;
     const near = current && locateNear(this.#drawn(current.data), this.#positions(), at);
     return near ?? { rest: at, rotation: 0, scale: 1 };
   }
@@ -86,10 +90,10 @@ export class Posing {
 
   /** `folds` for any pose, counted up to `limit` + 1; infinite if the solver cannot pose it. */
   foldsOf(project: Project, limit: number): number {
-    const { solving } = this.#workbench;
-    if (!solving.current) return 0;
+    const { current } = this.#solving;
+    if (!current) return 0;
     try {
-      const posed = posedPositions(solving.current.data, solving.motions(project), blendOf(project));
+      const posed = posedPositions(current.data, this.#solving.motions(project), blendOf(project));
       return foldCount(this.#foldable, posed, limit);
     } catch {
       return Number.POSITIVE_INFINITY;
@@ -105,13 +109,13 @@ export class Posing {
 
   /** Bounding box of the posed picture without the mesh around its rim, image pixels; null without a solution. */
   bounds(): Box | null {
-    const { current } = this.#workbench.solving;
+    const { current } = this.#solving;
     return current && boxAround(this.#positions(), current.data.report.samples);
   }
 
   /** Whether part of the posed picture lies outside the picture's own rectangle. */
   beyond(): boolean {
-    const { picture } = this.#workbench;
+    const { picture } = this.#solving;
     const bounds = this.bounds();
     if (!picture || !bounds) return false;
     return reachesBeyond(bounds, { min: [0, 0], max: [picture.width, picture.height] }, SLACK);
@@ -119,7 +123,7 @@ export class Posing {
 
   /** Where a point of the original is posed; null outside the warped area. */
   map(rest: Vec): Located | null {
-    const { current } = this.#workbench.solving;
+    const { current } = this.#solving;
     if (!current) return null;
     const inverse = { ...current.data, positions: this.#positions() };
     return locate(inverse, current.data.positions, rest);
@@ -127,18 +131,18 @@ export class Posing {
 
   graph(): SiteGraph | null {
     const motions = this.motions();
-    const data = this.#workbench.solving.current?.data;
+    const data = this.#solving.current?.data;
     return data && motions ? { handles: data.siteHandle, edges: data.siteEdges, motions } : null;
   }
 
   #turnsUnder(motions: Float32Array): Turns {
-    const { editing, solving } = this.#workbench;
+    const { current } = this.#solving;
     const sites = new Map<string, number>();
-    solving.current?.data.siteHandle.forEach((index, site) => {
-      const handle = solving.current?.project.handles[index];
+    current?.data.siteHandle.forEach((index, site) => {
+      const handle = current?.project.handles[index];
       if (handle) sites.set(handle.id, site);
     });
-    const automatic = editing.project.handles.filter(
+    const automatic = this.#history.present.project.handles.filter(
       (handle) => handle.kind === 'point' && isAutomatic(handle),
     );
     return new Map(
@@ -156,7 +160,7 @@ export class Posing {
   /** If the solver cannot pose this, for example a bar of no length, the last motions stay. */
   #newest(project: Project): Float32Array | null {
     try {
-      return this.#workbench.solving.motions(project);
+      return this.#solving.motions(project);
     } catch {
       return this.#motions;
     }
@@ -164,7 +168,7 @@ export class Posing {
 
   /** The triangles of the current solution that are checked for folds. */
   get #foldable(): FoldingMesh {
-    const data = this.#workbench.solving.current?.data;
+    const data = this.#solving.current?.data;
     this.#folding ??= data ? foldingMesh(data, data.report.samples) : new Uint32Array();
     return this.#folding;
   }
@@ -178,9 +182,9 @@ export class Posing {
 
   #positions(): Float32Array {
     const motions = this.motions();
-    const positions = this.#workbench.solving.current?.data;
+    const positions = this.#solving.current?.data;
     this.#posed ??= positions
-      ? posedPositions(positions, motions, blendOf(this.#workbench.editing.project))
+      ? posedPositions(positions, motions, blendOf(this.#history.present.project))
       : new Float32Array();
     return this.#posed;
   }

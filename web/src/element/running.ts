@@ -1,12 +1,14 @@
 /** Runs commands, as far as the state of the editor allows. */
 import type { ToolName } from '../tools/machine';
 import { COMMANDS, type CommandName } from '../ui/commands';
+import type { EditCommands } from './edit_commands';
 import type { Editing } from './editing';
 import type { Files } from './files';
 import type { Viewing } from './viewing';
 
 export interface RunningHost {
   readonly editing: Editing;
+  readonly commands: EditCommands;
   readonly viewing: Viewing;
   readonly files: Files;
   readonly readonly: boolean;
@@ -24,7 +26,7 @@ export interface RunningHost {
 }
 
 export function run(command: CommandName, host: RunningHost): void {
-  const { editing, viewing, files } = host;
+  const { editing, commands, viewing, files } = host;
   const edit = (change: () => void) => host.editable && change();
   const look = (change: () => void) => {
     change();
@@ -38,7 +40,7 @@ export function run(command: CommandName, host: RunningHost): void {
   const drawing = () => editing.machine.draft !== null;
   const back = () => editing.apply(editing.machine.back());
   const again = () => editing.apply(editing.machine.again());
-  const commands: Readonly<Record<CommandName, () => void>> = {
+  const running: Readonly<Record<CommandName, () => void>> = {
     select: () => take('select'),
     point: () => take('point'),
     bar: () => take('bar'),
@@ -49,13 +51,13 @@ export function run(command: CommandName, host: RunningHost): void {
     export: () => void files.export(),
     undo: () => edit(() => (drawing() ? look(back) : editing.undo())),
     redo: () => edit(() => (drawing() || editing.machine.takenBack ? look(again) : editing.redo())),
-    reset: () => edit(() => editing.reset(false)),
-    'reset-all': () => edit(() => editing.reset(true)),
-    remove: () => edit(() => (drawing() ? look(back) : editing.remove())),
+    reset: () => edit(() => commands.reset(false)),
+    'reset-all': () => edit(() => commands.reset(true)),
+    remove: () => edit(() => (drawing() ? look(back) : commands.remove())),
     'add-corner': () => edit(() => host.addCorner()),
     'remove-corner': () => edit(() => host.removeCorner()),
-    forward: () => edit(() => editing.raise(1)),
-    backward: () => edit(() => editing.raise(-1)),
+    forward: () => edit(() => commands.raise(1)),
+    backward: () => edit(() => commands.raise(-1)),
     settings: () => host.settings(),
     'select-all': () => {
       const ids = editing.project.handles.map((handle) => handle.id);
@@ -69,5 +71,5 @@ export function run(command: CommandName, host: RunningHost): void {
     'zoom-out': () => look(() => viewing.zoom(-1)),
     bail: () => host.bail(),
   };
-  commands[command]();
+  running[command]();
 }

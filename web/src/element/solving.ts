@@ -9,6 +9,7 @@ import type { Poser } from '../compute/module';
 import type { Pixels, SolutionData, Stage } from '../compute/solution';
 import type { Project } from '../document/project';
 import { followedHandles, solveKey } from '../document/solved';
+import type { Size } from '../geometry/camera';
 import type { SolvedLabel } from '../ui/model';
 
 /** A solution and the project that was solved. */
@@ -77,9 +78,15 @@ export class Solving {
     return { samples, virtualSites, ms: Object.values(ms).reduce((sum, stage) => sum + stage, 0) };
   }
 
-  setPicture(pixels: Pixels): void {
+  /** The picture that is solved. */
+  get picture(): Size | null {
+    return this.#pixels;
+  }
+
+  setPicture(pixels: Pixels | null): void {
     this.#forget();
     this.#pixels = pixels;
+    if (!pixels) return;
     this.#engine?.then(
       (engine) => engine.setPicture(pixels.width, pixels.height, pixels.rgba),
       () => {},

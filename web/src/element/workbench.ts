@@ -7,17 +7,20 @@
  */
 import type { Engine } from '../compute/engine';
 import { EngineError } from '../compute/errors';
-import { type Document, newProject, openDocument } from '../document/document';
+import { type Document, isSameWork, newProject, openDocument } from '../document/document';
 import { checkedHandle } from '../document/handle';
-import type { HistoryRecord } from '../document/history';
+import { History, type HistoryRecord } from '../document/history';
 import type { Project, ProjectFile } from '../document/project';
 import { projectText } from '../document/project-text';
 import { alphaThreshold } from '../io/alpha';
 import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
 import type { Drawings } from '../tools/machine';
+import { EditCommands } from './edit_commands';
 import { Editing, type EditingHost } from './editing';
+import { Guarding } from './guarding';
 import { misfit, type Picture, stem } from './picture';
+import { Posing } from './posing';
 import { inEditorsWords } from './refusing';
 import { type Solved, Solving } from './solving';
 import type { Look } from './viewing';
@@ -61,8 +64,11 @@ interface Opening {
 const NOTHING = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
 
 export class Workbench {
-  readonly editing: Editing;
   readonly solving: Solving;
+  readonly posing: Posing;
+  readonly guarding: Guarding;
+  readonly editing: Editing;
+  readonly commands: EditCommands;
   readonly #host: WorkbenchHost;
   #picture: Picture | null = null;
   #opening: Opening | null = null;
@@ -71,21 +77,6 @@ export class Workbench {
 
   constructor(host: WorkbenchHost) {
     this.#host = host;
-    this.editing = new Editing(
-      {
-        edited: (kind) => {
-          if (kind !== 'selection') this.solving.want(this.editing.project);
-          host.edited(kind);
-        },
-        say: (text) => host.say(text),
-        carryOut: (effect) => host.carryOut(effect),
-        get turns() {
-          return host.turns;
-        },
-        guarding: host.guarding,
-      },
-      NOTHING,
-    );
     this.solving = new Solving({
       solved: (solved, first) => this.#solved(solved, first),
       refused: (key, error) => this.#refused(key, error),
@@ -93,6 +84,18 @@ export class Workbench {
       // The first solve cannot be cancelled: there is no solution to return to.
       begin: (label) => host.begin(label, this.solving.current && (() => this.cancelSolve())),
     });
+    const history = new History(NOTHING, isSameWork);
+    this.posing = new Posing(history, this.solving);
+    this.guarding = new Guarding(this.posing);
+    this.editing = new Editing(history, this.posing, this.guarding, {
+      edited: (kind) => {
+        if (kind !== 'selection') this.solving.want(this.editing.project);
+        host.edited(kind);
+      },
+      say: (text) => host.say(text),
+      carryOut: (effect) => host.carryOut(effect),
+    });
+    this.commands = new EditCommands(this.editing, this.posing, this.guarding, (text) => host.say(text));
   }
 
   get picture(): Picture | null {
@@ -104,7 +107,7 @@ export class Workbench {
     const open = this.#opening ? this.#opening.before : this.#picture && this.#snapshot(this.#picture);
     if (!open) return null;
     const { file, name } = open.picture;
-    return { file, name, ...open.work, guarded: this.#host.guarding.on };
+    return { file, name, ...open.work, guarded: this.guarding.on };
   }
 
   /**
@@ -216,6 +219,7 @@ export class Workbench {
   #show(picture: Picture | null, look?: Look): void {
     const last = this.#picture;
     this.#picture = picture;
+    this.posing.forget();
     this.#host.opened(picture, look);
     if (last !== picture && last !== this.#opening?.before?.picture) last?.bitmap.close();
   }
@@ -223,6 +227,7 @@ export class Workbench {
   #solved(solved: Solved, first: boolean): void {
     const opening = this.#opening;
     this.#opening = null;
+    this.posing.forget();
     this.#host.solved(solved, first);
     if (!opening) return;
     opening.before?.picture.bitmap.close();
@@ -244,6 +249,7 @@ export class Workbench {
     else if (this.#picture && this.editing.project.handles.length > 0) {
       this.#put(this.#picture, this.#fresh(this.#picture));
     } else {
+      this.solving.setPicture(null);
       this.#show(null);
     }
     opening.reject(opening.fresh ? inEditorsWords(error, opening.fresh.name) : error);

@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { Talking } from './talking';
+import { Notices } from './notices';
 
-function talking() {
+function notices() {
   const told: unknown[] = [];
   const emit = (type: string, detail: unknown) => type === 'progress' && told.push(detail);
-  return { told, talking: new Talking({ changed: () => {}, emit, answerable: true }) };
+  return { told, notices: new Notices({ changed: () => {}, emit, answerable: true }) };
 }
 
 describe('progress', () => {
   it('shows the newest of what is under way, and each until its own end', () => {
-    const { talking: it, told } = talking();
+    const { notices: it, told } = notices();
     const solved = it.begin('Sampling', () => {});
     const exported = it.begin('Exporting');
     expect(it.progress).toEqual({ label: 'Exporting', cancel: null });
@@ -30,7 +30,7 @@ describe('progress', () => {
   });
 
   it('gives up what it belongs to', () => {
-    const { talking: it } = talking();
+    const { notices: it } = notices();
     let given = '';
     it.begin('Sampling', () => {
       given = 'Sampling';

@@ -5,7 +5,7 @@
 import type { Notice, Progress } from '../ui/model';
 import type { Emit } from './events';
 
-export interface TalkingHost {
+export interface NoticesHost {
   changed(): void;
   readonly emit: Emit;
   /** Whether people may run the action of a notice. */
@@ -15,8 +15,8 @@ export interface TalkingHost {
 /** Long enough to read a sentence twice. */
 const PASSING_MS = 6000;
 
-export class Talking {
-  readonly #host: TalkingHost;
+export class Notices {
+  readonly #host: NoticesHost;
   /** A notice with an action, an error, and a notice that disappears by itself: the last one present is shown. */
   #offer: Notice | null = null;
   #error: Notice | null = null;
@@ -26,7 +26,7 @@ export class Talking {
   #works: readonly Progress[] = [];
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(host: TalkingHost) {
+  constructor(host: NoticesHost) {
     this.#host = host;
   }
 

@@ -6,7 +6,7 @@
  */
 import type { Report } from '../compute/solution';
 
-export interface NoticingHost {
+export interface PoseChecksHost {
   /** The number of triangles that the current pose turns over. */
   folds(): number;
   /** Whether part of the posed picture lies outside the picture's frame. */
@@ -19,14 +19,14 @@ export interface NoticingHost {
 
 const BREATH_MS = 200;
 
-export class Noticing {
-  readonly #host: NoticingHost;
+export class PoseChecks {
+  readonly #host: PoseChecksHost;
   #folds = 0;
   #beyond = false;
   #outside = '';
   #looking: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(host: NoticingHost) {
+  constructor(host: PoseChecksHost) {
     this.#host = host;
   }
 

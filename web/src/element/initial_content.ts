@@ -10,7 +10,7 @@ import type { Aside } from './files';
 import type { Turn } from './turn';
 import type { Kept } from './workbench';
 
-export interface BeginningHost {
+export interface InitialContentHost {
   readonly src: string | null;
   readonly projectSource: string | null;
   /** The current desk; null while the element is not connected. */
@@ -20,17 +20,17 @@ export interface BeginningHost {
 
 const nothing = (): Aside => ({ awaiting: null, left: [] });
 
-export class Beginning {
+export class InitialContent {
   /** Set by the page before there was a picture. */
   project: ProjectFile | null = null;
   selection: readonly string[] | null = null;
   aside = nothing();
-  readonly #host: BeginningHost;
+  readonly #host: InitialContentHost;
   #left: Kept | null = null;
   /** Identifies the last change of the attributes that is not open yet; null if there is none. */
   #asked: symbol | null = null;
 
-  constructor(host: BeginningHost) {
+  constructor(host: InitialContentHost) {
     this.#host = host;
   }
 
@@ -82,13 +82,13 @@ export class Beginning {
   }
 
   /** Applies to the open picture what the page set before. */
-  settle({ workbench, talking }: Desk): void {
+  settle({ workbench, notices }: Desk): void {
     const [project, selection] = [this.taken(), this.selection];
     this.selection = null;
     try {
       if (project) workbench.set(project);
     } catch (error) {
-      talking.report(error);
+      notices.report(error);
     }
     if (selection) workbench.editing.select(selection);
   }
@@ -103,7 +103,7 @@ export class Beginning {
       if (!(await desk.files.shown(opening)) || desk !== this.#host.desk) return false;
     } catch (error) {
       // After a disconnection the next `begin` tries again.
-      if (desk === this.#host.desk) desk.talking.report(error);
+      if (desk === this.#host.desk) desk.notices.report(error);
       return false;
     }
     this.#host.emit('load', null);

@@ -1,0 +1,198 @@
+/** The commands that change the document: each is one undo step with its label, announced to screen readers. */
+import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
+import { type Document, handleById, selectedHandles } from '../document/document';
+import {
+  addCorner,
+  changeHandles,
+  holdBoundary,
+  moveHandles,
+  putCorner,
+  raiseHandles,
+  removeCorner,
+  removeHandles,
+  resetHandles,
+  turnHandles,
+} from '../document/edits';
+import {
+  anchor,
+  atDepth,
+  CORNERS_NEEDED,
+  depthOf,
+  freed,
+  isLine,
+  moved,
+  nameOf,
+  rotationOf,
+  scaledTo,
+  scaleOf,
+  turnedTo,
+} from '../document/handle';
+import type { Handle, LineHandle, PoseMode, Project } from '../document/project';
+import type { Blend } from '../geometry/blend';
+import type { LinePlace } from '../geometry/polyline';
+import { add, type Vec } from '../geometry/vec';
+import type { Field } from '../ui/model';
+import type { Editing } from './editing';
+import type { Guarding } from './guarding';
+import type { Posing } from './posing';
+import { depthWords, placeWords, selectionName } from './wording';
+
+export class EditCommands {
+  readonly #editing: Editing;
+  readonly #posing: Posing;
+  readonly #guarding: Guarding;
+  /** Announces a text. */
+  readonly #say: (text: string) => void;
+
+  constructor(editing: Editing, posing: Posing, guarding: Guarding, say: (text: string) => void) {
+    this.#editing = editing;
+    this.#posing = posing;
+    this.#guarding = guarding;
+    this.#say = say;
+  }
+
+  remove(): void {
+    const { selection } = this.#document;
+    if (selection.length === 0) return;
+    this.#editing.step(`Delete ${selectionName(this.#document)}`, removeHandles(this.#document, selection));
+  }
+
+  /** Returns the selected handles, or all, to their rest pose. */
+  reset(all: boolean): void {
+    const ids = all ? this.#project.handles.map((handle) => handle.id) : this.#document.selection;
+    if (!all && ids.length === 0) return;
+    const label = all ? 'Reset all handles' : `Reset ${selectionName(this.#document)}`;
+    this.#editing.step(label, resetHandles(this.#document, ids));
+  }
+
+  nudge(by: Vec): void {
+    const { selection } = this.#document;
+    const label = `Move ${selectionName(this.#document)}`;
+    this.#guarded(label, moveHandles(this.#document, selection, by), `nudge ${selection.join(' ')}`);
+  }
+
+  /** Nudges one corner of a bar or polygon. */
+  nudgeCorner(id: string, index: number, by: Vec): void {
+    const handle = handleById(this.#document, id);
+    const at = handle && isLine(handle) ? handle.posed[index] : undefined;
+    if (!handle || !at) return;
+    const next = putCorner(this.#document, id, index, add(at, by));
+    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`);
+  }
+
+  /** Adds a corner to a bar or polygon. Returns its index. */
+  addCorner(handle: LineHandle, at: LinePlace): number {
+    this.#editing.step(`Add a corner to ${nameOf(handle)}`, addCorner(this.#document, handle.id, at));
+    return at.edge + 1;
+  }
+
+  /** Removes a corner if enough remain. Returns the index of the corner before it, or null if none was removed. */
+  removeCorner(handle: LineHandle, index: number): number | null {
+    const needed = CORNERS_NEEDED[handle.kind];
+    if (handle.posed.length <= needed) {
+      this.#say(`A ${handle.kind} needs ${needed} corners`);
+      return null;
+    }
+    this.#editing.step(
+      `Delete a corner of ${nameOf(handle)}`,
+      removeCorner(this.#document, handle.id, index),
+    );
+    return Math.max(0, index - 1);
+  }
+
+  /** Brings the selected handles forward by this many depth steps; negative sends them back. */
+  raise(by: number): void {
+    const { selection } = this.#document;
+    if (selection.length === 0) return;
+    const label = `${by > 0 ? 'Bring forward' : 'Send back'} ${selectionName(this.#document)}`;
+    this.#editing.commit(label, raiseHandles(this.#document, selection, by), `raise ${selection.join(' ')}`);
+    this.#sayDepth();
+  }
+
+  blend(blend: Blend): void {
+    const project = blended(this.#project, blend);
+    this.#editing.step(blend === 'rigid' ? 'Keep turns rigid' : 'Blend turns linearly', {
+      ...this.#document,
+      project,
+    });
+  }
+
+  holdBoundary(held: boolean): void {
+    this.#editing.step(held ? 'Hold the boundary' : 'Free the boundary', holdBoundary(this.#document, held));
+  }
+
+  turn(by: number): void {
+    const { selection } = this.#document;
+    const turns = this.#posing.turns();
+    const turned = turnHandles(this.#document, selection, (handle) => rotationOf(handle, turns) + by);
+    this.#guarded(`Turn ${selectionName(this.#document)}`, turned, `turn ${selection.join(' ')}`);
+  }
+
+  /** Makes the rotation of the selected points automatic, or pins it as it is now. */
+  automatic(on: boolean): void {
+    const turns = this.#posing.turns();
+    // Bars and polygons take their rotation from their corners.
+    const points = selectedHandles(this.#document).filter((handle) => !isLine(handle));
+    const ids = points.map((handle) => handle.id);
+    const document = on
+      ? changeHandles(this.#document, ids, freed)
+      : turnHandles(this.#document, ids, (handle) => rotationOf(handle, turns));
+    this.#editing.step(`${on ? 'Free' : 'Pin'} the turn of ${selectionName(this.#document)}`, document);
+  }
+
+  /** Changes the pose mode, with the settings that belong to it. */
+  bend(mode: PoseMode): void {
+    if (mode === modeOf(this.#project)) return;
+    const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend smoothly';
+    this.#editing.step(label, { ...this.#document, project: bent(this.#project, mode) });
+  }
+
+  detail(detail: Detail): void {
+    this.#editing.step(`Set detail to ${detail}`, {
+      ...this.#document,
+      project: detailed(this.#project, detail),
+    });
+  }
+
+  /** Sets one field of every selected handle, computed from its current value. */
+  field(field: Field, value: (now: number) => number): void {
+    const turns = this.#posing.turns();
+    const further = (now: number) => value(now) - now;
+    const set: Readonly<Record<Field, (handle: Handle) => Handle>> = {
+      x: (handle) => moved(handle, [further(anchor(handle)[0]), 0]),
+      y: (handle) => moved(handle, [0, further(anchor(handle)[1])]),
+      rotation: (handle) => turnedTo(handle, value(rotationOf(handle, turns))),
+      scale: (handle) => scaledTo(handle, value(scaleOf(handle))),
+      depth: (handle) => atDepth(handle, value(depthOf(handle))),
+    };
+    const { selection } = this.#document;
+    const document = changeHandles(this.#document, selection, set[field]);
+    const label = `Set ${field} of ${selectionName(this.#document)}`;
+    this.#guarded(label, document, `${field} ${selection.join(' ')}`);
+    if (field === 'depth') this.#sayDepth();
+  }
+
+  /** Commits a change as far as the guard against folds allows, and announces the result. */
+  #guarded(label: string, wanted: Document, key: string): void {
+    const document = this.#guarding.limited(this.#document, wanted);
+    if (document === this.#document && this.#guarding.holding) {
+      this.#say('Stopped: more would fold the picture');
+      return;
+    }
+    this.#editing.commit(label, document, key);
+    this.#say(placeWords(this.#document, this.#posing.turns()));
+  }
+
+  #sayDepth(): void {
+    const words = depthWords(this.#document);
+    if (words !== null) this.#say(words);
+  }
+
+  get #document(): Document {
+    return this.#editing.document;
+  }
+
+  get #project(): Project {
+    return this.#editing.project;
+  }
+}

@@ -1,0 +1,37 @@
+/** What undo labels and announcements call the selection, its place and depth, and a drawing. */
+import { type Document, handleById, selectedHandles } from '../document/document';
+import { anchor, DEPTHS, depthOf, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import type { Draft } from '../tools/state';
+
+export function selectionName(document: Document): string {
+  const [id, ...more] = document.selection;
+  if (id === undefined) return 'nothing';
+  const handle = handleById(document, id);
+  return more.length > 0 ? `${more.length + 1} handles` : handle ? nameOf(handle) : id;
+}
+
+/** The pose of the first selected handle; empty without one. */
+export function placeWords(document: Document, turns: Turns): string {
+  const [handle] = selectedHandles(document);
+  if (!handle) return '';
+  const [x, y] = anchor(handle).map(Math.round);
+  const turn = Math.round(rotationOf(handle, turns));
+  const scale = scaleOf(handle) === 1 ? '' : `, scale ${scaleOf(handle)}`;
+  return `${nameOf(handle)}: x ${x}, y ${y}, rotation ${turn} degrees${scale}`;
+}
+
+/** The depth of the first selected handle; null without one. */
+export function depthWords(document: Document): string | null {
+  const [handle] = selectedHandles(document);
+  if (!handle) return null;
+  const depth = depthOf(handle);
+  const end = depth === DEPTHS.most ? ', in front' : depth === DEPTHS.least ? ', at the back' : '';
+  return `${nameOf(handle)}: depth ${depth}${end}`;
+}
+
+/** The corner last set of a drawing; without a drawing, that it was given up. */
+export function draftWords(draft: Draft | null): string {
+  const [at] = draft?.corners.slice(-1) ?? [];
+  const [x, y] = at?.map(Math.round) ?? [];
+  return draft ? `${draft.kind}, corner ${draft.corners.length}: x ${x}, y ${y}` : 'Drawing given up';
+}
