@@ -55,7 +55,7 @@ import {
 import { Desk } from './element/desk';
 import type { ChangeKind } from './element/editing';
 import { emitter, TypedElement } from './element/events';
-import { Focusing } from './element/focusing';
+import { FocusKeeper } from './element/focus_keeper';
 import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
 import type { Turn } from './element/turn';
@@ -111,7 +111,7 @@ export class C2Warp extends TypedElement {
   /** For the initial content. Taken on connection, so that every later request overtakes it. */
   #turn: Turn | null = null;
   #receiving: Receiving | null = null;
-  #focusing: Focusing | null = null;
+  #focusKeeper: FocusKeeper | null = null;
   /** Values of the last `selectionchange` and `historychange`. */
   #selected = '';
   #past: string | null = null;
@@ -310,7 +310,7 @@ export class C2Warp extends TypedElement {
       () => !this.readonly && !this.disabled && !this.play,
       (files) => void this.#desk?.files.receive(files),
     );
-    this.#focusing = new Focusing(this);
+    this.#focusKeeper = new FocusKeeper(this);
     this.requestUpdate();
   }
 
@@ -322,7 +322,7 @@ export class C2Warp extends TypedElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#receiving?.release();
-    this.#focusing?.release();
+    this.#focusKeeper?.release();
     const desk = this.#desk;
     this.#desk = null;
     this.#initial.leave(desk?.workbench.kept ?? null);
@@ -339,7 +339,7 @@ export class C2Warp extends TypedElement {
   protected override render(): TemplateResult | null {
     const desk = this.#desk;
     if (!desk) return null;
-    return shell({ ...desk.model, platform: navigator.platform }, desk.actions, desk.canvas);
+    return shell(desk.model, desk.actions, desk.canvas);
   }
 
   protected override willUpdate(changes: PropertyValues<this>): void {
@@ -350,19 +350,19 @@ export class C2Warp extends TypedElement {
   protected override updated(changes: PropertyValues<this>): void {
     const desk = this.#desk;
     if (!desk) return;
-    this.#focusing?.repair();
+    this.#focusKeeper?.repair();
     const turn = this.#turn;
     this.#turn = null;
     const fresh = turn !== null;
-    if (fresh || changes.has('autosave')) desk.keepUnder(this.autosave);
+    if (fresh || changes.has('autosave')) desk.autosave.use(this.autosave);
     if (this.readonly || this.disabled) {
       if (changes.has('readonly') || changes.has('disabled')) desk.stop();
     }
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
     const rearranged = changes.has('play') || (this.play && changes.has('readonly'));
-    if (stage && !fresh && rearranged) desk.rearrange(stage);
+    if (!fresh && rearranged) desk.rearrange();
     const freed = changes.has('readonly') || changes.has('play');
-    if (isToolName(this.tool) && (fresh || freed || changes.has('tool'))) desk.choose(this.tool);
+    if (isToolName(this.tool) && (fresh || freed || changes.has('tool'))) desk.commands.choose(this.tool);
     if (fresh) {
       if (stage) desk.attach(stage);
       void this.#initial.begin(desk, turn);

@@ -2,30 +2,20 @@
  * The keys of the editor while it has the focus. Text fields keep their keys, except document commands such as save.
  */
 import type { Vec } from '../geometry/vec';
-import { type CommandName, commandOfKey } from '../ui/commands';
+import { type CommandName, commandOfKey, commandsFor } from '../ui/commands';
 import { isTyped } from '../ui/untyped';
+import type { CommandRunner } from './command_runner';
+import type { Display } from './display';
+import type { Input } from './input';
+import type { Permissions } from './permissions';
+import type { StageKeys } from './stage_keys';
 
 export interface KeyboardHost {
-  /** People can do nothing. */
-  readonly disabled: boolean;
-  /** The commands that keys may run: all other keys are left to the page. */
-  readonly commands: readonly CommandName[];
-  run(command: CommandName): void;
-  /**
-   * Escape. Returns whether there was anything to cancel: if not, the key is left to the page, such as for a dialog.
-   */
-  bail(): boolean;
-  compare(on: boolean): void;
-  /**
-   * Space pressed or released on the stage: while held, presses pan. Like those below, returns whether it was handled.
-   */
-  space(held: boolean): boolean;
-  /** Arrow keys on the stage, in steps of 1 or, with Shift, 10. */
-  arrow(by: Vec): boolean;
-  /** Comma and full stop turn by 1° or, with Shift, 15°. */
-  turn(degrees: number): boolean;
-  /** Enter on the stage itself. */
-  place(): boolean;
+  readonly permissions: Permissions;
+  readonly display: Display;
+  readonly commands: CommandRunner;
+  readonly stageKeys: StageKeys;
+  readonly input: Input;
 }
 
 const ARROWS: Readonly<Record<string, Vec>> = {
@@ -69,7 +59,7 @@ export class Keyboard {
 
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
-    if (event.defaultPrevented || this.#host.disabled) return;
+    if (event.defaultPrevented || this.#host.permissions.disabled) return;
     if (target.matches('input:not([type=checkbox])') && !this.#leavesField(event, target)) return;
     // The browser closes an open menu on Escape unless the event is cancelled.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
@@ -78,17 +68,18 @@ export class Keyboard {
       event.preventDefault();
       return;
     }
-    const command = commandOfKey(event, this.#host.commands);
+    const { permissions, commands, display } = this.#host;
+    const command = commandOfKey(event, commandsFor(permissions.playing, permissions.readonly));
     if (command === null) return;
     if (command === 'bail') {
-      if (this.#host.bail()) event.preventDefault();
+      if (commands.bail()) event.preventDefault();
       return;
     }
     event.preventDefault();
-    if (command !== 'compare') this.#host.run(command);
+    if (command !== 'compare') commands.run(command);
     else if (!event.repeat) {
       this.#compares = event.code;
-      this.#host.compare(true);
+      display.compare(true);
     }
   }
 
@@ -108,24 +99,24 @@ export class Keyboard {
     const arrow = ARROWS[event.key];
     const turn = TURNS[event.code];
     const step = event.shiftKey;
-    if (event.key === ' ') return this.#host.space(true);
-    if (arrow) return this.#host.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
-    if (turn !== undefined) return this.#host.turn(turn * (step ? 15 : 1));
-    return event.key === 'Enter' && target.matches('.shell, .stage') && this.#host.place();
+    if (event.key === ' ') return this.#host.input.space(true);
+    if (arrow) return this.#host.stageKeys.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
+    if (turn !== undefined) return this.#host.stageKeys.turn(turn * (step ? 15 : 1));
+    return event.key === 'Enter' && target.matches('.shell, .stage') && this.#host.stageKeys.place();
   }
 
   #up(event: KeyboardEvent): void {
     if (event.key === ' ') {
-      const held = this.#host.space(false);
+      const held = this.#host.input.space(false);
       // A focused button would be clicked by the release of Space.
       if (held && (event.target as Element).closest('.stage')) event.preventDefault();
     }
-    if (event.code === this.#compares) this.#host.compare(false);
+    if (event.code === this.#compares) this.#host.display.compare(false);
   }
 
   /** Without the focus no `keyup` arrives: held keys count as released. */
   #letGo(): void {
-    this.#host.space(false);
-    this.#host.compare(false);
+    this.#host.input.space(false);
+    this.#host.display.compare(false);
   }
 }

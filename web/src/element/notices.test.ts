@@ -4,7 +4,7 @@ import { Notices } from './notices';
 function notices() {
   const told: unknown[] = [];
   const emit = (type: string, detail: unknown) => type === 'progress' && told.push(detail);
-  return { told, notices: new Notices({ changed: () => {}, emit, answerable: true }) };
+  return { told, notices: new Notices({ changed: () => {}, emit, answerable: true, playing: false }) };
 }
 
 describe('progress', () => {

@@ -10,6 +10,8 @@ export interface NoticesHost {
   readonly emit: Emit;
   /** Whether people may run the action of a notice. */
   readonly answerable: boolean;
+  /** Only errors are shown. */
+  readonly playing: boolean;
 }
 
 /** Long enough to read a sentence twice. */
@@ -31,12 +33,7 @@ export class Notices {
   }
 
   get notice(): Notice | null {
-    return this.#passing ?? this.#error ?? this.#offer;
-  }
-
-  /** The last error, until it is dismissed. */
-  get error(): Notice | null {
-    return this.#error;
+    return this.#host.playing ? this.#error : (this.#passing ?? this.#error ?? this.#offer);
   }
 
   get announcement(): string {

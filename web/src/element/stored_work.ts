@@ -1,7 +1,7 @@
 /**
- * Stores the open work in the browser, so that it survives a reload or a crash: the picture once, and after every
- * step the document with its history and whether the guard against folds is on. Tabs share the key: the last change
- * of any of them is restored, picture and document together.
+ * The work stored under one key of the browser's storage: the picture, written once, and the document with its history
+ * and whether the guard against folds is on. Tabs share the key: the last change of any of them is read, picture and
+ * document together.
  *
  * If the browser refuses storage, as in some private windows, nothing is stored and nothing fails.
  */
@@ -17,7 +17,7 @@ interface KeptDocument extends Pick<Kept, 'record'>, Partial<Pick<Kept, 'guarded
   readonly mark: string;
 }
 
-export class Keeping {
+export class StoredWork {
   readonly #key: string;
   #file: Blob | null = null;
   /** Identifies the picture, so that a document is never restored with another tab's picture. */
@@ -29,7 +29,7 @@ export class Keeping {
     this.#key = key;
   }
 
-  async restore(): Promise<Kept | null> {
+  async read(): Promise<Kept | null> {
     try {
       const names = [`${this.#key}/picture`, `${this.#key}/document`];
       const [picture, document] = (await readKept(names)) as [KeptPicture?, KeptDocument?];
@@ -43,14 +43,14 @@ export class Keeping {
     }
   }
 
-  /** Stores a state. While one is being written, only the newest of the waiting states is kept. */
-  keep(kept: Kept): void {
+  /** Writes a state. While one is being written, only the newest of the waiting states is kept. */
+  write(kept: Kept): void {
     const idle = this.#next === null;
     this.#next = kept;
-    if (idle) this.#writing = this.#writing.then(() => this.#write());
+    if (idle) this.#writing = this.#writing.then(() => this.#writeNext());
   }
 
-  async #write(): Promise<void> {
+  async #writeNext(): Promise<void> {
     const kept = this.#next;
     this.#next = null;
     if (!kept) return;

@@ -5,7 +5,7 @@ const CONTROLS = '.top, .tools, .status, .draft-bar, .switch, button, summary';
  * Keeps the focus in the editor: the focused element may disappear (a deleted handle) or be disabled (the last undo),
  * and browsers then focus nothing. Only a press outside or the Tab key takes the focus away.
  */
-export class Focusing {
+export class FocusKeeper {
   readonly #host: HTMLElement;
   readonly #listening = new AbortController();
   #inside = false;

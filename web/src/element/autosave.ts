@@ -1,0 +1,53 @@
+/** Saves the open work under a key, so that it survives a reload or a crash, and opens it again. */
+import { ENGINE } from '../compute/errors';
+import { StoredWork } from './stored_work';
+import type { Kept, Workbench } from './workbench';
+
+export class Autosave {
+  readonly #workbench: Workbench;
+  #stored: StoredWork | null = null;
+  #restoring = false;
+
+  constructor(workbench: Workbench) {
+    this.#workbench = workbench;
+  }
+
+  /** Saves under this key from now on; null stops that. */
+  use(key: string | null): void {
+    this.#stored = key ? new StoredWork(key) : null;
+    this.save();
+  }
+
+  save(): void {
+    const { kept } = this.#workbench;
+    if (kept) this.#stored?.write(kept);
+  }
+
+  /** Saves what has just been opened. Restored work is stored already, or has been replaced by newer work of another tab. */
+  saveOpened(): void {
+    if (!this.#restoring) this.save();
+  }
+
+  /**
+   * Opens the stored work.
+   * @returns the work, or null if there was none that could be opened.
+   * @throws Error with the code `engine` without a solver.
+   */
+  async restore(reopen: (kept: Kept) => Promise<void>): Promise<Kept | null> {
+    const kept = await this.#stored?.read();
+    if (!kept) return null;
+    this.#restoring = true;
+    try {
+      await reopen(kept);
+    } catch (error) {
+      // Without a solver nothing can be opened. Any other error means a document that this version does not accept.
+      if (error instanceof Error && 'code' in error && error.code === ENGINE) throw error;
+      return null;
+    } finally {
+      this.#restoring = false;
+    }
+    // The solver refused the last stored step: store the work without it.
+    if (this.#workbench.editing.document !== kept.record.present) this.save();
+    return kept;
+  }
+}

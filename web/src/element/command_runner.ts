@@ -1,0 +1,130 @@
+/** Runs the commands of buttons and keys, as far as the state of the editor allows. */
+import type { ToolName } from '../tools/machine';
+import { COMMANDS, type CommandName } from '../ui/commands';
+import type { Crosshair } from './crosshair';
+import type { Display } from './display';
+import type { Files } from './files';
+import type { Focus } from './focus';
+import type { LineCommands } from './line_commands';
+import type { Notices } from './notices';
+import type { Permissions } from './permissions';
+import type { Viewing } from './viewing';
+import type { Workbench } from './workbench';
+
+export interface CommandRunnerHost {
+  readonly workbench: Workbench;
+  readonly viewing: Viewing;
+  readonly files: Files;
+  readonly notices: Notices;
+  readonly permissions: Permissions;
+  readonly display: Display;
+  readonly crosshair: Crosshair;
+  readonly lines: LineCommands;
+  readonly focus: Focus;
+  /** Camera, crosshair or drawing changed. */
+  looked(): void;
+}
+
+export class CommandRunner {
+  readonly #host: CommandRunnerHost;
+
+  constructor(host: CommandRunnerHost) {
+    this.#host = host;
+  }
+
+  run(command: CommandName): void {
+    if (!this.#host.permissions.disabled) this.#commands[command]();
+  }
+
+  choose(tool: ToolName): void {
+    const { workbench, permissions, display, focus } = this.#host;
+    const { editing } = workbench;
+    if (permissions.playing || (permissions.readonly && tool !== 'hand')) return;
+    editing.apply(editing.machine.choose(tool));
+    // Arrow keys move the crosshair of a line tool only while nothing is selected.
+    if (tool === 'bar' || tool === 'polygon') {
+      editing.select([]);
+      display.openSettings(false);
+    }
+    // With a placing tool Enter must reach the stage, not the focused handle.
+    if (tool !== 'select' && tool !== 'hand' && focus.isOnHandles) focus.hold(undefined);
+    this.#hideCrosshair();
+  }
+
+  /**
+   * Cancels or dismisses the innermost thing in progress.
+   * @returns whether there was any: if not, Escape is left to the page, such as for a dialog.
+   */
+  bail(): boolean {
+    const { workbench, notices, display, crosshair } = this.#host;
+    const { editing } = workbench;
+    const { notice } = notices;
+    if (editing.machine.busy || editing.machine.draft) {
+      editing.apply(editing.machine.bail());
+      this.#host.looked();
+    } else if (crosshair.at) this.#hideCrosshair();
+    else if (display.settings) display.openSettings(false);
+    else if (notice && !notice.action) notices.dismiss();
+    else if (editing.document.selection.length > 0) editing.select([]);
+    else if (notice) notices.dismiss();
+    else return false;
+    return true;
+  }
+
+  get #commands(): Readonly<Record<CommandName, () => void>> {
+    const { workbench, viewing, files, permissions, display, lines } = this.#host;
+    const { editing, commands } = workbench;
+    const { machine } = editing;
+    const edit = (change: () => void) => permissions.editable && change();
+    const look = (change: () => void) => {
+      change();
+      this.#host.looked();
+    };
+    // During a drawing, undo takes back its last corner.
+    const drawing = () => machine.draft !== null;
+    const back = () => editing.apply(machine.back());
+    const again = () => editing.apply(machine.again());
+    return {
+      select: () => this.#take('select'),
+      point: () => this.#take('point'),
+      bar: () => this.#take('bar'),
+      polygon: () => this.#take('polygon'),
+      hand: () => this.#take('hand'),
+      open: () => !permissions.readonly && void files.choose(),
+      save: () => void files.save(),
+      export: () => void files.export(),
+      undo: () => edit(() => (drawing() ? look(back) : editing.undo())),
+      redo: () => edit(() => (drawing() || machine.takenBack ? look(again) : editing.redo())),
+      reset: () => edit(() => commands.reset(false)),
+      'reset-all': () => edit(() => commands.reset(true)),
+      remove: () => edit(() => (drawing() ? look(back) : commands.remove())),
+      'add-corner': () => edit(() => lines.addCorner()),
+      'remove-corner': () => edit(() => lines.removeCorner()),
+      forward: () => edit(() => commands.raise(1)),
+      backward: () => edit(() => commands.raise(-1)),
+      settings: () => display.openSettings(!display.settings),
+      'select-all': () => {
+        const ids = editing.project.handles.map((handle) => handle.id);
+        editing.select(ids);
+        this.#host.notices.say(`${ids.length} handles selected`);
+      },
+      compare: () => display.compare(!display.comparing),
+      fit: () => look(() => viewing.fit()),
+      actual: () => look(() => viewing.actual()),
+      'zoom-in': () => look(() => viewing.zoom(1)),
+      'zoom-out': () => look(() => viewing.zoom(-1)),
+      bail: () => this.bail(),
+    };
+  }
+
+  /** Chooses a tool, and announces it if that was possible. */
+  #take(tool: ToolName): void {
+    this.choose(tool);
+    if (this.#host.workbench.editing.machine.tool === tool) this.#host.notices.say(COMMANDS[tool].label);
+  }
+
+  #hideCrosshair(): void {
+    this.#host.crosshair.at = null;
+    this.#host.looked();
+  }
+}

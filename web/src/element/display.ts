@@ -1,0 +1,71 @@
+/** What is shown besides the document: overlays, the original for comparison, opened settings, the selection box. */
+import type { Box } from '../geometry/box';
+import type { OverlayFlags } from '../ui/model';
+import type { Permissions } from './permissions';
+import type { Workbench } from './workbench';
+
+export interface DisplayHost {
+  readonly workbench: Workbench;
+  readonly permissions: Permissions;
+  /** The controls show something else. */
+  changed(): void;
+  /** The stage shows something else too. */
+  looked(): void;
+}
+
+const NO_OVERLAYS: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false, reach: false };
+
+export class Display {
+  readonly #host: DisplayHost;
+  #overlays = NO_OVERLAYS;
+  #comparing = false;
+  #settings = false;
+  #numbers = false;
+  /** The selection box being drawn, image pixels. */
+  box: Box | null = null;
+
+  constructor(host: DisplayHost) {
+    this.#host = host;
+  }
+
+  /** With `play` there are none. */
+  get overlays(): OverlayFlags {
+    return this.#host.permissions.playing ? NO_OVERLAYS : this.#overlays;
+  }
+
+  /** Whether the original is shown, without handles. */
+  get comparing(): boolean {
+    return this.#comparing;
+  }
+
+  /** Whether the settings of the whole picture are open, in layouts without room to show them always. */
+  get settings(): boolean {
+    return this.#settings;
+  }
+
+  /** Whether the numbers of the selected handles are open, in the same layouts. */
+  get numbers(): boolean {
+    return this.#numbers;
+  }
+
+  overlay(name: keyof OverlayFlags, on: boolean): void {
+    this.#overlays = { ...this.#overlays, [name]: on };
+    this.#host.looked();
+  }
+
+  compare(on: boolean): void {
+    if (on === this.#comparing || (on && !this.#host.workbench.picture)) return;
+    this.#comparing = on;
+    this.#host.looked();
+  }
+
+  openSettings(on: boolean): void {
+    this.#settings = on;
+    this.#host.changed();
+  }
+
+  openNumbers(on: boolean): void {
+    this.#numbers = on;
+    this.#host.changed();
+  }
+}

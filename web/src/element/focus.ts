@@ -1,0 +1,48 @@
+/** What has the focus inside the editor, and what gets it. */
+export class Focus {
+  readonly #root: ShadowRoot;
+  readonly #changed: () => void;
+
+  /** @param changed renders what is about to get the focus. */
+  constructor(root: ShadowRoot, changed: () => void) {
+    this.#root = root;
+    this.#changed = changed;
+  }
+
+  /** The corner whose button has the focus, or null. */
+  get corner(): { readonly id: string; readonly index: number } | null {
+    const active = this.#root.activeElement;
+    if (!(active instanceof HTMLElement)) return null;
+    const { of: id, corner } = active.dataset;
+    return id === undefined || corner === undefined ? null : { id, index: Number(corner) };
+  }
+
+  /** Whether a handle or a corner has the focus. */
+  get isOnHandles(): boolean {
+    return Boolean(this.#root.activeElement?.closest('.handles'));
+  }
+
+  /** Whether something is being typed. */
+  get isInField(): boolean {
+    return this.#root.activeElement instanceof HTMLInputElement;
+  }
+
+  /** Commits a number being typed before a press changes the selection, since it belongs to the current one. */
+  leaveField(): void {
+    const active = this.#root.activeElement;
+    if (active instanceof HTMLInputElement) active.blur();
+  }
+
+  /** Focuses a handle or one of its corners, or the stage without an id, so that keys go on working. */
+  hold(id: string | undefined, corner?: number): void {
+    this.#changed();
+    queueMicrotask(() => {
+      const named = id === undefined ? '' : CSS.escape(id);
+      const wanted =
+        corner === undefined ? `[data-handle="${named}"]` : `[data-of="${named}"][data-corner="${corner}"]`;
+      const handle = id === undefined ? null : this.#root.querySelector(wanted);
+      const target = handle ?? this.#root.querySelector('.stage');
+      if (target instanceof HTMLElement) target.focus({ preventScroll: true });
+    });
+  }
+}

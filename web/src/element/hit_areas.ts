@@ -1,0 +1,50 @@
+/** What a press can hit: areas as large as the pointer in use needs, and the scene that tools find them in. */
+import type { Grips, Scene } from '../tools/state';
+import type { Viewing } from './viewing';
+import type { Workbench } from './workbench';
+
+/** Sizes of the hit areas for a mouse and for a finger, CSS pixels. See `Grips`. */
+const REACH = {
+  fine: { handle: 14, line: 9, ring: 40, band: 8, slop: 3 },
+  coarse: { handle: 24, line: 20, ring: 52, band: 18, slop: 8 },
+} as const;
+
+export class HitAreas {
+  readonly #workbench: Workbench;
+  readonly #viewing: Viewing;
+  /** Whether the last press was one of a finger; at first, whether the device has no finer pointer. */
+  coarse = matchMedia('(pointer: coarse)').matches;
+
+  constructor(workbench: Workbench, viewing: Viewing) {
+    this.#workbench = workbench;
+    this.#viewing = viewing;
+  }
+
+  /** Current sizes, image pixels. */
+  get grips(): Grips {
+    const reach = this.coarse ? REACH.coarse : REACH.fine;
+    const { scale } = this.#viewing.camera;
+    return {
+      handle: reach.handle / scale,
+      line: reach.line / scale,
+      ring: reach.ring / scale,
+      band: reach.band / scale,
+      slop: reach.slop / scale,
+    };
+  }
+
+  get press(): 'click' | 'tap' {
+    return this.coarse ? 'tap' : 'click';
+  }
+
+  get scene(): Scene {
+    const { editing, posing } = this.#workbench;
+    return {
+      document: editing.document,
+      grips: this.grips,
+      turns: posing.turns(),
+      place: (at) => posing.place(at),
+      placeNear: (at) => posing.placeNear(at),
+    };
+  }
+}

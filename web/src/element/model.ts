@@ -1,0 +1,77 @@
+/** The model that the templates show, gathered from the parts that hold its state. */
+import type { EditorModel } from '../ui/model';
+import type { Crosshair } from './crosshair';
+import type { Display } from './display';
+import type { Files } from './files';
+import type { FirstHint } from './first_hint';
+import type { HitAreas } from './hit_areas';
+import type { Notices } from './notices';
+import type { Permissions } from './permissions';
+import type { PoseChecks } from './pose_checks';
+import type { Viewing } from './viewing';
+import type { Workbench } from './workbench';
+
+export interface ModelParts {
+  readonly workbench: Workbench;
+  readonly viewing: Viewing;
+  readonly files: Files;
+  readonly notices: Notices;
+  readonly permissions: Permissions;
+  readonly display: Display;
+  readonly checks: PoseChecks;
+  readonly hint: FirstHint;
+  readonly areas: HitAreas;
+  readonly crosshair: Crosshair;
+}
+
+/** The undo and redo label while something is being drawn. */
+const SET_CORNER = 'Set a corner';
+
+export function modelOf(
+  parts: ModelParts,
+  page: Pick<EditorModel, 'cursor' | 'dark' | 'platform'>,
+): EditorModel {
+  const { workbench, viewing, files, notices, permissions, display, checks, hint, areas, crosshair } = parts;
+  const { editing, solving, posing, guarding, picture } = workbench;
+  const { machine } = editing;
+  const { overlays } = display;
+  return {
+    document: editing.document,
+    turns: posing.turns(),
+    picture,
+    opening: files.opening,
+    tool: machine.tool,
+    readonly: permissions.readonly,
+    disabled: permissions.disabled,
+    playing: permissions.playing,
+    dark: page.dark,
+    camera: viewing.camera,
+    stage: viewing.stage,
+    grips: areas.grips,
+    pressing: machine.busy,
+    press: areas.press,
+    undo: machine.draft ? SET_CORNER : editing.undoLabel,
+    redo: machine.takenBack ? SET_CORNER : machine.draft ? null : editing.redoLabel,
+    solved: solving.label,
+    progress: notices.progress,
+    notice: notices.notice,
+    hint: hint.shown,
+    announcement: notices.announcement,
+    comparing: display.comparing,
+    overlays,
+    sites: overlays.sites || overlays.graph ? posing.graph() : null,
+    folded: overlays.folds ? posing.folded() : null,
+    folds: overlays.folds || guarding.on ? posing.folds() : checks.folds,
+    beyond: checks.beyond,
+    guarded: guarding.on,
+    holding: guarding.holding,
+    settings: display.settings,
+    numbers: display.numbers,
+    draft: machine.draft,
+    waiting: machine.waiting,
+    box: display.box,
+    crosshair: crosshair.at,
+    cursor: picture ? page.cursor : 'default',
+    platform: page.platform,
+  };
+}

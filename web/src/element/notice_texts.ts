@@ -1,0 +1,18 @@
+/** Texts of notices that name what was ignored, or where nothing can be placed. */
+
+export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle on the picture.';
+
+const listed = new Intl.ListFormat('en-GB');
+
+/** @param handles names of handles that lie partly outside the picture; at least one. */
+export function outsideText(handles: readonly string[]): string {
+  return handles.length === 1
+    ? `Only the part of ${handles[0]} on the picture bends it: the rest lies beside it.`
+    : `Only the parts on the picture bend it of ${listed.format(handles)}.`;
+}
+
+/** @param files names of files that were not opened; at least one. */
+export function notOpenedText([first, ...more]: readonly string[]): string {
+  const others = more.length === 0 ? `${first} was` : `${first} and ${more.length} more were`;
+  return `One picture is open at a time: ${others} not opened.`;
+}

@@ -1,0 +1,136 @@
+/** The parts of a running editor, each made from those before it. */
+import { actionsOf } from './actions';
+import { Autosave } from './autosave';
+import { CommandRunner } from './command_runner';
+import { Crosshair } from './crosshair';
+import { Display } from './display';
+import type { Emit } from './events';
+import { type Aside, Files } from './files';
+import { FirstHint, type PageHint } from './first_hint';
+import { Focus } from './focus';
+import { HitAreas } from './hit_areas';
+import { LineCommands } from './line_commands';
+import { Notices } from './notices';
+import { type Attributes, Permissions } from './permissions';
+import { PoseChecks } from './pose_checks';
+import { Reaching } from './reaching';
+import { StageKeys } from './stage_keys';
+import { Viewing } from './viewing';
+import { Workbench, type WorkbenchHost } from './workbench';
+
+/** What the parts need of the element. */
+export interface PartsHost extends Attributes {
+  readonly root: ShadowRoot;
+  readonly aside: Aside;
+  readonly hint: PageHint | null;
+  /** The model has changed: render again. */
+  changed(): void;
+  /** A picture is open, whether the page or a person opened it. */
+  opened(): void;
+  readonly emit: Emit;
+  switchTheme(): void;
+}
+
+/** What concerns several parts. */
+export interface Reactions extends Pick<WorkbenchHost, 'opened' | 'solved' | 'edited' | 'carryOut'> {
+  /** Camera, cursor, crosshair or overlays changed. */
+  looked(): void;
+  /** The reach of the selected handles has changed. */
+  reached(): void;
+  /** A person's files have been taken, except those ignored. */
+  received(ignored: readonly string[]): void;
+  /** These handles, others than before, lie partly outside the picture. */
+  outside(ids: readonly string[]): void;
+}
+
+export type Parts = ReturnType<typeof partsOf>;
+
+export function partsOf(host: PartsHost, reactions: Reactions) {
+  const changed = () => host.changed();
+  const looked = () => reactions.looked();
+  const workbench: Workbench = new Workbench({
+    get look() {
+      return viewing.now;
+    },
+    opened: (picture, look) => reactions.opened(picture, look),
+    solved: (solved, first) => reactions.solved(solved, first),
+    edited: (kind) => reactions.edited(kind),
+    carryOut: (effect) => reactions.carryOut(effect),
+    say: (text) => notices.say(text),
+    begin: (label, cancel) =>
+      notices.begin(label, cancel && (() => (permissions.editable ? cancel() : changed()))),
+    report: (error) => notices.report(error),
+  });
+  const permissions = new Permissions(host, workbench);
+  const display = new Display({ workbench, permissions, changed, looked });
+  const notices = new Notices({
+    changed,
+    emit: host.emit,
+    get answerable() {
+      return permissions.changing;
+    },
+    get playing() {
+      return permissions.playing;
+    },
+  });
+  const viewing: Viewing = new Viewing({
+    bounds: () => workbench.posing.bounds(),
+    get coarse() {
+      return matchMedia('(pointer: coarse)').matches;
+    },
+    get sheet() {
+      return display.settings || workbench.editing.document.selection.length > 0;
+    },
+    get bare() {
+      if (!permissions.playing) return null;
+      return permissions.readonly ? 'picture' : 'handles';
+    },
+  });
+  const checks = new PoseChecks({
+    folds: () => workbench.posing.folds(),
+    beyond: () => workbench.posing.beyond(),
+    changed,
+    outside: (ids) => reactions.outside(ids),
+  });
+  const reaching = new Reaching({ workbench, changed: () => reactions.reached() });
+  const files = new Files(workbench, host.aside, {
+    changed,
+    opened: () => host.opened(),
+    notify: (notice) => notices.notify(notice),
+    report: (error) => notices.report(error),
+    begin: (label) => notices.begin(label),
+    cuts: () => workbench.posing.beyond(),
+    received: (ignored) => reactions.received(ignored),
+  });
+  const autosave = new Autosave(workbench);
+  const hint = new FirstHint({
+    workbench,
+    viewing,
+    permissions,
+    get hint() {
+      return host.hint;
+    },
+  });
+  const areas = new HitAreas(workbench, viewing);
+  const crosshair = new Crosshair(viewing);
+  const focus = new Focus(host.root, changed);
+  const shared = {
+    workbench,
+    permissions,
+    display,
+    notices,
+    viewing,
+    files,
+    autosave,
+    areas,
+    crosshair,
+    focus,
+    changed,
+    looked,
+  };
+  const lines = new LineCommands(shared);
+  const stageKeys = new StageKeys({ ...shared, lines });
+  const commands = new CommandRunner({ ...shared, lines });
+  const actions = actionsOf({ ...shared, lines, commands, switchTheme: () => host.switchTheme() });
+  return { ...shared, lines, stageKeys, commands, actions, checks, reaching, hint };
+}

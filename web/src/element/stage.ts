@@ -1,0 +1,135 @@
+/** The stage on the page: listens to its size, to pointer and keys, and draws on its canvas. */
+import { blendOf } from '../document/bending';
+import { deviceView } from '../geometry/camera';
+import type { CommandRunner } from './command_runner';
+import type { Crosshair } from './crosshair';
+import type { Display } from './display';
+import { Drawing } from './drawing';
+import type { Focus } from './focus';
+import type { HitAreas } from './hit_areas';
+import { Input } from './input';
+import { Keyboard } from './keyboard';
+import type { LineCommands } from './line_commands';
+import type { Notices } from './notices';
+import type { Permissions } from './permissions';
+import type { Reaching } from './reaching';
+import type { StageKeys } from './stage_keys';
+import type { Viewing } from './viewing';
+import type { Workbench } from './workbench';
+
+export interface StageHost {
+  readonly workbench: Workbench;
+  readonly viewing: Viewing;
+  readonly notices: Notices;
+  readonly permissions: Permissions;
+  readonly display: Display;
+  readonly areas: HitAreas;
+  readonly crosshair: Crosshair;
+  readonly lines: LineCommands;
+  readonly focus: Focus;
+  readonly commands: CommandRunner;
+  readonly stageKeys: StageKeys;
+  readonly reaching: Reaching;
+  /** Size, camera, cursor or crosshair changed. */
+  looked(): void;
+}
+
+export class Stage {
+  /** Null without WebGL2. */
+  readonly drawing: Drawing | null;
+  readonly #root: ShadowRoot;
+  readonly #element: HTMLElement;
+  readonly #host: StageHost;
+  readonly #sizing: ResizeObserver;
+  #input: Input;
+  #keyboard: Keyboard;
+
+  constructor(root: ShadowRoot, element: HTMLElement, canvas: HTMLCanvasElement, host: StageHost) {
+    this.#root = root;
+    this.#element = element;
+    this.#host = host;
+    this.#sizing = new ResizeObserver(([entry]) => entry && this.#resized(entry.contentRect));
+    this.#sizing.observe(element);
+    this.#measure();
+    [this.#input, this.#keyboard] = this.#listen();
+    this.drawing = this.#draw(canvas);
+  }
+
+  get cursor(): string {
+    return this.#input.cursor;
+  }
+
+  /** Adapts to the current `play` and `readonly`. */
+  rearrange(): void {
+    this.#release();
+    [this.#input, this.#keyboard] = this.#listen();
+    this.#measure();
+    this.#host.viewing.fit();
+    this.#host.looked();
+  }
+
+  /** Cancels what is in progress: a drag, a drawing, a number being typed. */
+  stop(): void {
+    this.#host.crosshair.at = null;
+    this.#host.focus.leaveField();
+    this.#host.workbench.editing.giveUp();
+    this.#host.looked();
+  }
+
+  /** Camera, cursor or crosshair has changed: draw again. */
+  look(): void {
+    this.#input.follow();
+    this.drawing?.look();
+  }
+
+  dispose(): void {
+    this.#sizing.disconnect();
+    this.#release();
+    this.drawing?.dispose();
+  }
+
+  #listen(): [Input, Keyboard] {
+    const { permissions, display, commands, stageKeys } = this.#host;
+    const input = new Input(this.#element, this.#host);
+    return [input, new Keyboard(this.#root, { permissions, display, commands, stageKeys, input })];
+  }
+
+  #draw(canvas: HTMLCanvasElement): Drawing | null {
+    const { workbench, viewing, display, reaching, notices } = this.#host;
+    const { editing, posing } = workbench;
+    try {
+      return new Drawing(canvas, {
+        view: () => ({
+          ...deviceView(viewing.camera, viewing.stage, devicePixelRatio),
+          compare: display.comparing,
+          overlays: display.overlays,
+        }),
+        motions: () => posing.motions(),
+        blend: () => blendOf(editing.project),
+        reach: () => (display.overlays.reach ? reaching.reach() : null),
+      });
+    } catch (error) {
+      notices.report(error);
+      return null;
+    }
+  }
+
+  #measure(): void {
+    const { clientWidth: width, clientHeight: height } = this.#element;
+    this.#host.viewing.resize({ width, height });
+  }
+
+  #resized({ width, height }: DOMRectReadOnly): void {
+    const { workbench, viewing, areas, focus } = this.#host;
+    const { editing } = workbench;
+    // A hidden stage receives no more pointer moves.
+    if (width === 0 || height === 0) editing.apply(editing.machine.cancel());
+    viewing.resize({ width, height }, focus.isInField && areas.press === 'tap');
+    this.#host.looked();
+  }
+
+  #release(): void {
+    this.#input.release();
+    this.#keyboard.release();
+  }
+}

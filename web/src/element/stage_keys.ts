@@ -1,0 +1,107 @@
+/** What keys do on the stage: arrows nudge, move the crosshair or pan, comma and full stop turn, Enter places. */
+import { handleById } from '../document/document';
+import { panned } from '../geometry/camera';
+import { scaled, type Vec } from '../geometry/vec';
+import type { Press } from '../tools/state';
+import type { Crosshair } from './crosshair';
+import type { Focus } from './focus';
+import type { HitAreas } from './hit_areas';
+import type { LineCommands } from './line_commands';
+import type { Notices } from './notices';
+import type { Permissions } from './permissions';
+import type { Viewing } from './viewing';
+import type { Workbench } from './workbench';
+
+export interface StageKeysHost {
+  readonly workbench: Workbench;
+  readonly viewing: Viewing;
+  readonly permissions: Permissions;
+  readonly areas: HitAreas;
+  readonly crosshair: Crosshair;
+  readonly lines: LineCommands;
+  readonly focus: Focus;
+  readonly notices: Notices;
+  /** Camera, crosshair or drawing changed. */
+  looked(): void;
+}
+
+/** CSS pixels that an arrow key moves the picture for each pixel that it would nudge. */
+const PAN = 40;
+
+const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
+
+/** Each method returns whether the key was handled: if not, it is left to the page. */
+export class StageKeys {
+  readonly #host: StageKeysHost;
+
+  constructor(host: StageKeysHost) {
+    this.#host = host;
+  }
+
+  /**
+   * Nudges the focused corner, else the selected handles; else moves a placing tool's crosshair, or the picture.
+   * @param by one step or, with Shift, ten.
+   */
+  arrow(by: Vec): boolean {
+    const { workbench, viewing, permissions, focus } = this.#host;
+    const { editing, commands } = workbench;
+    const { editable } = permissions;
+    const { draft } = editing.machine;
+    const { corner } = focus;
+    if (editable && corner && !draft) commands.nudgeCorner(corner.id, corner.index, by);
+    else if (editable && editing.document.selection.length > 0 && !draft) commands.nudge(by);
+    else if (editable && this.#places) this.#moveCrosshair(by);
+    else if (permissions.playing) return false;
+    else {
+      viewing.look(panned(viewing.camera, scaled(by, -PAN)));
+      this.#host.looked();
+    }
+    return true;
+  }
+
+  turn(degrees: number): boolean {
+    const { workbench, permissions } = this.#host;
+    if (!permissions.editable || workbench.editing.document.selection.length === 0) return false;
+    workbench.commands.turn(degrees);
+    return true;
+  }
+
+  /** Places a handle or sets a corner at the crosshair; without a crosshair, finishes the current drawing. */
+  place(): boolean {
+    const { workbench, permissions, areas, crosshair, lines, focus } = this.#host;
+    const { editing } = workbench;
+    const { machine } = editing;
+    if (!permissions.editable || !this.#places) return false;
+    // A pointer press is in progress: ignore the key.
+    if (machine.busy) return true;
+    if (machine.draft && !crosshair.at) {
+      lines.finish();
+      return true;
+    }
+    const press = pressAt(crosshair.place);
+    // No hit areas: Enter always places, even on an existing handle.
+    const scene = { ...areas.scene, grips: { ...areas.grips, handle: -1, line: -1, band: -1 } };
+    editing.apply(machine.down(press, scene));
+    editing.apply(machine.up(press, scene));
+    this.#host.looked();
+    crosshair.at = null;
+    const [added] = editing.document.selection;
+    if (added && handleById(editing.document, added)) focus.hold(added);
+    return true;
+  }
+
+  #moveCrosshair(by: Vec): void {
+    const { workbench, areas, crosshair } = this.#host;
+    const { machine } = workbench.editing;
+    const at = crosshair.move(by, machine.draft?.corners.at(-1));
+    machine.hover(pressAt(at), areas.scene);
+    this.#host.notices.say(`x ${Math.round(at[0])}, y ${Math.round(at[1])}`);
+    this.#host.looked();
+  }
+
+  /** Whether the current tool places something on the picture. */
+  get #places(): boolean {
+    const { tool } = this.#host.workbench.editing.machine;
+    return tool !== 'select' && tool !== 'hand';
+  }
+}
