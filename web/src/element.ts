@@ -58,7 +58,6 @@ import { emitter, TypedElement } from './element/events';
 import { FocusKeeper } from './element/focus_keeper';
 import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
-import type { Turn } from './element/turn';
 import type { Vec } from './geometry/vec';
 import { isToolName } from './tools/machine';
 import { chromeStyle } from './ui/chrome-style';
@@ -109,7 +108,7 @@ export class C2Warp extends TypedElement {
   readonly #initial: InitialContent;
   #desk: Desk | null = null;
   /** For the initial content. Taken on connection, so that every later request overtakes it. */
-  #turn: Turn | null = null;
+  #signal: AbortSignal | null = null;
   #receiving: Receiving | null = null;
   #focusKeeper: FocusKeeper | null = null;
   /** Values of the last `selectionchange` and `historychange`. */
@@ -304,7 +303,7 @@ export class C2Warp extends TypedElement {
         this.theme = this.#dark ? 'light' : 'dark';
       },
     });
-    this.#turn = this.#desk.files.turn();
+    this.#signal = this.#desk.files.overtake();
     this.#receiving = new Receiving(
       this,
       () => !this.readonly && !this.disabled && !this.play,
@@ -351,9 +350,9 @@ export class C2Warp extends TypedElement {
     const desk = this.#desk;
     if (!desk) return;
     this.#focusKeeper?.repair();
-    const turn = this.#turn;
-    this.#turn = null;
-    const fresh = turn !== null;
+    const signal = this.#signal;
+    this.#signal = null;
+    const fresh = signal !== null;
     if (fresh || changes.has('autosave')) desk.autosave.use(this.autosave);
     if (this.readonly || this.disabled) {
       if (changes.has('readonly') || changes.has('disabled')) desk.stop();
@@ -365,7 +364,7 @@ export class C2Warp extends TypedElement {
     if (isToolName(this.tool) && (fresh || freed || changes.has('tool'))) desk.commands.choose(this.tool);
     if (fresh) {
       if (stage) desk.attach(stage);
-      void this.#initial.begin(desk, turn);
+      void this.#initial.begin(desk, signal);
     } else if (this.#asks(changes)) {
       void this.#initial.open(desk);
     }

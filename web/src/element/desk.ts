@@ -23,7 +23,6 @@ import type { Picture } from './picture';
 import type { Solved } from './solving';
 import { Stage } from './stage';
 import { Surroundings } from './surroundings';
-import type { Turn } from './turn';
 import type { Look } from './viewing';
 import type { Kept, Workbench } from './workbench';
 
@@ -96,16 +95,16 @@ export class Desk {
   }
 
   /** Opens the stored work. Returns whether there was any that could be opened. */
-  async restore(turn: Turn): Promise<boolean> {
-    const kept = await this.autosave.restore((stored) => this.reopen(stored, turn));
+  async restore(signal: AbortSignal): Promise<boolean> {
+    const kept = await this.autosave.restore((stored) => this.reopen(stored, signal));
     if (kept) this.#parts.hint.touched = kept.record.past.length > 0;
     return kept !== null;
   }
 
   /** Opens earlier work, with the guard as it was then. */
-  async reopen(kept: Kept, turn: Turn): Promise<void> {
+  async reopen(kept: Kept, signal: AbortSignal): Promise<void> {
     this.workbench.guarding.on = kept.guarded;
-    await this.files.restore(kept, turn);
+    await this.files.restore(kept, signal);
   }
 
   /** Fits the whole picture into view. */

@@ -4,8 +4,8 @@ import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
 import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
+import { LatestRequest, unlessAborted } from './latest';
 import { fits, misfit, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
-import { type Turn, Turns } from './turn';
 import type { Kept, Work, Workbench } from './workbench';
 
 /** Projects and pictures of a person that are not open now. Kept when the element is moved. */
@@ -43,7 +43,7 @@ export class Files {
   readonly #workbench: Workbench;
   readonly #host: FilesHost;
   readonly #aside: Aside;
-  readonly #turns = new Turns();
+  readonly #requests = new LatestRequest();
   /** A count, since an overtaken opening ends only after the next has begun. */
   #opening = 0;
 
@@ -83,35 +83,36 @@ export class Files {
     }
   }
 
-  /** Starts a turn to open something; whatever the previous turn is opening is aborted. */
-  turn(): Turn {
-    return this.#turns.take();
+  /** Aborts what is being opened. Returns the signal for what is opened next. */
+  overtake(): AbortSignal {
+    return this.#requests.next();
   }
 
   /**
    * Opens a picture from an address or blob, with a project from an address or an object.
-   * @throws Error if it cannot be opened; the previous picture stays. DOMException `AbortError` once the turn is over.
+   * @throws Error if it cannot be opened; the previous picture stays. DOMException `AbortError` once aborted.
    */
-  async load(source: string | Blob, project?: string | ProjectFile, turn = this.turn()): Promise<void> {
+  async load(source: string | Blob, project?: string | ProjectFile, signal = this.overtake()): Promise<void> {
     // Copied before the first await: the page may change its object later.
     const made = typeof project === 'object' ? JSON.stringify(project) : undefined;
-    turn.check();
-    const file = typeof source === 'string' ? await turn.through(fetchFile(source, turn.signal)) : source;
+    signal.throwIfAborted();
+    const file = typeof source === 'string' ? await unlessAborted(signal, fetchFile(source, signal)) : source;
     const name =
       typeof source === 'string' ? fileName(source) : source instanceof File ? source.name : 'picture.png';
-    const text = typeof project === 'string' ? await this.#fetchedText(project, turn) : made;
-    const given = text === undefined ? undefined : await turn.through(this.#workbench.readProject(text));
-    const { picture, work } = await this.#ready(file, name, turn, given);
+    const text = typeof project === 'string' ? await this.#fetchedText(project, signal) : made;
+    const given =
+      text === undefined ? undefined : await unlessAborted(signal, this.#workbench.readProject(text));
+    const { picture, work } = await this.#ready(file, name, signal, given);
     await this.#open(picture, work);
   }
 
-  async restore(kept: Kept, turn = this.turn()): Promise<void> {
-    await this.#open(await this.#picture(kept.file, kept.name, turn), kept);
+  async restore(kept: Kept, signal = this.overtake()): Promise<void> {
+    await this.#open(await this.#picture(kept.file, kept.name, signal), kept);
   }
 
   /** Aborts what is being opened, and everything later. */
   dispose(): void {
-    this.#turns.close();
+    this.#requests.close();
   }
 
   async save(): Promise<void> {
@@ -136,10 +137,10 @@ export class Files {
   async #receive(files: readonly File[]): Promise<void> {
     const { picture, project } = sortFiles(files);
     // A project alone does not overtake a picture that is being opened.
-    const turn = picture && this.turn();
+    const signal = picture && this.overtake();
     const given = project && (await this.#readProject(project));
-    if (picture && turn) {
-      const ready = await this.#ready(picture, picture.name || 'pasted.png', turn, given?.project);
+    if (picture && signal) {
+      const ready = await this.#ready(picture, picture.name || 'pasted.png', signal, given?.project);
       await this.#openOther(ready.picture, ready.work);
     } else if (given) this.#openProject(given.name, given.project);
   }
@@ -211,7 +212,7 @@ export class Files {
   }
 
   async #back(kept: Kept): Promise<void> {
-    const picture = await this.#picture(kept.file, kept.name, this.turn());
+    const picture = await this.#picture(kept.file, kept.name, this.overtake());
     const others = this.#aside.left.filter((other) => other !== kept);
     await this.#openOther(picture, kept, others);
   }
@@ -220,10 +221,10 @@ export class Files {
   async #ready(
     file: Blob,
     name: string,
-    turn: Turn,
+    signal: AbortSignal,
     given?: Project,
   ): Promise<{ picture: Picture; work?: Work }> {
-    const picture = await this.#picture(file, name, turn);
+    const picture = await this.#picture(file, name, signal);
     const awaited = this.#aside.awaiting?.project;
     const project = given ?? (awaited && fits(picture, awaited) ? awaited : undefined);
     const error = project && misfit(picture, project);
@@ -236,11 +237,11 @@ export class Files {
     return present ? { picture, work: { record: { past: [], present, future: [] } } } : { picture };
   }
 
-  async #picture(file: Blob, name: string, turn: Turn): Promise<Picture> {
-    turn.check();
+  async #picture(file: Blob, name: string, signal: AbortSignal): Promise<Picture> {
+    signal.throwIfAborted();
     const reading = readPicture(file, name);
     try {
-      return await turn.through(reading);
+      return await unlessAborted(signal, reading);
     } catch (error) {
       reading.then(
         ({ bitmap }) => bitmap.close(),
@@ -250,9 +251,9 @@ export class Files {
     }
   }
 
-  async #fetchedText(address: string, turn: Turn): Promise<string> {
-    const file = await turn.through(fetchFile(address, turn.signal));
-    return turn.through(file.text());
+  async #fetchedText(address: string, signal: AbortSignal): Promise<string> {
+    const file = await unlessAborted(signal, fetchFile(address, signal));
+    return unlessAborted(signal, file.text());
   }
 
   async #take(files: readonly File[]): Promise<void> {

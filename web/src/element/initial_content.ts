@@ -7,7 +7,6 @@ import type { ProjectFile } from '../document/project';
 import type { Desk } from './desk';
 import type { Emit } from './events';
 import type { Aside } from './files';
-import type { Turn } from './turn';
 import type { Kept } from './workbench';
 
 export interface InitialContentHost {
@@ -56,19 +55,19 @@ export class InitialContent {
   }
 
   /** Opens the initial content after a connection, and emits `ready`. */
-  async begin(desk: Desk, turn: Turn): Promise<void> {
+  async begin(desk: Desk, signal: AbortSignal): Promise<void> {
     const left = this.#left;
     const asked = this.#asked;
     const opened = await this.#open(desk, async () => {
-      if (asked) return this.#attributes(desk, turn);
-      if (left) await desk.reopen(left, turn);
-      else if (!(await desk.restore(turn))) return this.#attributes(desk, turn);
+      if (asked) return this.#attributes(desk, signal);
+      if (left) await desk.reopen(left, signal);
+      else if (!(await desk.restore(signal))) return this.#attributes(desk, signal);
       return true;
     });
     // The new picture could not be opened: return to the previous one.
     if (asked && left && !opened) {
       await this.#open(desk, async () => {
-        await desk.reopen(left, turn);
+        await desk.reopen(left, signal);
         return true;
       });
     }
@@ -77,8 +76,8 @@ export class InitialContent {
 
   /** Opens what the changed attributes name. */
   async open(desk: Desk): Promise<void> {
-    const turn = desk.files.turn();
-    await this.#open(desk, () => this.#attributes(desk, turn));
+    const signal = desk.files.overtake();
+    await this.#open(desk, () => this.#attributes(desk, signal));
   }
 
   /** Applies to the open picture what the page set before. */
@@ -110,12 +109,12 @@ export class InitialContent {
     return true;
   }
 
-  async #attributes(desk: Desk, turn: Turn): Promise<boolean> {
+  async #attributes(desk: Desk, signal: AbortSignal): Promise<boolean> {
     const { src, projectSource } = this.#host;
     if (!src) return false;
     const [asked, project] = [this.#asked, this.taken()];
     try {
-      await desk.files.load(src, project ?? projectSource ?? undefined, turn);
+      await desk.files.load(src, project ?? projectSource ?? undefined, signal);
     } catch (error) {
       // After a disconnection the project is still needed, unless the page has set a newer one.
       if (desk !== this.#host.desk) this.project ??= project ?? null;

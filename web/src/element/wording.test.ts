@@ -1,0 +1,45 @@
+import { describe, expect, it } from 'vitest';
+import { type Document, newProject, openDocument } from '../document/document';
+import { addHandle, selectHandles } from '../document/edits';
+import { DEPTHS } from '../document/handle';
+import { depthWords, draftWords, placeWords, selectionName } from './wording';
+
+const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
+const withPoint = (id: string, document: Document, depth = 0): Document =>
+  addHandle(document, { id, kind: 'point', rest: [1, 2], posed: [3.4, 4.6], rotation: 10.4, depth });
+
+describe('words', () => {
+  it('name what is selected', () => {
+    const two = withPoint('b', withPoint('a', empty));
+    expect(selectionName(selectHandles(two, []))).toBe('nothing');
+    expect(selectionName(selectHandles(two, ['a']))).toContain('a');
+    expect(selectionName(selectHandles(two, ['a', 'b']))).toBe('2 handles');
+  });
+
+  it('say where the first selected handle is', () => {
+    expect(placeWords(withPoint('a', empty), new Map())).toMatch(/: x 3, y 5, rotation 10 degrees$/);
+    expect(placeWords(empty, new Map())).toBe('');
+  });
+
+  it('say its depth, and where that is an end', () => {
+    expect(depthWords(withPoint('a', empty))).toMatch(/: depth 0$/);
+    expect(depthWords(withPoint('a', empty, DEPTHS.most))).toMatch(/, in front$/);
+    expect(depthWords(withPoint('a', empty, DEPTHS.least))).toMatch(/, at the back$/);
+    expect(depthWords(empty)).toBeNull();
+  });
+
+  it('say which corner a drawing has got', () => {
+    const draft = {
+      kind: 'bar',
+      corners: [
+        [0, 0],
+        [1.6, 2],
+      ],
+      taken: [],
+      next: null,
+      finishing: false,
+    } as const;
+    expect(draftWords(draft)).toBe('bar, corner 2: x 2, y 2');
+    expect(draftWords(null)).toBe('Drawing given up');
+  });
+});
