@@ -54,7 +54,7 @@ export class Desk {
 
   constructor(host: DeskHost) {
     this.#host = host;
-    this.#parts = partsOf(host, {
+    const parts = partsOf(host, {
       opened: (picture, look) => this.#opened(picture, look),
       solved: (solved, first) => this.#solved(solved, first),
       edited: (kind) => this.#edited(kind),
@@ -64,14 +64,13 @@ export class Desk {
       received: (ignored) => this.#received(ignored),
       outside: (ids) => this.#tellOutside(ids),
     });
-    ({
-      workbench: this.workbench,
-      files: this.files,
-      notices: this.notices,
-      autosave: this.autosave,
-      commands: this.commands,
-      actions: this.actions,
-    } = this.#parts);
+    this.#parts = parts;
+    this.workbench = parts.workbench;
+    this.files = parts.files;
+    this.notices = parts.notices;
+    this.autosave = parts.autosave;
+    this.commands = parts.commands;
+    this.actions = parts.actions;
     this.#surroundings = new Surroundings({ coloured: () => host.changed(), scaled: () => this.#looked() });
   }
 

@@ -5,6 +5,7 @@
  * immediate. Progress is reported only once a wait is noticeable.
  */
 import { Engine } from '../compute/engine';
+import { ENGINE } from '../compute/errors';
 import type { Poser } from '../compute/module';
 import type { Pixels, SolutionData, Stage } from '../compute/solution';
 import type { Project } from '../document/project';
@@ -159,7 +160,7 @@ export class Solving {
     if (error.name === 'AbortError' || key !== this.#wanted) return;
     this.#done();
     this.#wanted = this.#current?.key ?? null;
-    if ('code' in error && error.code !== 'engine') this.#host.refused(key, error);
+    if ('code' in error && error.code !== ENGINE) this.#host.refused(key, error);
     else this.#host.failed(error);
   }
 
