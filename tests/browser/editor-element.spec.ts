@@ -45,11 +45,15 @@ test('methods do what tools do', async ({ page }) => {
     warp.selection = ['head'];
     const png = await warp.toBlob(0.25);
     const { width, height } = await createImageBitmap(png);
+    warp.updateHandle('right-hand', { posed: [1200, 516] });
+    const grown = await createImageBitmap(await warp.toBlob(0.25, { grow: true }));
+    warp.undo();
     return {
       id,
       handles,
       selection: warp.selection,
       size: [width, height],
+      grown: [grown.width > 256 + 40, grown.height],
       left: warp.project.handles.length,
     };
   });
@@ -58,6 +62,7 @@ test('methods do what tools do', async ({ page }) => {
     handles: ['head', 'left-hand', 'right-hand', 'left-foot', 'right-foot', 'handle-1'],
     selection: ['head'],
     size: [256, 320],
+    grown: [true, 320],
     left: 5,
   });
   await expect.poll(async () => (await editor.told('head')).rotation).toBe(0);

@@ -114,6 +114,18 @@ test('what is bent beyond the frame is seen before an export, fitted into view, 
   expect(width).toBe(1024);
   await expect(told).toBeVisible();
 
+  const [download] = await Promise.all([page.waitForEvent('download'), editor.button('Export all').click()]);
+  await expect(told).toBeHidden();
+  const all = decode(await bytes(download));
+  expect(all.height).toBe(1280);
+  expect(all.width).toBeGreaterThan(1024 + 50);
+  // Nothing is left of the frame, and the last column holds a part of the hand.
+  const alphas = Array.from(
+    { length: all.height },
+    (_, y) => all.data[(y * all.width + all.width - 1) * 4 + 3],
+  );
+  expect(Math.max(...alphas.map(Number))).toBeGreaterThan(0);
+
   await editor.dragHandle('head', { x: 0, y: -170 });
   const top = page.locator('c2-warp .top');
   await page.keyboard.press('0');

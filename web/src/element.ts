@@ -245,12 +245,13 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The warped picture as PNG with alpha, at `scale` times the source's size.
-   * @throws Error if no picture is open or the element is not connected. DOMException AbortError if another picture is
-   * opened, or the element is removed, first.
+   * The warped picture as PNG with alpha, at `scale` times the source's size; with `grow`, as much larger as it takes to
+   * hold what is bent beyond that.
+   * @throws Error if no picture is open, the element is not connected, or the result would be too large. DOMException
+   * AbortError if another picture is opened, or the element is removed, first.
    */
-  async toBlob(scale = 1): Promise<Blob> {
-    return this.#present.workbench.png(scale);
+  async toBlob(scale = 1, { grow = false } = {}): Promise<Blob> {
+    return this.#present.workbench.png(scale, grow);
   }
 
   /** Fits the whole picture into view. */

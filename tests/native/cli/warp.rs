@@ -87,6 +87,28 @@ fn the_scale_is_that_of_the_result() {
 }
 
 #[test]
+fn a_grown_result_holds_all_of_the_picture_and_tells_its_origin() {
+    let place = Workplace::with("strip").at_rest();
+    assert_eq!(succeed(place.folder(), &format!("{WARP} --grow")), b"0,0\n");
+    assert!(place.picture("out.png") == place.picture("strip.png"));
+
+    let place = place.changed(|project| {
+        for handle in project["handles"].as_array_mut().unwrap() {
+            let [x, y] = [0, 1].map(|axis| handle["rest"][axis].as_f64().unwrap());
+            handle["posed"] = serde_json::json!([x - 20.0, y + 6.0]);
+        }
+    });
+    assert_eq!(succeed(place.folder(), &format!("{WARP} --grow")), b"20,0\n");
+    let grown = place.picture("out.png");
+    assert_eq!(grown.dimensions(), (116, 54));
+    for (x, y, pixel) in place.picture("strip.png").enumerate_pixels() {
+        assert_eq!(grown.get_pixel(x, y + 6), pixel, "at {x}, {y}");
+    }
+    assert_eq!(succeed(place.folder(), &format!("{WARP} --grow --scale 0.5")), b"10,0\n");
+    assert_eq!(place.picture("out.png").dimensions(), (58, 27));
+}
+
+#[test]
 fn the_same_project_gives_the_same_file() {
     let place = Workplace::with("ring");
     succeed(place.folder(), WARP);

@@ -7,6 +7,7 @@ mod error;
 mod poser;
 mod session;
 mod solution;
+mod warped;
 
 use c2warp::project::Project;
 use wasm_bindgen::prelude::*;

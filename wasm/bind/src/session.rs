@@ -1,11 +1,12 @@
 //! Solves in a worker: one picture, and one project after another.
 
-use c2warp::{Error, Inspection, Picture, Solver, Stage, StageTimes, project::Project, raster};
+use c2warp::{Canvas, Error, Inspection, Picture, Solver, Stage, StageTimes, project::Project, raster};
 use wasm_bindgen::prelude::*;
 
 use crate::{
     error::{to_js, with_code},
     solution::Solution,
+    warped::Warped,
 };
 
 /// A picture, and the solver that keeps what it knows about it.
@@ -80,12 +81,14 @@ impl Session {
         Ok(Solution::new(solution, report))
     }
 
-    /// The warped picture at full quality: straight RGBA of the picture's size times `scale`. Solves first if it must.
+    /// The warped picture at full quality, of the picture's size times `scale`, or grown to all that is bent beyond that. Solves
+    /// first if it must.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`].
-    pub fn warp(&mut self, project_json: &str, scale: f64) -> Result<Vec<u8>, JsValue> {
-        self.try_warp(project_json, scale).map_err(|error| to_js(&error))
+    /// As [`Session::begin`] and [`Session::advance`]; where the result would be too large.
+    pub fn warp(&mut self, project_json: &str, scale: f64, grow: bool) -> Result<Warped, JsValue> {
+        let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
+        self.try_warp(project_json, scale, canvas).map(Warped::from).map_err(|error| to_js(&error))
     }
 }
 
@@ -111,7 +114,7 @@ impl Session {
         Ok(Some(stage.name()))
     }
 
-    fn try_warp(&mut self, project_json: &str, scale: f64) -> Result<Vec<u8>, Error> {
+    fn try_warp(&mut self, project_json: &str, scale: f64, canvas: Canvas) -> Result<c2warp::Warped, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
         // A solve takes time that a scale which is none is not worth.
@@ -122,7 +125,7 @@ impl Session {
         }
         let solution = self.solver.solution().expect("every stage has run");
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        Ok(solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale)?.rgba)
+        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale, canvas)
     }
 }
 

@@ -60,6 +60,18 @@ pub enum Error {
         /// Height in pixels.
         height: u32,
     },
+    /// A warped picture that reaches too far for all of it to be shown.
+    #[error(
+        "all of the warped picture would take {width}×{height} px: the result may have {side} px a side and {area} megapixels at most",
+        side = crate::picture::MAX_SIDE,
+        area = crate::picture::MAX_PIXELS / 1_000_000
+    )]
+    Canvas {
+        /// Width in pixels.
+        width: u64,
+        /// Height in pixels.
+        height: u64,
+    },
     /// The project was made for a picture of another size.
     #[error("the project is for a picture of {project_width}×{project_height} px, but this one is {width}×{height} px")]
     PictureMismatch {
@@ -408,6 +420,7 @@ impl Error {
             Self::Project(_) => "project",
             Self::PictureSide { .. } | Self::PictureArea { .. } | Self::PictureBytes { .. } => "picture",
             Self::Scale { .. } => "scale",
+            Self::Canvas { .. } => "canvas",
             Self::PictureMismatch { .. } => "picture-mismatch",
             Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
             Self::RingOutsidePicture { .. }

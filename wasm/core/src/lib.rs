@@ -59,7 +59,7 @@ pub use given_mesh::GivenMesh;
 /// The vectors that this crate's places are.
 pub use glam;
 pub use picture::{MAX_PIXELS, MAX_SIDE, MIN_SIDE, Picture, check_size};
-pub use raster::Warped;
+pub use raster::{Canvas, Warped};
 pub use render_mesh::RenderMesh;
 pub use report::{Inspection, Outside, Report, StageTimes};
 pub use solution::Solution;

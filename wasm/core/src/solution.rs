@@ -12,7 +12,7 @@ use crate::{
     inverse,
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
-    raster::{self, Warped},
+    raster::{self, Canvas, Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Outside, Report},
     request::check_picture,
@@ -147,12 +147,12 @@ impl Solution {
     /// The picture, warped by a pose: what [`raster::warp`] draws of the mesh, or, where there is no handle, of the picture as it is, with
     /// all that is no part of the domain.
     ///
-    /// `scale` is pixels of the result for a pixel of the picture: [`raster::warped_size`] tells the size.
+    /// `scale` is pixels of the result for a pixel of the picture: [`raster::warped_size`] tells the size, unless the canvas grows.
     ///
     /// # Errors
-    /// [`Error::Scale`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
+    /// [`Error::Scale`]; [`Error::Canvas`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
     /// [`Error::PoseOfAnother`].
-    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64) -> Result<Warped, Error> {
+    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64, canvas: Canvas) -> Result<Warped, Error> {
         if let Some(size) = self.outline.picture {
             check_picture(size, picture)?;
         }
@@ -162,9 +162,10 @@ impl Solution {
         if self.kinds == [0; 3] {
             let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-            return raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], scale);
+            return raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], scale, canvas);
         }
-        raster::warp(picture, &self.mesh.vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), scale)
+        let posed = self.posed_vertices(pose);
+        raster::warp(picture, &self.mesh.vertices, &posed, &self.drawn_triangles(pose), scale, canvas)
     }
 
     /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.

@@ -49,14 +49,14 @@ export class Engine {
   }
 
   /**
-   * The warped picture in straight alpha, at `scale` times the source's size.
+   * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
    */
-  async warp(project: Project, scale = 1): Promise<Pixels> {
+  async warp(project: Project, scale = 1, grow = false): Promise<Pixels> {
     const picture = this.#picture;
     await picture;
     if (picture !== this.#picture) throw superseded();
-    return this.#link.send('warp', { project: JSON.stringify(project), scale });
+    return this.#link.send('warp', { project: JSON.stringify(project), scale, grow });
   }
 
   /** The poser of a solution: turns the handles' poses into motions of its sites. Free it with the solution. */

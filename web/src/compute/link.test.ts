@@ -47,7 +47,7 @@ describe('Link', () => {
   it('gives each request its own answer', async () => {
     const { link, worker } = linked();
     const first = link.send('picture', PICTURE);
-    const second = link.send('warp', { project: '{}', scale: 1 });
+    const second = link.send('warp', { project: '{}', scale: 1, grow: false });
     worker(0).reply({ id: 2, kind: 'done', body: PICTURE });
     worker(0).reply({ id: 1, kind: 'done', body: null });
     expect(await first).toBeNull();
@@ -75,12 +75,12 @@ describe('Link', () => {
     const { link, worker } = linked();
     void link.send('picture', PICTURE);
     worker(0).reply({ id: 1, kind: 'done', body: null });
-    const warp = link.send('warp', { project: '{}', scale: 1 });
+    const warp = link.send('warp', { project: '{}', scale: 1, grow: false });
     worker(0).reply({ kind: 'died', message: 'unreachable' });
     expect(worker(0).ended).toBe(true);
     expect(worker(1).requests()).toEqual([
       { id: 0, name: 'picture', body: PICTURE },
-      { id: 2, name: 'warp', body: { project: '{}', scale: 1 } },
+      { id: 2, name: 'warp', body: { project: '{}', scale: 1, grow: false } },
     ]);
     worker(1).reply({ id: 2, kind: 'done', body: PICTURE });
     expect(await warp).toBe(PICTURE);
@@ -93,7 +93,7 @@ describe('Link', () => {
     worker(1).reply({ kind: 'died', message: 'unreachable' });
     await expect(solve).rejects.toMatchObject({ code: 'engine' });
     expect(workers).toHaveLength(2);
-    void link.send('warp', { project: 'good', scale: 1 });
+    void link.send('warp', { project: 'good', scale: 1, grow: false });
     expect(worker(2).requests()).toHaveLength(1);
   });
 

@@ -8,7 +8,10 @@ export interface Messages {
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
   /** The warped picture at full quality. */
-  warp: [request: { readonly project: string; readonly scale: number }, response: Pixels];
+  warp: [
+    request: { readonly project: string; readonly scale: number; readonly grow: boolean },
+    response: Pixels,
+  ];
 }
 
 export type Name = keyof Messages;

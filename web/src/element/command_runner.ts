@@ -93,6 +93,7 @@ export class CommandRunner {
       open: () => !permissions.readonly && void files.choose(),
       save: () => void files.save(),
       export: () => void files.export(),
+      'export-all': () => void files.export(true),
       undo: () => edit(() => (drawing() ? look(back) : editing.undo())),
       redo: () => edit(() => (drawing() || machine.takenBack ? look(again) : editing.redo())),
       reset: () => edit(() => commands.reset(false)),

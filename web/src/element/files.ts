@@ -32,7 +32,6 @@ export interface FilesHost {
   cuts(): boolean;
 }
 
-/** An export always has the size of the original. */
 const CUT =
   'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
 
@@ -122,14 +121,20 @@ export class Files {
     });
   }
 
-  async export(): Promise<void> {
+  /**
+   * Saves the warped picture as PNG, of the size of the original. Where that cuts something off, offers a PNG that is
+   * grown to hold all of it.
+   */
+  async export(grow = false): Promise<void> {
     const { picture } = this.#workbench;
     if (!picture) return;
     const end = this.#host.begin('Exporting');
     await this.#guarded(async () => {
-      const cut = this.#host.cuts();
-      await saveFile(this.#workbench.png(), `${stem(picture.name)}-warped.png`, 'png');
-      if (cut) this.#host.notify({ kind: 'info', text: CUT });
+      const cut = !grow && this.#host.cuts();
+      await saveFile(this.#workbench.png(1, grow), `${stem(picture.name)}-warped.png`, 'png');
+      if (!cut) return;
+      const action = { label: 'Export all', run: () => void this.export(true) };
+      this.#host.notify({ kind: 'info', text: CUT, action, passes: true });
     });
     end();
   }

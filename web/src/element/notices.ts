@@ -16,6 +16,8 @@ export interface NoticesHost {
 
 /** Long enough to read a sentence twice. */
 const PASSING_MS = 6000;
+/** Long enough to decide, too. */
+const ANSWER_MS = 15_000;
 
 export class Notices {
   readonly #host: NoticesHost;
@@ -46,18 +48,20 @@ export class Notices {
   }
 
   /** Shows a notice. Its action dismisses it; without an action, anything but an error disappears by itself. */
-  notify({ action, ...plain }: Notice): void {
+  notify(notice: Notice): void {
     this.#pass();
+    const { kind, action, passes = !action } = notice;
     const run = () => {
-      if (!this.#host.answerable) return;
+      if (!passes && !this.#host.answerable) return;
       this.dismiss();
       action?.run();
     };
-    if (action) this.#offer = { ...plain, action: { label: action.label, run } };
-    else if (plain.kind === 'error') this.#error = plain;
+    const shown = action ? { ...notice, action: { label: action.label, run } } : notice;
+    if (!passes) this.#offer = shown;
+    else if (kind === 'error') this.#error = shown;
     else {
-      this.#passing = plain;
-      this.#timer = setTimeout(() => this.dismiss(), PASSING_MS);
+      this.#passing = shown;
+      this.#timer = setTimeout(() => this.dismiss(), action ? ANSWER_MS : PASSING_MS);
     }
     this.#host.changed();
   }

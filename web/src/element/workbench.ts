@@ -166,11 +166,11 @@ export class Workbench {
     return { name: `${stem(image.src)}.c2warp.json`, blob };
   }
 
-  /** The warped picture as PNG, at `scale` times the source's size. */
-  async png(scale = 1): Promise<Blob> {
+  /** The warped picture as PNG, at `scale` times the source's size, or grown to what is bent beyond that. */
+  async png(scale = 1, grow = false): Promise<Blob> {
     if (!this.#picture) throw new PictureError('There is no picture yet.');
     const engine = await this.solving.engine();
-    const { width, height, rgba } = await engine.warp(this.editing.project, scale);
+    const { width, height, rgba } = await engine.warp(this.editing.project, scale, grow);
     return encodePng(width, height, rgba);
   }
 

@@ -18,6 +18,7 @@ export const COMMANDS = {
   open: { label: 'Open a picture or a project', icon: 'open', keys: ['Mod+O'] },
   save: { label: 'Save the project file', icon: 'save', keys: ['Mod+S'] },
   export: { label: 'Export a PNG at full size', icon: 'export', keys: ['Mod+E'] },
+  'export-all': { label: 'Export a PNG that holds all of it', icon: 'export', keys: ['Mod+Shift+E'] },
   undo: { label: 'Undo', icon: 'undo', keys: ['Mod+Z'] },
   redo: { label: 'Redo', icon: 'redo', keys: ['Mod+Shift+Z', 'Mod+Y'] },
   'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },

@@ -95,6 +95,8 @@ export interface Notice {
   readonly kind: 'error' | 'info';
   readonly text: string;
   readonly action?: { readonly label: string; run(): void };
+  /** Disappears by itself though it has an action, which can be had again. */
+  readonly passes?: true;
 }
 
 export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph' | 'folds' | 'reach', boolean>>;

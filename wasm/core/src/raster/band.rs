@@ -16,6 +16,8 @@ type Mask = u16;
 pub(super) struct Band {
     width: usize,
     rows: Range<usize>,
+    /// Of the picture's rectangle in the result.
+    origin: DVec2,
     /// The colour of a pixel whose samples are all equal.
     pixels: Vec<Vec4>,
     /// For a pixel whose samples differ, its index in `splits` plus 1; otherwise 0.
@@ -24,10 +26,11 @@ pub(super) struct Band {
 }
 
 impl Band {
-    pub(super) fn new(width: usize, height: usize) -> Self {
+    pub(super) fn new(width: usize, height: usize, origin: [usize; 2]) -> Self {
         Self {
             width,
             rows: 0..height,
+            origin: DVec2::from(origin.map(|side| side as f64)),
             pixels: vec![Vec4::ZERO; width * height],
             split: vec![0; width * height],
             splits: Vec::new(),
@@ -57,7 +60,7 @@ impl Band {
                 let mask = mask(&spans, x);
                 if mask != 0 {
                     let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-                    let colour = texture.sample(facet.source(place), facet.lod());
+                    let colour = texture.sample(facet.source(place - self.origin), facet.lod());
                     self.blend((row - self.rows.start) * self.width + x, mask, colour);
                 }
             }

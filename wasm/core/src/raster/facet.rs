@@ -14,12 +14,13 @@ const SAMPLE_STEP: i64 = 64;
 /// Greatest coordinate of a corner: keeps every product below 2⁶⁰.
 const FARTHEST_PX: f64 = 1_048_576.0;
 
-/// A triangle with its corners in pixels of the result.
+/// A triangle with its corners in pixels of the result, relative to the picture's rectangle until it is
+/// [moved](Facet::move_by).
 #[derive(Debug)]
 pub(super) struct Facet {
     /// Corners in subpixels, in positive orientation.
     corners: [[i64; 2]; 3],
-    /// Maps a place in the result to its place in the picture.
+    /// Maps a place relative to the picture's rectangle in the result to its place in the picture.
     inverse: DMat2,
     origin: DVec2,
     lod: f32,
@@ -49,7 +50,25 @@ impl Facet {
         self.lod
     }
 
-    /// The place in the picture that is drawn at a place in the result.
+    /// The least and the greatest pixel borders around the triangle, by axis.
+    pub(super) fn bounds(&self) -> ([i64; 2], [i64; 2]) {
+        let [a, b, c] = self.corners;
+        let side = SUBPIXELS as i64;
+        (
+            [0, 1].map(|axis| a[axis].min(b[axis]).min(c[axis]).div_euclid(side)),
+            [0, 1].map(|axis| (a[axis].max(b[axis]).max(c[axis]) + side - 1).div_euclid(side)),
+        )
+    }
+
+    /// Moves the triangle to a picture's rectangle with its upper left corner there, in pixels of the result.
+    pub(super) fn move_by(&mut self, origin: [usize; 2]) {
+        for corner in &mut self.corners {
+            corner[0] += origin[0] as i64 * SUBPIXELS as i64;
+            corner[1] += origin[1] as i64 * SUBPIXELS as i64;
+        }
+    }
+
+    /// The place in the picture that is drawn at a place of the result, relative to the picture's rectangle.
     pub(super) fn source(&self, place: DVec2) -> DVec2 {
         self.inverse * place + self.origin
     }

@@ -17,6 +17,7 @@
 //! colour.
 
 mod band;
+mod canvas;
 mod facet;
 #[cfg(test)]
 mod tests;
@@ -25,6 +26,8 @@ mod texture;
 use glam::DVec2;
 
 use self::band::Band;
+pub use self::canvas::Canvas;
+use self::canvas::{Frame, trimmed};
 use self::facet::Facet;
 use self::texture::Texture;
 use crate::error::Error;
@@ -40,6 +43,9 @@ pub struct Warped {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
+    /// Where the upper left corner of the picture's own rectangle lies in the result, in pixels from its upper left corner:
+    /// `[0, 0]` unless the canvas has grown.
+    pub origin: [u32; 2],
     /// `width × height × 4` bytes: straight (not premultiplied) RGBA, rows from top to bottom.
     pub rgba: Vec<u8>,
 }
@@ -67,11 +73,11 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// `rest` and `posed` are the mesh's vertices in image pixels, in the same number; `triangles` index them and are drawn in
 /// order, in either orientation. `scale` is pixels of the result per pixel of the picture.
 ///
-/// The result has the size [`warped_size`] and is transparent where there is no triangle. A mesh at rest with scale 1 returns the
-/// picture's bytes.
+/// The result has the size [`warped_size`], or more where the canvas grows, and is transparent where there is no triangle. A mesh at rest with scale 1 returns the
+/// picture's bytes. On either canvas the bytes within the picture's own rectangle are the same.
 ///
 /// # Errors
-/// [`Error::Scale`] as [`warped_size`].
+/// [`Error::Scale`] as [`warped_size`]; [`Error::Canvas`] where it would grow beyond what a picture may have.
 ///
 /// # Panics
 /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
@@ -81,23 +87,29 @@ pub fn warp(
     posed: &[DVec2],
     triangles: &[[u32; 3]],
     scale: f64,
+    canvas: Canvas,
 ) -> Result<Warped, Error> {
     assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and a posed one");
-    let size = warped_size(picture.width(), picture.height(), scale)?;
-    let (width, height) = (size.0 as usize, size.1 as usize);
+    let picture_size = warped_size(picture.width(), picture.height(), scale)?;
 
-    let facets: Vec<Facet> = triangles
+    let mut facets: Vec<Facet> = triangles
         .iter()
         .filter_map(|triangle| {
             let corners = triangle.map(|vertex| vertex as usize);
             Facet::new(corners.map(|i| rest[i]), corners.map(|i| posed[i] * scale))
         })
         .collect();
+    let frame = match canvas {
+        Canvas::Picture => Frame::of_picture(picture_size),
+        Canvas::Grown => Frame::of_picture(picture_size).around(&facets)?,
+    };
+    facets.iter_mut().for_each(|facet| facet.move_by(frame.origin));
+    let [width, height] = frame.size;
     let texture = Texture::new(*picture, facets.iter().map(Facet::lod).fold(0.0, f32::max));
     let bins = facets_by_band(&facets, height);
 
     let mut rgba = vec![0; width * height * 4];
-    let mut band = Band::new(width, BAND_ROWS);
+    let mut band = Band::new(width, BAND_ROWS, frame.origin);
     for (rows, (index, bin)) in rgba.chunks_mut(width * BAND_ROWS * 4).zip(bins.iter().enumerate()) {
         if bin.is_empty() {
             continue;
@@ -108,7 +120,9 @@ pub fn warp(
         }
         band.resolve(rows);
     }
-    Ok(Warped { width: size.0, height: size.1, rgba })
+    let origin = frame.origin.map(|side| side as u32);
+    let warped = Warped { width: width as u32, height: height as u32, origin, rgba };
+    Ok(trimmed(warped, picture_size))
 }
 
 /// The facets that touch each band of rows, in drawing order.

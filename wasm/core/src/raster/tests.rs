@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::warped_size;
+use super::{Canvas, warped_size};
 use crate::error::Error;
 use crate::picture::Picture;
 
@@ -25,7 +25,7 @@ fn opaque(mut rgba: Vec<u8>) -> Vec<u8> {
 
 /// The bytes alone.
 fn warp(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<u8> {
-    super::warp(picture, rest, posed, triangles, scale).unwrap().rgba
+    super::warp(picture, rest, posed, triangles, scale, Canvas::Picture).unwrap().rgba
 }
 
 fn picture(width: u32, height: u32, rgba: &[u8]) -> Picture<'_> {
@@ -230,7 +230,61 @@ fn sizes_that_make_no_picture_are_named() {
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9, 164.0] {
         assert!(matches!(warped_size(100, 50, scale), Err(Error::Scale { .. })), "{scale}");
         let rgba = opaque(noise(100, 50));
-        let warped = super::warp(&picture(100, 50, &rgba), &[], &[], &[], scale);
+        let warped = super::warp(&picture(100, 50, &rgba), &[], &[], &[], scale, Canvas::Picture);
         assert!(matches!(warped, Err(Error::Scale { .. })), "{scale}");
     }
+}
+
+#[test]
+fn a_grown_canvas_holds_what_is_cut_off_and_no_more() {
+    let bytes = opaque(noise(20, 12));
+    let picture = picture(20, 12, &bytes);
+    let (rest, triangles) = mesh(20.0, 12.0, 3);
+    let moved = |by: DVec2| rest.iter().map(|&p| p + by).collect::<Vec<_>>();
+    let grown = |posed: &[DVec2]| super::warp(&picture, &rest, posed, &triangles, 1.0, Canvas::Grown).unwrap();
+
+    let at_rest = grown(&rest);
+    assert_eq!((at_rest.width, at_rest.height, at_rest.origin), (20, 12, [0, 0]));
+    assert!(at_rest.rgba == bytes);
+
+    // To the left and down: the picture's own rectangle stays, and its bytes are those of the small canvas.
+    let left = moved(DVec2::new(-7.0, 3.0));
+    let all = grown(&left);
+    assert_eq!((all.width, all.height, all.origin), (27, 15, [7, 0]));
+    let small = warp(&picture, &rest, &left, &triangles, 1.0);
+    for (y, row) in small.chunks_exact(20 * 4).enumerate() {
+        let start = (y * 27 + 7) * 4;
+        assert!(all.rgba[start..start + 20 * 4] == *row, "row {y}");
+    }
+    // The whole picture is there.
+    for (y, row) in bytes.chunks_exact(20 * 4).enumerate() {
+        let start = (y + 3) * 27 * 4;
+        assert!(all.rgba[start..start + 20 * 4] == *row, "row {y}");
+    }
+}
+
+#[test]
+fn a_grown_canvas_is_trimmed_to_what_is_seen() {
+    // Nothing but a square in the middle.
+    let mut bytes = opaque(noise(20, 20));
+    for (i, pixel) in bytes.chunks_exact_mut(4).enumerate() {
+        if !(8..12).contains(&(i % 20)) || !(8..12).contains(&(i / 20)) {
+            pixel.fill(0);
+        }
+    }
+    let picture = picture(20, 20, &bytes);
+    let (rest, triangles) = mesh(20.0, 20.0, 1);
+    let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(15.0, -10.0)).collect();
+    let warped = super::warp(&picture, &rest, &posed, &triangles, 1.0, Canvas::Grown).unwrap();
+    assert_eq!((warped.width, warped.height, warped.origin), (27, 22, [0, 2]));
+}
+
+#[test]
+fn a_canvas_that_would_grow_too_large_is_refused() {
+    let bytes = noise(4, 4);
+    let picture = picture(4, 4, &bytes);
+    let (rest, triangles) = mesh(4.0, 4.0, 1);
+    let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(30_000.0, 0.0)).collect();
+    let refused = super::warp(&picture, &rest, &posed, &triangles, 1.0, Canvas::Grown);
+    assert_eq!(refused, Err(Error::Canvas { width: 30_004, height: 4 }));
 }

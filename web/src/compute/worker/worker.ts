@@ -13,7 +13,6 @@ import { WARM_UP } from './warm_up';
 declare const self: DedicatedWorkerGlobalScope;
 
 let session: Session | undefined;
-let picture = { width: 0, height: 0 };
 
 const queue = new Queue<Boot | Request>(async (message) => {
   try {
@@ -51,7 +50,6 @@ async function handle(session: Session, request: Request): Promise<void> {
     case 'picture': {
       const { width, height, rgba } = request.body;
       session.set_picture(width, height, rgba);
-      picture = { width, height };
       return done(null);
     }
     case 'solve': {
@@ -62,13 +60,11 @@ async function handle(session: Session, request: Request): Promise<void> {
       return done(solution, buffers(solution));
     }
     case 'warp': {
-      const { project, scale } = request.body;
-      const rgba = session.warp(project, scale);
-      const pixels: Pixels = {
-        width: Math.round(picture.width * scale),
-        height: Math.round(picture.height * scale),
-        rgba,
-      };
+      const { project, scale, grow } = request.body;
+      const warped = session.warp(project, scale, grow);
+      const { width, height } = warped;
+      const rgba = warped.intoBytes();
+      const pixels: Pixels = { width, height, rgba };
       return done(pixels, [rgba.buffer]);
     }
   }
