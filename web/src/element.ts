@@ -60,14 +60,8 @@ import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
 import type { Vec } from './geometry/vec';
 import { isToolName } from './tools/machine';
-import { chromeStyle } from './ui/chrome-style';
-import { forcedStyle } from './ui/forced-style';
-import { layout } from './ui/layout';
-import { playStyle } from './ui/play-style';
 import { shell } from './ui/shell';
-import { stageStyle } from './ui/stage-style';
-import { theme } from './ui/theme';
-import { touchStyle } from './ui/touch-style';
+import { editorStyle } from './ui/style/editor';
 
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
 export type { C2WarpEventMap } from './element/events';
@@ -78,7 +72,7 @@ export type NewHandle<H = HandleFile> = H extends HandleFile
   : never;
 
 export class C2Warp extends TypedElement {
-  static override styles = [theme, layout, stageStyle, chromeStyle, touchStyle, playStyle, forcedStyle];
+  static override styles = editorStyle;
 
   static override properties = {
     src: {},

@@ -2,7 +2,7 @@
  * Sizes for fingers, on phones and tablets: targets of 44 px, and fields of 16 px type, as browsers zoom in on smaller
  * ones.
  *
- * They depend on the pointer, not on the width. This sheet comes after the others, whose sizes are for a mouse.
+ * They depend on the pointer, not on the width. This sheet comes after those whose sizes are for a mouse.
  */
 import { css } from 'lit';
 

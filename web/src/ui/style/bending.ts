@@ -1,0 +1,52 @@
+/** How the picture bends: one line that unfolds to segments and switches. */
+import { css } from 'lit';
+
+export const bendingStyle = css`
+  .bending p {
+    margin-bottom: 10px;
+    font-size: 12px;
+  }
+  .bending summary {
+    display: flex;
+    align-items: center;
+    gap: 6px;
+    margin: -4px -6px;
+    padding: 4px 6px;
+    border-radius: 6px;
+    list-style: none;
+    cursor: pointer;
+  }
+  .bending summary::-webkit-details-marker {
+    display: none;
+  }
+  .bending summary .faint {
+    flex: 1;
+    overflow: hidden;
+    font-size: 12px;
+    text-align: right;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .bending summary .icon {
+    width: 16px;
+    height: 16px;
+    color: var(--_faint);
+  }
+  .bending[open] summary .faint {
+    visibility: hidden;
+  }
+  .bending[open] summary .icon {
+    rotate: 180deg;
+  }
+  @container shell (width < 640px) {
+    .bending p {
+      margin-bottom: 6px;
+    }
+    .bending summary {
+      pointer-events: none;
+    }
+    .bending summary .icon {
+      display: none;
+    }
+  }
+`;

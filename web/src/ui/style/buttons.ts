@@ -1,0 +1,73 @@
+/** Buttons and links of all kinds. */
+import { css } from 'lit';
+
+export const buttonsStyle = css`
+  .button,
+  .link,
+  .primary {
+    font: inherit;
+    color: inherit;
+    border: 0;
+    background: none;
+    cursor: pointer;
+  }
+  .button {
+    position: relative;
+    display: inline-flex;
+    align-items: center;
+    justify-content: center;
+    gap: 6px;
+    min-width: 34px;
+    height: 34px;
+    padding: 0 7px;
+    border-radius: 7px;
+    transition: background var(--_speed);
+  }
+  .button.worded {
+    padding: 0 10px 0 8px;
+  }
+  .button:hover:not(:disabled, [aria-pressed='true']) {
+    background: var(--_raised);
+  }
+  .button:active:not(:disabled) {
+    background: var(--_line);
+  }
+  .button[aria-pressed='true'] {
+    background: var(--_accent);
+    color: var(--_on-accent);
+  }
+  .button:disabled,
+  .link:disabled {
+    opacity: 0.35;
+    cursor: default;
+  }
+  .button.small {
+    min-width: 26px;
+    height: 26px;
+    padding: 0 3px;
+  }
+  .link {
+    color: var(--_accent);
+    padding: 4px 6px;
+    border-radius: 5px;
+    font-weight: 600;
+    white-space: nowrap;
+  }
+  .link:hover:not(:disabled) {
+    text-decoration: underline;
+  }
+  .primary {
+    height: 44px;
+    padding: 0 20px;
+    border-radius: 22px;
+    background: var(--_accent);
+    color: var(--_on-accent);
+    font-weight: 600;
+  }
+  .toggle,
+  .segment {
+    color: var(--_faint);
+    font-size: 12px;
+    font-weight: 550;
+  }
+`;

@@ -1,0 +1,67 @@
+/**
+ * The style sheets of the editor, in the order of the cascade: what is shared, the parts of the editor, then those that
+ * change many parts at once, for fingers, for a picture that plays and for forced colours.
+ *
+ * A sheet styles one part, in every layout; its name is that of the template, where one file has just that part.
+ */
+import { baseStyle } from './base';
+import { bendingStyle } from './bending';
+import { buttonsStyle } from './buttons';
+import { drawingStyle } from './drawing';
+import { emptyStyle } from './empty';
+import { fieldsStyle } from './fields';
+import { floatingStyle } from './floating';
+import { forcedStyle } from './forced';
+import { handleListStyle } from './handle-list';
+import { handlesStyle } from './handles';
+import { hintsStyle } from './hints';
+import { marksStyle } from './marks';
+import { menuStyle } from './menu';
+import { noticeStyle } from './notice';
+import { overlaysStyle } from './overlays';
+import { panelStyle } from './panel';
+import { playStyle } from './play';
+import { progressStyle } from './progress';
+import { reachStyle } from './reach';
+import { segmentsStyle } from './segments';
+import { shellStyle } from './shell';
+import { stageStyle } from './stage';
+import { statusStyle } from './status';
+import { switchesStyle } from './switches';
+import { tokensStyle } from './tokens';
+import { toolStripStyle } from './tool-strip';
+import { toolbarStyle } from './toolbar';
+import { tooltipsStyle } from './tooltips';
+import { touchStyle } from './touch';
+
+export const editorStyle = [
+  tokensStyle,
+  baseStyle,
+  buttonsStyle,
+  tooltipsStyle,
+  shellStyle,
+  toolbarStyle,
+  menuStyle,
+  toolStripStyle,
+  panelStyle,
+  fieldsStyle,
+  bendingStyle,
+  segmentsStyle,
+  switchesStyle,
+  handleListStyle,
+  statusStyle,
+  stageStyle,
+  handlesStyle,
+  marksStyle,
+  overlaysStyle,
+  emptyStyle,
+  floatingStyle,
+  hintsStyle,
+  reachStyle,
+  drawingStyle,
+  noticeStyle,
+  progressStyle,
+  touchStyle,
+  playStyle,
+  forcedStyle,
+];

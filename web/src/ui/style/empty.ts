@@ -1,0 +1,19 @@
+/** The stage without a picture. */
+import { css } from 'lit';
+
+export const emptyStyle = css`
+  .empty {
+    position: absolute;
+    inset: 0;
+    display: grid;
+    place-content: center;
+    justify-items: center;
+    gap: 14px;
+    color: var(--_faint);
+    font-size: 15px;
+  }
+  /* Most pictures are there before anybody could read it. */
+  .empty.opening {
+    animation: appear var(--_speed) 350ms backwards;
+  }
+`;

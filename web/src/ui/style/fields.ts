@@ -1,0 +1,105 @@
+/** Number fields, with the buttons beside them. */
+import { css } from 'lit';
+
+export const fieldsStyle = css`
+  .fields {
+    display: grid;
+    grid-template-columns: 1fr 1fr;
+    gap: 6px;
+    margin: 10px 0 6px;
+  }
+  .field {
+    position: relative;
+    display: flex;
+    align-items: center;
+    height: 34px;
+    padding: 0 7px;
+    border: 1px solid transparent;
+    border-radius: 7px;
+    background: var(--_raised);
+    cursor: text;
+  }
+  .field:focus-within {
+    border-color: var(--_accent);
+    background: var(--_surface);
+  }
+  .field .label,
+  .field .unit {
+    color: var(--_faint);
+    font-size: 12px;
+  }
+  .field input {
+    flex: 1;
+    width: 0;
+    min-width: 0;
+    padding: 0 4px;
+    border: 0;
+    outline: none;
+    background: none;
+    color: inherit;
+    font: inherit;
+    text-align: right;
+    appearance: textfield;
+  }
+  .field input::-webkit-inner-spin-button {
+    display: none;
+  }
+  .fields > :nth-child(n + 3) {
+    grid-column: 1 / -1;
+  }
+  .pair {
+    display: flex;
+    gap: 6px;
+  }
+  .pair .field {
+    flex: 1;
+  }
+  .toggle {
+    padding: 0 11px;
+    background: var(--_raised);
+  }
+  .button.toggle[aria-pressed='true'] {
+    background: color-mix(in srgb, var(--_accent) 14%, transparent);
+    color: var(--_accent);
+  }
+  .pair:has([aria-pressed='true']) input:not(:focus) {
+    color: var(--_faint);
+  }
+  @container shell (width < 640px) {
+    /* As wide as their numbers ask for; where two do not fit on a line, one goes to the next. */
+    .fields {
+      grid-area: fields;
+      display: flex;
+      flex-wrap: wrap;
+      margin: 4px 0 0;
+    }
+    .fields > :nth-child(n) {
+      flex: 1 1 28%;
+    }
+    .fields > :nth-child(n).turn {
+      order: 1;
+      flex-basis: 41%;
+      min-width: 132px;
+    }
+    .fields > :nth-child(n).depth {
+      order: 2;
+      flex-basis: 51%;
+      min-width: 174px;
+    }
+    .field {
+      padding: 0 6px;
+    }
+    .field input {
+      padding: 0 0 0 3px;
+    }
+    .pair.turn {
+      gap: 4px;
+    }
+    .pair.depth {
+      gap: 0;
+    }
+    .field .unit {
+      display: none;
+    }
+  }
+`;

@@ -1,0 +1,108 @@
+/** The handles: a dot in the middle of a square for the finger. */
+import { css } from 'lit';
+
+export const handlesStyle = css`
+  .handles {
+    position: absolute;
+    inset: 0 auto auto 0;
+    width: 0;
+    height: 0;
+  }
+  .handle {
+    position: absolute;
+    left: 0;
+    top: 0;
+    width: 44px;
+    height: 44px;
+    margin: -22px 0 0 -22px;
+    padding: 0;
+    border: 0;
+    background: none;
+    cursor: inherit;
+    border-radius: 50%;
+    will-change: transform;
+  }
+  .handle::before {
+    content: '';
+    position: absolute;
+    inset: 14px;
+    border-radius: 50%;
+    background: #fff;
+    border: 3.5px solid var(--c2-handle, #2558e8);
+    box-shadow:
+      0 0 0 1.5px #fff,
+      0 1px 5px 1px #0007;
+    transition: scale var(--_speed);
+  }
+  .handle:hover::before {
+    scale: 1.14;
+  }
+  .handle[aria-pressed='true']::before {
+    background: var(--c2-handle, #2558e8);
+    border-width: 2.5px;
+    border-color: #fff;
+    box-shadow:
+      0 0 0 2px var(--c2-handle, #2558e8),
+      0 1px 5px 2px #0006;
+  }
+  .handle:focus-visible {
+    outline: none;
+  }
+  /* The ends of a bar, the corners of a polygon: smaller than a point handle, as there are more of them. */
+  .handle.corner::before {
+    inset: 16px;
+    border-width: 2.5px;
+  }
+  .handle.corner.selected::before {
+    inset: 15.5px;
+    box-shadow: 0 1px 5px 1px #0008;
+  }
+  /* The middle of a bar or polygon takes the focus and shows nothing else: the line itself is what is held. */
+  .handle.middle-mark::before,
+  .handle.middle-mark[aria-pressed='true']::before {
+    inset: 18.5px;
+    border: 0;
+    background: #fff;
+    box-shadow: 0 0 0 1.5px var(--c2-handle, #2558e8);
+  }
+  .handle.middle-mark[aria-pressed='false']:not(:focus-visible)::before {
+    opacity: 0;
+  }
+  .handles.drawing {
+    opacity: 0.45;
+  }
+  :host(.keyed) .handle:focus-visible::before {
+    outline: 2px solid #fff;
+    outline-offset: 2px;
+    box-shadow:
+      0 0 0 2px var(--c2-handle, #2558e8),
+      0 0 0 6px var(--c2-handle, #2558e8);
+  }
+  .inviting .handle::after {
+    content: '';
+    position: absolute;
+    inset: 14px;
+    border-radius: 50%;
+    border: 2px solid #fff;
+    animation: invite 1.8s ease-out infinite;
+  }
+  @keyframes invite {
+    from {
+      opacity: 0.9;
+    }
+    70%,
+    to {
+      scale: 2.6;
+      opacity: 0;
+    }
+  }
+  @media (pointer: coarse) {
+    .handle::before {
+      inset: 12px;
+    }
+    .handle.corner::before,
+    .handle.corner.selected::before {
+      inset: 14px;
+    }
+  }
+`;

@@ -1,0 +1,47 @@
+/** Hints over the picture, and the bubble that points to a handle. */
+import { css } from 'lit';
+
+export const hintsStyle = css`
+  .hint {
+    padding: 9px 18px;
+    border-radius: 20px;
+    background: light-dark(#26272bee, #ececeaee);
+    color: light-dark(#fff, #1e1f22);
+    font-size: 14px;
+    font-weight: 550;
+    text-align: center;
+    pointer-events: none;
+    animation: appear 400ms 500ms backwards;
+  }
+  /* It belongs to the picture: under the cards. */
+  .bubble {
+    bottom: auto;
+    z-index: auto;
+    white-space: nowrap;
+    translate: 26px -50%;
+  }
+  .bubble::before {
+    content: '';
+    position: absolute;
+    top: calc(50% - 7px);
+    right: 100%;
+    border: 7px solid transparent;
+    border-left: 0;
+    border-right-color: light-dark(#26272bee, #ececeaee);
+  }
+  .bubble.above {
+    translate: -75% calc(-100% - 28px);
+  }
+  .bubble.above::before {
+    inset: 100% auto auto calc(75% - 7px);
+    border: 7px solid transparent;
+    border-bottom: 0;
+    border-top-color: light-dark(#26272bee, #ececeaee);
+  }
+  @container shell (width < 640px) and (height < 372px) {
+    .hint:not(.bubble) {
+      padding: 6px 12px;
+      font-size: 13px;
+    }
+  }
+`;

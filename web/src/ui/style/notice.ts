@@ -1,0 +1,26 @@
+/** What the editor says, on a card. */
+import { css } from 'lit';
+
+export const noticeStyle = css`
+  .notice {
+    display: flex;
+    align-items: center;
+    gap: 8px;
+    max-width: min(560px, var(--_free));
+    padding: 8px 8px 8px 14px;
+    border-left: 4px solid var(--_accent);
+    overflow-wrap: anywhere;
+    animation: appear var(--_speed);
+  }
+  .notice.error {
+    border-left-color: var(--_danger);
+  }
+  .notice p {
+    flex: 1;
+  }
+  .notice .link {
+    min-width: 0;
+    white-space: normal;
+    text-align: left;
+  }
+`;

@@ -1,0 +1,33 @@
+/** Folds, the cell graph and virtual sites. */
+import { css } from 'lit';
+
+export const overlaysStyle = css`
+  /* What is turned over has next to no width: its rim has to show it. */
+  .folds {
+    fill: #f0250f;
+    stroke: #f0250f;
+    stroke-width: 2.5;
+    stroke-linejoin: round;
+  }
+  .folds.pale {
+    fill: none;
+    stroke: #fffc;
+    stroke-width: 6;
+  }
+  .graph {
+    stroke: #1263ad;
+    stroke-width: 1.25;
+  }
+  .graph.pale {
+    stroke: #fff8;
+    stroke-width: 3;
+  }
+  .sites {
+    stroke: #0b8a56;
+    stroke-width: 7;
+  }
+  .sites.pale {
+    stroke: #fff;
+    stroke-width: 10;
+  }
+`;

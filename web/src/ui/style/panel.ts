@@ -1,0 +1,133 @@
+/** The panel: a card at the right; on a phone a sheet above the tools. */
+import { css } from 'lit';
+
+export const panelStyle = css`
+  .panel {
+    position: absolute;
+    z-index: 1;
+    right: 12px;
+    top: 12px;
+    width: 224px;
+    max-height: calc(100% - 24px);
+    display: flex;
+    flex-direction: column;
+    overflow: auto;
+    padding: 12px;
+  }
+  .panel > * {
+    flex: none;
+  }
+  .unfold {
+    display: none;
+  }
+  h2 {
+    font-size: 14px;
+    font-weight: 650;
+    overflow-wrap: anywhere;
+  }
+  h2::first-letter {
+    text-transform: uppercase;
+  }
+  h3 {
+    font-size: 12px;
+    font-weight: 600;
+  }
+  .row {
+    display: flex;
+    align-items: center;
+    justify-content: flex-end;
+    gap: 2px;
+    margin: 0 -4px;
+    padding-left: 4px;
+  }
+  .row .faint {
+    flex: 1;
+    font-size: 12px;
+  }
+  .properties + :is(.bending, .list),
+  .bending + .list {
+    margin-top: 10px;
+    padding-top: 12px;
+    border-top: 1px solid var(--_line);
+  }
+  @container shell (width < 640px) {
+    .unfold {
+      display: inline-flex;
+    }
+    .panel:not(.numbers) .unfold .icon {
+      rotate: 180deg;
+    }
+    .panel {
+      display: none;
+      top: auto;
+      right: 8px;
+      left: 8px;
+      bottom: 74px;
+      width: auto;
+      max-height: 46%;
+      padding: 6px 10px 10px;
+    }
+    .panel.open {
+      display: block;
+    }
+    .panel.high {
+      top: 8px;
+      bottom: auto;
+    }
+    .panel.away {
+      opacity: 0;
+      pointer-events: none;
+      transition: opacity var(--_speed) 100ms;
+    }
+    .panel .list,
+    .panel.settings .properties,
+    .panel:not(.numbers) :is(.fields, .corners),
+    .panel:not(.settings) .bending {
+      display: none;
+    }
+    .panel.settings .bending {
+      margin: 0;
+      padding: 0;
+      border: 0;
+    }
+    .properties {
+      display: grid;
+      grid-template: 'name corners row' auto 'fields fields fields' auto / 1fr auto auto;
+      align-items: center;
+    }
+    .row {
+      grid-area: row;
+      margin-left: 0;
+      padding: 0;
+    }
+    .row .faint {
+      display: none;
+    }
+    .row.corners {
+      grid-area: corners;
+      margin: 0;
+    }
+  }
+  /* Low: beside the tools. */
+  @container shell (width < 640px) and (height < 372px) {
+    .panel {
+      left: var(--_left);
+      bottom: 8px;
+      max-height: calc(100% - 16px);
+    }
+  }
+  @container shell (width < 400px) and (height < 372px) {
+    .panel {
+      z-index: 3;
+      left: 8px;
+    }
+  }
+  /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
+  @container shell (width < 640px) and (height < 460px) {
+    .panel:has(.field :focus) {
+      top: auto;
+      bottom: 8px;
+      max-height: calc(100% - 16px);
+    }
+  }
+`;

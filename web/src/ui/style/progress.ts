@@ -1,0 +1,41 @@
+/** Progress: the running line and the spinner. */
+import { css } from 'lit';
+
+export const progressStyle = css`
+  .bar {
+    position: absolute;
+    z-index: 3;
+    inset: 0 0 auto;
+    height: 3px;
+    overflow: hidden;
+  }
+  .bar::before {
+    content: '';
+    position: absolute;
+    inset: 0;
+    width: 35%;
+    background: var(--_accent);
+    animation: run 1.1s ease-in-out infinite;
+  }
+  @keyframes run {
+    from {
+      translate: -100% 0;
+    }
+    to {
+      translate: 300% 0;
+    }
+  }
+  .spinner {
+    width: 12px;
+    height: 12px;
+    border: 2px solid var(--_line);
+    border-top-color: var(--_accent);
+    border-radius: 50%;
+    animation: spin 0.8s linear infinite;
+  }
+  @keyframes spin {
+    to {
+      rotate: 1turn;
+    }
+  }
+`;

@@ -1,0 +1,35 @@
+/** The legend of the reach's heat map. */
+import { css } from 'lit';
+
+export const reachStyle = css`
+  .legend {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+    padding: 7px 16px;
+    font-size: 12px;
+    white-space: nowrap;
+    animation: appear var(--_speed);
+  }
+  .ramp {
+    width: 120px;
+    height: 10px;
+    border-radius: 5px;
+    background-color: #b9b5b0;
+  }
+  /* The half, as its isoline. */
+  .ramp::before {
+    content: '';
+    display: block;
+    width: 2px;
+    height: 100%;
+    margin: auto;
+    background: #080d29d9;
+  }
+  /* It stays as long as something is selected: where there is no room beside the picture, that can be seen instead. */
+  @container shell (height < 440px) {
+    .legend {
+      display: none;
+    }
+  }
+`;

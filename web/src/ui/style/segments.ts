@@ -1,0 +1,23 @@
+/** Segments: a row of buttons of which one is chosen. */
+import { css } from 'lit';
+
+export const segmentsStyle = css`
+  .segments {
+    display: flex;
+    gap: 2px;
+    margin: 6px 0;
+    padding: 2px;
+    border-radius: 8px;
+    background: var(--_raised);
+  }
+  .segment {
+    flex: 1;
+    height: 28px;
+    border-radius: 6px;
+  }
+  .button.segment[aria-pressed='true'] {
+    background: light-dark(var(--_surface), color-mix(in srgb, var(--_raised), #fff 17%));
+    color: var(--_text);
+    box-shadow: 0 1px 2px light-dark(#0000002b, #0009);
+  }
+`;

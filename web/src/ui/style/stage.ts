@@ -1,0 +1,41 @@
+/** The stage: a quiet checkerboard, the canvas on it, marks and handles over it. */
+import { css } from 'lit';
+
+export const stageStyle = css`
+  .stage {
+    position: absolute;
+    inset: 0;
+    /* The focus scrolls what is hidden into view, and the picture away from its handles; clipped, nothing scrolls. */
+    overflow: clip;
+    touch-action: none;
+    user-select: none;
+    -webkit-user-select: none;
+    background: repeating-conic-gradient(var(--_checker) 0 25%, transparent 0 50%) 50% / 24px 24px var(--_ground);
+  }
+  /* The focus that a press gives shows nowhere: keys alone show where they go. */
+  .stage:focus-visible {
+    outline: none;
+  }
+  :host(.keyed) .stage:focus-visible {
+    outline: 2px solid var(--_accent);
+    outline-offset: -3px;
+  }
+  canvas {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+    pointer-events: none;
+  }
+  .stage.comparing :is(.marks, .handles) {
+    opacity: 0;
+  }
+  :host(.dropping) .stage::after {
+    content: '';
+    position: absolute;
+    inset: 10px;
+    border: 2px dashed var(--_accent);
+    border-radius: 14px;
+    background: color-mix(in srgb, var(--_accent) 8%, transparent);
+  }
+`;

@@ -1,0 +1,90 @@
+/** The line below. */
+import { css } from 'lit';
+
+export const statusStyle = css`
+  .status {
+    z-index: 2;
+    gap: 16px;
+    height: 34px;
+    padding-left: 14px;
+    border-top: 1px solid var(--_line);
+    color: var(--_faint);
+    font-size: 12px;
+    white-space: nowrap;
+  }
+  .status .button {
+    min-width: 28px;
+    height: 28px;
+    padding: 0 4px;
+  }
+  .status .icon {
+    width: 16px;
+    height: 16px;
+  }
+  .solved,
+  .private,
+  .zoom {
+    display: flex;
+    align-items: center;
+    gap: 6px;
+  }
+  .solved {
+    flex: 1;
+    gap: 14px;
+    min-width: 0;
+    overflow: hidden;
+  }
+  .zoom {
+    gap: 0;
+  }
+  .status .folded {
+    gap: 5px;
+    padding: 0 8px;
+    color: var(--_warning);
+    font-size: 12px;
+    font-weight: 600;
+  }
+  .status .folded[aria-pressed='true'] {
+    background: color-mix(in srgb, var(--_warning) 16%, transparent);
+    color: var(--_warning);
+  }
+  .percent {
+    min-width: 46px;
+    text-align: center;
+    color: var(--_text);
+  }
+  @container shell (width < 1100px) {
+    .status:has(.folded) .private {
+      display: none;
+    }
+  }
+  @container shell (width < 900px) {
+    .private,
+    .solved .size {
+      display: none;
+    }
+  }
+  @container shell (width < 640px) {
+    .solved {
+      display: none;
+    }
+    .status:has(.folded) {
+      justify-content: space-between;
+      gap: 0;
+    }
+    .status:has(.folded) .percent {
+      display: none;
+    }
+    .folded {
+      min-width: 0;
+    }
+    .folded span {
+      overflow: hidden;
+      text-overflow: ellipsis;
+    }
+    .status {
+      justify-content: center;
+      padding: 0 8px;
+    }
+  }
+`;

@@ -1,0 +1,70 @@
+/** Switches: words, what they mean, and a knob that slides. */
+import { css } from 'lit';
+
+export const switchesStyle = css`
+  .switch {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+    margin-top: 10px;
+    padding-top: 10px;
+    border-top: 1px solid var(--_line);
+    cursor: pointer;
+  }
+  .switch + .switch {
+    margin-top: 8px;
+    padding-top: 0;
+    border: 0;
+  }
+  .switch .text {
+    flex: 1;
+    font-weight: 600;
+    font-size: 12px;
+  }
+  .switch .faint {
+    display: block;
+    margin: 0;
+    font-weight: 400;
+  }
+  .switch input {
+    appearance: none;
+    position: relative;
+    flex: none;
+    width: 34px;
+    height: 20px;
+    margin: 0;
+    border-radius: 10px;
+    background: color-mix(in srgb, var(--_text) 24%, var(--_surface));
+    cursor: inherit;
+    transition: background var(--_speed);
+  }
+  .switch input::before {
+    content: '';
+    position: absolute;
+    inset: 2px auto 2px 2px;
+    width: 16px;
+    border-radius: 50%;
+    background: #fff;
+    box-shadow: 0 1px 2px #0005;
+    transition: translate var(--_speed);
+  }
+  .switch input:checked {
+    background: var(--_accent);
+  }
+  .switch input:checked::before {
+    translate: 14px 0;
+  }
+  .switch:has(:disabled) {
+    opacity: 0.45;
+    cursor: default;
+  }
+  @container shell (width < 640px) {
+    .switch {
+      padding-top: 6px;
+      margin-top: 6px;
+    }
+    .switch + .switch {
+      margin-top: 2px;
+    }
+  }
+`;

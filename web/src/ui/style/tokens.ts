@@ -1,0 +1,38 @@
+/**
+ * Colour schemes, and the private properties that all sheets read: colours, shapes, speed.
+ *
+ * A page restyles the editor through the `--c2-*` properties; the editor itself reads the names with an underscore.
+ */
+import { css } from 'lit';
+
+export const tokensStyle = css`
+  :host {
+    color-scheme: light dark;
+    --_accent: var(--c2-accent, light-dark(#2558e8, #7ea2ff));
+    --_on-accent: light-dark(#fff, #0c1430);
+    --_surface: var(--c2-surface, light-dark(#fff, #232427));
+    --_text: var(--c2-text, light-dark(#1e1f22, #ececea));
+    /* What lies between the two follows a page that sets them. */
+    --_raised: color-mix(in srgb, var(--_text) 6.5%, var(--_surface));
+    --_line: color-mix(in srgb, var(--_text) 12%, var(--_surface));
+    --_faint: color-mix(in srgb, var(--_text) 66%, var(--_surface));
+    --_ground: var(--c2-ground, light-dark(#f5f5f3, #191a1c));
+    --_checker: var(--c2-checker, light-dark(#ebebe8, #1f2023));
+    --_warning: light-dark(#9a5b00, #f0b45a);
+    --_danger: light-dark(#b3261e, #ff8f85);
+    --_radius: var(--c2-radius, 10px);
+    --_shadow: 0 1px 2px light-dark(#0000000f, #0006), 0 6px 24px light-dark(#00000014, #0007);
+    --_speed: 140ms;
+  }
+  :host([theme='light']) {
+    color-scheme: light;
+  }
+  :host([theme='dark']) {
+    color-scheme: dark;
+  }
+  @media (prefers-reduced-motion: reduce) {
+    :host {
+      --_speed: 0s;
+    }
+  }
+`;

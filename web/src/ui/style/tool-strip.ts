@@ -1,0 +1,78 @@
+/** The card of tools at the left; on a phone below, within the thumb's reach. */
+import { css } from 'lit';
+
+export const toolStripStyle = css`
+  .tools {
+    position: absolute;
+    z-index: 2;
+    left: 12px;
+    top: 12px;
+    display: flex;
+    flex-direction: column;
+    gap: 2px;
+    max-height: calc(100% - 24px);
+    padding: 4px;
+  }
+  .tools .button {
+    width: 40px;
+    height: 40px;
+  }
+  .sheet-switch {
+    display: none;
+  }
+  /* Low: the tools go side by side. */
+  @container shell (width >= 640px) and (height < 372px) {
+    .tools {
+      display: grid;
+      grid-template-columns: auto auto;
+    }
+  }
+  @container shell (width >= 640px) and (height < 290px) {
+    .tools {
+      grid-template-columns: auto auto auto;
+    }
+  }
+  @container shell (width < 640px) {
+    .tools {
+      position: absolute;
+      top: auto;
+      left: 50%;
+      bottom: 10px;
+      translate: -50% 0;
+      flex-direction: row;
+      gap: 4px;
+      max-width: calc(100% - 16px);
+    }
+    .sheet-switch {
+      display: block;
+      margin-left: 2px;
+      padding-left: 4px;
+      border-left: 1px solid var(--_line);
+    }
+  }
+  /* A low phone: tools go to the left, as much side by side as it asks for. */
+  @container shell (width < 640px) and (height < 372px) {
+    .tools {
+      left: 8px;
+      top: 8px;
+      bottom: auto;
+      translate: none;
+      display: grid;
+      grid-template-columns: auto auto;
+      gap: 2px;
+      max-width: none;
+      max-height: none;
+    }
+    .sheet-switch {
+      margin: 0;
+      padding: 0;
+      border: 0;
+    }
+  }
+  /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
+  @container shell (width < 640px) and (height < 460px) {
+    .tools:has(~ .panel .field :focus) {
+      visibility: hidden;
+    }
+  }
+`;

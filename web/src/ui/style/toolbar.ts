@@ -1,0 +1,68 @@
+/** The bar above: groups of buttons, the name of the picture. */
+import { css } from 'lit';
+
+export const toolbarStyle = css`
+  .top {
+    z-index: 3;
+    gap: 4px;
+    height: 48px;
+    border-bottom: 1px solid var(--_line);
+  }
+  .group {
+    display: flex;
+    gap: 2px;
+  }
+  .group + .group {
+    padding-left: 6px;
+    margin-left: 2px;
+    border-left: 1px solid var(--_line);
+  }
+  .brand {
+    padding: 0 12px 0 8px;
+    font-size: 16px;
+    font-weight: 700;
+    letter-spacing: -0.02em;
+  }
+  .brand sup {
+    color: var(--_accent);
+    font-size: 0.68em;
+    line-height: 0;
+  }
+  .title {
+    flex: 1;
+    min-width: 0;
+    overflow: hidden;
+    padding: 0 8px;
+    color: var(--_faint);
+    text-align: right;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  @container shell (width < 900px) {
+    .word {
+      display: none;
+    }
+    .button.worded {
+      padding: 0 7px;
+    }
+  }
+  @container shell (width < 640px) {
+    .top {
+      gap: 0;
+      justify-content: space-between;
+      padding: 0 4px;
+    }
+    .group,
+    .group + .group {
+      gap: 0;
+      margin: 0;
+      padding: 0;
+      border: 0;
+    }
+    .brand,
+    .title,
+    .top .theme {
+      display: none;
+    }
+  }
+`;

@@ -1,0 +1,55 @@
+/** Tooltips of buttons: what the button does, and the key for it. */
+import { css } from 'lit';
+
+export const tooltipsStyle = css`
+  @media (hover: hover) {
+    [data-tip]:hover::after,
+    [data-tip]:focus-visible::after {
+      content: attr(data-tip) '   ' attr(data-keys);
+      position: absolute;
+      z-index: 5;
+      top: calc(100% + 7px);
+      left: 50%;
+      translate: -50% 0;
+      padding: 4px 9px;
+      border-radius: 6px;
+      background: light-dark(#26272b, #ececea);
+      color: light-dark(#fff, #1e1f22);
+      font-size: 12px;
+      font-weight: 400;
+      white-space: pre;
+      pointer-events: none;
+      animation: appear var(--_speed) 350ms backwards;
+    }
+    .tools [data-tip]:hover::after,
+    .tools [data-tip]:focus-visible::after {
+      top: 50%;
+      left: calc(100% + 9px);
+      translate: 0 -50%;
+    }
+    /* At an edge they grow away from it. */
+    .brand + .group [data-tip]:hover::after,
+    .brand + .group [data-tip]:focus-visible::after {
+      left: 0;
+      translate: none;
+    }
+    .top > .theme[data-tip]:hover::after,
+    .top > .theme[data-tip]:focus-visible::after {
+      left: auto;
+      right: 0;
+      translate: none;
+    }
+    .status [data-tip]:hover::after,
+    .status [data-tip]:focus-visible::after,
+    .panel [data-tip]:hover::after,
+    .panel [data-tip]:focus-visible::after,
+    .draft-bar [data-tip]:hover::after,
+    .draft-bar [data-tip]:focus-visible::after {
+      top: auto;
+      bottom: calc(100% + 7px);
+      left: auto;
+      right: 0;
+      translate: none;
+    }
+  }
+`;
