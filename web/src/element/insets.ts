@@ -1,5 +1,6 @@
-/** Room for the cards over the stage. Breakpoints as in `ui/layout.ts`, which measures the stage with its bars. */
+/** Room for the cards over the stage, in the layouts of `ui/style/layouts.ts`, which measure the stage with its bars. */
 import type { Insets, Size } from '../geometry/camera';
+import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, TOOLS } from '../ui/style/sizes';
 
 /** The layout that the insets depend on. */
 export interface Cards {
@@ -16,18 +17,20 @@ export interface Cards {
 /** Room for a whole handle at the rim of a bare picture, and for its hit area, CSS pixels. */
 const RIM = { fine: 16, coarse: 24 } as const;
 
-/** Height of both bars together, CSS pixels. */
-const BARS = { fine: 82, coarse: 98 } as const;
-
 const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by });
 
 export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Cards): Insets {
-  if (bare) return even(bare === 'picture' ? 0 : RIM[coarse ? 'coarse' : 'fine']);
-  const whole = height + BARS[coarse ? 'coarse' : 'fine'];
-  if (width >= 640 && whole < 372) return { top: 16, right: 248, bottom: 16, left: whole < 290 ? 182 : 134 };
-  if (width >= 900) return { top: 28, right: 260, bottom: 28, left: 84 };
-  if (width >= 640) return { top: 20, right: 248, bottom: 20, left: 72 };
-  // Too low for room beside the sheet: the sheet may cover the picture.
-  if (whole < 372) return { top: 8, right: 8, bottom: 8, left: !coarse ? 108 : whole < 290 ? 174 : 124 };
-  return { top: 16, right: 16, bottom: sheet ? 136 : 76, left: 16 };
+  const kind = coarse ? 'coarse' : 'fine';
+  if (bare) return even(bare === 'picture' ? 0 : RIM[kind]);
+  const { toolbar, status } = BARS[kind];
+  const whole = toolbar + height + status;
+  const tools = whole < LOWEST ? 'lowest' : 'low';
+  if (width < PHONE) {
+    // Too low for room beside the sheet: the sheet may cover the picture.
+    if (whole < LOW) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
+    return { ...even(16), bottom: sheet ? FROM_BOTTOM.aboveSheet : FROM_BOTTOM.aboveTools };
+  }
+  if (whole < LOW) return { ...even(16), left: TOOLS[tools], right: PANEL.narrow };
+  if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: PANEL.narrow };
+  return { ...even(28), left: TOOLS.wide, right: PANEL.wide };
 }

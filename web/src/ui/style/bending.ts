@@ -1,5 +1,6 @@
 /** How the picture bends: one line that unfolds to segments and switches. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const bendingStyle = css`
   .bending p {
@@ -12,7 +13,7 @@ export const bendingStyle = css`
     gap: 6px;
     margin: -4px -6px;
     padding: 4px 6px;
-    border-radius: 6px;
+    border-radius: var(--_radius-item);
     list-style: none;
     cursor: pointer;
   }
@@ -38,7 +39,7 @@ export const bendingStyle = css`
   .bending[open] summary .icon {
     rotate: 180deg;
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .bending p {
       margin-bottom: 6px;
     }

@@ -17,10 +17,10 @@ export const buttonsStyle = css`
     align-items: center;
     justify-content: center;
     gap: 6px;
-    min-width: 34px;
-    height: 34px;
+    min-width: var(--_control);
+    height: var(--_control);
     padding: 0 7px;
-    border-radius: 7px;
+    border-radius: var(--_radius-control);
     transition: background var(--_speed);
   }
   .button.worded {
@@ -57,9 +57,9 @@ export const buttonsStyle = css`
     text-decoration: underline;
   }
   .primary {
-    height: 44px;
+    height: var(--_finger);
     padding: 0 20px;
-    border-radius: 22px;
+    border-radius: calc(var(--_finger) / 2);
     background: var(--_accent);
     color: var(--_on-accent);
     font-weight: 600;

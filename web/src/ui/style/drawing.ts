@@ -1,5 +1,6 @@
 /** A bar or polygon that is being drawn, and the bar with its buttons. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const drawingStyle = css`
   .draft {
@@ -9,27 +10,27 @@ export const drawingStyle = css`
     opacity: 0.6;
   }
   .draft .line {
-    stroke: var(--c2-handle, #2558e8);
-    stroke-width: 2.5;
+    stroke: var(--_handle);
+    stroke-width: var(--_stroke);
   }
   .draft .line.under {
-    stroke: #fff;
-    stroke-width: 5.5;
+    stroke: var(--_casing);
+    stroke-width: var(--_cased);
   }
   .draft .closing {
     opacity: 0.7;
   }
   .draft .corner {
-    fill: #fff;
-    stroke: var(--c2-handle, #2558e8);
-    stroke-width: 2.5;
+    fill: var(--_casing);
+    stroke: var(--_handle);
+    stroke-width: var(--_stroke);
   }
   .draft .target {
     stroke-width: 3;
   }
   .draft .hot {
-    fill: var(--c2-handle, #2558e8);
-    stroke: #fff;
+    fill: var(--_handle);
+    stroke: var(--_casing);
   }
   .draft-bar {
     display: flex;
@@ -57,7 +58,7 @@ export const drawingStyle = css`
     background: var(--_raised);
     color: var(--_faint);
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .button.finish {
       padding: 0 14px 0 10px;
     }

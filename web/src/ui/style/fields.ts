@@ -1,5 +1,6 @@
 /** Number fields, with the buttons beside them. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const fieldsStyle = css`
   .fields {
@@ -12,10 +13,10 @@ export const fieldsStyle = css`
     position: relative;
     display: flex;
     align-items: center;
-    height: 34px;
+    height: var(--_control);
     padding: 0 7px;
     border: 1px solid transparent;
-    border-radius: 7px;
+    border-radius: var(--_radius-control);
     background: var(--_raised);
     cursor: text;
   }
@@ -65,7 +66,7 @@ export const fieldsStyle = css`
   .pair:has([aria-pressed='true']) input:not(:focus) {
     color: var(--_faint);
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     /* As wide as their numbers ask for; where two do not fit on a line, one goes to the next. */
     .fields {
       grid-area: fields;

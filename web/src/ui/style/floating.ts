@@ -1,5 +1,7 @@
 /** Where hints, the drawing bar and notices stand: over the picture, beside the cards, clear of one another. */
 import { css } from 'lit';
+import { lowPhone, notPhone, phone } from './layouts';
+import { ORDER } from './order';
 
 export const floatingStyle = css`
   .hint,
@@ -7,7 +9,7 @@ export const floatingStyle = css`
   .notice {
     --_free: calc(100% - var(--_left) - var(--_right) - 16px);
     position: absolute;
-    z-index: 2;
+    z-index: ${ORDER.floating};
     bottom: 16px;
     left: calc((100% + var(--_left) - var(--_right)) / 2);
     width: max-content;
@@ -17,12 +19,12 @@ export const floatingStyle = css`
   .hint {
     bottom: 22px;
   }
-  @container shell (width >= 640px) {
+  @container ${notPhone} {
     :is(.draft-bar, .hint:not(.bubble)) ~ .notice {
       bottom: 70px;
     }
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .hint:not(.bubble) {
       bottom: 84px;
     }
@@ -50,16 +52,16 @@ export const floatingStyle = css`
     }
   }
   /* No tools below: what is said and drawn goes to the edge. */
-  @container shell (width < 640px) and (height < 372px) {
+  @container ${lowPhone} {
     .hint:not(.bubble),
     .draft-bar {
-      bottom: 8px;
+      bottom: var(--_edge);
     }
     .notice {
-      top: 8px;
+      top: var(--_edge);
     }
     .panel.high ~ .notice {
-      bottom: 8px;
+      bottom: var(--_edge);
     }
   }
 `;

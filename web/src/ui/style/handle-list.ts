@@ -26,7 +26,7 @@ export const handleListStyle = css`
     min-height: 30px;
     padding: 0 8px;
     border: 0;
-    border-radius: 6px;
+    border-radius: var(--_radius-item);
     background: none;
     color: inherit;
     font: inherit;

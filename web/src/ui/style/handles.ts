@@ -12,9 +12,9 @@ export const handlesStyle = css`
     position: absolute;
     left: 0;
     top: 0;
-    width: 44px;
-    height: 44px;
-    margin: -22px 0 0 -22px;
+    width: var(--_finger);
+    height: var(--_finger);
+    margin: calc(var(--_finger) / -2) 0 0 calc(var(--_finger) / -2);
     padding: 0;
     border: 0;
     background: none;
@@ -27,10 +27,10 @@ export const handlesStyle = css`
     position: absolute;
     inset: 14px;
     border-radius: 50%;
-    background: #fff;
-    border: 3.5px solid var(--c2-handle, #2558e8);
+    background: var(--_casing);
+    border: 3.5px solid var(--_handle);
     box-shadow:
-      0 0 0 1.5px #fff,
+      0 0 0 1.5px var(--_casing),
       0 1px 5px 1px #0007;
     transition: scale var(--_speed);
   }
@@ -38,11 +38,11 @@ export const handlesStyle = css`
     scale: 1.14;
   }
   .handle[aria-pressed='true']::before {
-    background: var(--c2-handle, #2558e8);
+    background: var(--_handle);
     border-width: 2.5px;
-    border-color: #fff;
+    border-color: var(--_casing);
     box-shadow:
-      0 0 0 2px var(--c2-handle, #2558e8),
+      0 0 0 2px var(--_handle),
       0 1px 5px 2px #0006;
   }
   .handle:focus-visible {
@@ -62,8 +62,8 @@ export const handlesStyle = css`
   .handle.middle-mark[aria-pressed='true']::before {
     inset: 18.5px;
     border: 0;
-    background: #fff;
-    box-shadow: 0 0 0 1.5px var(--c2-handle, #2558e8);
+    background: var(--_casing);
+    box-shadow: 0 0 0 1.5px var(--_handle);
   }
   .handle.middle-mark[aria-pressed='false']:not(:focus-visible)::before {
     opacity: 0;
@@ -72,18 +72,18 @@ export const handlesStyle = css`
     opacity: 0.45;
   }
   :host(.keyed) .handle:focus-visible::before {
-    outline: 2px solid #fff;
+    outline: 2px solid var(--_casing);
     outline-offset: 2px;
     box-shadow:
-      0 0 0 2px var(--c2-handle, #2558e8),
-      0 0 0 6px var(--c2-handle, #2558e8);
+      0 0 0 2px var(--_handle),
+      0 0 0 6px var(--_handle);
   }
   .inviting .handle::after {
     content: '';
     position: absolute;
     inset: 14px;
     border-radius: 50%;
-    border: 2px solid #fff;
+    border: 2px solid var(--_casing);
     animation: invite 1.8s ease-out infinite;
   }
   @keyframes invite {

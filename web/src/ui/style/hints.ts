@@ -1,12 +1,14 @@
 /** Hints over the picture, and the bubble that points to a handle. */
 import { css } from 'lit';
+import { lowPhone } from './layouts';
 
 export const hintsStyle = css`
   .hint {
+    --_veil: light-dark(#26272bee, #ececeaee);
     padding: 9px 18px;
     border-radius: 20px;
-    background: light-dark(#26272bee, #ececeaee);
-    color: light-dark(#fff, #1e1f22);
+    background: var(--_veil);
+    color: var(--_on-inverse);
     font-size: 14px;
     font-weight: 550;
     text-align: center;
@@ -27,7 +29,7 @@ export const hintsStyle = css`
     right: 100%;
     border: 7px solid transparent;
     border-left: 0;
-    border-right-color: light-dark(#26272bee, #ececeaee);
+    border-right-color: var(--_veil);
   }
   .bubble.above {
     translate: -75% calc(-100% - 28px);
@@ -36,9 +38,9 @@ export const hintsStyle = css`
     inset: 100% auto auto calc(75% - 7px);
     border: 7px solid transparent;
     border-bottom: 0;
-    border-top-color: light-dark(#26272bee, #ececeaee);
+    border-top-color: var(--_veil);
   }
-  @container shell (width < 640px) and (height < 372px) {
+  @container ${lowPhone} {
     .hint:not(.bubble) {
       padding: 6px 12px;
       font-size: 13px;

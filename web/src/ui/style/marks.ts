@@ -10,6 +10,8 @@ export const marksStyle = css`
     height: 100%;
     pointer-events: none;
     will-change: transform;
+    --_stroke: 2.5;
+    --_cased: 5.5;
     fill: none;
     stroke-linecap: round;
   }
@@ -18,7 +20,7 @@ export const marksStyle = css`
     stroke-width: 3.5;
   }
   .rest {
-    stroke: #fff;
+    stroke: var(--_casing);
     stroke-width: 1.5;
     opacity: 0.8;
   }
@@ -46,29 +48,29 @@ export const marksStyle = css`
     stroke-dasharray: 5 5;
   }
   .ring {
-    stroke: #fff;
+    stroke: var(--_casing);
     stroke-width: 1.75;
   }
   .knob {
-    fill: #fff;
-    stroke: var(--c2-handle, #2558e8);
-    stroke-width: 2.5;
+    fill: var(--_casing);
+    stroke: var(--_handle);
+    stroke-width: var(--_stroke);
   }
   .crosshair {
-    stroke: #fff;
+    stroke: var(--_casing);
     stroke-width: 1.75;
   }
   .line-handle {
     stroke-linejoin: round;
   }
   .casing {
-    stroke: #fff;
-    stroke-width: 5.5;
+    stroke: var(--_casing);
+    stroke-width: var(--_cased);
     filter: drop-shadow(0 1px 1.5px #0008);
   }
   .line-handle .line {
-    stroke: var(--c2-handle, #2558e8);
-    stroke-width: 2.5;
+    stroke: var(--_handle);
+    stroke-width: var(--_stroke);
   }
   .line-handle.selected .casing {
     stroke-width: 7.5;
@@ -77,7 +79,7 @@ export const marksStyle = css`
     stroke-width: 4;
   }
   .body {
-    fill: var(--c2-handle, #2558e8);
+    fill: var(--_handle);
     opacity: 0.09;
   }
   .line-handle.selected .body {

@@ -1,5 +1,6 @@
 /** The menu of overlays. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const menuStyle = css`
   .menu {
@@ -16,9 +17,9 @@ export const menuStyle = css`
     display: flex;
     align-items: center;
     gap: 9px;
-    min-height: 34px;
+    min-height: var(--_control);
     padding: 0 12px 0 8px;
-    border-radius: 6px;
+    border-radius: var(--_radius-item);
     cursor: pointer;
   }
   .check:hover {
@@ -30,7 +31,7 @@ export const menuStyle = css`
     margin: 0;
     accent-color: var(--_accent);
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .popover {
       min-width: 200px;
     }

@@ -27,7 +27,7 @@ export const overlaysStyle = css`
     stroke-width: 7;
   }
   .sites.pale {
-    stroke: #fff;
+    stroke: var(--_casing);
     stroke-width: 10;
   }
 `;

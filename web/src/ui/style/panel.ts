@@ -1,14 +1,17 @@
 /** The panel: a card at the right; on a phone a sheet above the tools. */
 import { css } from 'lit';
+import { lowPhone, phone, strip } from './layouts';
+import { ORDER } from './order';
+import { FROM_BOTTOM, LOW } from './sizes';
 
 export const panelStyle = css`
   .panel {
     position: absolute;
-    z-index: 1;
-    right: 12px;
-    top: 12px;
+    z-index: ${ORDER.panel};
+    right: var(--_edge);
+    top: var(--_edge);
     width: 224px;
-    max-height: calc(100% - 24px);
+    max-height: calc(100% - 2 * var(--_edge));
     display: flex;
     flex-direction: column;
     overflow: auto;
@@ -50,7 +53,7 @@ export const panelStyle = css`
     padding-top: 12px;
     border-top: 1px solid var(--_line);
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .unfold {
       display: inline-flex;
     }
@@ -60,9 +63,8 @@ export const panelStyle = css`
     .panel {
       display: none;
       top: auto;
-      right: 8px;
-      left: 8px;
-      bottom: 74px;
+      left: var(--_edge);
+      bottom: ${FROM_BOTTOM.sheet}px;
       width: auto;
       max-height: 46%;
       padding: 6px 10px 10px;
@@ -71,7 +73,7 @@ export const panelStyle = css`
       display: block;
     }
     .panel.high {
-      top: 8px;
+      top: var(--_edge);
       bottom: auto;
     }
     .panel.away {
@@ -109,25 +111,25 @@ export const panelStyle = css`
     }
   }
   /* Low: beside the tools. */
-  @container shell (width < 640px) and (height < 372px) {
+  @container ${lowPhone} {
     .panel {
       left: var(--_left);
-      bottom: 8px;
-      max-height: calc(100% - 16px);
+      bottom: var(--_edge);
+      max-height: calc(100% - 2 * var(--_edge));
     }
   }
-  @container shell (width < 400px) and (height < 372px) {
+  @container shell (width < 400px) and (height < ${LOW}px) {
     .panel {
-      z-index: 3;
-      left: 8px;
+      z-index: ${ORDER.panelOverTools};
+      left: var(--_edge);
     }
   }
   /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
-  @container shell (width < 640px) and (height < 460px) {
+  @container ${strip} {
     .panel:has(.field :focus) {
       top: auto;
-      bottom: 8px;
-      max-height: calc(100% - 16px);
+      bottom: var(--_edge);
+      max-height: calc(100% - 2 * var(--_edge));
     }
   }
 `;

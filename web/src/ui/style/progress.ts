@@ -1,10 +1,11 @@
 /** Progress: the running line and the spinner. */
 import { css } from 'lit';
+import { ORDER } from './order';
 
 export const progressStyle = css`
   .bar {
     position: absolute;
-    z-index: 3;
+    z-index: ${ORDER.progress};
     inset: 0 0 auto;
     height: 3px;
     overflow: hidden;

@@ -13,7 +13,7 @@ export const segmentsStyle = css`
   .segment {
     flex: 1;
     height: 28px;
-    border-radius: 6px;
+    border-radius: var(--_radius-item);
   }
   .button.segment[aria-pressed='true'] {
     background: light-dark(var(--_surface), color-mix(in srgb, var(--_raised), #fff 17%));

@@ -1,5 +1,7 @@
 /** The shell: bars above and below, the picture between them, and the room that the cards at its sides take. */
 import { css } from 'lit';
+import { low, lowest, lowPhone, narrow, phone } from './layouts';
+import { PANEL, TOOLS } from './sizes';
 
 export const shellStyle = css`
   .shell {
@@ -11,10 +13,12 @@ export const shellStyle = css`
     flex-direction: column;
     outline: none;
   }
-  /* What the cards at both sides take of the width: what floats over the picture stands in the middle of the rest. */
+  /* What the cards take of the width at the left and at the right: what floats over the picture stands in the middle of
+     the rest. And the space between a card and the edge. */
   .middle {
-    --_left: 84px;
-    --_right: 260px;
+    --_left: ${TOOLS.wide}px;
+    --_right: ${PANEL.wide}px;
+    --_edge: 12px;
     position: relative;
     flex: 1;
     min-height: 0;
@@ -27,33 +31,34 @@ export const shellStyle = css`
     background: var(--_surface);
     padding: 0 8px;
   }
-  @container shell (width < 900px) {
+  @container ${narrow} {
     .middle {
-      --_left: 72px;
-      --_right: 248px;
+      --_left: ${TOOLS.narrow}px;
+      --_right: ${PANEL.narrow}px;
     }
   }
   /* Low: the tools stand side by side, in two columns or three. */
-  @container shell (width >= 640px) and (height < 372px) {
+  @container ${low} {
     .middle {
-      --_left: 134px;
+      --_left: ${TOOLS.low}px;
     }
   }
-  @container shell (width >= 640px) and (height < 290px) {
+  @container ${lowest} {
     .middle {
-      --_left: 182px;
+      --_left: ${TOOLS.lowest}px;
     }
   }
   /* A phone: no card at the sides; tools again where it is low. */
-  @container shell (width < 640px) {
+  @container ${phone} {
     .middle {
       --_left: 0px;
       --_right: 0px;
+      --_edge: 8px;
     }
   }
-  @container shell (width < 640px) and (height < 372px) {
+  @container ${lowPhone} {
     .middle {
-      --_left: 108px;
+      --_left: ${TOOLS.lowPhone.fine}px;
     }
   }
 `;

@@ -1,11 +1,14 @@
 /** The line below. */
 import { css } from 'lit';
+import { narrow, phone } from './layouts';
+import { ORDER } from './order';
+import { BARS } from './sizes';
 
 export const statusStyle = css`
   .status {
-    z-index: 2;
+    z-index: ${ORDER.status};
     gap: 16px;
-    height: 34px;
+    height: ${BARS.fine.status}px;
     padding-left: 14px;
     border-top: 1px solid var(--_line);
     color: var(--_faint);
@@ -58,13 +61,13 @@ export const statusStyle = css`
       display: none;
     }
   }
-  @container shell (width < 900px) {
+  @container ${narrow} {
     .private,
     .solved .size {
       display: none;
     }
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .solved {
       display: none;
     }

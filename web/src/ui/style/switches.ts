@@ -1,5 +1,6 @@
 /** Switches: words, what they mean, and a knob that slides. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const switchesStyle = css`
   .switch {
@@ -58,7 +59,7 @@ export const switchesStyle = css`
     opacity: 0.45;
     cursor: default;
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .switch {
       padding-top: 6px;
       margin-top: 6px;

@@ -18,9 +18,20 @@ export const tokensStyle = css`
     --_faint: color-mix(in srgb, var(--_text) 66%, var(--_surface));
     --_ground: var(--c2-ground, light-dark(#f5f5f3, #191a1c));
     --_checker: var(--c2-checker, light-dark(#ebebe8, #1f2023));
+    /* What is drawn on the picture is the same on light and dark: the handles' colour, set off by a casing. */
+    --_handle: var(--c2-handle, #2558e8);
+    --_casing: #fff;
+    /* What is said over everything: tooltips and hints. */
+    --_inverse: light-dark(#26272b, #ececea);
+    --_on-inverse: light-dark(#fff, #1e1f22);
     --_warning: light-dark(#9a5b00, #f0b45a);
     --_danger: light-dark(#b3261e, #ff8f85);
     --_radius: var(--c2-radius, 10px);
+    --_radius-control: 7px;
+    --_radius-item: 6px;
+    /* Heights of controls for a mouse, and of all that fingers press. */
+    --_control: 34px;
+    --_finger: 44px;
     --_shadow: 0 1px 2px light-dark(#0000000f, #0006), 0 6px 24px light-dark(#00000014, #0007);
     --_speed: 140ms;
   }

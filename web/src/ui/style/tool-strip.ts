@@ -1,16 +1,18 @@
 /** The card of tools at the left; on a phone below, within the thumb's reach. */
 import { css } from 'lit';
+import { low, lowest, lowPhone, phone, strip } from './layouts';
+import { ORDER } from './order';
 
 export const toolStripStyle = css`
   .tools {
     position: absolute;
-    z-index: 2;
-    left: 12px;
-    top: 12px;
+    z-index: ${ORDER.tools};
+    left: var(--_edge);
+    top: var(--_edge);
     display: flex;
     flex-direction: column;
     gap: 2px;
-    max-height: calc(100% - 24px);
+    max-height: calc(100% - 2 * var(--_edge));
     padding: 4px;
   }
   .tools .button {
@@ -21,27 +23,26 @@ export const toolStripStyle = css`
     display: none;
   }
   /* Low: the tools go side by side. */
-  @container shell (width >= 640px) and (height < 372px) {
+  @container ${low} {
     .tools {
       display: grid;
       grid-template-columns: auto auto;
     }
   }
-  @container shell (width >= 640px) and (height < 290px) {
+  @container ${lowest} {
     .tools {
       grid-template-columns: auto auto auto;
     }
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .tools {
-      position: absolute;
       top: auto;
       left: 50%;
       bottom: 10px;
       translate: -50% 0;
       flex-direction: row;
       gap: 4px;
-      max-width: calc(100% - 16px);
+      max-width: calc(100% - 2 * var(--_edge));
     }
     .sheet-switch {
       display: block;
@@ -51,10 +52,10 @@ export const toolStripStyle = css`
     }
   }
   /* A low phone: tools go to the left, as much side by side as it asks for. */
-  @container shell (width < 640px) and (height < 372px) {
+  @container ${lowPhone} {
     .tools {
-      left: 8px;
-      top: 8px;
+      left: var(--_edge);
+      top: var(--_edge);
       bottom: auto;
       translate: none;
       display: grid;
@@ -70,7 +71,7 @@ export const toolStripStyle = css`
     }
   }
   /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
-  @container shell (width < 640px) and (height < 460px) {
+  @container ${strip} {
     .tools:has(~ .panel .field :focus) {
       visibility: hidden;
     }

@@ -1,11 +1,14 @@
 /** The bar above: groups of buttons, the name of the picture. */
 import { css } from 'lit';
+import { narrow, phone } from './layouts';
+import { ORDER } from './order';
+import { BARS } from './sizes';
 
 export const toolbarStyle = css`
   .top {
-    z-index: 3;
+    z-index: ${ORDER.toolbar};
     gap: 4px;
-    height: 48px;
+    height: ${BARS.fine.toolbar}px;
     border-bottom: 1px solid var(--_line);
   }
   .group {
@@ -38,7 +41,7 @@ export const toolbarStyle = css`
     text-overflow: ellipsis;
     white-space: nowrap;
   }
-  @container shell (width < 900px) {
+  @container ${narrow} {
     .word {
       display: none;
     }
@@ -46,7 +49,7 @@ export const toolbarStyle = css`
       padding: 0 7px;
     }
   }
-  @container shell (width < 640px) {
+  @container ${phone} {
     .top {
       gap: 0;
       justify-content: space-between;

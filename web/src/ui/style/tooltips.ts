@@ -1,5 +1,6 @@
 /** Tooltips of buttons: what the button does, and the key for it. */
 import { css } from 'lit';
+import { ORDER } from './order';
 
 export const tooltipsStyle = css`
   @media (hover: hover) {
@@ -7,14 +8,14 @@ export const tooltipsStyle = css`
     [data-tip]:focus-visible::after {
       content: attr(data-tip) '   ' attr(data-keys);
       position: absolute;
-      z-index: 5;
+      z-index: ${ORDER.tooltip};
       top: calc(100% + 7px);
       left: 50%;
       translate: -50% 0;
       padding: 4px 9px;
-      border-radius: 6px;
-      background: light-dark(#26272b, #ececea);
-      color: light-dark(#fff, #1e1f22);
+      border-radius: var(--_radius-item);
+      background: var(--_inverse);
+      color: var(--_on-inverse);
       font-size: 12px;
       font-weight: 400;
       white-space: pre;

@@ -5,34 +5,36 @@
  * They depend on the pointer, not on the width. This sheet comes after those whose sizes are for a mouse.
  */
 import { css } from 'lit';
+import { lowestPhone, lowPhone } from './layouts';
+import { BARS, TOOLS } from './sizes';
 
 export const touchStyle = css`
   @media (pointer: coarse) {
     .top {
-      height: 52px;
+      height: ${BARS.coarse.toolbar}px;
     }
     .status {
-      height: 46px;
+      height: ${BARS.coarse.status}px;
     }
     .button,
     .button.small,
     .status .button {
-      min-width: 44px;
-      height: 44px;
+      min-width: var(--_finger);
+      height: var(--_finger);
     }
     .tools .button {
       width: 48px;
       height: 46px;
     }
     .button.worded {
-      min-width: 44px;
+      min-width: var(--_finger);
     }
     .segment {
       min-width: 0;
-      height: 44px;
+      height: var(--_finger);
     }
     .field {
-      height: 44px;
+      height: var(--_finger);
     }
     .field input {
       font-size: 16px;
@@ -45,7 +47,7 @@ export const touchStyle = css`
     .switch,
     .link,
     .bending summary {
-      min-height: 44px;
+      min-height: var(--_finger);
     }
     .link {
       padding: 0 10px;
@@ -53,14 +55,14 @@ export const touchStyle = css`
     .percent {
       font-size: 14px;
     }
-    @container shell (width < 640px) and (height < 372px) {
+    @container ${lowPhone} {
       .middle {
-        --_left: 124px;
+        --_left: ${TOOLS.lowPhone.coarse}px;
       }
     }
-    @container shell (width < 640px) and (height < 290px) {
+    @container ${lowestPhone} {
       .middle {
-        --_left: 174px;
+        --_left: ${TOOLS.lowestPhone.coarse}px;
       }
       .tools {
         grid-template-columns: auto auto auto;
