@@ -10,7 +10,7 @@ import { corners, nameOf } from '../document/handle';
 import { panned } from '../geometry/camera';
 import type { Effect } from '../tools/state';
 import type { EditorActions, EditorModel } from '../ui/model';
-import { showSelected } from '../ui/panel';
+import { showSelected } from '../ui/handle-list';
 import type { Autosave } from './autosave';
 import type { CommandRunner } from './command_runner';
 import type { ChangeKind } from './editing';

@@ -1,8 +1,8 @@
 /** The line at the bottom: what the solver did, the zoom, and that nothing leaves the browser. */
 import { html, nothing, type TemplateResult } from 'lit';
+import { commandButton } from './command-button';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Progress } from './model';
-import { commandButton } from './toolbar';
 
 const counted = (count: number, one: string): string =>
   `${count.toLocaleString('en')} ${one}${count === 1 ? '' : 's'}`;

@@ -1,0 +1,21 @@
+/** What is drawn while a person aims: the box of a drag over empty space, the crosshair of the keyboard. */
+import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { toStage } from '../geometry/camera';
+import type { EditorModel } from './model';
+
+/** The box of a drag over empty space, in stage pixels. */
+export function selectionBox({ box, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!box) return nothing;
+  const [x, y] = toStage(camera, box.min);
+  const [right, bottom] = toStage(camera, box.max);
+  return svg`<rect class="box" x=${x} y=${y} width=${right - x} height=${bottom - y}/>`;
+}
+
+/** Where the keyboard would place a handle. */
+export function crosshair({ crosshair: at, camera }: EditorModel): SVGTemplateResult | typeof nothing {
+  if (!at) return nothing;
+  const [x, y] = toStage(camera, at);
+  return svg`<g class="crosshair" transform="translate(${x} ${y})">
+    <path class="under" d="M-14 0H14M0 -14V14"/><path d="M-14 0H14M0 -14V14"/>
+  </g>`;
+}

@@ -1,0 +1,38 @@
+/** A button for a command. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { ariaKeys, COMMANDS, type CommandName, keyHint } from './commands';
+import { icon } from './icons';
+import type { EditorActions, EditorModel } from './model';
+
+export interface Look {
+  readonly text?: string;
+  readonly enabled?: boolean;
+  readonly pressed?: boolean;
+  /** A fuller label than the table's: "Undo move head". */
+  readonly label?: string;
+}
+
+/** A button that runs a command, with the table's label, icon and keys. */
+export function commandButton(
+  name: CommandName,
+  model: EditorModel,
+  actions: EditorActions,
+  look: Look = {},
+): TemplateResult {
+  const label = look.label ?? COMMANDS[name].label;
+  return html`<button
+    type="button"
+    class="button ${look.text ? 'worded' : ''}"
+    part="button"
+    data-command=${name}
+    data-tip=${label}
+    data-keys=${keyHint(name, model.platform)}
+    aria-label=${label}
+    aria-keyshortcuts=${ariaKeys(name) || nothing}
+    aria-pressed=${look.pressed === undefined ? nothing : String(look.pressed)}
+    ?disabled=${look.enabled === false}
+    @click=${() => actions.run(name)}
+  >
+    ${icon(COMMANDS[name].icon)}${look.text ? html`<span class="word">${look.text}</span>` : ''}
+  </button>`;
+}

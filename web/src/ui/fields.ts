@@ -1,0 +1,100 @@
+/** The numbers of the selected handles, with buttons beside some of them. */
+import { html, type TemplateResult } from 'lit';
+import { anchor, DEPTHS, depthOf, isAutomatic, isLine, rotationOf, scaleOf } from '../document/handle';
+import type { Handle } from '../document/project';
+import { commandButton } from './command-button';
+import type { EditorActions, EditorModel } from './model';
+import { type FieldLook, numberField } from './number-field';
+
+const FIELDS: readonly FieldLook[] = [
+  {
+    field: 'x',
+    label: 'X',
+    unit: 'px',
+    step: 1,
+    digits: 1,
+    digitKeys: true,
+    read: (handle) => anchor(handle)[0],
+  },
+  {
+    field: 'y',
+    label: 'Y',
+    unit: 'px',
+    step: 1,
+    digits: 1,
+    digitKeys: true,
+    read: (handle) => anchor(handle)[1],
+  },
+  { field: 'rotation', label: 'Turn', unit: '°', step: 1, digits: 1, read: rotationOf },
+  {
+    field: 'scale',
+    label: 'Scale',
+    unit: '×',
+    step: 0.05,
+    digits: 2,
+    least: 0.01,
+    most: 100,
+    digitKeys: true,
+    read: scaleOf,
+  },
+  {
+    field: 'depth',
+    label: 'Depth',
+    unit: '',
+    step: 1,
+    digits: 2,
+    tip: `What lies over what, from ${DEPTHS.least} at the back to ${DEPTHS.most} in front`,
+    read: depthOf,
+  },
+];
+
+export const fields = (
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult =>
+  html`<div class="fields">
+    ${FIELDS.map((look) => besides(look, numberField(look, selected, model, actions), selected, model, actions))}
+  </div>`;
+
+/** A field with its buttons. */
+function besides(
+  { field }: FieldLook,
+  input: TemplateResult,
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  if (field === 'rotation' && selected.some((handle) => !isLine(handle))) {
+    return html`<div class="pair turn">${input} ${automaticToggle(selected, model, actions)}</div>`;
+  }
+  if (field !== 'depth') return input;
+  const enabled = (end: number) => !model.readonly && selected.some((handle) => depthOf(handle) !== end);
+  return html`<div class="pair depth">
+    ${input} ${commandButton('backward', model, actions, { enabled: enabled(DEPTHS.least) })}
+    ${commandButton('forward', model, actions, { enabled: enabled(DEPTHS.most) })}
+  </div>`;
+}
+
+/** Whether the selected points turn automatically. Where they differ, a press makes all of them automatic. */
+function automaticToggle(
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  const points = selected.filter((handle) => !isLine(handle));
+  const free = points.filter(isAutomatic).length;
+  const all = free === points.length;
+  return html`<button
+    type="button"
+    class="button toggle"
+    part="button"
+    data-tip=${all ? 'Turns with what is around it' : 'Let it turn by itself'}
+    aria-label="Automatic turn"
+    aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
+    ?disabled=${model.readonly}
+    @click=${() => actions.automatic(!all)}
+  >
+    Auto
+  </button>`;
+}

@@ -1,0 +1,51 @@
+/** The list of all handles. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { anchor, isAtRest, nameOf } from '../document/handle';
+import type { Handle } from '../document/project';
+import type { EditorActions, EditorModel } from './model';
+
+/** Selects a handle and brings it into view. A press also focuses it, for arrow keys; the keyboard stays in the list. */
+function listed(event: MouseEvent, handle: Handle, actions: EditorActions): void {
+  actions.select([handle.id]);
+  actions.reveal(anchor(handle));
+  if (event.detail > 0) actions.hold(handle.id);
+}
+
+/** Whether a press adds to the selection, or removes from it. */
+const adds = (event: MouseEvent): boolean => event.shiftKey || event.ctrlKey || event.metaKey;
+
+export function handleList(model: EditorModel, actions: EditorActions): TemplateResult {
+  const { project, selection } = model.document;
+  return html`<section class="list">
+    <h3>Handles <span class="faint">${project.handles.length}</span></h3>
+    ${
+      project.handles.length === 0
+        ? html`<p class="faint">None yet. Choose the point tool (P) and ${model.press} the picture, or draw a bar (B) or a polygon (G).</p>`
+        : html`<ul>
+            ${project.handles.map(
+              (handle) => html`<li>
+                <button
+                  type="button"
+                  class="item"
+                  aria-pressed=${String(selection.includes(handle.id))}
+                  @click=${(event: MouseEvent) =>
+                    adds(event) ? actions.toggle(handle.id) : listed(event, handle, actions)}
+                >
+                  <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
+                  ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}
+                </button>
+              </li>`,
+            )}
+          </ul>`
+    }
+  </section>`;
+}
+
+/** Scrolls the list, and nothing else, to the first selected handle. */
+export function showSelected(root: ShadowRoot): void {
+  const list = root.querySelector('.list ul');
+  const item = list?.querySelector('[aria-pressed="true"]');
+  if (!list || !item) return;
+  const [frame, box] = [list.getBoundingClientRect(), item.getBoundingClientRect()];
+  list.scrollTop += Math.min(0, box.top - frame.top) + Math.max(0, box.bottom - frame.bottom);
+}

@@ -1,0 +1,61 @@
+/**
+ * What is drawn of the handles beside their dots: a faint mark where each rests, a dotted line to where it is posed,
+ * lines of bars and polygons, and the rotation ring of selected handles.
+ */
+import { nothing, type SVGTemplateResult, svg } from 'lit';
+import { anchor, corners, isInPlace, isLine, rotationOf } from '../document/handle';
+import type { LineHandle } from '../document/project';
+import { type Size, toStage } from '../geometry/camera';
+import { distance, type Vec } from '../geometry/vec';
+import { dots, onStage } from './dots';
+import type { EditorModel } from './model';
+
+export function handleMarks(model: EditorModel): SVGTemplateResult {
+  const { document, camera, stage, grips, turns, playing } = model;
+  const radius = grips.ring * camera.scale;
+  return svg`${document.project.handles.map((handle) => {
+    const rest = toStage(camera, anchor(handle, 'rest'));
+    const posed = toStage(camera, anchor(handle));
+    const selected = document.selection.includes(handle.id);
+    return svg`
+      ${isLine(handle) ? lineMarks(handle, model, selected) : !playing && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
+      ${selected && !model.readonly ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
+  })}`;
+}
+
+const restMark = (rest: Vec, posed: Vec, stage: Size): SVGTemplateResult => svg`<g class="rest">
+  ${restLine([rest, posed], false, stage)}
+  <circle class="under" cx=${rest[0]} cy=${rest[1]} r="4.5"/>
+  <circle cx=${rest[0]} cy=${rest[1]} r="4.5"/>
+</g>`;
+
+/** Drawn twice, first dark and wider, to be visible on any picture. */
+function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemplateResult {
+  const path = onStage(places, closed, stage);
+  return svg`${dots('dots under', path)}${dots('dots', path)}`;
+}
+
+/** A bar or polygon as posed, and faintly its rest place once it has left that. */
+function lineMarks(
+  handle: LineHandle,
+  { camera, stage, playing }: EditorModel,
+  selected: boolean,
+): SVGTemplateResult {
+  const closed = handle.kind === 'polygon';
+  const places = (of: 'rest' | 'posed') => corners(handle, of).map((corner) => toStage(camera, corner));
+  const [rest, posed] = [places('rest'), `M${places('posed').join('L')}${closed ? 'Z' : ''}`];
+  return svg`
+    ${playing || isInPlace(handle) ? nothing : svg`<g class="rest">${restLine(rest, closed, stage)}</g>`}
+    <g class="line-handle ${selected ? 'selected' : ''}">
+      ${closed ? svg`<path class="body" d=${posed}/>` : nothing}
+      <path class="casing" d=${posed}/><path class="line" d=${posed}/>
+    </g>`;
+}
+
+/** The knob stands at the top when nothing is turned. */
+const ring = ([x, y]: Vec, rotation: number, radius: number): SVGTemplateResult => svg`<g
+  class="ring" transform="translate(${x} ${y}) rotate(${rotation})">
+  <circle class="under" r=${radius}/>
+  <circle r=${radius}/>
+  <circle class="knob" cy=${-radius} r="5.5"/>
+</g>`;

@@ -1,0 +1,15 @@
+import { describe, expect, it } from 'vitest';
+import { numberOf } from './number-field';
+
+describe('a typed number', () => {
+  it.each([
+    ['12', 12],
+    [' 1.5 ', 1.5],
+    ['1,5', 1.5],
+    ['−3', -3],
+    ['-3,25', -3.25],
+    ['1e3', 1000],
+  ])('%j is %d', (text, number) => expect(numberOf(text)).toBe(number));
+
+  it.each(['', '  ', 'abc', '1.2.3', '1 2'])('%j is none', (text) => expect(numberOf(text)).toBeNaN());
+});

@@ -1,0 +1,96 @@
+/** A number of the selected handles, to be typed or stepped. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { DEPTHS, type Turns } from '../document/handle';
+import type { Handle } from '../document/project';
+import type { EditorActions, EditorModel, Field } from './model';
+import { untyped } from './untyped';
+
+export interface FieldLook {
+  readonly field: Field;
+  readonly label: string;
+  readonly unit: string;
+  readonly step: number;
+  /** Decimals shown: as many as can be set by hand. */
+  readonly digits: number;
+  readonly least?: number;
+  readonly most?: number;
+  /** Asks for a keyboard with digits, which lacks a minus on some phones: the value is hardly ever negative. */
+  readonly digitKeys?: boolean;
+  readonly tip?: string;
+  read(handle: Handle, turns: Turns): number;
+}
+
+/** Limit of typed pixels and degrees: far beyond any picture. */
+const MOST = 1e6;
+
+/** A number as people write it, with a point or a comma. */
+export const numberOf = (text: string): number =>
+  text.trim() === '' ? Number.NaN : Number(text.trim().replace(',', '.').replace('−', '-'));
+
+const expected = ({ label, least, most }: FieldLook): string =>
+  least === undefined || most === undefined
+    ? `${label} takes a number, such as 120 or −3.5.`
+    : `${label} takes a number from ${least} to ${most}.`;
+
+/** Steps per arrow key in a field. */
+const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
+
+/**
+ * Commits on Enter and on leaving the field; arrow keys change every selected handle by a step, with Shift by ten;
+ * Escape restores the old number.
+ */
+export function numberField(
+  look: FieldLook,
+  selected: readonly Handle[],
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  const values = selected.map((handle) => Number(look.read(handle, model.turns).toFixed(look.digits)));
+  const shared = values.every((value) => value === values[0]) ? String(values[0]) : '';
+  const { least = -MOST, most = MOST } = look;
+  const commit = (event: Event) => {
+    event.stopPropagation();
+    const input = event.target as HTMLInputElement;
+    const value = numberOf(input.value);
+    if (input.value !== shared && value >= least && value <= most) {
+      actions.field(look.field, () => value);
+      return;
+    }
+    if (input.value.trim() !== '' && input.value !== shared) actions.refuse(expected(look));
+    input.value = shared;
+  };
+  const onKey = (event: KeyboardEvent) => {
+    const input = event.target as HTMLInputElement;
+    const by = (STEPS[event.key] ?? 0) * look.step * (event.shiftKey ? 10 : 1);
+    if (by !== 0) {
+      event.preventDefault();
+      input.dispatchEvent(new Event('change'));
+      actions.field(look.field, (now) => Math.min(Math.max(now + by, least), most));
+    }
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    input.value = shared;
+    const root = input.getRootNode() as ShadowRoot;
+    root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });
+  };
+  return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
+    <span class="label">${look.label}</span>
+    <input
+      type="text"
+      role="spinbutton"
+      inputmode=${look.digitKeys ? 'decimal' : nothing}
+      autocomplete="off"
+      name=${look.field}
+      aria-valuenow=${shared || nothing}
+      aria-valuemin=${look.least ?? nothing}
+      aria-valuemax=${look.most ?? nothing}
+      aria-label="${look.field} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
+      placeholder="mixed"
+      .value=${untyped(shared)}
+      ?disabled=${model.readonly}
+      @change=${commit}
+      @input=${(event: Event) => event.stopPropagation()}
+      @keydown=${onKey}
+    /><span class="unit" aria-hidden="true">${look.unit}</span>
+  </label>`;
+}

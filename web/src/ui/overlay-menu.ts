@@ -1,0 +1,69 @@
+/** The menu of overlays: a button, and a check box for each. */
+import { html, type TemplateResult } from 'lit';
+import { icon } from './icons';
+import type { EditorActions, EditorModel, OverlayFlags } from './model';
+
+/** The name of each overlay, and what it shows. */
+const OVERLAYS = {
+  mesh: ['Mesh', 'The triangles that the picture is drawn with'],
+  sites: ['Virtual handles', 'What moves the picture between your handles'],
+  graph: ['Cell graph', 'Which handles, virtual ones too, are neighbours'],
+  folds: ['Folds', 'Where the picture has turned over'],
+  reach: ['Reach', 'How much of a small move of the selected handles each place of the picture follows'],
+} as const satisfies Record<keyof OverlayFlags, readonly [label: string, tip: string]>;
+
+export function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult {
+  const names = Object.keys(OVERLAYS) as (keyof OverlayFlags)[];
+  const shown = names.some((name) => model.overlays[name]);
+  return html`<div class="menu">
+    <button
+      type="button"
+      class="button"
+      part="button"
+      id="overlays-button"
+      popovertarget="overlays"
+      data-tip="Overlays"
+      aria-label="Overlays"
+      aria-pressed=${String(shown)}
+    >
+      ${icon('overlays')}
+    </button>
+    <div
+      id="overlays"
+      class="popover card"
+      popover
+      aria-label="Overlays"
+      role="group"
+      @beforetoggle=${placeBelowButton}
+    >
+      ${names.map(
+        (name) => html`<label class="check" title=${OVERLAYS[name][1]}>
+          <input
+            type="checkbox"
+            aria-description=${OVERLAYS[name][1]}
+            .checked=${model.overlays[name]}
+            @change=${(event: Event) => {
+              event.stopPropagation();
+              actions.overlay(name, (event.target as HTMLInputElement).checked);
+            }}
+            @input=${(event: Event) => event.stopPropagation()}
+          />${OVERLAYS[name][0]}
+        </label>`,
+      )}
+    </div>
+  </div>`;
+}
+
+/** Room for the menu within the window, and between it and its button. CSS pixels. */
+const WIDTH = 220;
+const GAP = 6;
+
+/** Places a popover, which lies in the top layer, in coordinates of the window. */
+function placeBelowButton(event: Event): void {
+  const popover = event.currentTarget as HTMLElement;
+  const button = popover.previousElementSibling;
+  if (!button) return;
+  const { left, bottom } = button.getBoundingClientRect();
+  popover.style.left = `${Math.min(left, innerWidth - WIDTH)}px`;
+  popover.style.top = `${bottom + GAP}px`;
+}
