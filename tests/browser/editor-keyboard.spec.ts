@@ -1,4 +1,5 @@
 /** The editor without a pointer, and what it says to those who do not see it. */
+import type { Locator } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { apart, Editor, SAME } from './editor';
 import { expect, test } from './fixtures';
@@ -146,6 +147,73 @@ test('Escape is for a dialog around the editor once there is nothing to take bac
   await editor.handle('head').focus();
   expect(await taken('Escape')).toBe(true);
   expect(await taken('Escape')).toBe(false);
+});
+
+/** Whether a button's tooltip is shown. */
+const tipped = (button: Locator) => () =>
+  button.evaluate((element) => getComputedStyle(element, '::after').content !== 'none');
+
+test('Escape dismisses a tooltip, until its button is hovered or focused again', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const [fit, undo] = [editor.button('Fit'), editor.button('Undo')];
+  await editor.handle('head').focus();
+  await fit.hover();
+  await expect.poll(tipped(fit)).toBe(true);
+  await page.keyboard.press('Escape');
+  await expect.poll(tipped(fit)).toBe(false);
+  // That press was for the tooltip; the next one is for what is selected.
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('Escape');
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'false');
+  await undo.hover({ force: true });
+  await fit.hover();
+  await expect.poll(tipped(fit)).toBe(true);
+
+  await undo.hover({ force: true });
+  await editor.button('Zoom in').focus();
+  await page.keyboard.press('Tab');
+  await expect(fit).toBeFocused();
+  await expect.poll(tipped(fit)).toBe(true);
+  await page.keyboard.press('Escape');
+  await expect.poll(tipped(fit)).toBe(false);
+  await expect(fit).toBeFocused();
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Tab');
+  await expect.poll(tipped(fit)).toBe(true);
+});
+
+test('Escape dismisses a hovered tooltip while the focus is elsewhere on the page, which hears the key', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await page.evaluate(() => {
+    const field = document.createElement('input');
+    document.body.append(field);
+    field.focus();
+    field.addEventListener('keydown', (event) => {
+      field.value = `${event.key} ${event.defaultPrevented}`;
+    });
+  });
+  await editor.button('Fit').hover();
+  await expect.poll(tipped(editor.button('Fit'))).toBe(true);
+  await page.keyboard.press('Escape');
+  await expect.poll(tipped(editor.button('Fit'))).toBe(false);
+  await expect(page.locator('body > input')).toHaveValue('Escape false');
+});
+
+test('Escape gives up a drawing before it dismisses a tooltip', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('b');
+  const head = await editor.place('head');
+  await page.mouse.click(head.x, head.y + 40);
+  const drawing = page.getByRole('group', { name: 'Drawing' });
+  await expect(drawing).toBeVisible();
+  await editor.button('Fit').hover();
+  await page.keyboard.press('Escape');
+  await expect(drawing).toBeHidden();
+  await expect.poll(tipped(editor.button('Fit'))).toBe(true);
+  await page.keyboard.press('Escape');
+  await expect.poll(tipped(editor.button('Fit'))).toBe(false);
 });
 
 test('a menu that is closed by Escape gives the keys back', async ({ page }) => {

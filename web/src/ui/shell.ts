@@ -12,12 +12,13 @@ import { statusLine } from './status';
 import { toolHint } from './tool-hint';
 import { toolStrip } from './tool-strip';
 import { topBar } from './toolbar';
+import { tooltips } from './tooltips';
 
 /** @param canvas shows the picture; it lives as long as its WebGL context. */
 export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
   const { playing } = model;
   return html`${playing ? room(model) : nothing}
-  <div class="shell" tabindex="-1" ?inert=${model.disabled}>
+  <div class="shell" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${playing ? nothing : topBar(model, actions)}
     <div class="middle">
       ${stage(model, actions, canvas)} ${model.picture ? nothing : emptyStage(model, actions)}

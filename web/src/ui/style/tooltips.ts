@@ -4,8 +4,7 @@ import { ORDER } from './order';
 
 export const tooltipsStyle = css`
   @media (hover: hover) {
-    [data-tip]:hover::after,
-    [data-tip]:focus-visible::after {
+    [data-tip]:is(:hover, :focus-visible):not([data-dismissed])::after {
       content: attr(data-tip) '   ' attr(data-keys);
       position: absolute;
       z-index: ${ORDER.tooltip};
@@ -22,30 +21,22 @@ export const tooltipsStyle = css`
       pointer-events: none;
       animation: appear var(--_speed) 350ms backwards;
     }
-    .tools [data-tip]:hover::after,
-    .tools [data-tip]:focus-visible::after {
+    .tools [data-tip]:is(:hover, :focus-visible)::after {
       top: 50%;
       left: calc(100% + 9px);
       translate: 0 -50%;
     }
     /* At an edge they grow away from it. */
-    .brand + .group [data-tip]:hover::after,
-    .brand + .group [data-tip]:focus-visible::after {
+    .brand + .group [data-tip]:is(:hover, :focus-visible)::after {
       left: 0;
       translate: none;
     }
-    .top > .theme[data-tip]:hover::after,
-    .top > .theme[data-tip]:focus-visible::after {
+    .top > .theme[data-tip]:is(:hover, :focus-visible)::after {
       left: auto;
       right: 0;
       translate: none;
     }
-    .status [data-tip]:hover::after,
-    .status [data-tip]:focus-visible::after,
-    .panel [data-tip]:hover::after,
-    .panel [data-tip]:focus-visible::after,
-    .draft-bar [data-tip]:hover::after,
-    .draft-bar [data-tip]:focus-visible::after {
+    :is(.status, .panel, .draft-bar) [data-tip]:is(:hover, :focus-visible)::after {
       top: auto;
       bottom: calc(100% + 7px);
       left: auto;
