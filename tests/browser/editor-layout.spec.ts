@@ -200,6 +200,22 @@ test('forced colours show what is chosen', async ({ page }) => {
   await expect.poll(ground(editor.switch('Stop at folds'))).toBe(chosen);
 });
 
+test('what the page lays over the editor covers its bars and cards', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.evaluate(() => {
+    const warp = document.querySelector('c2-warp');
+    if (warp) Object.assign(warp.style, { position: 'relative', inset: 'auto', height: '600px' });
+    const header = document.createElement('header');
+    Object.assign(header.style, { position: 'fixed', inset: '0', zIndex: '1' });
+    document.body.append(header);
+  });
+  for (const name of ['Undo', 'Draw a bar', 'Fit']) {
+    const { x, y } = await editor.middle(editor.button(name));
+    const over = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.localName, [x, y] as const);
+    expect(over, name).toBe('header');
+  }
+});
+
 test('in another document it has its styles, made there or brought there', async ({ page }) => {
   await Editor.open(page);
   await page.evaluate(() => {

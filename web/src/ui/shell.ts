@@ -9,6 +9,7 @@ import { panel } from './panel';
 import { reachHint } from './reach';
 import { stage } from './stage';
 import { statusLine } from './status';
+import { LEAST_HEIGHT } from './style/sizes';
 import { toolHint } from './tool-hint';
 import { toolStrip } from './tool-strip';
 import { topBar } from './toolbar';
@@ -35,6 +36,6 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
 
 /** The element's height where the page sets none: that of the picture, or enough for a notice on why there is none. */
 function room({ picture }: EditorModel): TemplateResult {
-  const size = picture ? `aspect-ratio: ${picture.width} / ${picture.height}` : 'min-height: 240px';
+  const size = picture ? `aspect-ratio: ${picture.width} / ${picture.height}` : `min-height: ${LEAST_HEIGHT}px`;
   return html`<div .style=${size}></div>`;
 }

@@ -1,11 +1,12 @@
 /** The element as a box on any page, and what all of the editor shares: focus rings, cards, icons, fading in. */
 import { css } from 'lit';
+import { LEAST_HEIGHT } from './sizes';
 
 export const baseStyle = css`
   :host {
     display: block;
     position: relative;
-    min-height: 240px;
+    min-height: ${LEAST_HEIGHT}px;
     overflow: clip;
     background: var(--_ground);
     color: var(--_text);

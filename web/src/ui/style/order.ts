@@ -1,5 +1,5 @@
 /**
- * What lies over what, from back to front. The stage has no number and lies below all of them, with the bubble that
+ * What lies over what within the editor, from back to front. The stage has no number and lies below all of them, with the bubble that
  * belongs to it; of equal ones the later in the template is in front.
  */
 export const ORDER = {

@@ -6,6 +6,8 @@ import { PANEL, TOOLS } from './sizes';
 export const shellStyle = css`
   .shell {
     container: shell / size;
+    /* What lies over what in here is no matter of the page: its own header may lie over all of it. */
+    isolation: isolate;
     position: absolute;
     inset: 0;
     writing-mode: horizontal-tb;

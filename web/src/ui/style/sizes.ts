@@ -6,6 +6,9 @@ export const PHONE = 640;
 export const LOW = 372;
 export const LOWEST = 290;
 
+/** Height of an element whose page sets none, unless the picture says otherwise. */
+export const LEAST_HEIGHT = 240;
+
 /** Heights of the bar above and of the line below, for a mouse and for fingers. */
 export const BARS = {
   fine: { toolbar: 48, status: 34 },
