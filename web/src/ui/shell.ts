@@ -36,6 +36,8 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
 
 /** The element's height where the page sets none: that of the picture, or enough for a notice on why there is none. */
 function room({ picture }: EditorModel): TemplateResult {
-  const size = picture ? `aspect-ratio: ${picture.width} / ${picture.height}` : `min-height: ${LEAST_HEIGHT}px`;
+  const size = picture
+    ? `aspect-ratio: ${picture.width} / ${picture.height}`
+    : `min-height: ${LEAST_HEIGHT}px`;
   return html`<div .style=${size}></div>`;
 }
