@@ -13,7 +13,6 @@ export const shellStyle = css`
     writing-mode: horizontal-tb;
     display: flex;
     flex-direction: column;
-    outline: none;
   }
   /* What the cards take of the width at the left and at the right: what floats over the picture stands in the middle of
      the rest. And the space between a card and the edge. */
