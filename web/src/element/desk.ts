@@ -9,7 +9,7 @@ import { handleById, selectedHandles } from '../document/document';
 import { corners, nameOf } from '../document/handle';
 import { panned } from '../geometry/camera';
 import type { Effect } from '../tools/state';
-import { showSelected } from '../ui/handle-list';
+import { showSelected } from '../ui/handle_list';
 import type { EditorActions, EditorModel } from '../ui/model';
 import type { Autosave } from './autosave';
 import type { CommandRunner } from './command_runner';

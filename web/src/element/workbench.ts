@@ -11,7 +11,7 @@ import { type Document, isSameWork, newProject, openDocument } from '../document
 import { checkedHandle } from '../document/handle';
 import { History, type HistoryRecord } from '../document/history';
 import type { Project, ProjectFile } from '../document/project';
-import { projectText } from '../document/project-text';
+import { projectText } from '../document/project_text';
 import { alphaThreshold } from '../io/alpha';
 import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';

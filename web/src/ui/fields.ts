@@ -2,9 +2,9 @@
 import { html, type TemplateResult } from 'lit';
 import { anchor, DEPTHS, depthOf, isAutomatic, isLine, rotationOf, scaleOf } from '../document/handle';
 import type { Handle } from '../document/project';
-import { commandButton } from './command-button';
+import { commandButton } from './command_button';
 import type { EditorActions, EditorModel } from './model';
-import { type FieldLook, numberField } from './number-field';
+import { type FieldLook, numberField } from './number_field';
 
 const FIELDS: readonly FieldLook[] = [
   {

@@ -10,8 +10,8 @@ import { reachHint } from './reach';
 import { stage } from './stage';
 import { statusLine } from './status';
 import { LEAST_HEIGHT } from './style/sizes';
-import { toolHint } from './tool-hint';
-import { toolStrip } from './tool-strip';
+import { toolHint } from './tool_hint';
+import { toolStrip } from './tool_strip';
 import { topBar } from './toolbar';
 import { tooltips } from './tooltips';
 

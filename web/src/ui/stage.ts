@@ -3,8 +3,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { crosshair, selectionBox } from './aims';
 import { draftMarks } from './drawing';
 import { frame } from './frame';
-import { handleButtons } from './handle-buttons';
-import { handleMarks } from './handle-marks';
+import { handleButtons } from './handle_buttons';
+import { handleMarks } from './handle_marks';
 import type { EditorActions, EditorModel } from './model';
 import { foldOverlay, siteOverlay } from './overlays';
 

@@ -1,6 +1,6 @@
 /** The line at the bottom: what the solver did, the zoom, and that nothing leaves the browser. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { commandButton } from './command-button';
+import { commandButton } from './command_button';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Progress } from './model';
 

@@ -1,11 +1,11 @@
 /** The bar above: documents, history, what is shown, and the name of the picture. */
 import { html, type TemplateResult } from 'lit';
-import { commandButton, type Look } from './command-button';
+import { commandButton, type Look } from './command_button';
 import type { CommandName } from './commands';
-import { compareButton } from './compare-button';
+import { compareButton } from './compare_button';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
-import { overlayMenu } from './overlay-menu';
+import { overlayMenu } from './overlay_menu';
 
 export function topBar(model: EditorModel, actions: EditorActions): TemplateResult {
   const editable = !model.readonly && model.picture !== null;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { newProject } from './document';
-import { projectText } from './project-text';
+import { projectText } from './project_text';
 
 describe('projectText', () => {
   it('is the project, laid out with a handle a line', () => {

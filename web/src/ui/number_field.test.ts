@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { numberOf } from './number-field';
+import { numberOf } from './number_field';
 
 describe('a typed number', () => {
   it.each([

@@ -1,7 +1,7 @@
 /** The card of tools. */
 import { html, type TemplateResult } from 'lit';
 import type { ToolName } from '../tools/machine';
-import { commandButton } from './command-button';
+import { commandButton } from './command_button';
 import type { EditorActions, EditorModel } from './model';
 
 const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'bar', 'polygon', 'hand'];
