@@ -13,8 +13,8 @@ use glam::DVec2;
 use crate::{
     domain::{Domain, Ring},
     error::Error,
+    outline::Outline,
     sample::Samples,
-    solver::Outline,
     triangulation::{NONE, Triangulation},
 };
 

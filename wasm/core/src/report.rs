@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::solver::Stage;
+use crate::{bone::Outside, stage::StageTimes};
 
 /// The figures of `c2warp inspect --json`, but for the times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -43,45 +43,6 @@ pub struct Report {
     pub folded_triangles: usize,
     /// A fingerprint of the samples' weights: equal exactly where every bit is.
     pub weights_hash: String,
-}
-
-/// A part of a bar or polygon that lies outside the domain, or on its held boundary: it moves nothing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Outside {
-    /// Id of the handle.
-    pub handle: String,
-    /// Where the part begins, at rest.
-    pub from: [f64; 2],
-    /// Where it ends.
-    pub to: [f64; 2],
-}
-
-/// Milliseconds spent in each stage, and on a pose. The core has no clock: whoever runs the stages measures them.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct StageTimes {
-    /// The outline.
-    pub domain: f64,
-    /// Samples and mesh.
-    pub sampling: f64,
-    /// All of distances, cells and virtual sites.
-    pub regions: f64,
-    /// Supports, weights and harmonic fields.
-    pub weights: f64,
-    /// Motions of the sites.
-    pub pose: f64,
-}
-
-impl StageTimes {
-    /// Adds to the time of a stage.
-    pub fn add(&mut self, stage: Stage, ms: f64) {
-        let time = match stage {
-            Stage::Domain => &mut self.domain,
-            Stage::Sampling => &mut self.sampling,
-            Stage::Regions => &mut self.regions,
-            Stage::Weights => &mut self.weights,
-        };
-        *time += ms;
-    }
 }
 
 /// The object of `c2warp inspect --json`.

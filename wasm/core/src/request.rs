@@ -3,15 +3,14 @@
 use glam::DVec2;
 
 use crate::{
-    bone::{HELD_CLEARANCE, Line, Skeleton},
-    distance::{Navigation, Place},
+    bone::{HELD_CLEARANCE, Line, Outside, Skeleton},
+    distance::Place,
     error::Error,
+    outline::Outline,
     picture::Picture,
     pose::{Form, Solved},
     project::{Handle, PoseMode, Project, Shape, Weighting},
-    report::Outside,
-    site::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
-    solver::Outline,
+    site::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION, PointSite},
 };
 
 /// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that far
@@ -42,9 +41,8 @@ struct PointHandle {
 /// The rest places of all handles in the domain, checked.
 #[derive(Debug)]
 pub(crate) struct Rest<P = Place> {
-    /// Point handles: rest place, location, index. From top to bottom, so that the result does not depend on their order in
-    /// the project.
-    pub(crate) points: Vec<(DVec2, P, u32)>,
+    /// Point handles from top to bottom, so that the result does not depend on their order in the project.
+    pub(crate) points: Vec<PointSite<P>>,
     pub(crate) skeleton: Skeleton,
     /// Parts of lines outside the domain.
     pub(crate) outside: Vec<Outside>,
@@ -53,7 +51,7 @@ pub(crate) struct Rest<P = Place> {
 impl Rest {
     /// Rest places of the point handles.
     pub(crate) fn sites(&self) -> Vec<DVec2> {
-        self.points.iter().map(|&(rest, ..)| rest).collect()
+        self.points.iter().map(|point| point.rest).collect()
     }
 
     /// Rest places of the bones.
@@ -108,7 +106,7 @@ impl Request {
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
     /// [`Error::BarsOverlap`].
     pub(crate) fn rest(&self, outline: &Outline) -> Result<Rest, Error> {
-        let navigation: &Navigation = &outline.navigation;
+        let navigation = &outline.navigation;
         let mut rest = self.points_at(|p| navigation.locate(p))?;
         if self.fix_boundary {
             let on_boundary = |point: &&PointHandle| outline.domain.distance_to_outline(point.rest) < HELD_CLEARANCE;
@@ -138,19 +136,19 @@ impl Request {
         let site = |&PointHandle { handle, ref id, rest }: &PointHandle| {
             let outside = || Error::HandleOutside { id: id.clone(), x: rest.x, y: rest.y };
             let (place, inside) = locate(rest).ok_or_else(outside)?;
-            Ok((inside, place, handle))
+            Ok(PointSite { rest: inside, place, handle })
         };
         let mut points = self.points.iter().map(site).collect::<Result<Vec<_>, Error>>()?;
-        points.sort_by(|(a, ..), (b, ..)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
-        for (at, &(p, _, of_p)) in points.iter().enumerate() {
-            for &(q, _, of_q) in points[at + 1..].iter().take_while(|(q, ..)| q.y - p.y < MIN_SEPARATION) {
-                let distance = p.distance(q);
+        points.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
+        for (at, one) in points.iter().enumerate() {
+            for other in points[at + 1..].iter().take_while(|other| other.rest.y - one.rest.y < MIN_SEPARATION) {
+                let distance = one.rest.distance(other.rest);
                 if distance < MIN_HANDLE_DISTANCE {
                     let id = |handle: u32| {
                         let known = self.points.iter().find(|point| point.handle == handle);
                         known.expect("a handle of the request").id.clone()
                     };
-                    let (first, second) = (id(of_p.min(of_q)), id(of_p.max(of_q)));
+                    let (first, second) = (id(one.handle.min(other.handle)), id(one.handle.max(other.handle)));
                     return Err(Error::HandlesTooClose { first, second, distance });
                 }
             }

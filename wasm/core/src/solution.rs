@@ -5,19 +5,20 @@ use std::{borrow::Cow, sync::Arc};
 use glam::DVec2;
 
 use crate::{
+    bone::Outside,
     distance::Propagation,
     domain::{Domain, Ring},
     drawing_order::drawn_triangles,
     error::Error,
     inverse,
+    outline::Outline,
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     raster::{self, Canvas, Warped},
     render_mesh::RenderMesh,
-    report::{Fingerprint, Outside, Report},
+    report::{Fingerprint, Report},
     request::check_picture,
     site::{Site, SiteGraph},
-    solver::Outline,
     weight::{Influence, SparseWeights, WeightFunctions},
 };
 

@@ -1,6 +1,7 @@
-//! The line of a bar or polygon at rest.
+//! The line of a bar or polygon at rest, and what of it the domain has no room for.
 
 use glam::DVec2;
+use serde::Serialize;
 
 /// A chain of corners, closed for a polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,4 +27,15 @@ impl Line {
     pub(crate) fn segment(&self, at: usize) -> (DVec2, DVec2) {
         (self.corners[at], self.corners[(at + 1) % self.corners.len()])
     }
+}
+
+/// A part of a bar or polygon that lies outside the domain, or on its held boundary: it moves nothing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Outside {
+    /// Id of the handle.
+    pub handle: String,
+    /// Where the part begins, at rest.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
 }

@@ -18,11 +18,12 @@ use std::{cmp::Ordering, collections::HashMap};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use crate::{distance::Navigation, domain::Domain, error::Error, report::Outside, segment::segment_distance};
+use crate::{distance::Navigation, domain::Domain, error::Error, segment::segment_distance};
 
 use clip::Part;
 use cut::Piece;
 pub(crate) use lines::Line;
+pub use lines::Outside;
 pub(crate) use motion::BoneMotion;
 pub(crate) use track::Track;
 

@@ -10,7 +10,7 @@ use crate::{
     error::Error,
     pose::{HarmonicFields, Pose, Poser},
     request::Request,
-    site::{Site, SiteGraph, SiteKind},
+    site::{PointSite, Site, SiteGraph, SiteKind},
     weight::{Basis, SparseWeights, support_radii},
 };
 
@@ -38,15 +38,15 @@ pub struct CloudSolution {
 }
 
 impl CloudSolution {
-    /// Solves for `handles`, each with its index and its place in the cloud, distinct and sorted.
-    pub(crate) fn new(cloud: &PointCloud, handles: &[(u32, DVec2)], request: Request) -> Result<Self, Error> {
+    /// Solves for point handles in the cloud, distinct and sorted.
+    pub(crate) fn new(cloud: &PointCloud, handles: &[PointSite<()>], request: Request) -> Result<Self, Error> {
         let Request { weighting, density, mode, handles: solved, .. } = request;
         let points = cloud.points.len();
-        let places: Vec<DVec2> = handles.iter().map(|handle| handle.1).collect();
+        let places: Vec<DVec2> = handles.iter().map(|handle| handle.rest).collect();
         let given = cloud.clone();
         let (cloud, at) = cloud.with(&places);
         let mut regions = Regions::new(&cloud);
-        for (&(handle, _), &point) in handles.iter().zip(&at) {
+        for (&PointSite { handle, .. }, &point) in handles.iter().zip(&at) {
             regions.insert(point, SiteKind::Point { handle });
         }
         let scores = regions.insert_virtual_sites(density)?;

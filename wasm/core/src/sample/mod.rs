@@ -5,6 +5,7 @@
 
 mod bones;
 mod ground;
+mod grounds;
 mod lattice;
 mod outline;
 mod refine;
@@ -20,6 +21,7 @@ use crate::{
 };
 
 pub(crate) use ground::Ground;
+pub(crate) use grounds::Grounds;
 pub use rim::Rim;
 pub(crate) use scouts::{Scouts, scouts_wanted};
 

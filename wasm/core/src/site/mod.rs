@@ -22,7 +22,7 @@ use crate::distance::{DistanceField, Place};
 
 pub use graph::SiteGraph;
 pub(crate) use regions::{Obstacles, Regions};
-pub(crate) use virtual_sites::{allowed_score, insert_virtual_sites, score};
+pub(crate) use virtual_sites::{Scores, allowed_score, insert_virtual_sites, score};
 
 /// Sites closer than this, in pixels, coincide.
 pub const MIN_SEPARATION: f64 = 0.01;
@@ -72,6 +72,15 @@ impl SiteKind {
             Self::Boundary | Self::Virtual => None,
         }
     }
+}
+
+/// The site of a point handle that is about to be inserted.
+#[derive(Debug)]
+pub(crate) struct PointSite<P = Place> {
+    pub(crate) rest: DVec2,
+    pub(crate) place: P,
+    /// Index of the handle in the project.
+    pub(crate) handle: u32,
 }
 
 /// A site with its cell and its support. Lengths in pixels.

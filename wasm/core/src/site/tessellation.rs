@@ -16,7 +16,7 @@
 use glam::DVec2;
 
 use super::{
-    MAX_SITES, SiteKind,
+    MAX_SITES, PointSite, SiteKind,
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
@@ -167,12 +167,12 @@ impl NewSite {
 }
 
 impl Regions<'_> {
-    /// Inserts the real sites: point handles (place and index), and the first sites of bones and of a held outline, from top
+    /// Inserts the real sites: those of point handles, and the first sites of bones and of a held outline, from top
     /// to bottom.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
-    pub(crate) fn insert_real_sites(&mut self, points: &[(DVec2, Place, u32)]) -> Result<(), Error> {
+    pub(crate) fn insert_real_sites(&mut self, points: &[PointSite]) -> Result<(), Error> {
         let navigation = self.navigation;
         let bones = self.obstacles.skeleton.bones.iter().enumerate().map(|(at, bone)| {
             let kind = SiteKind::Bone { handle: bone.handle, bone: at as u32 };
@@ -181,7 +181,7 @@ impl Regions<'_> {
         let rings = self.obstacles.held.map_or(&[][..], Domain::rings);
         let outline = rings.iter().map(|ring| Chain::new(SiteKind::Boundary, ring.clone(), true));
         self.chains = bones.chain(outline).collect();
-        let of_points = points.iter().map(|&(rest, place, handle)| {
+        let of_points = points.iter().map(|&PointSite { rest, place, handle }| {
             let kind = SiteKind::Point { handle };
             NewSite { rest, place, kind, on_chain: None }
         });

@@ -1,0 +1,57 @@
+//! The stages of a solve, by name, and the time that each takes.
+
+use serde::Serialize;
+
+/// A stage of the solve. Between two stages a caller may look for newer requests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// The outline: from the picture's alpha or the project's rings.
+    Domain,
+    /// Samples and the mesh over them.
+    Sampling,
+    /// Distances, cells and virtual sites.
+    Regions,
+    /// Supports, weights and harmonic fields.
+    Weights,
+}
+
+impl Stage {
+    /// The stage's name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Domain => "domain",
+            Self::Sampling => "sampling",
+            Self::Regions => "regions",
+            Self::Weights => "weights",
+        }
+    }
+}
+
+/// Milliseconds spent in each stage, and on a pose. The core has no clock: whoever runs the stages measures them.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct StageTimes {
+    /// The outline.
+    pub domain: f64,
+    /// Samples and mesh.
+    pub sampling: f64,
+    /// All of distances, cells and virtual sites.
+    pub regions: f64,
+    /// Supports, weights and harmonic fields.
+    pub weights: f64,
+    /// Motions of the sites.
+    pub pose: f64,
+}
+
+impl StageTimes {
+    /// Adds to the time of a stage.
+    pub fn add(&mut self, stage: Stage, ms: f64) {
+        let time = match stage {
+            Stage::Domain => &mut self.domain,
+            Stage::Sampling => &mut self.sampling,
+            Stage::Regions => &mut self.regions,
+            Stage::Weights => &mut self.weights,
+        };
+        *time += ms;
+    }
+}
