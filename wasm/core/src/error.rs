@@ -1,6 +1,9 @@
 //! Everything that can be refused, in one enum: what was wrong, where, and what to do about it.
 
-use crate::{pose::Form, project::ProjectError};
+use crate::{
+    limits,
+    project::{Form, ProjectError},
+};
 
 /// Why a picture, a domain, a project or a handle was refused.
 ///
@@ -14,8 +17,8 @@ pub enum Error {
     /// A picture whose sides are outside what can be warped.
     #[error(
         "the picture is {width}×{height} px; each side must be from {min} to {max} px: scale it first",
-        min = crate::picture::MIN_SIDE,
-        max = crate::picture::MAX_SIDE
+        min = limits::MIN_SIDE,
+        max = limits::MAX_SIDE
     )]
     PictureSide {
         /// Width in pixels.
@@ -26,7 +29,7 @@ pub enum Error {
     /// A picture with more pixels than can be warped.
     #[error(
         "the picture is {width}×{height} px, more than {max} megapixels: scale it down first",
-        max = crate::picture::MAX_PIXELS / 1_000_000
+        max = limits::MAX_PIXELS / 1_000_000
     )]
     PictureArea {
         /// Width in pixels.
@@ -49,8 +52,8 @@ pub enum Error {
     /// A scale at which the picture would have no pixel, or too many.
     #[error(
         "a picture of {width}×{height} px cannot be warped at a scale of {scale:?}: the result must have 1 to {side} px a side and at most {area} megapixels",
-        side = crate::picture::MAX_SIDE,
-        area = crate::picture::MAX_PIXELS / 1_000_000
+        side = limits::MAX_SIDE,
+        area = limits::MAX_PIXELS / 1_000_000
     )]
     Scale {
         /// Pixels of the result for a pixel of the picture.
@@ -151,7 +154,7 @@ pub enum Error {
     /// An opaque part with more corners than can be solved in reasonable time.
     #[error(
         "the outline has {corners} corners or more, of which there may be {max}: raise domain.threshold or smooth the picture's alpha",
-        max = crate::domain::MAX_CORNERS
+        max = limits::MAX_CORNERS
     )]
     OutlineTooFine {
         /// Number of corners after simplification, or the least that there must be.
@@ -159,7 +162,7 @@ pub enum Error {
     },
     /// Rings with more corners than can be solved in reasonable time.
     #[error("domain.rings have {corners} points, of which there may be {max}: draw the rings with fewer",
-        max = crate::domain::MAX_CORNERS)]
+        max = limits::MAX_CORNERS)]
     RingsTooFine {
         /// Number of points of all rings.
         corners: usize,
@@ -176,7 +179,7 @@ pub enum Error {
     },
     /// Two handles that no weight could tell apart.
     #[error("handles “{first}” and “{second}” are {distance:.3e} px apart; they must be at least {min} px apart",
-        min = crate::site::MIN_SEPARATION)]
+        min = limits::MIN_SEPARATION)]
     HandlesTooClose {
         /// Id of one handle.
         first: String,
@@ -205,14 +208,14 @@ pub enum Error {
     },
     /// A handle where nothing may move.
     #[error("handle “{id}” stands on the boundary, which is held: move it at least {min} px inside, or set fix_boundary to false",
-        min = crate::bone::HELD_CLEARANCE)]
+        min = limits::HELD_CLEARANCE)]
     OnHeldBoundary {
         /// Id of the handle.
         id: String,
     },
     /// More handles than can be solved.
     #[error("{count} handles are too many: at most {max} can be solved, and handle “{id}” is the first beyond",
-        max = crate::site::MAX_HANDLES)]
+        max = limits::MAX_HANDLES)]
     TooManyHandles {
         /// Number of handles.
         count: usize,
@@ -222,7 +225,7 @@ pub enum Error {
     /// Bars and polygons with more straight pieces than can be solved.
     #[error(
         "the bars and polygons have {segments} straight pieces, of which there may be {max}: draw handle “{id}”, of {corners} corners, with fewer",
-        max = crate::site::MAX_SITES
+        max = limits::MAX_SITES
     )]
     TooManyCorners {
         /// Id of the handle that has most of them.
@@ -285,7 +288,7 @@ pub enum Error {
     /// asked for by the density.
     #[error(
         "the scene needs more than {max} sites: move close handles apart, use fewer or shorter bars and polygons, or lower pose.density",
-        max = crate::site::MAX_SITES
+        max = limits::MAX_SITES
     )]
     TooManySites,
     /// A triangle mesh that is no mesh.
@@ -298,7 +301,7 @@ pub enum Error {
     },
     /// A mesh whose boundary turns more often than can be solved in reasonable time.
     #[error("the boundary of the mesh has {corners} corners, of which there may be {max}: use a mesh with a simpler one",
-        max = crate::domain::MAX_CORNERS)]
+        max = limits::MAX_CORNERS)]
     MeshTooFine {
         /// Number of vertices at which the boundary turns.
         corners: usize,
@@ -308,7 +311,7 @@ pub enum Error {
     MeshEmpty,
     /// A vertex of a mesh that is not a finite number, or too far out to compute with.
     #[error("vertex {vertex} of the mesh is not a point with coordinates from −{max} to {max}",
-        max = crate::given_mesh::FARTHEST)]
+        max = limits::FARTHEST)]
     MeshVertex {
         /// Index of the vertex.
         vertex: usize,
@@ -371,7 +374,7 @@ pub enum Error {
     },
     /// A point of a cloud that is not a finite number, or too far out to compute with.
     #[error("point {point} of the cloud is not a point with coordinates from −{max} to {max}",
-        max = crate::given_mesh::FARTHEST)]
+        max = limits::FARTHEST)]
     CloudPoint {
         /// Index of the point.
         point: usize,

@@ -13,13 +13,12 @@ use glam::DVec2;
 use crate::{
     domain::{Domain, Ring},
     error::Error,
+    limits::FARTHEST,
     outline::Outline,
     sample::Samples,
     triangulation::{NONE, Triangulation},
 };
 
-/// The greatest coordinate: its rounding is four digits below the tolerance of the outline.
-pub(crate) const FARTHEST: f64 = 1e6;
 /// Least area of a triangle, in square pixels and in squares of its longest edge: less is rounding.
 const MIN_AREA: f64 = 1e-12;
 /// Turns of the boundary smaller than this (sine of the angle) are straight, as for paths.

@@ -36,7 +36,7 @@ mod error;
 mod given_mesh;
 mod grid;
 mod inverse;
-mod locate;
+mod limits;
 mod min_entry;
 mod outline;
 mod picture;
@@ -61,7 +61,8 @@ pub use error::Error;
 pub use given_mesh::GivenMesh;
 /// The vectors that this crate's places are.
 pub use glam;
-pub use picture::{MAX_PIXELS, MAX_SIDE, MIN_SIDE, Picture, check_size};
+pub use limits::{MAX_PIXELS, MAX_SIDE, MIN_SIDE};
+pub use picture::{Picture, check_size};
 pub use raster::{Canvas, Warped};
 pub use render_mesh::RenderMesh;
 pub use report::{Inspection, Report};

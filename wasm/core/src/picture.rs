@@ -1,13 +1,9 @@
 //! The picture to warp: its size and its borrowed pixels.
 
-use crate::error::Error;
-
-/// Least number of pixels on a side: smaller pictures have nothing to bend.
-pub const MIN_SIDE: u32 = 2;
-/// Greatest number of pixels on a side: the texture limit of most graphics hardware.
-pub const MAX_SIDE: u32 = 16_384;
-/// Greatest number of pixels: 400 MB of RGBA, which a browser tab can hold twice.
-pub const MAX_PIXELS: u64 = 100_000_000;
+use crate::{
+    error::Error,
+    limits::{MAX_PIXELS, MAX_SIDE, MIN_SIDE},
+};
 
 /// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom.
 #[derive(Debug, Clone, Copy)]

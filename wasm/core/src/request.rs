@@ -3,14 +3,15 @@
 use glam::DVec2;
 
 use crate::{
-    bone::{HELD_CLEARANCE, Line, Outside, Skeleton},
+    bone::{Line, Outside, Skeleton},
     distance::Place,
     error::Error,
+    limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
     outline::Outline,
     picture::Picture,
-    pose::{Form, Solved},
-    project::{Handle, PoseMode, Project, Shape, Weighting},
-    site::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION, PointSite},
+    pose::Solved,
+    project::{Form, Handle, PoseMode, Project, Shape, Weighting},
+    site::PointSite,
 };
 
 /// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that far

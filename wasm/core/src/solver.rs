@@ -56,8 +56,16 @@ enum Progress {
     /// The outline alone, which the solver keeps.
     Begun,
     Located(Rest),
-    Sampled { rest: Rest, samples: Samples, scouts: Scouts },
-    Divided { rest: Rest, samples: Samples, divided: Divided },
+    Sampled {
+        rest: Rest,
+        samples: Samples,
+        scouts: Scouts,
+    },
+    Divided {
+        rest: Rest,
+        samples: Samples,
+        divided: Divided,
+    },
 }
 
 /// The domain, divided into cells.
@@ -213,8 +221,8 @@ fn weigh(
     let Swept { mut weights, sums: phi_sums, nearest } = functions.of_samples(navigation, &sites, &samples);
     let graph = SiteGraph::new(&sites, &skeleton);
     let harmonic = HarmonicFields::new(&sites, &graph);
-    let quadrature = (request.mode == PoseMode::Rigid)
-        .then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
+    let quadrature =
+        (request.mode == PoseMode::Rigid).then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
     let solved = request.handles.clone();
     let poser = Poser::new(&sites, &graph, &harmonic, skeleton, solved, request.mode, quadrature);
     let count = samples.len();

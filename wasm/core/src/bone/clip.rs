@@ -5,13 +5,12 @@
 
 use glam::DVec2;
 
-use super::HELD_CLEARANCE;
 use crate::{
-    MAX_SIDE,
     distance::Navigation,
     domain::Domain,
-    locate::ON_OUTLINE,
+    limits::{HELD_CLEARANCE, MAX_SIDE},
     segment::{distance_between, segment_distance},
+    triangulation::ON_OUTLINE,
 };
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.

@@ -7,8 +7,8 @@ use glam::DVec2;
 use super::{Anchor, Line};
 use crate::{
     error::Error,
+    limits::{MAX_SITES, MIN_SEPARATION},
     segment::{nearest_on_segment, segment_distance},
-    site::{MAX_SITES, MIN_SEPARATION},
 };
 
 /// Two segments that touch at places this far apart, in pixels, run along each other.

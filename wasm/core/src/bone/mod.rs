@@ -27,9 +27,6 @@ pub use lines::Outside;
 pub(crate) use motion::BoneMotion;
 pub(crate) use track::Track;
 
-/// A held boundary keeps bones this far away, in pixels: on it nothing can both move and stay.
-pub(crate) const HELD_CLEARANCE: f64 = 1.0;
-
 /// Places this near to a bone, in pixels, are on it: above rounding, far below what handles are apart.
 const ON_BONE: f64 = 1e-6;
 

@@ -15,7 +15,7 @@ mod tree;
 use glam::DVec2;
 
 use self::tree::Tree;
-use crate::{distance::graph::Graph, error::Error, given_mesh::FARTHEST, triangulation::NONE};
+use crate::{distance::graph::Graph, error::Error, limits::FARTHEST, triangulation::NONE};
 
 pub use solution::CloudSolution;
 

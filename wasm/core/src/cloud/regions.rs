@@ -10,7 +10,8 @@ use super::PointCloud;
 use crate::{
     distance::{DistanceField, Place},
     error::Error,
-    site::{MAX_SITES, Site, SiteGraph, SiteKind, allowed_score, score},
+    limits::MAX_SITES,
+    site::{Site, SiteGraph, SiteKind, allowed_score, score},
     triangulation::NONE,
 };
 

@@ -7,10 +7,9 @@ use glam::DVec2;
 use super::field::WINDOW_SLACK;
 use crate::{
     domain::Domain,
-    locate::{Locator, depth_in},
     rows::Rows,
     segment::nearest_on_segment,
-    triangulation::{NONE, Triangulation},
+    triangulation::{Locator, NONE, Triangulation, depth_in},
 };
 
 /// The triangle of the navigation mesh that contains a given point.

@@ -10,11 +10,8 @@ mod simplify;
 
 use glam::DVec2;
 
+pub use crate::limits::MAX_CORNERS;
 use crate::{error::Error, picture::Picture, project::DomainSpec, segment::segment_distance};
-
-/// Greatest number of corners of an outline. Each corner can bend shortest paths, so this bounds the cost of a distance
-/// field.
-pub const MAX_CORNERS: usize = 20_000;
 
 /// A closed chain of at least three points, the first not repeated.
 ///

@@ -13,7 +13,7 @@
 //!   (with `cholesky`), and `unwrap` for whole turns: half a millisecond to one for 100 virtual sites.
 //! - `blend`: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of `dual`: the supports over each point.
 //!
-//! `form` is the kind of a handle and its number of corners, which a pose must match.
+//! `solved` is what a pose must match: the ids of handles, their kinds and their numbers of corners.
 
 mod blend;
 mod cholesky;
@@ -21,7 +21,6 @@ mod descent;
 mod distortion;
 mod dual;
 mod elimination;
-mod form;
 mod harmonic;
 mod laplacian;
 mod motion;
@@ -29,14 +28,15 @@ mod poser;
 mod quadrature;
 mod relaxation;
 mod rigid;
+mod solved;
 mod strain;
 mod unwrap;
 
+pub use crate::project::Form;
 pub use blend::{Mapped, Pose};
-pub use form::Form;
-pub(crate) use form::Solved;
 pub use harmonic::HarmonicFields;
 pub use motion::Motion;
 pub use poser::Poser;
 pub(crate) use quadrature::Quadrature;
+pub(crate) use solved::Solved;
 pub use strain::Strain;

@@ -10,6 +10,7 @@
 
 mod domain;
 mod error;
+mod form;
 mod handle;
 mod image;
 mod layout;
@@ -31,6 +32,7 @@ use serde::Serialize;
 
 pub use self::domain::DomainSpec;
 pub use self::error::ProjectError;
+pub use self::form::Form;
 pub use self::handle::{Handle, Shape};
 pub use self::image::ImageRef;
 pub use self::pose::{Blend, PoseMode, PoseSpec};

@@ -8,7 +8,7 @@ use super::place::Place;
 use super::{ProjectError, rules};
 
 /// Greatest density: half of the greatest number of sites, so that the sites that handles require have room.
-const MAX_DENSITY: u32 = crate::site::MAX_SITES as u32 / 2;
+const MAX_DENSITY: u32 = crate::limits::MAX_SITES as u32 / 2;
 
 /// How a pose is made from the handles.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]

@@ -31,7 +31,10 @@ use self::canvas::{Frame, trimmed};
 use self::facet::Facet;
 use self::texture::Texture;
 use crate::error::Error;
-use crate::picture::{MAX_PIXELS, MAX_SIDE, Picture};
+use crate::{
+    limits::{MAX_PIXELS, MAX_SIDE},
+    picture::Picture,
+};
 
 /// Rows in a band: enough to set up triangles rarely, few enough for the cache.
 const BAND_ROWS: usize = 16;

@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use super::lattice::LATTICE_CLEARANCE;
-use crate::{domain::Domain, grid::Grid, locate::ON_OUTLINE};
+use crate::{domain::Domain, grid::Grid, triangulation::ON_OUTLINE};
 
 /// Spacing along a bone, over that of the lattice: less than twice the distance that other samples keep from the bone, so
 /// that the circle over two neighbours is empty and the edge between them belongs to the Delaunay mesh.

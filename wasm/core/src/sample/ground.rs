@@ -13,8 +13,7 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     grid::Grid,
-    locate::Locator,
-    triangulation::{Inserted, Triangulation},
+    triangulation::{Inserted, Locator, Triangulation},
 };
 
 /// Samples of outline, bones and lattice.

@@ -12,9 +12,8 @@ use super::{Ground, Samples};
 use crate::{
     distance::{Navigation, Place, graph::Graph},
     domain::Domain,
-    locate::Locator,
     rows::Rows,
-    triangulation::Triangulation,
+    triangulation::{Locator, Triangulation},
 };
 
 /// Upper limit of scouts, unless close sites need finer ones. With 1,000, more triangles must be searched than the saved

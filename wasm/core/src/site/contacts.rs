@@ -15,11 +15,11 @@ use std::collections::HashMap;
 use glam::DVec2;
 
 use super::{
-    MIN_SEPARATION, Site,
+    Site,
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
-use crate::grid::Grid;
+use crate::{grid::Grid, limits::MIN_SEPARATION};
 
 /// Steps onto the border, as Newton's method does them. Between two points the first ends there.
 const STEPS: usize = 3;

@@ -20,16 +20,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::distance::{DistanceField, Place};
 
+pub use crate::limits::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION};
 pub use graph::SiteGraph;
 pub(crate) use regions::{Obstacles, Regions};
 pub(crate) use virtual_sites::{Scores, allowed_score, insert_virtual_sites, score};
-
-/// Sites closer than this, in pixels, coincide.
-pub const MIN_SEPARATION: f64 = 0.01;
-/// Greatest number of handles in one solve.
-pub const MAX_HANDLES: usize = 1000;
-/// Greatest number of sites, real and virtual, in one solve.
-pub const MAX_SITES: usize = 8192;
 
 /// Greatest cell radius over its site's separation, where no real site limits it. See [`Site::reach_limit`].
 const GRADING: f64 = 1.7;

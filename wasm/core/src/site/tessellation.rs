@@ -16,7 +16,7 @@
 use glam::DVec2;
 
 use super::{
-    MAX_SITES, PointSite, SiteKind,
+    PointSite, SiteKind,
     regions::{FarPoint, Regions},
     virtual_sites::TIE,
 };
@@ -24,6 +24,7 @@ use crate::{
     distance::{Navigation, Place},
     domain::Domain,
     error::Error,
+    limits::MAX_SITES,
     segment::nearest_on_segment,
 };
 

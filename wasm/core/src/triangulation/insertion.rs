@@ -9,8 +9,7 @@
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
 
-use super::{NONE, Triangulation};
-use crate::locate::{ON_OUTLINE, depth_in};
+use super::{NONE, ON_OUTLINE, Triangulation, depth_in};
 
 /// The result of an insertion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 //! Cost: O(n log n) for n vertices. Limits: where segments cross, O(n) for each triangle.
 
 mod insertion;
+mod locate;
 
 use std::collections::HashSet;
 
@@ -10,6 +11,7 @@ use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitigate_underflow};
 
 pub(crate) use insertion::Inserted;
+pub(crate) use locate::{Locator, ON_OUTLINE, depth_in};
 
 /// "No triangle" in [`Triangulation::neighbours`].
 pub const NONE: u32 = u32::MAX;

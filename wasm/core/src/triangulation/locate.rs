@@ -8,7 +8,8 @@ use std::iter;
 
 use glam::DVec2;
 
-use crate::{rows::Rows, triangulation::Triangulation};
+use super::Triangulation;
+use crate::rows::Rows;
 
 /// Points this far outside every triangle, in pixels, still count as inside: above the rounding of a point computed to lie on
 /// the outline, and far below what is visible.

@@ -1,10 +1,10 @@
-//! The id of a handle, its kind and its number of corners, which a pose must match.
+//! The kind of a handle and its number of corners, which a pose must match.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::project::Shape;
+use super::Shape;
 
 /// The kind of a handle and its number of corners, without their places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -33,13 +33,6 @@ impl Form {
             Shape::Polygon { rest, posed } => [rest, posed].map(|places| Self::Polygon { corners: places.len() }),
         }
     }
-}
-
-/// A handle as it was solved.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Solved {
-    pub(crate) id: String,
-    pub(crate) form: Form,
 }
 
 impl fmt::Display for Form {
