@@ -4,9 +4,11 @@
 //! times"; here it is factorised once for all fields, with additions and multiplications of positive numbers only. So every
 //! share is accurate to the last digits, however small, none is negative, and they sum to 1.
 //!
-//! Cost: see [`elimination`](super::elimination); one solution for each real site that is linked to virtual ones.
+//! The graph's weights are those of the links, not the paper's uniform ones: see `site/graph.rs`.
+//!
+//! Cost: see `numeric/elimination.rs`; one solution for each real site that is linked to virtual ones.
 
-use super::laplacian::Laplacian;
+use super::numeric::Laplacian;
 use crate::site::{Site, SiteGraph};
 
 /// The harmonic fields at all sites.

@@ -1,21 +1,19 @@
 //! Motions of all sites from the handles: what is computed anew in every frame of a drag.
 
-use std::{
-    borrow::Cow,
-    collections::{BTreeSet, HashMap},
-    f64::consts::TAU,
-    sync::Arc,
-};
+use std::{borrow::Cow, collections::HashMap, sync::Arc};
 
 use glam::{DMat2, DVec2};
 
 use super::{
-    Form, HarmonicFields, Motion, Pose, Quadrature, Solved, relaxation::Freedom, rigid::Rigid, unwrap::unwrap_angles,
+    HarmonicFields, Motion, Pose, Quadrature, Solved,
+    automatic::Automatic,
+    rigid::{Freedom, Rigid},
+    unwrap::unwrap_angles,
 };
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
-    project::{Blend, Handle, PoseMode, Rotation, Shape, check_handles},
+    project::{Blend, Form, Handle, PoseMode, Rotation, Shape, check_handles},
     site::{Site, SiteGraph, SiteKind},
 };
 
@@ -33,11 +31,7 @@ pub struct Poser {
     solved: Vec<Solved>,
     /// ϖ: for each site its real sites and their shares.
     shares: Vec<Vec<(u32, f64)>>,
-    /// Pairs of real sites that are neighbours, one of them a point handle, and how strongly: the edges that turn automatic
-    /// rotations.
-    edges: Vec<(u32, u32, f64)>,
-    /// Pairs of handles that share out what is between them with no third one.
-    meeting: Vec<[u32; 2]>,
+    automatic: Automatic,
     /// In the rigid mode.
     rigid: Option<Rigid>,
 }
@@ -52,7 +46,6 @@ impl Poser {
         mode: PoseMode,
         quadrature: Option<Quadrature>,
     ) -> Self {
-        let edges = effective_links(sites, graph, harmonic);
         let freedom = |site: &Site| match site.kind {
             SiteKind::Virtual => Freedom::Whole,
             SiteKind::Point { .. } => Freedom::Linear,
@@ -73,8 +66,7 @@ impl Poser {
             skeleton,
             solved,
             shares: harmonic.rows.clone(),
-            edges,
-            meeting: meeting(sites, graph, harmonic),
+            automatic: Automatic::new(sites, graph, harmonic),
             rigid,
         }
     }
@@ -106,8 +98,7 @@ impl Poser {
                 return Err(Error::PoseNotFinite { id: handles[handle].id.clone() });
             }
         }
-        self.turn_automatic(handles, &mut motions);
-        self.turn_alike(handles, &mut motions);
+        self.automatic.turn(&self.rest, &self.kinds, handles, &mut motions);
         self.blend_virtual(&mut motions);
         if let Some(rigid) = &self.rigid {
             let is_free = |kind: &SiteKind| match kind {
@@ -146,7 +137,7 @@ impl Poser {
     }
 
     /// The motions of the real sites, but for automatic rotations; none of the virtual ones yet.
-    fn real_motions(&self, handles: &[Handle]) -> Vec<Motion> {
+    pub(super) fn real_motions(&self, handles: &[Handle]) -> Vec<Motion> {
         let bones = self.skeleton.motions(handles);
         let motion = |(&rest, kind): (&DVec2, &SiteKind)| match *kind {
             SiteKind::Point { handle } => of_point(rest, &handles[handle as usize]),
@@ -176,51 +167,6 @@ impl Poser {
         }
     }
 
-    /// Sets automatic rotations (section VI): the best fit of the pseudo-edges to neighbouring real sites, from rest to pose.
-    fn turn_automatic(&self, handles: &[Handle], motions: &mut [Motion]) {
-        let is_auto = |kind: &SiteKind| match *kind {
-            SiteKind::Point { handle } => handles[handle as usize].rotation == Rotation::Auto,
-            SiteKind::Bone { .. } | SiteKind::Boundary | SiteKind::Virtual => false,
-        };
-        let is_auto: Vec<bool> = self.kinds.iter().map(is_auto).collect();
-        let mut turns = vec![DVec2::ZERO; motions.len()];
-        for &(i, j, weight) in &self.edges {
-            let (i, j) = (i as usize, j as usize);
-            if is_auto[i] || is_auto[j] {
-                let before = self.rest[j] - self.rest[i];
-                let after = before + (motions[j].translation - motions[i].translation);
-                // Seen from the other end both edges are reversed, and the rotation between them is the same.
-                let turn = weight / before.length_squared() * DVec2::new(before.dot(after), before.perp_dot(after));
-                turns[i] += turn;
-                turns[j] += turn;
-            }
-        }
-        for site in (0..motions.len()).filter(|&site| is_auto[site]) {
-            motions[site].angle = libm::atan2(turns[site].y, turns[site].x);
-        }
-    }
-
-    /// Takes automatic rotations of neighbours to angles that go on from one to the other. Where one was set, the way around to it is the
-    /// person's: the automatic ones beside it do not follow it by whole turns.
-    fn turn_alike(&self, handles: &[Handle], motions: &mut [Motion]) {
-        let mut found = vec![0.0; handles.len()];
-        for (kind, motion) in self.kinds.iter().zip(&*motions) {
-            if let Some(handle) = kind.handle() {
-                found[handle] = motion.angle;
-            }
-        }
-        let is_auto = |&handle: &u32| handles[handle as usize].rotation == Rotation::Auto;
-        let links = self.meeting.iter().filter(|pair| pair.iter().all(is_auto));
-        let mut angles = found.clone();
-        let is_free = vec![true; handles.len()];
-        unwrap_angles(&mut angles, &is_free, links.map(|&[a, b]| (a as usize, b as usize)));
-        for (kind, motion) in self.kinds.iter().zip(motions) {
-            if let Some(handle) = kind.handle().filter(|&handle| angles[handle] != found[handle]) {
-                motion.angle += TAU * libm::round((angles[handle] - found[handle]) / TAU);
-            }
-        }
-    }
-
     /// The scales of the handles at each site, spread by their harmonic shares. The stretch of a bar along itself is not passed on.
     fn scales(&self, handles: &[Handle]) -> Vec<f64> {
         let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
@@ -238,8 +184,8 @@ impl Poser {
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         // Not by a derived implementation: anybody could then read one past the checks of `from_bytes`.
-        let Self { rest, kinds, skeleton, solved, shares, edges, meeting, rigid } = self;
-        let all = (rest, kinds, skeleton, solved, shares, edges, meeting, rigid);
+        let Self { rest, kinds, skeleton, solved, shares, automatic, rigid } = self;
+        let all = (rest, kinds, skeleton, solved, shares, automatic, rigid);
         postcard::to_allocvec(&all).expect("plain data can be written to memory")
     }
 
@@ -247,8 +193,8 @@ impl Poser {
     /// [`Error::PoserBytes`] for anything but the result of [`Poser::to_bytes`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let all = postcard::from_bytes(bytes).map_err(|_| Error::PoserBytes)?;
-        let (rest, kinds, skeleton, solved, shares, edges, meeting, rigid) = all;
-        let poser = Self { rest, kinds, skeleton, solved, shares, edges, meeting, rigid };
+        let (rest, kinds, skeleton, solved, shares, automatic, rigid) = all;
+        let poser = Self { rest, kinds, skeleton, solved, shares, automatic, rigid };
         let sites = poser.rest.len();
         let real = |site: u32| poser.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
         let known = |kind: &SiteKind| match *kind {
@@ -263,8 +209,7 @@ impl Poser {
         let whole = poser.kinds.len() == sites
             && poser.shares.len() == sites
             && poser.shares.iter().flatten().all(|&(site, _)| real(site))
-            && poser.edges.iter().all(|&(i, j, _)| real(i) && real(j))
-            && poser.meeting.iter().flatten().all(|&handle| (handle as usize) < poser.solved.len())
+            && poser.automatic.is_whole(real, poser.solved.len())
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
             && poser.skeleton.is_whole(poser.solved.len())
             && poser.kinds.iter().all(known);
@@ -285,86 +230,4 @@ fn of_point(rest: DVec2, handle: &Handle) -> Motion {
 fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
     let motion = Motion::of_bone(bone.angle, bone.along, bone.stretch, bone.across, DVec2::ZERO, depth);
     Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }
-}
-
-/// Pairs of handles between whose parts of the cell graph there are links: each site is of the part that has the largest share in it.
-fn meeting(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<[u32; 2]> {
-    let leader = |row: &Vec<(u32, f64)>| {
-        let (real, _) = row.iter().copied().reduce(|most, one| if one.1 > most.1 { one } else { most })?;
-        sites[real as usize].kind.handle()
-    };
-    let leaders: Vec<Option<usize>> = harmonic.rows.iter().map(leader).collect();
-    let pair = |(i, j, _): (usize, usize, f64)| {
-        let (a, b) = (leaders[i]? as u32, leaders[j]? as u32);
-        (a != b).then(|| [a.min(b), a.max(b)])
-    };
-    graph.iter().filter_map(pair).collect::<BTreeSet<_>>().into_iter().collect()
-}
-
-/// Pseudo-edges (section VI) of point handles: the cell graph reduced to its real sites. The weight of an edge is the flow between
-/// two handles, directly and via virtual sites (the Schur complement of the Laplacian). Edges between other sites are left out: there
-/// may be a million.
-fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<(u32, u32, f64)> {
-    let is_point = |site: usize| matches!(sites[site].kind, SiteKind::Point { .. });
-    let mut flow = std::collections::BTreeMap::<(u32, u32), f64>::new();
-    for (i, j, weight) in graph.iter() {
-        for (real, other) in [(i, j), (j, i)] {
-            // Links between two real sites count from both ends, as flows by way of virtual sites do.
-            if !sites[real].kind.is_real() {
-                continue;
-            }
-            for &(to, share) in &harmonic.rows[other] {
-                if to as usize != real && (is_point(real) || is_point(to as usize)) {
-                    let pair = ((real as u32).min(to), (real as u32).max(to));
-                    *flow.entry(pair).or_default() += weight * share;
-                }
-            }
-        }
-    }
-    flow.into_iter().map(|((i, j), weight)| (i, j, weight)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Picture, project::Project, solve};
-
-    #[test]
-    fn automatic_rotations_are_those_of_their_own_edges() {
-        let places = [[20.0, 30.0], [80.0, 25.0], [50.0, 55.0], [30.0, 80.0], [75.0, 70.0]];
-        let handle = |(id, [x, y]): (usize, &[f64; 2])| {
-            let rotation = if id == 1 { "20" } else { "\"auto\"" };
-            let posed = [x + 3.0 * (y * x) / 3e3, y + 0.1 * x];
-            format!(
-                r#"{{"id": "{id}", "kind": "point", "rest": [{x}, {y}], "posed": {posed:?}, "rotation": {rotation}}}"#
-            )
-        };
-        let bar = r#"{"id": "bar", "kind": "bar", "rest": [[10, 92], [90, 95]], "posed": [[10, 80], [85, 99]]}"#;
-        let handles: Vec<String> = places.iter().enumerate().map(handle).chain([bar.into()]).collect();
-        let json = format!(
-            r#"{{"format": "c2warp/1", "image": {{"src": "", "width": 100, "height": 100}}, "samples": 500, "handles": [{}]}}"#,
-            handles.join(", ")
-        );
-        let project = Project::from_json(&json).unwrap();
-        let solution = solve(&project, &Picture::new(100, 100, &[255; 40_000]).unwrap()).unwrap();
-        let poser = solution.poser();
-        let still = poser.real_motions(&project.handles);
-        let mut turned = still.clone();
-        poser.turn_automatic(&project.handles, &mut turned);
-        for (site, kind) in poser.kinds.iter().enumerate() {
-            let is_auto = matches!(*kind, SiteKind::Point { handle } if handle != 1);
-            let own = poser.edges.iter().filter(|&&(i, j, _)| [i, j].contains(&(site as u32)));
-            let (mut cos, mut sin) = (0.0, 0.0);
-            for &(i, j, weight) in own {
-                let other = if i as usize == site { j } else { i } as usize;
-                let before = poser.rest[other] - poser.rest[site];
-                let after = before + (still[other].translation - still[site].translation);
-                cos += weight / before.length_squared() * before.dot(after);
-                sin += weight / before.length_squared() * before.perp_dot(after);
-            }
-            let angle = if is_auto { libm::atan2(sin, cos) } else { still[site].angle };
-            assert_eq!(turned[site].angle.to_bits(), angle.to_bits(), "site {site}");
-        }
-        assert!(turned.iter().filter(|motion| motion.angle != 0.0).count() > 5);
-    }
 }

@@ -27,7 +27,7 @@ const BRACKET_MARGIN: f64 = 0.1;
 const MAX_GROWTH: f64 = 3.0;
 
 /// The energy to be lowered, with its current point.
-pub(super) trait Objective {
+pub(crate) trait Objective {
     /// Sets the direction of the line through the current point.
     fn set_direction(&mut self, direction: &[DVec2]);
     /// The energy on that line, at the current point plus `length` times the direction.
@@ -40,29 +40,29 @@ pub(super) trait Objective {
 
 /// The energy at a point of a line, and its first and second derivative with respect to the length.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LineSample {
-    pub(super) value: f64,
-    pub(super) first: f64,
-    pub(super) second: f64,
+pub(crate) struct LineSample {
+    pub(crate) value: f64,
+    pub(crate) first: f64,
+    pub(crate) second: f64,
 }
 
 impl LineSample {
     /// c₀ + c₁ t + c₂ t² at t.
-    pub(super) fn of_polynomial([c0, c1, c2]: [f64; 3], t: f64) -> Self {
+    pub(crate) fn of_polynomial([c0, c1, c2]: [f64; 3], t: f64) -> Self {
         Self { value: (c2 * t + c1) * t + c0, first: 2.0 * c2 * t + c1, second: 2.0 * c2 }
     }
 }
 
 /// When the descent and its line searches end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
-    pub(super) max_iterations: usize,
+pub(crate) struct Limits {
+    pub(crate) max_iterations: usize,
     /// The descent ends with an iteration whose direction moves no place by more than this,
-    pub(super) settled: f64,
+    pub(crate) settled: f64,
     /// or that lowers the energy by no more than this share of it.
-    pub(super) gain: f64,
+    pub(crate) gain: f64,
     /// Curvature condition (strong Wolfe): a line search ends where the slope is this share of the initial one.
-    pub(super) curvature_condition: f64,
+    pub(crate) curvature_condition: f64,
 }
 
 /// A correction pair of L-BFGS: a step s, and the change y of the gradient along it.
@@ -74,7 +74,7 @@ struct Correction {
 }
 
 /// Lowers an energy of `places` unknowns. `solve` applies the approximate inverse of the Hessian.
-pub(super) fn descend(objective: &mut impl Objective, places: usize, solve: impl Fn(&mut [DVec2]), limits: Limits) {
+pub(crate) fn descend(objective: &mut impl Objective, places: usize, solve: impl Fn(&mut [DVec2]), limits: Limits) {
     let mut direction = vec![DVec2::ZERO; places];
     let (mut gradient, mut next_gradient) = (direction.clone(), direction.clone());
     let mut corrections = VecDeque::with_capacity(MEMORY);

@@ -6,10 +6,11 @@ use glam::{DMat2, DVec2};
 
 use super::{
     super::{
-        descent::{LineSample, Objective},
+        super::numeric::{LineSample, Objective},
         distortion::{Distortion, gradient, square},
     },
-    FIRST_REGULARISATION, Node, Parts, Relaxation, Term, with_terms,
+    FIRST_REGULARISATION, Parts, Relaxation,
+    nodes::{Node, Term},
 };
 
 /// A pose under relaxation.
@@ -78,10 +79,10 @@ impl<'a> Relaxing<'a> {
             let unscale = if is_scaled { 1.0 / terms.iter().map(scale).sum::<f64>() } else { 1.0 };
             NodeState { unscale, derivative: unscale * derivative(node, terms, &parts), along: DMat2::ZERO }
         };
-        let unknowns = relaxation.hold.len();
+        let unknowns = relaxation.unknowns.len();
         let count = relaxation.nodes.len().div_ceil(LANES);
         let mut lines = vec![PADDING; count];
-        for (at, node) in relaxation.nodes.iter().enumerate() {
+        for (at, (node, _)) in relaxation.nodes.iter().enumerate() {
             lines[at / LANES].area[at % LANES] = node.area;
         }
         let mut relaxing = Self {
@@ -90,7 +91,7 @@ impl<'a> Relaxing<'a> {
             is_free,
             unknown: vec![DVec2::ZERO; unknowns],
             direction: vec![DVec2::ZERO; unknowns],
-            states: with_terms(&relaxation.nodes, &relaxation.terms).map(state).collect(),
+            states: relaxation.nodes.iter().map(state).collect(),
             lines,
             derivatives: vec![Derivatives { by_det: [0.0; LANES], by_square: [0.0; LANES] }; count],
             parts,
@@ -100,7 +101,7 @@ impl<'a> Relaxing<'a> {
         relaxing
     }
 
-    /// Sets δ of the distortion.
+    /// Sets ε of the distortion.
     pub(super) fn set_regularisation(&mut self, regularisation: f64) {
         self.distortion = Distortion::new(regularisation);
     }
@@ -123,12 +124,10 @@ impl Objective for Relaxing<'_> {
     fn set_direction(&mut self, direction: &[DVec2]) {
         let relaxation = self.relaxation;
         self.direction.copy_from_slice(direction);
-        relaxation.expand(direction, |site, [place, x, y]| {
+        relaxation.unknowns.expand(direction, |site, [place, x, y]| {
             self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
         });
-        for (at, ((node, terms), state)) in
-            with_terms(&relaxation.nodes, &relaxation.terms).zip(&mut self.states).enumerate()
-        {
+        for (at, ((node, terms), state)) in relaxation.nodes.iter().zip(&mut self.states).enumerate() {
             let along = state.unscale * derivative(node, &terms[node.fixed as usize..], &self.parts);
             state.along = along;
             let (x, y) = (state.derivative.x_axis, state.derivative.y_axis);
@@ -190,7 +189,7 @@ impl Objective for Relaxing<'_> {
             }
         }
         self.parts.fill([DVec2::ZERO; 3]);
-        let nodes = with_terms(&relaxation.nodes, &relaxation.terms).zip(&self.states);
+        let nodes = relaxation.nodes.iter().zip(&self.states);
         for (at, ((node, terms), state)) in nodes.enumerate() {
             let (derivatives, lane) = (&self.derivatives[at / LANES], at % LANES);
             let pull = gradient(state.derivative, derivatives.by_det[lane], derivatives.by_square[lane]);
@@ -203,11 +202,11 @@ impl Objective for Relaxing<'_> {
             let ([place, x, y], rest) = (self.parts[site], relaxation.rest[site]);
             [place, x - rest.x * place, y - rest.y * place]
         };
-        relaxation.gather(force, forces);
+        relaxation.unknowns.gather(force, forces);
         for ((force, &hold), &unknown) in forces.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
             *force += hold * unknown;
         }
-        relaxation.keep(self.is_free, forces);
+        relaxation.unknowns.keep(self.is_free, forces);
     }
 }
 

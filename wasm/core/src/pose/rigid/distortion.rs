@@ -2,17 +2,17 @@
 //!
 //! Rotations have the least energy. Near a rotation it measures strain as as-rigid-as-possible does, but it also grows
 //! without bound where J becomes singular, so shapes do not collapse. In the plane |J⁻¹|² = |J|² / det². To be finite for an
-//! inverted J too, with a steep gradient towards recovery, it has χ(det) = (det + √(det² + δ²)) / 2 > 0 in place of det
+//! inverted J too, with a steep gradient towards recovery, it has χ(det) = (det + √(det² + ε²)) / 2 > 0 in place of det
 //! (Garanzha et al. 2021).
 //!
 //! Cost: one square root and one division for each evaluation.
 
 use glam::DMat2;
 
-/// The energy for one regularisation δ.
+/// The energy for one regularisation ε.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Distortion {
-    /// δ².
+    /// ε².
     regularisation: f64,
     /// Factor of the second term: without it, χ in place of det would shift the minimum to a scale a little above 1.
     factor: f64,
@@ -31,12 +31,12 @@ pub(super) struct EnergyDerivatives {
 }
 
 impl Distortion {
-    /// `regularisation` is δ, below 1.
+    /// `regularisation` is ε, below 1.
     pub(super) fn new(regularisation: f64) -> Self {
         let regularisation = regularisation * regularisation;
         let root = (1.0 + regularisation).sqrt();
         let chi = (1.0 + root) / 2.0;
-        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1; χ′ = χ / √(det² + δ²).
+        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1; χ′ = χ / √(det² + ε²).
         let factor = chi * chi / (2.0 / root - 1.0);
         Self { regularisation, factor, least: 2.0 * (1.0 + factor / (chi * chi)) }
     }

@@ -28,7 +28,7 @@ struct Supernode {
 }
 
 #[derive(Debug, Clone)]
-pub(super) struct Cholesky {
+pub(crate) struct Cholesky {
     /// Row of the matrix that each pivot eliminates.
     pivots: Vec<u32>,
     supernodes: Vec<Supernode>,
@@ -50,7 +50,7 @@ struct Columns {
 impl Cholesky {
     /// Factorises the matrix with the given lower entries (row, column, value); `groups` are the rows of each group, one to
     /// three.
-    pub(super) fn new(groups: &[Vec<u32>], lower: &BTreeMap<(u32, u32), f64>) -> Self {
+    pub(crate) fn new(groups: &[Vec<u32>], lower: &BTreeMap<(u32, u32), f64>) -> Self {
         let count = groups.iter().map(Vec::len).sum();
         let mut group_of = vec![0; count];
         for (group, rows) in (0..).zip(groups) {
@@ -96,7 +96,7 @@ impl Cholesky {
     }
 
     /// Replaces a right hand side by the solution.
-    pub(super) fn solve(&self, x: &mut [DVec2]) {
+    pub(crate) fn solve(&self, x: &mut [DVec2]) {
         let mut y: Vec<DVec2> = self.pivots.iter().map(|&row| x[row as usize]).collect();
         let (mut first, mut start, mut value) = (0, 0, 0);
         for node in &self.supernodes {

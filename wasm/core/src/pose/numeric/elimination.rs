@@ -25,7 +25,7 @@ struct Pivot {
 
 /// A factorised grounded Laplacian.
 #[derive(Debug, Clone)]
-pub(super) struct GroundedLaplacian {
+pub(crate) struct GroundedLaplacian {
     pivots: Vec<Pivot>,
     /// For each pivot its neighbours at its elimination, and the share of its value that each receives.
     shares: Vec<(u32, f64)>,
@@ -34,7 +34,7 @@ pub(super) struct GroundedLaplacian {
 impl GroundedLaplacian {
     /// Factorises the Laplacian of weighted links between vertices, each linked to the ground with its entry of `ground`.
     /// Weights must not be negative.
-    pub(super) fn new(mut ground: Vec<f64>, links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
+    pub(crate) fn new(mut ground: Vec<f64>, links: impl Iterator<Item = (usize, usize, f64)>) -> Self {
         let mut near: Vec<Vec<(u32, f64)>> = vec![Vec::new(); ground.len()];
         for (i, j, weight) in links {
             near[i].push((j as u32, weight));
@@ -67,7 +67,7 @@ impl GroundedLaplacian {
     }
 
     /// Replaces a right hand side by the solution.
-    pub(super) fn solve<V>(&self, x: &mut [V])
+    pub(crate) fn solve<V>(&self, x: &mut [V])
     where
         V: Copy + AddAssign + MulAssign<f64>,
         f64: Mul<V, Output = V>,

@@ -1,0 +1,14 @@
+//! Sparse factorisations and descent: numerics that know nothing of sites, handles and pictures.
+//!
+//! - `laplacian`: a weighted graph with some of its vertices as boundary, factorised by `elimination` without a subtraction.
+//! - `cholesky`: any symmetric positive definite matrix.
+//! - `descent`: to the minimum of an energy, with one of these as approximate inverse of its Hessian.
+
+mod cholesky;
+mod descent;
+mod elimination;
+mod laplacian;
+
+pub(super) use cholesky::Cholesky;
+pub(super) use descent::{Limits, LineSample, Objective, descend};
+pub(super) use laplacian::Laplacian;

@@ -1,0 +1,95 @@
+//! Area, centroid and spread of a part of the picture.
+
+use std::ops::AddAssign;
+
+use glam::{DMat2, DVec2};
+
+use crate::pose::motion::turn;
+
+/// Area of a part, and its first and second moments about a place near it: about the picture's corner they would lose the digits that a
+/// part far away is told by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moments {
+    about: DVec2,
+    pub(super) area: f64,
+    first: DVec2,
+    second: DMat2,
+}
+
+impl Moments {
+    /// Of an area at one place.
+    pub(super) fn of(at: DVec2, area: f64, about: DVec2) -> Self {
+        let from = at - about;
+        let first = area * from;
+        Self { about, area, first, second: DMat2::from_cols(from.x * first, from.y * first) }
+    }
+
+    pub(super) fn centroid(&self) -> DVec2 {
+        self.about + self.first / self.area
+    }
+
+    /// Two places that, with half the area each, have the second moment along the longer axis; `None` where that is longer than the shorter
+    /// by less than `least`, measured as deviations: where they are as long there is no such axis.
+    pub(super) fn halves(&self, least: f64) -> Option<[DVec2; 2]> {
+        let at = self.centroid();
+        let mean = self.first / self.area;
+        let [xx, xy, _, yy] = (1.0 / self.area * self.second).to_cols_array();
+        let (xx, xy, yy) = (xx - mean.x * mean.x, xy - mean.x * mean.y, yy - mean.y * mean.y);
+        let half = (xx - yy) / 2.0;
+        let excess = libm::hypot(half, xy);
+        (2.0 * excess > least * least).then(|| {
+            let along = (f64::midpoint(xx, yy) + excess).sqrt() * turn(libm::atan2(xy, half) / 2.0);
+            [at - along, at + along]
+        })
+    }
+}
+
+/// Of the same part.
+impl AddAssign for Moments {
+    fn add_assign(&mut self, more: Self) {
+        self.area += more.area;
+        self.first += more.first;
+        self.second += more.second;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equal areas on a grid of so many places by so many, as far apart as told, turned, about a place.
+    fn rectangle(long: i32, wide: i32, apart: f64, turned: f64, middle: DVec2) -> Moments {
+        let about = middle + DVec2::new(apart, -2.0 * apart);
+        let mut sum = Moments::of(middle, 0.0, about);
+        for (x, y) in (0..long).flat_map(|x| (0..wide).map(move |y| (x, y))) {
+            let (x, y) = (f64::from(2 * x + 1 - long) / 2.0, f64::from(2 * y + 1 - wide) / 2.0);
+            let at = middle + turn(turned).rotate(apart * DVec2::new(x, y));
+            sum += Moments::of(at, apart * apart / 4.0, about);
+        }
+        sum
+    }
+
+    /// In a picture, and as small as in a mesh that lies far away.
+    #[test]
+    fn what_is_long_is_halved_along_it() {
+        for (apart, middle) in [(1.0, DVec2::new(900.0, -70.0)), (0.01, DVec2::new(1e6, -1e6))] {
+            for turned in [0.0, 0.4, 1.6, 3.0] {
+                let moments = rectangle(40, 10, apart, turned, middle);
+                // The deviation of n numbers one apart: √((n² − 1) / 12).
+                let along = apart * (1599.0_f64 / 12.0).sqrt() * turn(turned);
+                let halves = moments.halves(2.0 * apart).expect("long");
+                for half in [middle - along, middle + along] {
+                    assert!(halves.iter().any(|at| at.distance(half) < 1e-9), "{half} is not of {halves:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_short_or_as_wide_as_long_is_one() {
+        for (apart, middle) in [(1.0, DVec2::new(900.0, -70.0)), (0.01, DVec2::new(1e6, -1e6))] {
+            assert_eq!(rectangle(40, 10, apart, 0.4, middle).halves(12.0 * apart), None);
+            assert_eq!(rectangle(40, 40, apart, 0.4, middle).halves(1e-3 * apart), None);
+        }
+    }
+}
