@@ -14,11 +14,7 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use super::{
-    Site,
-    regions::{FarPoint, Regions},
-    virtual_sites::TIE,
-};
+use super::{Regions, Site, TIE, farthest::FarPoint};
 use crate::{grid::Grid, limits::MIN_SEPARATION};
 
 /// Steps onto the border, as Newton's method does them. Between two points the first ends there.

@@ -1,16 +1,19 @@
 //! Sites: the locations h_i of real handles, and the virtual sites that Algorithm 1 adds (sections III-B and IV-A).
 //!
-//! The modules: distances and cells while sites are inserted (`regions`, `cells`), the farthest points of cells (`summit`,
-//! `piece`, `farthest`), sites along bars and a held outline (`tessellation`, section V-D), Algorithm 1 (`virtual_sites`,
-//! `contacts`), the cell graph (`graph`, section IV-B).
+//! - `virtual_sites`: Algorithm 1. It inserts a site at the `farthest` point of the worst cell; beyond what it needs, also at
+//!   `contacts`, where cells of two handles meet.
+//! - `regions`: its state, all sites inserted so far, with their fields, their `cells`, and the room that `obstacles` leave them.
+//! - `tessellation`: real sites, and those along bars and a held outline (`chain`), as close as their surroundings ask for
+//!   (section V-D).
+//! - `graph`: the cell graph (section IV-B).
 
 mod cells;
+mod chain;
 mod contacts;
 mod farthest;
 mod graph;
-mod piece;
+mod obstacles;
 mod regions;
-mod summit;
 mod tessellation;
 mod virtual_sites;
 mod visit_stamps;
@@ -22,8 +25,12 @@ use crate::distance::{DistanceField, Place};
 
 pub use crate::limits::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION};
 pub use graph::SiteGraph;
-pub(crate) use regions::{Obstacles, Regions};
+pub(crate) use obstacles::Obstacles;
+pub(crate) use regions::Regions;
 pub(crate) use virtual_sites::{Scores, allowed_score, insert_virtual_sites, score};
+
+/// Scores and radii that differ by less than this share are tied: far above rounding, far below what anyone places.
+const TIE: f64 = 1e-9;
 
 /// Greatest cell radius over its site's separation, where no real site limits it. See [`Site::reach_limit`].
 const GRADING: f64 = 1.7;

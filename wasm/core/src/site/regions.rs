@@ -4,56 +4,22 @@
 
 use glam::DVec2;
 
-use super::{Site, SiteKind, cells::Cells, piece::Pieces, tessellation::Chain, visit_stamps::VisitStamps};
+use super::{
+    Site, SiteKind,
+    cells::Cells,
+    chain::Chain,
+    farthest::{Far, Pieces},
+    obstacles::{Obstacles, Room},
+    visit_stamps::VisitStamps,
+};
 use crate::{
-    bone::{Skeleton, Track},
     distance::{DistanceField, Navigation, Place, Propagation},
-    domain::Domain,
     sample::Scouts,
-    segment::nearest_on_segment,
 };
 
 /// Reach of the fields of real sites, and of all fields where there are bones, over the largest cell: as far as nearly all
 /// supports reach, so that their obstacles are known.
 const FIELD_REACH: f64 = 1.75;
-
-/// The body of a held outline; bones have lower numbers.
-const BOUNDARY: u32 = u32::MAX;
-
-/// A place lies between two bones where the cosine of the angle between the directions to them is below this: bones that meet
-/// at less than 20°. At larger angles the sites of both are close enough to bound a cell between them.
-const OPPOSITE_COSINE: f64 = -0.94;
-/// The distance of the farther of them over that of the nearer is no more than this.
-const NOOK_RATIO: f64 = 1.5;
-
-/// Obstacles that supports must keep clear of, besides sites.
-#[derive(Debug)]
-pub(crate) struct Obstacles<'a> {
-    pub(crate) skeleton: &'a Skeleton,
-    /// The bones on the navigation mesh.
-    pub(crate) tracks: Vec<Track>,
-    /// The domain, where its outline is held.
-    pub(crate) held: Option<&'a Domain>,
-}
-
-/// A point of the domain, its place, and the distance to the nearest site.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct FarPoint {
-    pub(crate) at: DVec2,
-    pub(crate) place: Place,
-    pub(crate) distance: f64,
-}
-
-/// State of the search for a cell's farthest points.
-pub(super) enum Far {
-    /// No farther than this.
-    Within(f64),
-    /// No farther than `scout`, the farthest scout when this was found, or in one of `triangles`, each with an upper bound,
-    /// descending.
-    InTriangles { scout: f64, triangles: Vec<(u32, f64)> },
-    /// These, all at the same distance from the site: at least one.
-    Known(Vec<FarPoint>),
-}
 
 /// All sites with their distance fields and cells.
 pub(crate) struct Regions<'a> {
@@ -105,14 +71,7 @@ impl<'a> Regions<'a> {
         let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
         let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.scouts.longest_edge));
         let field = self.field(rest, place, bound);
-        let body = self.body(kind);
-        let (mut separation, mut clearance) = self.update_separations(rest, place, kind);
-        clearance = self.distance_to_bones(&field, island, body, clearance);
-        if let Some(held) = self.obstacles.held.filter(|_| body != Some(BOUNDARY)) {
-            clearance = clearance.min(held.distance_to_outline(rest));
-        }
-        separation = separation.min(clearance);
-        let in_nook = body.is_none() && self.is_in_nook(rest, place, NOOK_RATIO * clearance);
+        let Room { separation, clearance, in_nook } = self.make_room(rest, place, kind, &field);
         let scouts = self.scouts;
         let home = scouts.triangle_at(rest);
         let mut lookup = field.cached_lookup();
@@ -138,128 +97,9 @@ impl<'a> Regions<'a> {
         self.home.push(home as u32);
     }
 
-    /// Updates the separation and clearance of all sites for a site about to be inserted. Returns its distance to the nearest
-    /// site outside its body, and to the nearest real one.
-    fn update_separations(&mut self, rest: DVec2, place: Place, kind: SiteKind) -> (f64, f64) {
-        let (island, body) = (self.navigation.island_of(place), self.body(kind));
-        let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
-        for at in 0..self.sites.len() {
-            if !self.is_obstacle(at, island, body) {
-                continue;
-            }
-            let site = &mut self.sites[at];
-            let straight = site.rest.distance(rest);
-            if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
-                let d = site.field.distance(place, rest);
-                site.separation = site.separation.min(d);
-                separation = separation.min(d);
-                if kind.is_real() {
-                    site.clearance = site.clearance.min(d);
-                }
-                if site.kind.is_real() {
-                    clearance = clearance.min(d);
-                }
-            }
-        }
-        (separation, clearance)
-    }
-
-    /// Drops the farthest points that the last site has taken over.
-    ///
-    /// Cells only shrink: a farthest point that stays in its cell stays the farthest, and any later one is no farther.
-    fn keep_far_points(&mut self) {
-        let Some(Site { rest, field, .. }) = self.sites.last() else { return };
-        let kept = |point: &FarPoint| {
-            rest.distance(point.at) >= point.distance || field.distance(point.place, point.at) >= point.distance
-        };
-        for far in &mut self.far {
-            if let Far::Known(points) = far {
-                let radius = points[0].distance;
-                points.retain(kept);
-                if points.is_empty() {
-                    *far = Far::Within(radius);
-                }
-            }
-        }
-    }
-
-    /// Whether a site limits the supports of the sites of an island and a body.
-    pub(super) fn is_obstacle(&self, site: usize, island: usize, body: Option<u32>) -> bool {
-        let site = &self.sites[site];
-        site.island == island && (body.is_none() || self.body(site.kind) != body)
-    }
-
-    /// Distance from a field's source to the nearest bone of the island outside a body, or `known` where none is nearer.
-    fn distance_to_bones(&self, field: &DistanceField, island: usize, body: Option<u32>, known: f64) -> f64 {
-        let bones = self.obstacles.skeleton.bones.iter().zip(&self.obstacles.tracks);
-        let others = bones.filter(|(bone, track)| track.island == island && Some(bone.body) != body);
-        others.fold(
-            known,
-            |least, (bone, track)| {
-                if bone.distance(field.source()) < least { least.min(track.distance(field)) } else { least }
-            },
-        )
-    }
-
-    /// Whether a place lies between two bones that meet, both no farther than `within`.
-    pub(super) fn is_in_nook(&mut self, p: DVec2, place: Place, within: f64) -> bool {
-        let bones = &self.obstacles.skeleton.bones;
-        let near: Vec<(usize, DVec2)> = bones
-            .iter()
-            .enumerate()
-            .map(|(at, bone)| (at, nearest_on_segment(p, bone.rest[0], bone.rest[1]) - p))
-            .filter(|(_, to)| to.length() <= within)
-            .collect();
-        let are_opposite = |&(a, to_a): &(usize, DVec2), &(b, to_b): &(usize, DVec2)| {
-            bones[a].meets(&bones[b]) && to_a.dot(to_b) < OPPOSITE_COSINE * to_a.length() * to_b.length()
-        };
-        let is_opposite = |one: &&(usize, DVec2)| near.iter().any(|other| are_opposite(one, other));
-        let opposite: Vec<usize> = near.iter().filter(is_opposite).map(|&(at, _)| at).collect();
-        // Excludes bones behind a hole.
-        !opposite.is_empty() && {
-            let field = self.field(p, place, within);
-            opposite.iter().all(|&at| self.obstacles.tracks[at].distance(&field) <= within)
-        }
-    }
-
-    /// Extends a site's field to the radius of its support, where that is farther than the field reaches: obstacles may be
-    /// nearer than known.
-    ///
-    /// Sites of one body do not limit one another, so the nearest other site may be many cells away.
-    pub(crate) fn extend_field(&mut self, site: usize, reach: f64) {
-        let Site { rest, place, island, kind, separation, clearance, .. } = self.sites[site];
-        if reach <= self.sites[site].field.bound() {
-            return;
-        }
-        let field = self.field(rest, place, reach);
-        let body = self.body(kind);
-        let (mut separation, mut clearance) = (separation, self.distance_to_bones(&field, island, body, clearance));
-        for (at, other) in self.sites.iter().enumerate() {
-            if at != site && self.is_obstacle(at, island, body) && other.rest.distance(rest) < separation.max(clearance)
-            {
-                let d = field.distance(other.place, other.rest);
-                separation = separation.min(d);
-                if other.kind.is_real() {
-                    clearance = clearance.min(d);
-                }
-            }
-        }
-        let site = &mut self.sites[site];
-        (site.separation, site.clearance, site.field) = (separation.min(clearance), clearance, field);
-    }
-
     /// The distance field of a point, up to a bound.
     pub(super) fn field(&mut self, from: DVec2, place: Place, bound: f64) -> DistanceField {
         self.propagation.field(self.navigation, place, from, bound)
-    }
-
-    /// The body of a site.
-    pub(super) fn body(&self, kind: SiteKind) -> Option<u32> {
-        match kind {
-            SiteKind::Bone { bone, .. } => Some(self.obstacles.skeleton.bones[bone as usize].body),
-            SiteKind::Boundary => Some(BOUNDARY),
-            SiteKind::Point { .. } | SiteKind::Virtual => None,
-        }
     }
 
     /// Sets the cell radii of all sites.
@@ -277,17 +117,6 @@ impl<'a> Regions<'a> {
         self.cells.farthest_sample(site).map_or(0.0, |sample| self.cells.distance[sample])
     }
 
-    /// Upper bound of the cell radius.
-    pub(crate) fn greatest_radius(&self, site: usize) -> f64 {
-        match &self.far[site] {
-            Far::Within(radius) => *radius,
-            Far::InTriangles { scout, triangles } => {
-                triangles.first().map_or(*scout, |&(_, upper_bound)| upper_bound.max(*scout))
-            }
-            Far::Known(points) => points[0].distance,
-        }
-    }
-
     /// The nearest site of a point, and its distance; `None` on an island without sites.
     pub(crate) fn nearest(&self, place: Place, p: DVec2) -> Option<(f64, &Site)> {
         self.sites.iter().fold(None, |nearest, site| {
@@ -295,13 +124,5 @@ impl<'a> Regions<'a> {
             let distance = if site.rest.distance(p) < known { site.field.distance(place, p) } else { f64::INFINITY };
             if distance < known { Some((distance, site)) } else { nearest }
         })
-    }
-
-    /// The farthest points of a site's cell, including ties, if known already.
-    pub(crate) fn known_farthest(&self, site: usize) -> Option<&[FarPoint]> {
-        match &self.far[site] {
-            Far::Known(points) => Some(points),
-            Far::Within(_) | Far::InTriangles { .. } => None,
-        }
     }
 }

@@ -13,23 +13,19 @@
 //! clearance. Between two handles on a picture of 1,000 px the number of virtual sites is some 90 for a gap of 10 px, and
 //! some 300 for 0.01 px.
 //!
-//! Cost: for each round the insertion of its sites (see `cells` and `piece`), and a heap of all cells.
+//! Cost: for each round the insertion of its sites (see `cells` and `farthest`), and a heap of all cells.
 
 use std::collections::BinaryHeap;
 
 use glam::DVec2;
 
 use super::{
-    Site,
+    Regions, Site, TIE,
     contacts::Contacts,
-    regions::{FarPoint, Regions},
+    farthest::{FarPoint, SAME_POINT},
 };
 use crate::{error::Error, min_entry::MinEntry};
 
-/// Scores and radii that differ by less than this share are tied: far above rounding, far below what anyone places.
-pub(super) const TIE: f64 = 1e-9;
-/// Points no farther apart than this share of their distance are one point found twice.
-pub(super) const SAME_POINT: f64 = 1e-8;
 /// Cells must be smaller than the limit by this share: at the limit the farthest point of a cell has no weight, and near it
 /// weights are steep.
 const MARGIN: f64 = 0.05;

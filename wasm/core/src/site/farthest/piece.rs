@@ -1,20 +1,15 @@
-//! Branch and bound for the farthest points of cells: scout triangles, subdivided in four, each with the sites that may be
-//! nearest in it and an upper bound of the distance.
-//!
-//! A piece lists every site that may be the nearest somewhere in it, for all cells alike, and is updated when sites are
-//! inserted. So a subdivision made for one cell serves its neighbours and the next round: thousands of sites among a thousand
-//! scouts cost hardly more each than a few do.
+//! A part of a triangle of scouts, with the sites that may be nearest in it and an upper bound of the distance.
 
 use glam::{DVec2, DVec3};
 
 use super::{
-    Site,
-    farthest::{Cone, Cones, ascend},
-    regions::{FarPoint, Regions},
-    virtual_sites::TIE,
+    super::{Regions, Site, TIE},
+    FarPoint,
+    ascent::{Cone, Cones, ascend},
+    corner_paths::{CornerPaths, nearest_by_sources},
 };
 use crate::{
-    distance::{DistanceField, PathEnd, Place},
+    distance::{DistanceField, Place},
     triangulation::NONE,
 };
 
@@ -28,118 +23,32 @@ const MAX_SITES_TO_ASCEND: usize = 16;
 const MIN_EDGE_SHARE: f64 = 1.0 / 64.0;
 /// The parts of a piece, by the indices of its corners (0 to 2) and of the midpoints of its edges (3 to 5). The last has all
 /// midpoints.
-const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
-
-/// The paths from a site to the corners of a piece.
-type PathEnds = [Option<PathEnd>; 3];
+pub(super) const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
 
 /// A piece of the domain, and bounds of the distances in it.
 pub(super) struct Piece {
     corners: [DVec2; 3],
     places: [Place; 3],
     /// Every site that may be the nearest somewhere in the piece, ascending.
-    sites: Vec<u32>,
+    pub(super) sites: Vec<u32>,
     /// Paths from these sites, in the same order. Empty where there are parts, which have better ones.
-    paths: Vec<PathEnds>,
+    pub(super) paths: Vec<CornerPaths>,
     /// Distance of each corner to its nearest site.
-    nearest: [f64; 3],
+    pub(super) nearest: [f64; 3],
     /// Number of its edges on the outline; for a part, an upper bound.
     walls: usize,
     /// Upper bound for the number of cones and walls that bound a cell in the piece, its own cone included.
     limits: usize,
-    longest: f64,
+    pub(super) longest: f64,
     /// Upper bound for the distance of the piece's points to their nearest site.
     pub(super) upper_bound: f64,
     /// Index of the first of its four parts; the others follow.
-    parts: Option<u32>,
-}
-
-/// The opened triangles of the scouts' mesh, and their parts.
-#[derive(Default)]
-pub(super) struct Pieces {
-    pieces: Vec<Piece>,
-    /// The piece of each triangle; [`NONE`] where it is not opened.
-    roots: Vec<u32>,
-    /// The opened triangles.
-    opened: Vec<u32>,
-}
-
-impl Pieces {
-    pub(super) fn new(triangles: usize) -> Self {
-        Self { roots: vec![NONE; triangles], ..Self::default() }
-    }
-
-    pub(super) fn piece(&self, at: u32) -> &Piece {
-        &self.pieces[at as usize]
-    }
-
-    /// The piece of a triangle, if opened.
-    pub(super) fn known(&self, triangle: u32) -> Option<&Piece> {
-        let root = self.roots[triangle as usize];
-        (root != NONE).then(|| self.piece(root))
-    }
-
-    /// The index of a triangle's piece; opens the triangle if necessary.
-    pub(super) fn root(&mut self, regions: &Regions, triangle: u32) -> u32 {
-        if self.roots[triangle as usize] == NONE {
-            self.roots[triangle as usize] = self.pieces.len() as u32;
-            self.opened.push(triangle);
-            self.pieces.push(Piece::of_scouts(regions, triangle));
-        }
-        self.roots[triangle as usize]
-    }
-
-    /// The indices of a piece's parts; subdivides it if necessary. Empty where they would be too small to matter.
-    pub(super) fn parts(&mut self, regions: &Regions, at: u32) -> std::ops::Range<u32> {
-        let piece = self.piece(at);
-        let first = match piece.parts {
-            Some(first) => first,
-            None => {
-                let Some(parts) = piece.divided(regions) else { return 0..0 };
-                let (first, piece) = (self.pieces.len() as u32, &mut self.pieces[at as usize]);
-                piece.sites.retain(|&site| parts.iter().any(|part| part.has(site as usize)));
-                (piece.parts, piece.paths) = (Some(first), Vec::new());
-                self.pieces.extend(parts);
-                first
-            }
-        };
-        first..first + PARTS.len() as u32
-    }
-
-    /// Inserts the last site. Its cell has points only in triangles whose scouts were visited for it.
-    pub(super) fn insert(&mut self, regions: &Regions) {
-        let Some((site, Site { field, .. })) = (0..).zip(&regions.sites).last() else { return };
-        for at in 0..self.opened.len() {
-            let triangle = self.opened[at] as usize;
-            if regions.cells.saw(regions.scouts.mesh.triangles[triangle]) {
-                let root = self.roots[triangle];
-                let paths = self.piece(root).path_ends(field);
-                self.enter(root, site, field, paths);
-            }
-        }
-    }
-
-    /// Inserts a site into a piece and its parts. Returns whether it may be the nearest somewhere there.
-    fn enter(&mut self, at: u32, site: u32, field: &DistanceField, paths: PathEnds) -> bool {
-        let piece = &mut self.pieces[at as usize];
-        let Some(first) = piece.parts else { return piece.enter(site, paths) };
-        if !may_enter(&paths, &piece.nearest, piece.longest) {
-            return false;
-        }
-        piece.nearest = nearer(&piece.nearest, &paths);
-        let middles = self.piece(first + PARTS.len() as u32 - 1).path_ends(field);
-        let of_part = |part: [usize; 3]| part.map(|at| [paths, middles][at / 3][at % 3]);
-        let entered = (first..).zip(PARTS).filter(|&(at, part)| self.enter(at, site, field, of_part(part))).count();
-        if entered > 0 {
-            self.pieces[at as usize].sites.push(site);
-        }
-        entered > 0
-    }
+    pub(super) parts: Option<u32>,
 }
 
 impl Piece {
     /// The piece of a triangle of scouts.
-    fn of_scouts(regions: &Regions, triangle: u32) -> Self {
+    pub(super) fn of_scouts(regions: &Regions, triangle: u32) -> Self {
         let (scouts, cells) = (regions.scouts, &regions.cells);
         let vertices = scouts.mesh.triangles[triangle as usize].map(|v| v as usize);
         let (corners, places) = (vertices.map(|v| scouts.mesh.vertices[v]), vertices.map(|v| scouts.places[v]));
@@ -147,13 +56,18 @@ impl Piece {
         let limits = vertices.map(|v| cells.distance[v] + 2.0 * scouts.reach[v]);
         let is_near = |site: &Site| (0..3).all(|k| site.rest.distance_squared(corners[k]) <= limits[k] * limits[k]);
         let near = (0..).zip(&regions.sites).filter(|(_, site)| is_near(site));
-        let paths = near.map(|(at, site)| (at, path_ends(&site.field, &corners, &places)));
+        let paths = near.map(|(at, site)| (at, CornerPaths::new(&site.field, &corners, &places)));
         let walls = scouts.mesh.neighbours[triangle as usize].iter().filter(|&&n| n == NONE).count();
         Self::new(corners, places, paths.unzip(), walls)
     }
 
     /// A piece in which only `sites` can be the nearest.
-    fn new(corners: [DVec2; 3], places: [Place; 3], (sites, paths): (Vec<u32>, Vec<PathEnds>), walls: usize) -> Self {
+    fn new(
+        corners: [DVec2; 3],
+        places: [Place; 3],
+        (sites, paths): (Vec<u32>, Vec<CornerPaths>),
+        walls: usize,
+    ) -> Self {
         let longest = lengths(&corners).into_iter().fold(0.0, f64::max);
         let (nearest, limits, upper_bound) = ([f64::INFINITY; 3], 0, f64::INFINITY);
         let mut piece =
@@ -168,8 +82,8 @@ impl Piece {
     }
 
     /// Inserts a site with a greater index than all known ones. Returns whether it may be the nearest somewhere.
-    fn enter(&mut self, site: u32, paths: PathEnds) -> bool {
-        if !may_enter(&paths, &self.nearest, self.longest) {
+    pub(super) fn enter(&mut self, site: u32, paths: CornerPaths) -> bool {
+        if !paths.may_enter(&self.nearest, self.longest) {
             return false;
         }
         self.sites.push(site);
@@ -179,43 +93,44 @@ impl Piece {
     }
 
     /// The paths from a site to the corners.
-    fn path_ends(&self, field: &DistanceField) -> PathEnds {
-        path_ends(field, &self.corners, &self.places)
+    pub(super) fn path_ends(&self, field: &DistanceField) -> CornerPaths {
+        CornerPaths::new(field, &self.corners, &self.places)
     }
 
     /// Drops the sites that are nowhere the nearest, and computes the upper bound from the others.
     fn update_bounds(&mut self) {
         let Self { corners, longest, .. } = *self;
-        let nearest = self.paths.iter().fold([f64::INFINITY; 3], |known, paths| nearer(&known, paths));
+        let nearest = self.paths.iter().fold([f64::INFINITY; 3], |known, paths| paths.nearer(&known));
         // For each corner the nearest site with a single cone.
         let rivals = [0, 1, 2].map(|k| {
             let cones =
-                self.paths.iter().filter(|paths| may_enter(paths, &nearest, longest) && pseudo_source(paths).is_some());
-            cones.reduce(|best, paths| if distance(paths, k) < distance(best, k) { paths } else { best }).copied()
+                self.paths.iter().filter(|paths| paths.may_enter(&nearest, longest) && paths.pseudo_source().is_some());
+            cones.reduce(|best, paths| if paths.distance(k) < best.distance(k) { paths } else { best }).copied()
         });
         let leaders = nearest_by_sources(&self.paths);
-        let is_kept = |paths: &PathEnds| {
-            if !may_enter(paths, &nearest, longest) {
+        let is_kept = |paths: &CornerPaths| {
+            if !paths.may_enter(&nearest, longest) {
                 return false;
             }
-            let of_another = |rival: &PathEnds, sag: f64| (0..3).all(|k| distance(rival, k) + sag < distance(paths, k));
+            let of_another =
+                |rival: &CornerPaths, sag: f64| (0..3).all(|k| rival.distance(k) + sag < paths.distance(k));
             // Between the corners a cone sags by no more than this; that of another site does not rise above its plane.
-            let sag = pseudo_source(paths).map_or(f64::INFINITY, |source| self.cone_sag(source));
-            let is_behind = |leader: &PathEnds| {
-                have_same_sources(leader, paths) && of_another(leader, 2.0 * TIE * distance(paths, 0))
+            let sag = paths.pseudo_source().map_or(f64::INFINITY, |source| self.cone_sag(source));
+            let is_behind = |leader: &CornerPaths| {
+                leader.have_sources_of(paths) && of_another(leader, 2.0 * TIE * paths.distance(0))
             };
             !rivals.iter().flatten().any(|rival| of_another(rival, sag)) && !leaders.iter().any(is_behind)
         };
         let kept: Vec<bool> = self.paths.iter().map(is_kept).collect();
         keep(&mut self.sites, &kept);
         keep(&mut self.paths, &kept);
-        let cones = self.paths.iter().filter(|paths| pseudo_source(paths).is_some());
+        let cones = self.paths.iter().filter(|paths| paths.pseudo_source().is_some());
         self.limits = self.walls + 2 * self.paths.len() - cones.clone().count();
         self.nearest = nearest;
         let lengths = lengths(&corners);
         let from_corner = (0..3).map(|k| nearest[k] + lengths[k].max(lengths[(k + 2) % 3]));
         // A cone is convex, so it is greatest at a corner.
-        let at_corner = cones.map(|paths| (0..3).map(|k| distance(paths, k)).fold(0.0, f64::max));
+        let at_corner = cones.map(|paths| (0..3).map(|k| paths.distance(k)).fold(0.0, f64::max));
         self.upper_bound = from_corner.chain(at_corner).fold(f64::INFINITY, f64::min);
     }
 
@@ -224,7 +139,7 @@ impl Piece {
     }
 
     /// The four parts; `None` where they would be too small to matter.
-    fn divided(&self, regions: &Regions) -> Option<[Self; 4]> {
+    pub(super) fn divided(&self, regions: &Regions) -> Option<[Self; 4]> {
         if !self.is_divisible() {
             return None;
         }
@@ -233,12 +148,12 @@ impl Piece {
         let places = middles.map(|p| regions.navigation.place(p));
         let [Some(ab), Some(bc), Some(ca)] = places else { return None };
         let (corners, places) = ([self.corners, middles], [self.places, [ab, bc, ca]]);
-        let paths_of = |(&site, &of_corners): (&u32, &PathEnds)| {
-            [of_corners, path_ends(&regions.sites[site as usize].field, &middles, &places[1])]
+        let paths_of = |(&site, &of_corners): (&u32, &CornerPaths)| {
+            [of_corners, CornerPaths::new(&regions.sites[site as usize].field, &middles, &places[1])]
         };
-        let paths: Vec<[PathEnds; 2]> = self.sites.iter().zip(&self.paths).map(paths_of).collect();
+        let paths: Vec<[CornerPaths; 2]> = self.sites.iter().zip(&self.paths).map(paths_of).collect();
         Some(PARTS.map(|part| {
-            let of_part = |paths: &[PathEnds; 2]| part.map(|k| paths[k / 3][k % 3]);
+            let of_part = |[outer, inner]: &[CornerPaths; 2]| CornerPaths::of_part(outer, inner, part);
             let (corners, places) = (part.map(|k| corners[k / 3][k % 3]), part.map(|k| places[k / 3][k % 3]));
             Self::new(corners, places, (self.sites.clone(), paths.iter().map(of_part).collect()), self.walls)
         }))
@@ -251,14 +166,14 @@ impl Piece {
     /// piece where that plane, less the sag, is no higher than those of other sites.
     pub(super) fn upper_bound_of(&self, site: usize) -> Option<f64> {
         let own = self.sites.iter().zip(&self.paths).find_map(|(&at, paths)| (at == site as u32).then_some(paths))?;
-        let Some(source) = pseudo_source(own) else { return Some(self.upper_bound) };
+        let Some(source) = own.pseudo_source() else { return Some(self.upper_bound) };
         let sag = self.cone_sag(source);
         let mut rest: Vec<DVec3> = DVec3::AXES.to_vec();
-        for other in self.paths.iter().filter(|paths| pseudo_source(paths).is_some()) {
-            let higher = DVec3::from([0, 1, 2].map(|k| distance(own, k) - distance(other, k)));
+        for other in self.paths.iter().filter(|paths| paths.pseudo_source().is_some()) {
+            let higher = DVec3::from([0, 1, 2].map(|k| own.distance(k) - other.distance(k)));
             rest = clipped(&rest, |p| sag - higher.dot(p));
         }
-        let plane = DVec3::from([0, 1, 2].map(|k| distance(own, k)));
+        let plane = DVec3::from([0, 1, 2].map(|k| own.distance(k)));
         rest.into_iter().map(|p| plane.dot(p)).reduce(f64::max).map(|upper_bound| upper_bound.min(self.upper_bound))
     }
 
@@ -327,12 +242,6 @@ impl Piece {
     }
 }
 
-/// The paths from a site to three points.
-pub(super) fn path_ends(field: &DistanceField, points: &[DVec2; 3], places: &[Place; 3]) -> PathEnds {
-    let mut field = field.cached_lookup();
-    [0, 1, 2].map(|k| field.path_end(places[k], points[k]))
-}
-
 /// Retains the flagged items of a list.
 fn keep<T>(list: &mut Vec<T>, kept: &[bool]) {
     let mut kept = kept.iter();
@@ -342,41 +251,6 @@ fn keep<T>(list: &mut Vec<T>, kept: &[bool]) {
 /// Lengths of the edges from each corner to the next.
 fn lengths(corners: &[DVec2; 3]) -> [f64; 3] {
     [0, 1, 2].map(|k| corners[k].distance(corners[(k + 1) % 3]))
-}
-
-fn distance(paths: &PathEnds, corner: usize) -> f64 {
-    paths[corner].map_or(f64::INFINITY, |path| path.distance)
-}
-
-/// The pseudo-source of all paths, if it is the same.
-fn pseudo_source(paths: &PathEnds) -> Option<DVec2> {
-    let [a, b, c] = sources(paths);
-    if a == b && b == c { a } else { None }
-}
-
-/// For each triple of pseudo-sources on the outline, the site nearest to it. A site that is farther from all three is nowhere
-/// the nearest.
-fn nearest_by_sources(all: &[PathEnds]) -> Vec<PathEnds> {
-    let length = |paths: &PathEnds| paths.iter().flatten().map(|path| path.offset).sum::<f64>();
-    let mut nearest: Vec<PathEnds> = Vec::new();
-    for paths in all.iter().filter(|paths| paths.iter().all(|path| path.is_some_and(|path| path.offset > 0.0))) {
-        match nearest.iter_mut().find(|leader| have_same_sources(leader, paths)) {
-            Some(leader) if length(paths) < length(leader) => *leader = *paths,
-            Some(_) => {}
-            None => nearest.push(*paths),
-        }
-    }
-    nearest
-}
-
-/// Whether the paths to each corner have the same pseudo-source.
-fn have_same_sources(one: &PathEnds, other: &PathEnds) -> bool {
-    sources(one) == sources(other)
-}
-
-/// The pseudo-source of the path to each corner.
-fn sources(paths: &PathEnds) -> [Option<DVec2>; 3] {
-    paths.map(|path| path.map(|path| path.pseudo_source))
 }
 
 /// The part of a convex polygon where a linear function is non-negative.
@@ -394,16 +268,6 @@ fn clipped(polygon: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     part
 }
 
-/// The minimum of the known distances and those of a site.
-fn nearer(known: &[f64; 3], paths: &PathEnds) -> [f64; 3] {
-    [0, 1, 2].map(|k| known[k].min(distance(paths, k)))
-}
-
-/// Whether a site may be the nearest somewhere: distances are 1-Lipschitz.
-fn may_enter(paths: &PathEnds, nearest: &[f64; 3], longest: f64) -> bool {
-    (0..3).all(|k| distance(paths, k) <= nearest[k] + 2.0 * longest)
-}
-
 /// Greatest depth of a cone below the plane through three of its points with edges no longer than `longest`, none of them
 /// nearer to the apex than `distance`.
 pub(super) fn cone_sag(longest: f64, distance: f64) -> f64 {
@@ -415,23 +279,27 @@ pub(super) fn cone_sag(longest: f64, distance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{distance::Navigation, domain::Domain, picture::Picture};
+    use crate::{
+        distance::{Navigation, PathEnd},
+        domain::Domain,
+        picture::Picture,
+    };
 
     #[test]
     fn of_sites_behind_the_same_corners_the_nearest_is_kept() {
         let corners = [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)].map(DVec2::from);
         let [before, beside] = [(-30.0, 0.0), (-10.0, 1.0)].map(DVec2::from);
         // The corner `beside` is seen from the corner `before`; sites are at these distances behind it.
-        let paths_by = |sources: [DVec2; 3], behind: f64| -> PathEnds {
-            [0, 1, 2].map(|k| {
+        let paths_by = |sources: [DVec2; 3], behind: f64| -> CornerPaths {
+            CornerPaths([0, 1, 2].map(|k| {
                 let offset = behind + before.distance(sources[k]);
                 let distance = offset + sources[k].distance(corners[k]);
                 Some(PathEnd { distance, pseudo_source: sources[k], offset })
-            })
+            }))
         };
         let (ways, other_ways) = ([before, before, beside], [before, beside, beside]);
         let behind = [7.0, 5.0, 5.0 + 1e-12, 6.0, 5.1].map(|behind| paths_by(ways, behind));
-        let paths: Vec<PathEnds> = behind.into_iter().chain([paths_by(other_ways, 6.0)]).collect();
+        let paths: Vec<CornerPaths> = behind.into_iter().chain([paths_by(other_ways, 6.0)]).collect();
         let navigation = Navigation::new(&Domain::new(None, &Picture::new(2, 2, &[255; 16]).unwrap()).unwrap());
         let place = navigation.place(DVec2::ONE).unwrap();
         let piece = Piece::new(corners, [place; 3], ((0..).take(paths.len()).collect(), paths), 0);

@@ -1,0 +1,121 @@
+//! A bone or a ring of a held outline as a line with sites on it.
+
+use glam::DVec2;
+
+use super::{SiteKind, TIE};
+use crate::segment::nearest_on_segment;
+
+/// Greatest gap over the reach of the sites at its ends.
+const MAX_GAP: f64 = 0.5;
+/// Corners of a held outline at which the cosine of the turning angle is below this get a site each: more than 20°.
+const SHARP_COSINE: f64 = 0.94;
+
+/// A line with sites on it.
+pub(super) struct Chain {
+    pub(super) kind: SiteKind,
+    corners: Vec<DVec2>,
+    /// Arc length at each corner, and at the end.
+    lengths: Vec<f64>,
+    closed: bool,
+    /// Arc length and index of each site, ascending.
+    pub(super) sites: Vec<(f64, usize)>,
+}
+
+impl Chain {
+    pub(super) fn new(kind: SiteKind, corners: Vec<DVec2>, closed: bool) -> Self {
+        let n = corners.len();
+        let edges = if closed { n } else { n - 1 };
+        let mut lengths = vec![0.0];
+        for i in 0..edges {
+            lengths.push(lengths[i] + corners[i].distance(corners[(i + 1) % n]));
+        }
+        Self { kind, corners, lengths, closed, sites: Vec::new() }
+    }
+
+    fn length(&self) -> f64 {
+        self.lengths[self.lengths.len() - 1]
+    }
+
+    pub(super) fn at(&self, length: f64) -> DVec2 {
+        let edge = self.lengths[1..self.lengths.len() - 1].partition_point(|&end| end <= length);
+        let (from, to) = (self.corners[edge], self.corners[(edge + 1) % self.corners.len()]);
+        from.lerp(to, (length - self.lengths[edge]) / (self.lengths[edge + 1] - self.lengths[edge]))
+    }
+
+    /// Arc lengths of the first sites.
+    pub(super) fn start(&self) -> Vec<f64> {
+        if !self.closed {
+            return vec![self.length() / 2.0];
+        }
+        let n = self.corners.len();
+        let is_sharp = |i: usize| {
+            let [before, at, after] = [i + n - 1, i, i + 1].map(|at| self.corners[at % n]);
+            (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE
+        };
+        let sharp: Vec<f64> = (0..n).filter(|&i| is_sharp(i)).map(|i| self.lengths[i]).collect();
+        if sharp.is_empty() { self.lengths[..n].to_vec() } else { sharp }
+    }
+
+    /// The arc length nearest to `length` that is clear of both ends, by a third of what is free there.
+    pub(super) fn clear_of_ends(&self, length: f64) -> f64 {
+        if self.closed {
+            return length;
+        }
+        let free = [self.sites[0].0, self.length() - self.sites[self.sites.len() - 1].0];
+        length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
+    }
+
+    /// The straight distance from a point to the line, and the arc lengths of the nearest places. Of tied places, those
+    /// farther than `apart` from one another.
+    pub(super) fn nearest(&self, p: DVec2, apart: f64) -> (f64, Vec<f64>) {
+        let n = self.corners.len();
+        let feet: Vec<(DVec2, f64)> = (0..self.lengths.len() - 1)
+            .map(|edge| {
+                let (a, b) = (self.corners[edge], self.corners[(edge + 1) % n]);
+                let foot = nearest_on_segment(p, a, b);
+                (foot, self.lengths[edge] + foot.distance(a))
+            })
+            .collect();
+        let least = feet.iter().map(|(foot, _)| foot.distance(p)).fold(f64::INFINITY, f64::min);
+        let mut kept: Vec<(DVec2, f64)> = Vec::new();
+        for (foot, length) in feet {
+            let is_new = || kept.iter().all(|(known, _)| known.distance(foot) > apart);
+            if foot.distance(p) <= least * (1.0 + TIE) && is_new() {
+                kept.push((foot, length));
+            }
+        }
+        (least, kept.into_iter().map(|(_, length)| length).collect())
+    }
+
+    pub(super) fn has_site_near(&self, length: f64, within: f64) -> bool {
+        self.sites.iter().any(|&(known, _)| (known - length).abs() < within)
+    }
+
+    /// Arc lengths of new sites: in gaps that are too large for the reach of the sites at their ends.
+    pub(super) fn wanted(&self, reach: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut wanted = Vec::new();
+        let limit = |i: usize, j: usize| MAX_GAP * reach(self.sites[i].1).min(reach(self.sites[j].1));
+        let last = self.sites.len() - 1;
+        for i in 0..last {
+            let (from, to) = (self.sites[i].0, self.sites[i + 1].0);
+            if to - from > limit(i, i + 1) {
+                wanted.push(f64::midpoint(from, to));
+            }
+        }
+        let (first, end) = (self.sites[0].0, self.length() - self.sites[last].0);
+        if self.closed {
+            if end + first > limit(0, last) {
+                let middle = self.sites[last].0 + (end + first) / 2.0;
+                wanted.push(if middle < self.length() { middle } else { middle - self.length() });
+            }
+        } else {
+            if 2.0 * first > limit(0, 0) {
+                wanted.push(first / 3.0);
+            }
+            if 2.0 * end > limit(last, last) {
+                wanted.push(self.length() - end / 3.0);
+            }
+        }
+        wanted
+    }
+}

@@ -1,0 +1,95 @@
+//! A best-first search for the farthest points of a cell, over the pieces of the triangles that may contain them.
+//!
+//! It looks into a few triangles only, and finds the farthest point however few scouts there are.
+//!
+//! Cost: the pieces that it opens.
+
+use super::{
+    super::{Regions, TIE},
+    FarPoint, SAME_POINT,
+    pieces::Pieces,
+};
+
+impl Regions<'_> {
+    /// The farthest points of a site's cell, at least one, searched in `triangles`.
+    pub(super) fn farthest_points(&mut self, site: usize, triangles: &[(u32, f64)]) -> Vec<FarPoint> {
+        let tied = |distance: f64, greatest: f64| distance >= greatest * (1.0 - TIE);
+        let radius = self.sampled_radius(site);
+        let of_scouts = self.cells.of(site).filter(|&at| tied(self.cells.distance[at], radius));
+        let mut found: Vec<FarPoint> = of_scouts.map(|at| self.far_point(at)).collect();
+        let mut pieces = std::mem::take(&mut self.pieces);
+        let mut greatest = radius;
+        let mut search = Search { triangles, open: Vec::new() };
+        while let Some(at) = search.next(&mut pieces, self, site) {
+            let piece = pieces.piece(at);
+            if !tied(piece.upper_bound, greatest) {
+                break;
+            }
+            let mut maxima = Vec::new();
+            if piece.is_flat() {
+                if piece.upper_bound_of(site).is_none_or(|upper_bound| !tied(upper_bound, greatest)) {
+                    continue;
+                }
+                maxima = piece.maxima(self, site, greatest);
+            }
+            if maxima.is_empty() {
+                let parts = pieces.parts(self, at);
+                search.open.extend(parts.filter(|&part| pieces.piece(part).has(site)));
+            }
+            greatest = maxima.iter().map(|point| point.distance).fold(greatest, f64::max);
+            found.extend(maxima);
+        }
+        self.pieces = pieces;
+        let mut points: Vec<FarPoint> = Vec::new();
+        for point in found {
+            if tied(point.distance, greatest)
+                && points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * greatest)
+            {
+                points.push(point);
+            }
+        }
+        if points.is_empty() {
+            // The cell contains no other point: the site itself.
+            let site = &self.sites[site];
+            points.push(FarPoint { at: site.rest, place: site.place, distance: 0.0 });
+        }
+        points
+    }
+
+    /// A scout as a far point.
+    fn far_point(&self, scout: usize) -> FarPoint {
+        let (at, place) = (self.scouts.mesh.vertices[scout], self.scouts.places[scout]);
+        FarPoint { at, place, distance: self.cells.distance[scout] }
+    }
+}
+
+/// The triangles and pieces that may still contain a farthest point.
+struct Search<'a> {
+    /// Triangles not opened yet, each with an upper bound, descending.
+    triangles: &'a [(u32, f64)],
+    /// Pieces of opened triangles that the cell may enter.
+    open: Vec<u32>,
+}
+
+impl Search<'_> {
+    /// Removes and returns the piece with the greatest upper bound.
+    fn next(&mut self, pieces: &mut Pieces, regions: &Regions, site: usize) -> Option<u32> {
+        loop {
+            let upper_bound = |at: usize| pieces.piece(self.open[at]).upper_bound;
+            let farthest =
+                (0..self.open.len()).reduce(|best, at| if upper_bound(at) > upper_bound(best) { at } else { best });
+            match (farthest, self.triangles) {
+                (farthest, &[(triangle, bound), ref others @ ..])
+                    if farthest.is_none_or(|at| bound > upper_bound(at)) =>
+                {
+                    self.triangles = others;
+                    let root = pieces.root(regions, triangle);
+                    if pieces.piece(root).has(site) {
+                        self.open.push(root);
+                    }
+                }
+                (farthest, _) => return farthest.map(|at| self.open.swap_remove(at)),
+            }
+        }
+    }
+}
