@@ -31,6 +31,7 @@ impl Piece {
     }
 }
 
+/// All pieces, and what each joint is made of.
 pub(super) struct Cuts {
     pub(super) pieces: Vec<Piece>,
     pub(super) joints: Vec<Vec<Anchor>>,
@@ -51,66 +52,40 @@ impl Cuts {
     /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::TooManySites`] for more pieces than there may be sites.
     pub(super) fn new(lines: &[&Line]) -> Result<Self, Error> {
         let mut nodes = Nodes::default();
-        let mut segments: Vec<Segment> = Vec::new();
-        for &line in lines {
-            let first = nodes.anchors.len();
-            for corner in 0..line.corners.len() {
-                // The last corner of an open line is the end of the last segment.
-                let (segment, share) =
-                    if corner < line.segments() { (corner, 0.0) } else { (line.segments() - 1, 1.0) };
-                nodes.add(Anchor { handle: line.handle, segment: segment as u32, share });
-            }
-            for number in 0..line.segments() {
-                let (a, b) = line.segment(number);
-                if a.distance(b) < MIN_SEPARATION {
-                    return Err(Error::BarTooShort { id: line.id.clone(), corner: number });
-                }
-                let end = first + (number + 1) % line.corners.len();
-                segments.push(Segment { line, number, a, b, stops: vec![(0.0, first + number), (1.0, end)] });
-            }
+        let mut segments = Vec::new();
+        for line in lines {
+            segments.extend(Segment::all_of(line, &mut nodes)?);
         }
-        let mut count = segments.len();
-        for i in 0..segments.len() {
-            for j in i + 1..segments.len() {
-                let (before, after) = segments.split_at_mut(j);
-                let (s, t) = (&mut before[i], &mut after[0]);
-                match meeting(s, t) {
-                    Meeting::Apart => {}
-                    Meeting::At(p) => {
-                        let before = s.stops.len() + t.stops.len();
-                        let (on_s, on_t) = (s.stop(p, &mut nodes), t.stop(p, &mut nodes));
-                        nodes.join(on_s, on_t);
-                        count += s.stops.len() + t.stops.len() - before;
-                        if count > MAX_SITES {
-                            return Err(Error::TooManySites);
-                        }
-                    }
-                    Meeting::Along => {
-                        let [mut first, mut second] = [&s.line.id, &t.line.id].map(Clone::clone);
-                        if t.line.handle < s.line.handle {
-                            std::mem::swap(&mut first, &mut second);
-                        }
-                        return Err(Error::BarsOverlap { first, second });
-                    }
-                }
-            }
-        }
+        stop_where_they_meet(&mut segments, &mut nodes)?;
         let joints = nodes.joints();
-        let mut pieces = Vec::new();
-        for segment in &mut segments {
-            segment.stops.sort_by(|(s, _), (t, _)| s.total_cmp(t));
-            pieces.extend(segment.stops.windows(2).map(|pair| Piece {
-                handle: segment.line.handle,
-                segment: segment.number as u32,
-                shares: [pair[0].0, pair[1].0],
-                joints: [nodes.joint[pair[0].1], nodes.joint[pair[1].1]],
-            }));
-        }
+        let pieces = segments.into_iter().flat_map(|segment| segment.pieces(&nodes)).collect();
         Ok(Self { pieces, joints })
     }
 }
 
-impl Segment<'_> {
+impl<'a> Segment<'a> {
+    /// The segments of a line, each with a node at its ends.
+    ///
+    /// # Errors
+    /// [`Error::BarTooShort`].
+    fn all_of(line: &'a Line, nodes: &mut Nodes) -> Result<Vec<Self>, Error> {
+        let first = nodes.anchors.len();
+        for corner in 0..line.corners.len() {
+            // The last corner of an open line is the end of the last segment.
+            let (segment, share) = if corner < line.segments() { (corner, 0.0) } else { (line.segments() - 1, 1.0) };
+            nodes.add(Anchor { handle: line.handle, segment: segment as u32, share });
+        }
+        let segment = |number: usize| {
+            let (a, b) = line.segment(number);
+            if a.distance(b) < MIN_SEPARATION {
+                return Err(Error::BarTooShort { id: line.id.clone(), corner: number });
+            }
+            let end = first + (number + 1) % line.corners.len();
+            Ok(Self { line, number, a, b, stops: vec![(0.0, first + number), (1.0, end)] })
+        };
+        (0..line.segments()).map(segment).collect()
+    }
+
     /// The node at a place on the segment: an existing one nearby, or a new one.
     fn stop(&mut self, p: DVec2, nodes: &mut Nodes) -> usize {
         let along = self.b - self.a;
@@ -123,6 +98,52 @@ impl Segment<'_> {
         self.stops.push((share, node));
         node
     }
+
+    /// The pieces between its stops.
+    fn pieces(mut self, nodes: &Nodes) -> Vec<Piece> {
+        self.stops.sort_by(|(s, _), (t, _)| s.total_cmp(t));
+        let between = |pair: &[(f64, usize)]| Piece {
+            handle: self.line.handle,
+            segment: self.number as u32,
+            shares: [pair[0].0, pair[1].0],
+            joints: [nodes.joint[pair[0].1], nodes.joint[pair[1].1]],
+        };
+        self.stops.windows(2).map(between).collect()
+    }
+}
+
+/// Stops segments where they meet, and joins their nodes there.
+///
+/// # Errors
+/// [`Error::BarsOverlap`]; [`Error::TooManySites`] for more pieces than there may be sites.
+fn stop_where_they_meet(segments: &mut [Segment], nodes: &mut Nodes) -> Result<(), Error> {
+    let mut pieces = segments.len();
+    for i in 0..segments.len() {
+        for j in i + 1..segments.len() {
+            let (before, after) = segments.split_at_mut(j);
+            let (s, t) = (&mut before[i], &mut after[0]);
+            match meeting(s, t) {
+                Meeting::Apart => {}
+                Meeting::At(p) => {
+                    let before = s.stops.len() + t.stops.len();
+                    let (on_s, on_t) = (s.stop(p, nodes), t.stop(p, nodes));
+                    nodes.join(on_s, on_t);
+                    pieces += s.stops.len() + t.stops.len() - before;
+                    if pieces > MAX_SITES {
+                        return Err(Error::TooManySites);
+                    }
+                }
+                Meeting::Along => {
+                    let [mut first, mut second] = [&s.line.id, &t.line.id].map(Clone::clone);
+                    if t.line.handle < s.line.handle {
+                        std::mem::swap(&mut first, &mut second);
+                    }
+                    return Err(Error::BarsOverlap { first, second });
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 enum Meeting {

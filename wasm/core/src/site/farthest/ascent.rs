@@ -1,4 +1,4 @@
-//! The farthest points of a cell in a triangle.
+//! The farthest points of a cell in a triangle, by ascent of the distance.
 //!
 //! The distance to a site is the minimum of a few cones `offset + |p − pseudo_source|`. In a triangle a cell's farthest point
 //! lies where cones intersect: three of them, or two on an edge; or at a corner. A sequence of linear programs (each cone
@@ -20,13 +20,16 @@ pub(super) struct Cone {
 }
 
 impl Cone {
-    fn value(&self, p: DVec2) -> f64 {
-        self.offset + p.distance(self.apex)
+    /// The tangent plane at a place.
+    fn tangent(&self, p: DVec2) -> Tangent {
+        Tangent { value: self.offset + p.distance(self.apex), gradient: (p - self.apex).normalize_or_zero() }
     }
+}
 
-    fn gradient(&self, p: DVec2) -> DVec2 {
-        (p - self.apex).normalize_or_zero()
-    }
+/// The tangent plane of a cone.
+struct Tangent {
+    value: f64,
+    gradient: DVec2,
 }
 
 /// The cones at a place.
@@ -85,21 +88,11 @@ fn ascend_once(
         // long.
         let mut best: Option<(f64, DVec2, bool)> = None;
         for cone in &cones.own {
-            let (value, gradient) = (cone.value(p), cone.gradient(p));
-            // The greatest component of a step within the triangle in a direction.
-            let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, f64::max);
-            let side = |other: &Cone| {
-                let side = Constraint::new(gradient, gradient - other.gradient(p), other.value(p) - value);
-                (side.limit < extent(side.normal)).then_some(side)
-            };
-            sides.clear();
-            sides.extend(cones.others.iter().chain(&cones.own).filter(|other| *other != cone).filter_map(side));
-            sides.extend([(a, b), (b, c), (c, a)].map(|(from, to)| {
-                let normal = -(to - from).normalize().perp();
-                Constraint::new(gradient, normal, normal.dot(from - p))
-            }));
-            let Some((step, other)) = farthest_step(gradient, &sides, longest, fork) else { continue };
-            let reached = value + gradient.dot(step);
+            let tangent = cone.tangent(p);
+            let others = cones.others.iter().chain(&cones.own).filter(|other| *other != cone);
+            constrain(&mut sides, corners, p, &tangent, others.map(|other| other.tangent(p)));
+            let Some((step, other)) = farthest_step(tangent.gradient, &sides, longest, fork) else { continue };
+            let reached = tangent.value + tangent.gradient.dot(step);
             if best.is_none_or(|(known, ..)| reached > known) {
                 best = Some((reached, step, other));
             }
@@ -113,6 +106,27 @@ fn ascend_once(
         }
     }
     (last <= ACCEPTED * longest).then_some((p, forked))
+}
+
+/// Sets the constraints of a step from `p` up a cone: by the tangent planes it stays below the other cones, and in the triangle.
+fn constrain(
+    sides: &mut Vec<Constraint>,
+    corners: &[DVec2; 3],
+    p: DVec2,
+    own: &Tangent,
+    others: impl Iterator<Item = Tangent>,
+) {
+    let up = own.gradient;
+    // The greatest component of a step within the triangle in a direction.
+    let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, f64::max);
+    let below = others.map(|other| Constraint::new(up, up - other.gradient, other.value - own.value));
+    sides.clear();
+    sides.extend(below.filter(|side| side.limit < extent(side.normal)));
+    let [a, b, c] = *corners;
+    sides.extend([(a, b), (b, c), (c, a)].map(|(from, to)| {
+        let normal = -(to - from).normalize().perp();
+        Constraint::new(up, normal, normal.dot(from - p))
+    }));
 }
 
 /// The constraint `normal · step ≤ limit`.
