@@ -27,34 +27,43 @@
 //!                                          Algorithm 1          eq. 1
 //! ```
 
+// What is given.
+mod error;
+mod limits;
+mod picture;
+pub mod project;
+
+// Geometry and containers that know nothing of warping.
+mod grid;
+mod min_entry;
+mod rows;
+mod segment;
+pub mod triangulation;
+
+// The pipeline.
 mod bone;
 pub mod cloud;
 pub mod distance;
 pub mod domain;
-mod drawing_order;
-mod error;
 mod given_mesh;
-mod grid;
-mod inverse;
-mod limits;
-mod min_entry;
 mod outline;
-mod picture;
 pub mod pose;
-pub mod project;
+pub mod sample;
+pub mod site;
+pub mod weight;
+
+// What is drawn.
+mod drawing_order;
+mod inverse;
 pub mod raster;
 mod render_mesh;
+
+// The façade.
 mod report;
 mod request;
-mod rows;
-pub mod sample;
-mod segment;
-pub mod site;
 mod solution;
 mod solver;
 mod stage;
-pub mod triangulation;
-pub mod weight;
 
 pub use bone::Outside;
 pub use error::Error;
