@@ -162,10 +162,10 @@ impl Suite {
         let mut distances = vec![0.0; samples.len()];
         let passes = least_ms(self.clock, self.effort, || {
             for &source in &sources {
-                let place = navigation.place(source).expect("handles lie in the domain");
-                let field = propagation.field(&navigation, place, source, f64::INFINITY);
-                for ((distance, &place), &p) in distances.iter_mut().zip(&samples.places).zip(points) {
-                    *distance = field.distance(place, p);
+                let triangle = navigation.triangle_at(source).expect("handles lie in the domain");
+                let field = propagation.field(&navigation, triangle, source, f64::INFINITY);
+                for ((distance, &triangle), &p) in distances.iter_mut().zip(&samples.outline_triangles).zip(points) {
+                    *distance = field.distance(triangle, p);
                 }
                 black_box(&mut distances);
             }

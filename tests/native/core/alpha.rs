@@ -79,9 +79,9 @@ fn two_fingers_two_pixels_apart_stay_apart_in_every_direction() {
         // A shortest path from one tip to the other goes around by the palm.
         let navigation = c2warp::distance::Navigation::new(&domain);
         let [a, b] = [side, -side].map(|side| palm + side + 58.0 * along);
-        let place = |p| navigation.place(p).expect("a tip");
-        let field = c2warp::distance::Propagation::default().field(&navigation, place(a), a, f64::INFINITY);
-        assert!(field.distance(place(b), b) > 80.0, "step {step}");
+        let triangle = |p| navigation.triangle_at(p).expect("a tip");
+        let field = c2warp::distance::Propagation::default().field(&navigation, triangle(a), a, f64::INFINITY);
+        assert!(field.distance(triangle(b), b) > 80.0, "step {step}");
     }
 }
 

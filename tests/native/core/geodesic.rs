@@ -39,13 +39,13 @@ fn worst_error(domain: &Domain) -> f64 {
     sources.push(domain.rings()[0][3]);
     let mut worst = 0.0_f64;
     for source in sources {
-        let place = navigation.place(source).expect("the source lies in the domain");
-        let field = propagation.field(&navigation, place, source, f64::INFINITY);
+        let triangle = navigation.triangle_at(source).expect("the source lies in the domain");
+        let field = propagation.field(&navigation, triangle, source, f64::INFINITY);
         let expected = graph.distances(source, &targets);
         for (&Viewpoint { at: p, .. }, expected) in targets.iter().zip(expected) {
             assert!(expected.is_finite());
-            let place = navigation.place(p).expect("the point lies in the domain");
-            let found = field.distance(place, p);
+            let triangle = navigation.triangle_at(p).expect("the point lies in the domain");
+            let found = field.distance(triangle, p);
             let error = (found - expected).abs() / expected.max(1.0);
             if error > 1e-6 {
                 eprintln!("{source} → {p}: {found} for {expected}");
@@ -100,12 +100,12 @@ fn paths_from_a_wall_turn_around_its_corners_however_near_those_are() {
         let ends = (0..n).flat_map(|i| [(i, (i + 1) % n), (i, (i + n - 1) % n)]).map(|(i, j)| (ring[i], ring[j]));
         for ((corner, other), away) in ends.flat_map(|ends| [1.0, 0.1, 0.01, 1e-3, 1e-4].map(|away| (ends, away))) {
             let source = corner.lerp(other, (away / corner.distance(other)).min(0.5));
-            let place = navigation.place(source).expect("a point of the outline");
-            let field = propagation.field(&navigation, place, source, 4.0);
+            let triangle = navigation.triangle_at(source).expect("a point of the outline");
+            let field = propagation.field(&navigation, triangle, source, 4.0);
             for p in (0..6).map(|k| corner + 0.2 * DVec2::from_angle(f64::from(k))) {
-                if let Some(place) = navigation.place(p) {
+                if let Some(triangle) = navigation.triangle_at(p) {
                     let longest = source.distance(corner) + corner.distance(p);
-                    let found = field.distance(place, p);
+                    let found = field.distance(triangle, p);
                     assert!(found <= longest + EXACT, "{source} → {p} by way of {corner}: {found} for {longest}");
                     asked += 1;
                 }
@@ -121,10 +121,10 @@ fn straight_in_a_convex_domain() {
     let graph = VisibilityGraph::new(domain.rings());
     let navigation = Navigation::new(&domain);
     let source = DVec2::new(333.0, 444.0);
-    let place = navigation.place(source).expect("inside");
-    let field = Propagation::default().field(&navigation, place, source, f64::INFINITY);
+    let triangle = navigation.triangle_at(source).expect("inside");
+    let field = Propagation::default().field(&navigation, triangle, source, f64::INFINITY);
     for p in points(&graph, 2000, 0) {
-        let place = navigation.place(p).expect("inside");
-        assert!((field.distance(place, p) - source.distance(p)).abs() <= 1e-12 * source.distance(p));
+        let triangle = navigation.triangle_at(p).expect("inside");
+        assert!((field.distance(triangle, p) - source.distance(p)).abs() <= 1e-12 * source.distance(p));
     }
 }

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::{
     bone::{Line, Outside, Skeleton},
-    distance::Place,
+    distance::OutlineTriangle,
     error::Error,
     limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
     outline::Outline,
@@ -41,7 +41,7 @@ struct PointHandle {
 
 /// The rest places of all handles in the domain, checked.
 #[derive(Debug)]
-pub(crate) struct Rest<P = Place> {
+pub(crate) struct Rest<P = OutlineTriangle> {
     /// Point handles from top to bottom, so that the result does not depend on their order in the project.
     pub(crate) points: Vec<PointSite<P>>,
     pub(crate) skeleton: Skeleton,
@@ -129,15 +129,15 @@ impl Request {
         Ok(rest)
     }
 
-    /// Point handles alone. `locate` maps a point to its place and to the point moved into the domain, or to `None` outside.
+    /// Point handles alone. `locate` maps a point to its triangle of the outline and to the point moved into the domain, or to `None` outside.
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`].
     pub(crate) fn points_at<P>(&self, locate: impl Fn(DVec2) -> Option<(P, DVec2)>) -> Result<Rest<P>, Error> {
         let site = |&PointHandle { handle, ref id, rest }: &PointHandle| {
             let outside = || Error::HandleOutside { id: id.clone(), x: rest.x, y: rest.y };
-            let (place, inside) = locate(rest).ok_or_else(outside)?;
-            Ok(PointSite { rest: inside, place, handle })
+            let (triangle, inside) = locate(rest).ok_or_else(outside)?;
+            Ok(PointSite { rest: inside, triangle, handle })
         };
         let mut points = self.points.iter().map(site).collect::<Result<Vec<_>, Error>>()?;
         points.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));

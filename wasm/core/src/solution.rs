@@ -76,8 +76,8 @@ impl Solution {
     /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
     #[must_use]
     pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
-        let (place, p) = self.outline.navigation.locate(p)?;
-        Some(self.functions.at(&self.sites, place, p))
+        let (triangle, p) = self.outline.navigation.locate(p)?;
+        Some(self.functions.at(&self.sites, triangle, p))
     }
 
     /// The sites that move a point and their weights, ascending by site; `None` outside the domain.

@@ -213,7 +213,7 @@ fn weigh(
         site.support_radius = radius;
         let bound = radius.max(SiteGraph::field_bound(site.cell_radius));
         if site.field.bound() < bound {
-            site.field = propagation.field(navigation, site.place, site.rest, bound);
+            site.field = propagation.field(navigation, site.triangle, site.rest, bound);
         }
     }
     let basis = Basis::new(weighting.degree, weighting.filling);

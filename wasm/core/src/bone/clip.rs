@@ -66,7 +66,7 @@ fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[
     stops.sort_by(f64::total_cmp);
     let mut parts: Vec<[f64; 2]> = Vec::new();
     let shortest = SHORTEST / along.length();
-    let is_inside = |share: f64| navigation.place(a.lerp(b, share)).is_some();
+    let is_inside = |share: f64| navigation.triangle_at(a.lerp(b, share)).is_some();
     for pair in stops.windows(2) {
         let [from, to] = [pair[0], pair[1]];
         let middle = f64::midpoint(from, to);

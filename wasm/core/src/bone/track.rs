@@ -3,30 +3,30 @@
 use glam::DVec2;
 
 use super::Bone;
-use crate::distance::{DistanceField, Navigation, Place};
+use crate::distance::{DistanceField, Navigation, OutlineTriangle};
 
 /// A bone on the navigation mesh.
 #[derive(Debug, Clone)]
 pub(crate) struct Track {
     pub(crate) island: usize,
-    pieces: Vec<(Place, DVec2, DVec2)>,
+    pieces: Vec<(OutlineTriangle, DVec2, DVec2)>,
 }
 
 impl Track {
     /// Cost: a look at every triangle of the navigation mesh.
     pub(crate) fn new(navigation: &Navigation, bone: &Bone) -> Self {
         let [a, b] = bone.rest;
-        let middle = navigation.place(a.midpoint(b)).expect("bones lie in the domain");
-        let pieces = navigation.triangles().filter_map(|(place, corners)| {
+        let middle = navigation.triangle_at(a.midpoint(b)).expect("bones lie in the domain");
+        let pieces = navigation.triangles().filter_map(|(triangle, corners)| {
             let [from, to] = within_triangle(a, b, corners)?;
-            Some((place, a.lerp(b, from), a.lerp(b, to)))
+            Some((triangle, a.lerp(b, from), a.lerp(b, to)))
         });
         Self { island: navigation.island_of(middle), pieces: pieces.collect() }
     }
 
     /// Distance from a field's source to the bone, infinite beyond the field's bound.
     pub(crate) fn distance(&self, field: &DistanceField) -> f64 {
-        let distances = self.pieces.iter().map(|&(place, a, b)| field.distance_to_segment(place, a, b));
+        let distances = self.pieces.iter().map(|&(triangle, a, b)| field.distance_to_segment(triangle, a, b));
         distances.fold(f64::INFINITY, f64::min)
     }
 }

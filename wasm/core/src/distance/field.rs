@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::{Navigation, Place};
+use super::{Navigation, OutlineTriangle};
 use crate::segment::segment_distance;
 
 /// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray must
@@ -87,7 +87,7 @@ pub struct PathEnd {
 }
 
 impl PathEnd {
-    /// The gradient of the distance at `p`, the point that this path leads to, from the windows of its place. Where several
+    /// The gradient of the distance at `p`, the point that this path leads to, from the windows of its triangle. Where several
     /// paths are equally short, the mean of their gradients; 0 at the source, and at a corner that no other pseudo-source
     /// sees.
     pub(crate) fn gradient_in(&self, windows: &[Window], p: DVec2) -> DVec2 {
@@ -132,9 +132,9 @@ impl DistanceField {
 
     /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
     #[must_use]
-    pub fn distance(&self, place: Place, p: DVec2) -> f64 {
+    pub fn distance(&self, triangle: OutlineTriangle, p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
-        for window in self.windows_in(place) {
+        for window in self.windows_in(triangle) {
             if window.nearest >= best {
                 break;
             }
@@ -148,13 +148,13 @@ impl DistanceField {
 
     /// How the shortest path reaches a point, if the distance is within the bound.
     #[must_use]
-    pub fn path_end(&self, place: Place, p: DVec2) -> Option<PathEnd> {
-        self.path_end_in(self.windows_in(place), p)
+    pub fn path_end(&self, triangle: OutlineTriangle, p: DVec2) -> Option<PathEnd> {
+        self.path_end_in(self.windows_in(triangle), p)
     }
 
     /// The distance to a point and its gradient, if the distance is within the bound.
-    pub(crate) fn slope(&self, place: Place, p: DVec2) -> Option<(f64, DVec2)> {
-        let windows = self.windows_in(place);
+    pub(crate) fn slope(&self, triangle: OutlineTriangle, p: DVec2) -> Option<(f64, DVec2)> {
+        let windows = self.windows_in(triangle);
         self.path_end_in(windows, p).map(|path| (path.distance, path.gradient_in(windows, p)))
     }
 
@@ -174,14 +174,14 @@ impl DistanceField {
         best.filter(|path| path.distance <= self.bound)
     }
 
-    /// For queries at points of which consecutive ones are often in the same place.
+    /// For queries at points of which consecutive ones are often in the same triangle.
     pub(crate) fn cached_lookup(&self) -> CachedLookup<'_> {
         CachedLookup { field: self, last: None }
     }
 
     /// The ends of all known paths to a point: the shortest one, and others that are shortest nearby.
-    pub(crate) fn path_ends(&self, place: Place, p: DVec2) -> impl Iterator<Item = PathEnd> + '_ {
-        let seeing = self.windows_in(place).iter().filter(move |window| window.sees(p));
+    pub(crate) fn path_ends(&self, triangle: OutlineTriangle, p: DVec2) -> impl Iterator<Item = PathEnd> + '_ {
+        let seeing = self.windows_in(triangle).iter().filter(move |window| window.sees(p));
         seeing.map(move |window| PathEnd {
             distance: window.offset + window.source.distance(p),
             pseudo_source: window.source,
@@ -190,24 +190,24 @@ impl DistanceField {
     }
 
     /// The point halfway along the shortest path to a point, if the distance is within the bound.
-    pub(crate) fn halfway(&self, navigation: &Navigation, place: Place, p: DVec2) -> Option<DVec2> {
-        let mut path = self.path_end(place, p)?;
+    pub(crate) fn halfway(&self, navigation: &Navigation, triangle: OutlineTriangle, p: DVec2) -> Option<DVec2> {
+        let mut path = self.path_end(triangle, p)?;
         let (half, mut end) = (path.distance / 2.0, p);
         while path.offset > half {
             end = path.pseudo_source;
             // A corner lies in its own windows, too.
-            let before = navigation.around(end).flat_map(|place| self.path_ends(place, end));
+            let before = navigation.around(end).flat_map(|triangle| self.path_ends(triangle, end));
             let before = before.filter(|path| path.pseudo_source != end);
             path = before.reduce(|best, path| if path.distance < best.distance { path } else { best })?;
         }
         Some(path.pseudo_source.lerp(end, (half - path.offset) / (path.distance - path.offset)))
     }
 
-    /// The least distance to a point of the segment from `a` to `b`, which lies in one place; infinite beyond the bound and
+    /// The least distance to a point of the segment from `a` to `b`, which lies in one triangle; infinite beyond the bound and
     /// where no path leads.
-    pub(crate) fn distance_to_segment(&self, place: Place, a: DVec2, b: DVec2) -> f64 {
+    pub(crate) fn distance_to_segment(&self, triangle: OutlineTriangle, a: DVec2, b: DVec2) -> f64 {
         let mut best = f64::INFINITY;
-        for window in self.windows_in(place) {
+        for window in self.windows_in(triangle) {
             if window.nearest >= best {
                 break;
             }
@@ -225,8 +225,8 @@ impl DistanceField {
         (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.range_at(at))).filter(nearest)
     }
 
-    fn windows_in(&self, place: Place) -> &[Window] {
-        match self.triangles.binary_search_by_key(&place.0, |&(triangle, _)| triangle) {
+    fn windows_in(&self, triangle: OutlineTriangle) -> &[Window] {
+        match self.triangles.binary_search_by_key(&triangle.0, |&(triangle, _)| triangle) {
             Ok(at) => self.windows(self.range_at(at)),
             Err(_) => &[],
         }
@@ -244,21 +244,21 @@ impl DistanceField {
     }
 }
 
-/// Queries of a field that look up the windows of a place once for consecutive points.
+/// Queries of a field that look up the windows of a triangle once for consecutive points.
 pub(crate) struct CachedLookup<'a> {
     field: &'a DistanceField,
-    /// The last place and its windows.
-    last: Option<(Place, &'a [Window])>,
+    /// The last triangle and its windows.
+    last: Option<(OutlineTriangle, &'a [Window])>,
 }
 
 impl CachedLookup<'_> {
     /// As [`DistanceField::path_end`].
-    pub(crate) fn path_end(&mut self, place: Place, p: DVec2) -> Option<PathEnd> {
+    pub(crate) fn path_end(&mut self, triangle: OutlineTriangle, p: DVec2) -> Option<PathEnd> {
         let windows = match self.last {
-            Some((known, windows)) if known == place => windows,
-            _ => self.field.windows_in(place),
+            Some((known, windows)) if known == triangle => windows,
+            _ => self.field.windows_in(triangle),
         };
-        self.last = Some((place, windows));
+        self.last = Some((triangle, windows));
         self.field.path_end_in(windows, p)
     }
 }

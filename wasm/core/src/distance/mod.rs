@@ -21,5 +21,5 @@ mod propagate;
 
 pub use field::{DistanceField, PathEnd};
 pub(crate) use field::{WINDOW_SLACK, Window};
-pub use navigation::{Navigation, Place};
+pub use navigation::{Navigation, OutlineTriangle};
 pub use propagate::Propagation;

@@ -12,17 +12,17 @@ use crate::{
     triangulation::{Locator, NONE, Triangulation, depth_in},
 };
 
-/// The triangle of the navigation mesh that contains a given point.
+/// A triangle of the navigation mesh, of which a point that is asked for lies in one.
 ///
-/// Locating a point is the costly half of a distance query, so samples store their place.
+/// Locating a point is the costly half of a distance query, so samples store their triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place(pub(crate) u32);
+pub struct OutlineTriangle(pub(crate) u32);
 
 /// Turns smaller than this (sine of the angle) are straight: no path becomes shorter by bending there.
 const STRAIGHT: f64 = 1e-12;
 
-/// A point this far outside its place, in pixels, is not moved into it: windows allow for as much.
-const PLACE_SLACK: f64 = WINDOW_SLACK / 2.0;
+/// A point this far outside its triangle, in pixels, is not moved into it: windows allow for as much.
+const OUTSIDE_SLACK: f64 = WINDOW_SLACK / 2.0;
 /// A point this near to a corner, in pixels, is replaced by it: which of the edges that meet there it lies on would be
 /// decided by rounding.
 const ON_CORNER: f64 = 1e-8;
@@ -71,53 +71,53 @@ impl Navigation {
         Self { mesh, island, corners, fans, locator }
     }
 
-    /// The place of a point, or `None` outside the domain; up to a millionth of a pixel outside the outline counts as
+    /// The triangle of a point, or `None` outside the domain; up to a millionth of a pixel outside the outline counts as
     /// rounding.
     #[must_use]
-    pub fn place(&self, p: DVec2) -> Option<Place> {
-        self.locator.locate(&self.mesh, p).map(|t| Place(t as u32))
+    pub fn triangle_at(&self, p: DVec2) -> Option<OutlineTriangle> {
+        self.locator.locate(&self.mesh, p).map(|t| OutlineTriangle(t as u32))
     }
 
-    /// The place of a point from the caller, and the point inside it: moved onto the outline where it lies outside by no more
-    /// than [`place`](Self::place) allows. `None` outside.
+    /// The triangle of a point from the caller, and the point inside it: moved onto the outline where it lies outside by no more
+    /// than [`triangle_at`](Self::triangle_at) allows. `None` outside.
     #[must_use]
-    pub fn locate(&self, p: DVec2) -> Option<(Place, DVec2)> {
-        self.place(p).map(|place| (place, self.onto(place, p)))
+    pub fn locate(&self, p: DVec2) -> Option<(OutlineTriangle, DVec2)> {
+        self.triangle_at(p).map(|triangle| (triangle, self.onto(triangle, p)))
     }
 
-    /// The point of a place that is nearest to `p`, or the corner next to it. Usually `p` itself.
-    pub(crate) fn onto(&self, place: Place, p: DVec2) -> DVec2 {
-        let corners = self.mesh.corners(place.0 as usize);
+    /// The point of a triangle that is nearest to `p`, or the corner next to it. Usually `p` itself.
+    pub(crate) fn onto(&self, triangle: OutlineTriangle, p: DVec2) -> DVec2 {
+        let corners = self.mesh.corners(triangle.0 as usize);
         let edges = (0..3).map(|k| (corners[k], corners[(k + 1) % 3]));
         let beyond = edges.filter(|&(a, b)| (b - a).perp_dot(p - a) < 0.0);
         let nearer = |one: DVec2, other: DVec2| if other.distance(p) < one.distance(p) { other } else { one };
         let on_rim = beyond.map(|(a, b)| nearest_on_segment(p, a, b)).reduce(nearer);
-        let inside = on_rim.filter(|on_rim| on_rim.distance(p) > PLACE_SLACK).unwrap_or(p);
+        let inside = on_rim.filter(|on_rim| on_rim.distance(p) > OUTSIDE_SLACK).unwrap_or(p);
         corners.into_iter().find(|p| p.distance_squared(inside) <= ON_CORNER * ON_CORNER).unwrap_or(inside)
     }
 
-    /// Whether a point of a place lies, within rounding, on its border, and so perhaps in another place as well.
-    pub(crate) fn is_on_edge(&self, place: Place, p: DVec2) -> bool {
-        depth_in(self.mesh.corners(place.0 as usize), p) <= PLACE_SLACK
+    /// Whether a point of a triangle lies, within rounding, on its border, and so perhaps in another one as well.
+    pub(crate) fn is_on_edge(&self, triangle: OutlineTriangle, p: DVec2) -> bool {
+        depth_in(self.mesh.corners(triangle.0 as usize), p) <= OUTSIDE_SLACK
     }
 
-    /// The places that meet at a corner of the outline.
-    pub(crate) fn around(&self, corner: DVec2) -> impl Iterator<Item = Place> + '_ {
+    /// The triangles that meet at a corner of the outline.
+    pub(crate) fn around(&self, corner: DVec2) -> impl Iterator<Item = OutlineTriangle> + '_ {
         let is_corner = move |&v: &u32| self.mesh.vertices[v as usize] == corner;
-        let of_place = self.place(corner).map(|place| self.mesh.triangles[place.0 as usize]);
-        let known = of_place.into_iter().flatten().find(is_corner);
-        known.into_iter().flat_map(|v| self.fan(v as usize)).map(|&(t, _)| Place(t))
+        let of_triangle = self.triangle_at(corner).map(|triangle| self.mesh.triangles[triangle.0 as usize]);
+        let known = of_triangle.into_iter().flatten().find(is_corner);
+        known.into_iter().flat_map(|v| self.fan(v as usize)).map(|&(t, _)| OutlineTriangle(t))
     }
 
     /// All triangles with their corners.
-    pub(crate) fn triangles(&self) -> impl Iterator<Item = (Place, [DVec2; 3])> + '_ {
-        (0..self.mesh.triangles.len()).map(|t| (Place(t as u32), self.mesh.corners(t)))
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = (OutlineTriangle, [DVec2; 3])> + '_ {
+        (0..self.mesh.triangles.len()).map(|t| (OutlineTriangle(t as u32), self.mesh.corners(t)))
     }
 
-    /// Index of the connected part of the domain that a place lies in.
+    /// Index of the connected part of the domain that a triangle lies in.
     #[must_use]
-    pub fn island_of(&self, place: Place) -> usize {
-        self.island[place.0 as usize] as usize
+    pub fn island_of(&self, triangle: OutlineTriangle) -> usize {
+        self.island[triangle.0 as usize] as usize
     }
 
     /// Number of connected parts.

@@ -13,7 +13,7 @@ use glam::DVec2;
 
 use super::{
     field::{DistanceField, Window},
-    navigation::{Navigation, Place},
+    navigation::{Navigation, OutlineTriangle},
 };
 use crate::{error::Error, min_entry::MinEntry, segment::segment_distance, triangulation::NONE};
 
@@ -48,12 +48,18 @@ type Event = MinEntry<u32>;
 const CORNER: u32 = 1 << 31;
 
 impl Propagation {
-    /// Exact distances from `source`, which lies in `place`, up to `bound` pixels (infinite for all).
+    /// Exact distances from `source`, which lies in `triangle`, up to `bound` pixels (infinite for all).
     #[must_use]
-    pub fn field(&mut self, navigation: &Navigation, place: Place, source: DVec2, bound: f64) -> DistanceField {
-        let source = navigation.onto(place, source);
+    pub fn field(
+        &mut self,
+        navigation: &Navigation,
+        triangle: OutlineTriangle,
+        source: DVec2,
+        bound: f64,
+    ) -> DistanceField {
+        let source = navigation.onto(triangle, source);
         self.reset(navigation.mesh.vertices.len());
-        self.start(navigation, place, source, bound);
+        self.start(navigation, triangle, source, bound);
         while let Some(MinEntry { key: distance, item: what }) = self.queue.pop() {
             if what < CORNER {
                 self.cross(navigation, self.pending[what as usize], bound);
@@ -69,11 +75,11 @@ impl Propagation {
     /// # Errors
     /// [`Error::PointOutside`] where the first point lies outside the domain.
     pub fn distances(&mut self, navigation: &Navigation, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
-        let (place, from) = navigation.locate(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
-        let field = self.field(navigation, place, from, f64::INFINITY);
+        let (triangle, from) = navigation.locate(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
+        let field = self.field(navigation, triangle, from, f64::INFINITY);
         let distance = |&p: &DVec2| {
-            let (place, p) = navigation.locate(p)?;
-            let d = field.distance(place, p);
+            let (triangle, p) = navigation.locate(p)?;
+            let d = field.distance(triangle, p);
             d.is_finite().then_some(d)
         };
         Ok(at.iter().map(distance).collect())
@@ -95,9 +101,9 @@ impl Propagation {
 
     /// Opens windows over all of the triangle that contains the source and out of it; also over those across an edge or
     /// corner that the source lies on.
-    fn start(&mut self, navigation: &Navigation, place: Place, source: DVec2, bound: f64) {
+    fn start(&mut self, navigation: &Navigation, triangle: OutlineTriangle, source: DVec2, bound: f64) {
         let mesh = &navigation.mesh;
-        let mut around = vec![place.0];
+        let mut around = vec![triangle.0];
         let mut next = 0;
         while let Some(&t) = around.get(next) {
             next += 1;
@@ -331,21 +337,21 @@ mod tests {
             let share = (libm::exp10(along) / corner.distance(other)).min(0.5);
             let beside = across.map_or(0.0, libm::exp10) * (other - corner).normalize().perp();
             let source = corner.lerp(other, share) + beside;
-            let Some(place) = navigation.place(source) else { return Ok(()) };
-            let field = Propagation::default().field(&navigation, place, source, f64::INFINITY);
+            let Some(triangle) = navigation.triangle_at(source) else { return Ok(()) };
+            let field = Propagation::default().field(&navigation, triangle, source, f64::INFINITY);
             for (t, neighbours) in mesh.neighbours.iter().enumerate() {
                 let corners = mesh.corners(t);
                 for k in (0..3).filter(|&k| neighbours[k] != NONE) {
                     for share in [0.0, 1e-6, 1e-3, 0.2, 0.4, 0.6, 0.8, 1.0] {
                         let p = corners[k].lerp(corners[(k + 1) % 3], share);
-                        let [here, there] = [t as u32, neighbours[k]].map(|t| field.distance(Place(t), p));
+                        let [here, there] = [t as u32, neighbours[k]].map(|t| field.distance(OutlineTriangle(t), p));
                         // Both may cut a corner by a billionth of a pixel.
                         prop_assert!((here - there).abs() < 1e-7, "{source} → {p}: {here} and {there}");
                     }
                 }
             }
             for (corner, k) in mesh.vertices.iter().flat_map(|&corner| (0..8).map(move |k| (corner, k))) {
-                let distance = |p: DVec2| navigation.locate(p).map(|(place, p)| field.distance(place, p));
+                let distance = |p: DVec2| navigation.locate(p).map(|(triangle, p)| field.distance(triangle, p));
                 let at_corner = distance(corner).expect("a corner of the domain");
                 for away in [1e-12, 1e-10, 3e-9, 1e-7, 9e-7] {
                     let (sin, cos) = libm::sincos(std::f64::consts::FRAC_PI_4 * f64::from(k));

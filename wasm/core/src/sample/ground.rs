@@ -42,8 +42,8 @@ impl Ground {
         let Outline { mut vertices, segments, rings } = Outline::new(domain, spacing);
         let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
         let mut inner = lattice::inner_points(domain, bones, spacing, &vertices, &segments);
-        // Consecutive samples then often lie in the same place.
-        inner.sort_by_cached_key(|&p| navigation.place(p).map(|place| place.0));
+        // Consecutive samples then often lie in the same triangle of the outline.
+        inner.sort_by_cached_key(|&p| navigation.triangle_at(p).map(|triangle| triangle.0));
         vertices.extend(inner);
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
         let locator = Arc::new(Locator::new(&mesh));
@@ -65,10 +65,10 @@ impl Ground {
     ///
     /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex; for finer lattices that of [`refine`].
     pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
-        let Samples { mesh, places, outline, rim, spacing, .. } = &self.samples;
+        let Samples { mesh, outline_triangles, outline, rim, spacing, .. } = &self.samples;
         let mut samples = Samples {
             mesh: mesh.with_capacity_for(sites.len() + rim.vertices.len()),
-            places: places.clone(),
+            outline_triangles: outline_triangles.clone(),
             outline: outline.clone(),
             rim: Rim::default(),
             at_sites: Vec::new(),
@@ -105,8 +105,8 @@ fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: 
         let (ring, edge) = at.expect("what bounds the mesh is the outline");
         samples.outline[ring].insert(edge + 1, vertex);
     }
-    if samples.places.len() < samples.mesh.vertices.len() {
-        samples.places.push(navigation.place(p).expect("samples lie in the domain"));
+    if samples.outline_triangles.len() < samples.mesh.vertices.len() {
+        samples.outline_triangles.push(navigation.triangle_at(p).expect("samples lie in the domain"));
     }
     inserted.vertex()
 }

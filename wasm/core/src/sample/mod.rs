@@ -15,7 +15,7 @@ mod scouts;
 use glam::DVec2;
 
 use crate::{
-    distance::{Navigation, Place},
+    distance::{Navigation, OutlineTriangle},
     domain::Domain,
     triangulation::Triangulation,
 };
@@ -30,8 +30,8 @@ pub(crate) use scouts::{Scouts, scouts_wanted};
 pub struct Samples {
     /// The mesh over the samples.
     pub mesh: Triangulation,
-    /// The place of each sample on the navigation mesh.
-    pub places: Vec<Place>,
+    /// The triangle of the navigation mesh that each sample lies in.
+    pub outline_triangles: Vec<OutlineTriangle>,
     /// Chains of samples along the outline, as closed rings in the order of the domain's rings.
     pub outline: Vec<Vec<u32>>,
     /// The sample at each point handle; empty where the caller's mesh provides the samples.
@@ -63,9 +63,9 @@ impl Samples {
         outline: Vec<Vec<u32>>,
         spacing: f64,
     ) -> Self {
-        let place = |&p: &DVec2| navigation.place(p).expect("samples lie in the domain");
-        let places = mesh.vertices.iter().map(place).collect();
-        Self { mesh, places, outline, at_sites: Vec::new(), rim: Rim::default(), spacing }
+        let triangle = |&p: &DVec2| navigation.triangle_at(p).expect("samples lie in the domain");
+        let outline_triangles = mesh.vertices.iter().map(triangle).collect();
+        Self { mesh, outline_triangles, outline, at_sites: Vec::new(), rim: Rim::default(), spacing }
     }
 
     /// Number of samples.

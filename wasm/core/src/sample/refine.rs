@@ -74,7 +74,7 @@ impl Patch {
             self.rivals.iter().all(|rival| is_own(rival, p))
                 && near.around(p, clearance).all(|q| p.distance(q) >= clearance)
                 && walls.iter().all(|&(a, b)| segment_distance(p, a, b) >= clearance)
-                && navigation.place(p).is_some()
+                && navigation.triangle_at(p).is_some()
         };
         self.nodes().filter(is_clear).collect()
     }

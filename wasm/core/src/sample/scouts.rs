@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::{Ground, Samples};
 use crate::{
-    distance::{Navigation, Place, graph::Graph},
+    distance::{Navigation, OutlineTriangle, graph::Graph},
     domain::Domain,
     rows::Rows,
     triangulation::{Locator, Triangulation},
@@ -31,8 +31,8 @@ pub(crate) fn scouts_wanted(samples: usize, density: usize) -> usize {
 #[derive(Debug)]
 pub(crate) struct Scouts {
     pub(crate) mesh: Triangulation,
-    /// The place of each scout on the navigation mesh.
-    pub(crate) places: Vec<Place>,
+    /// The triangle of the navigation mesh that each scout lies in.
+    pub(crate) outline_triangles: Vec<OutlineTriangle>,
     /// Edges of the mesh.
     pub(crate) graph: Graph,
     /// Triangles around each scout.
@@ -48,7 +48,7 @@ pub(crate) struct Scouts {
 impl Scouts {
     /// The scouts of a scene with these point handles.
     pub(crate) fn new(ground: &Ground, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Self {
-        let Samples { mesh, places, .. } = ground.with_sites(domain, navigation, sites);
+        let Samples { mesh, outline_triangles, .. } = ground.with_sites(domain, navigation, sites);
         let graph = Graph::of_mesh(&mesh);
         let longest = |v: usize| {
             let lengths = graph.of(v).iter().map(|&n| mesh.vertices[v].distance_squared(mesh.vertices[n as usize]));
@@ -58,7 +58,7 @@ impl Scouts {
         let longest_edge = reach.iter().copied().fold(0.0, f64::max);
         let fans = fans(&mesh);
         let locator = Arc::clone(&ground.locator);
-        Self { mesh, places, graph, fans, reach, longest_edge, locator }
+        Self { mesh, outline_triangles, graph, fans, reach, longest_edge, locator }
     }
 
     /// The triangles around a scout.

@@ -42,7 +42,7 @@ impl Contacts {
         let new = &regions.sites[self.sites..];
         let closes = |site: &Site, contact: &FarPoint| {
             site.rest.distance(contact.at) < contact.distance
-                && site.field.distance(contact.place, contact.at) < contact.distance
+                && site.field.distance(contact.triangle, contact.at) < contact.distance
         };
         self.list.retain(|contact| !new.iter().any(|site| closes(site, contact)));
         self.sites = regions.sites.len();
@@ -92,9 +92,9 @@ impl Regions<'_> {
         let real = self.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
         let grid = Grid::new(side, real.map(|(at, site)| (site.rest, at)));
         let nearest = |scout: usize| {
-            let (place, p) = (self.scouts.places[scout], self.scouts.mesh.vertices[scout]);
+            let (triangle, p) = (self.scouts.outline_triangles[scout], self.scouts.mesh.vertices[scout]);
             let within = self.cells.distance[scout] * (1.0 + TIE);
-            let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(place, p) <= within;
+            let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(triangle, p) <= within;
             let mut near: Vec<usize> = grid.around(p, within).filter(|&at| is_near(&self.sites[at])).collect();
             near.sort_unstable();
             near
@@ -110,26 +110,26 @@ impl Regions<'_> {
     fn between(&self, scouts: [usize; 2], s: &Site, t: &Site) -> DVec2 {
         let [a, b] = scouts.map(|scout| self.scouts.mesh.vertices[scout]);
         // By how much the other site is farther: both nearly linear along the edge.
-        let off_a = t.field.distance(self.scouts.places[scouts[0]], a) - self.cells.distance[scouts[0]];
-        let off_b = s.field.distance(self.scouts.places[scouts[1]], b) - self.cells.distance[scouts[1]];
+        let off_a = t.field.distance(self.scouts.outline_triangles[scouts[0]], a) - self.cells.distance[scouts[0]];
+        let off_b = s.field.distance(self.scouts.outline_triangles[scouts[1]], b) - self.cells.distance[scouts[1]];
         let share = off_a / (off_a + off_b);
         a.lerp(b, if share.is_finite() { share } else { 0.5 })
     }
 
     /// The point near another that is as far from one site as from the other, if there is nothing virtual nearer.
     fn on_border(&self, mut p: DVec2, s: &Site, t: &Site) -> Option<FarPoint> {
-        let mut place = self.navigation.place(p)?;
+        let mut triangle = self.navigation.triangle_at(p)?;
         for _ in 0..STEPS {
-            let [(to_s, from_s), (to_t, from_t)] = [s.field.slope(place, p)?, t.field.slope(place, p)?];
+            let [(to_s, from_s), (to_t, from_t)] = [s.field.slope(triangle, p)?, t.field.slope(triangle, p)?];
             let apart = from_s - from_t;
             if apart.length_squared() < ALONG {
                 break;
             }
             p -= (to_s - to_t) * apart / apart.length_squared();
-            place = self.navigation.place(p)?;
+            triangle = self.navigation.triangle_at(p)?;
         }
-        let (distance, site) = self.nearest(place, p)?;
-        site.kind.is_real().then_some(FarPoint { at: p, place, distance })
+        let (distance, site) = self.nearest(triangle, p)?;
+        site.kind.is_real().then_some(FarPoint { at: p, triangle, distance })
     }
 }
 
@@ -163,8 +163,8 @@ mod tests {
         let free = [(30.0, 120.0), (170.0, 120.0)].map(|p| (DVec2::from(p), SiteKind::Virtual));
         let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
         for (p, kind) in (0..).zip(&points).map(point).chain(free) {
-            let (place, p) = navigation.locate(p).expect("inside");
-            regions.insert(p, place, kind);
+            let (triangle, p) = navigation.locate(p).expect("inside");
+            regions.insert(p, triangle, kind);
         }
         let all: Vec<u32> = (0..scouts.len() as u32).collect();
         let nearest = regions.nearest_handles(&all);
@@ -172,7 +172,8 @@ mod tests {
         for scout in all {
             let at = scout as usize;
             let within = regions.cells.distance[at] * (1.0 + TIE);
-            let is_near = |site: &Site| site.field.distance(scouts.places[at], scouts.mesh.vertices[at]) <= within;
+            let is_near =
+                |site: &Site| site.field.distance(scouts.outline_triangles[at], scouts.mesh.vertices[at]) <= within;
             let real = |&at: &usize| regions.sites[at].kind.is_real() && is_near(&regions.sites[at]);
             let plain: Vec<usize> = (0..regions.sites.len()).filter(real).collect();
             assert_eq!(nearest[&scout], plain, "scout {scout}");

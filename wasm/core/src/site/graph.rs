@@ -43,7 +43,7 @@ impl SiteGraph {
                     continue;
                 }
                 let (larger, smaller) = if a.cell_radius >= b.cell_radius { (a, b) } else { (b, a) };
-                let x = larger.field.distance(smaller.place, smaller.rest) / limit;
+                let x = larger.field.distance(smaller.triangle, smaller.rest) / limit;
                 if x < 1.0 && !skeleton.separates(a.rest, b.rest) {
                     let falling = 1.0 - x * x;
                     graph.links.push([i as u32, j as u32]);

@@ -21,7 +21,7 @@ mod visit_stamps;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use crate::distance::{DistanceField, Place};
+use crate::distance::{DistanceField, OutlineTriangle};
 
 pub use crate::limits::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION};
 pub use graph::SiteGraph;
@@ -77,9 +77,9 @@ impl SiteKind {
 
 /// The site of a point handle that is about to be inserted.
 #[derive(Debug)]
-pub(crate) struct PointSite<P = Place> {
+pub(crate) struct PointSite<P = OutlineTriangle> {
     pub(crate) rest: DVec2,
-    pub(crate) place: P,
+    pub(crate) triangle: P,
     /// Index of the handle in the project.
     pub(crate) handle: u32,
 }
@@ -109,7 +109,7 @@ pub struct Site {
     /// without end. So the cell may reach a little farther. The supports of the two bones, which may overlap, cover the rest.
     pub(crate) in_nook: bool,
     pub(crate) island: usize,
-    pub(crate) place: Place,
+    pub(crate) triangle: OutlineTriangle,
     pub(crate) field: DistanceField,
 }
 

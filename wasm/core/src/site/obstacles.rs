@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::{Regions, Site, SiteKind};
 use crate::{
     bone::{Skeleton, Track},
-    distance::{DistanceField, Place},
+    distance::{DistanceField, OutlineTriangle},
     domain::Domain,
     segment::nearest_on_segment,
 };
@@ -44,21 +44,27 @@ pub(super) struct Room {
 
 impl Regions<'_> {
     /// The room of a site about to be inserted, with its field; that of all others is updated.
-    pub(super) fn make_room(&mut self, rest: DVec2, place: Place, kind: SiteKind, field: &DistanceField) -> Room {
-        let (island, body) = (self.navigation.island_of(place), self.body(kind));
-        let (separation, mut clearance) = self.update_separations(rest, place, kind);
+    pub(super) fn make_room(
+        &mut self,
+        rest: DVec2,
+        triangle: OutlineTriangle,
+        kind: SiteKind,
+        field: &DistanceField,
+    ) -> Room {
+        let (island, body) = (self.navigation.island_of(triangle), self.body(kind));
+        let (separation, mut clearance) = self.update_separations(rest, triangle, kind);
         clearance = self.distance_to_bones(field, island, body, clearance);
         if let Some(held) = self.obstacles.held.filter(|_| body != Some(BOUNDARY)) {
             clearance = clearance.min(held.distance_to_outline(rest));
         }
-        let in_nook = body.is_none() && self.is_in_nook(rest, place, NOOK_RATIO * clearance);
+        let in_nook = body.is_none() && self.is_in_nook(rest, triangle, NOOK_RATIO * clearance);
         Room { separation: separation.min(clearance), clearance, in_nook }
     }
 
     /// Updates the separation and clearance of all sites for a site about to be inserted. Returns its distance to the nearest
     /// site outside its body, and to the nearest real one.
-    fn update_separations(&mut self, rest: DVec2, place: Place, kind: SiteKind) -> (f64, f64) {
-        let (island, body) = (self.navigation.island_of(place), self.body(kind));
+    fn update_separations(&mut self, rest: DVec2, triangle: OutlineTriangle, kind: SiteKind) -> (f64, f64) {
+        let (island, body) = (self.navigation.island_of(triangle), self.body(kind));
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
         for at in 0..self.sites.len() {
             if !self.is_obstacle(at, island, body) {
@@ -67,7 +73,7 @@ impl Regions<'_> {
             let site = &mut self.sites[at];
             let straight = site.rest.distance(rest);
             if straight < site.separation.max(separation).max(site.clearance).max(clearance) {
-                let d = site.field.distance(place, rest);
+                let d = site.field.distance(triangle, rest);
                 site.separation = site.separation.min(d);
                 separation = separation.min(d);
                 if kind.is_real() {
@@ -100,7 +106,7 @@ impl Regions<'_> {
     }
 
     /// Whether a place lies between two bones that meet, both no farther than `within`.
-    pub(super) fn is_in_nook(&mut self, p: DVec2, place: Place, within: f64) -> bool {
+    pub(super) fn is_in_nook(&mut self, p: DVec2, triangle: OutlineTriangle, within: f64) -> bool {
         let bones = &self.obstacles.skeleton.bones;
         let near: Vec<(usize, DVec2)> = bones
             .iter()
@@ -115,7 +121,7 @@ impl Regions<'_> {
         let opposite: Vec<usize> = near.iter().filter(is_opposite).map(|&(at, _)| at).collect();
         // Excludes bones behind a hole.
         !opposite.is_empty() && {
-            let field = self.field(p, place, within);
+            let field = self.field(p, triangle, within);
             opposite.iter().all(|&at| self.obstacles.tracks[at].distance(&field) <= within)
         }
     }
@@ -125,17 +131,17 @@ impl Regions<'_> {
     ///
     /// Sites of one body do not limit one another, so the nearest other site may be many cells away.
     pub(crate) fn extend_field(&mut self, site: usize, reach: f64) {
-        let Site { rest, place, island, kind, separation, clearance, .. } = self.sites[site];
+        let Site { rest, triangle, island, kind, separation, clearance, .. } = self.sites[site];
         if reach <= self.sites[site].field.bound() {
             return;
         }
-        let field = self.field(rest, place, reach);
+        let field = self.field(rest, triangle, reach);
         let body = self.body(kind);
         let (mut separation, mut clearance) = (separation, self.distance_to_bones(&field, island, body, clearance));
         for (at, other) in self.sites.iter().enumerate() {
             if at != site && self.is_obstacle(at, island, body) && other.rest.distance(rest) < separation.max(clearance)
             {
-                let d = field.distance(other.place, other.rest);
+                let d = field.distance(other.triangle, other.rest);
                 separation = separation.min(d);
                 if other.kind.is_real() {
                     clearance = clearance.min(d);

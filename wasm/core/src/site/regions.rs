@@ -13,7 +13,7 @@ use super::{
     visit_stamps::VisitStamps,
 };
 use crate::{
-    distance::{DistanceField, Navigation, Place, Propagation},
+    distance::{DistanceField, Navigation, OutlineTriangle, Propagation},
     sample::Scouts,
 };
 
@@ -62,20 +62,20 @@ impl<'a> Regions<'a> {
     }
 
     /// Inserts a site at a point of the domain.
-    pub(crate) fn insert(&mut self, rest: DVec2, place: Place, kind: SiteKind) {
-        let island = self.navigation.island_of(place);
+    pub(crate) fn insert(&mut self, rest: DVec2, triangle: OutlineTriangle, kind: SiteKind) {
+        let island = self.navigation.island_of(triangle);
         // No scout of the island is farther than this from its nearest site, so the new cell reaches no farther either.
         let island_sites = (0..self.sites.len()).filter(|&i| self.sites[i].island == island);
         let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
         let reaches_beyond_cell = kind.is_real() || !self.obstacles.tracks.is_empty();
         let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
         let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.scouts.longest_edge));
-        let field = self.field(rest, place, bound);
-        let Room { separation, clearance, in_nook } = self.make_room(rest, place, kind, &field);
+        let field = self.field(rest, triangle, bound);
+        let Room { separation, clearance, in_nook } = self.make_room(rest, triangle, kind, &field);
         let scouts = self.scouts;
         let home = scouts.triangle_at(rest);
         let mut lookup = field.cached_lookup();
-        let path_end = |at: usize| lookup.path_end(scouts.places[at], scouts.mesh.vertices[at]);
+        let path_end = |at: usize| lookup.path_end(scouts.outline_triangles[at], scouts.mesh.vertices[at]);
         self.cells.insert(scouts, scouts.mesh.triangles[home], path_end);
         self.sites.push(Site {
             rest,
@@ -86,7 +86,7 @@ impl<'a> Regions<'a> {
             support_radius: 0.0,
             in_nook,
             island,
-            place,
+            triangle,
             field,
         });
         let mut pieces = std::mem::take(&mut self.pieces);
@@ -98,8 +98,8 @@ impl<'a> Regions<'a> {
     }
 
     /// The distance field of a point, up to a bound.
-    pub(super) fn field(&mut self, from: DVec2, place: Place, bound: f64) -> DistanceField {
-        self.propagation.field(self.navigation, place, from, bound)
+    pub(super) fn field(&mut self, from: DVec2, triangle: OutlineTriangle, bound: f64) -> DistanceField {
+        self.propagation.field(self.navigation, triangle, from, bound)
     }
 
     /// Sets the cell radii of all sites.
@@ -118,10 +118,10 @@ impl<'a> Regions<'a> {
     }
 
     /// The nearest site of a point, and its distance; `None` on an island without sites.
-    pub(crate) fn nearest(&self, place: Place, p: DVec2) -> Option<(f64, &Site)> {
+    pub(crate) fn nearest(&self, triangle: OutlineTriangle, p: DVec2) -> Option<(f64, &Site)> {
         self.sites.iter().fold(None, |nearest, site| {
             let known = nearest.map_or(f64::INFINITY, |(known, _)| known);
-            let distance = if site.rest.distance(p) < known { site.field.distance(place, p) } else { f64::INFINITY };
+            let distance = if site.rest.distance(p) < known { site.field.distance(triangle, p) } else { f64::INFINITY };
             if distance < known { Some((distance, site)) } else { nearest }
         })
     }

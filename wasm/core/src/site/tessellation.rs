@@ -17,7 +17,7 @@ use glam::DVec2;
 
 use super::{PointSite, Regions, SiteKind, TIE, chain::Chain, farthest::FarPoint};
 use crate::{
-    distance::{Navigation, Place},
+    distance::{Navigation, OutlineTriangle},
     domain::Domain,
     error::Error,
     limits::MAX_SITES,
@@ -33,7 +33,7 @@ const NEAR_ENOUGH: f64 = 0.05;
 /// A site about to be inserted.
 struct NewSite {
     rest: DVec2,
-    place: Place,
+    triangle: OutlineTriangle,
     kind: SiteKind,
     /// The chain that the site belongs to, and its arc length there.
     on_chain: Option<(usize, f64)>,
@@ -42,8 +42,8 @@ struct NewSite {
 impl NewSite {
     fn of_chain(navigation: &Navigation, (at, chain): (usize, &Chain), length: f64) -> Self {
         let rest = chain.at(length);
-        let place = navigation.place(rest).expect("lines lie in the domain");
-        Self { rest, place, kind: chain.kind, on_chain: Some((at, length)) }
+        let triangle = navigation.triangle_at(rest).expect("lines lie in the domain");
+        Self { rest, triangle, kind: chain.kind, on_chain: Some((at, length)) }
     }
 }
 
@@ -62,9 +62,9 @@ impl Regions<'_> {
         let rings = self.obstacles.held.map_or(&[][..], Domain::rings);
         let outline = rings.iter().map(|ring| Chain::new(SiteKind::Boundary, ring.clone(), true));
         self.chains = bones.chain(outline).collect();
-        let of_points = points.iter().map(|&PointSite { rest, place, handle }| {
+        let of_points = points.iter().map(|&PointSite { rest, triangle, handle }| {
             let kind = SiteKind::Point { handle };
-            NewSite { rest, place, kind, on_chain: None }
+            NewSite { rest, triangle, kind, on_chain: None }
         });
         let of_chains = self.chains.iter().enumerate().flat_map(|chain| {
             let lengths = chain.1.start().into_iter();
@@ -108,7 +108,12 @@ impl Regions<'_> {
             let encroached = self.encroached_on(point);
             if encroached.is_empty() {
                 count += 1;
-                sites.push(NewSite { rest: point.at, place: point.place, kind: SiteKind::Virtual, on_chain: None });
+                sites.push(NewSite {
+                    rest: point.at,
+                    triangle: point.triangle,
+                    kind: SiteKind::Virtual,
+                    on_chain: None,
+                });
             }
             for (chain, length) in encroached {
                 sites.push(NewSite::of_chain(self.navigation, (chain, &self.chains[chain]), length));
@@ -122,7 +127,7 @@ impl Regions<'_> {
     /// Several where they are equally near, on one chain or on many.
     fn encroached_on(&mut self, point: &FarPoint) -> Vec<(usize, f64)> {
         // In a nook the sites of bones bound the cell, so they come first.
-        let is_in_nook = self.is_in_nook(point.at, point.place, point.distance);
+        let is_in_nook = self.is_in_nook(point.at, point.triangle, point.distance);
         let (clear, there) =
             (if is_in_nook { 1.0 } else { LINE_CLEARANCE } * point.distance, NEAR_ENOUGH * point.distance);
         let mut near: Vec<(usize, f64, f64)> = Vec::new();
@@ -136,7 +141,7 @@ impl Regions<'_> {
         if near.is_empty() {
             return Vec::new();
         }
-        let field = self.field(point.at, point.place, clear);
+        let field = self.field(point.at, point.triangle, clear);
         for (at, _, distance) in &mut near {
             // The straight line to the nearest point of the outline is not obstructed.
             if let SiteKind::Bone { bone, .. } = self.chains[*at].kind {
@@ -153,13 +158,13 @@ impl Regions<'_> {
             return Err(Error::TooManySites);
         }
         sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
-        for NewSite { rest, place, kind, on_chain } in sites {
+        for NewSite { rest, triangle, kind, on_chain } in sites {
             if let Some((chain, length)) = on_chain {
                 let sites = &mut self.chains[chain].sites;
                 let at = sites.partition_point(|&(known, _)| known < length);
                 sites.insert(at, (length, self.sites.len()));
             }
-            self.insert(rest, place, kind);
+            self.insert(rest, triangle, kind);
         }
         Ok(())
     }

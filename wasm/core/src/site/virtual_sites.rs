@@ -179,8 +179,8 @@ fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
 
 /// A point with its distance to the nearest site, if it lies in the domain.
 fn point_at(regions: &Regions, at: DVec2) -> Option<FarPoint> {
-    let place = regions.navigation.place(at)?;
-    regions.nearest(place, at).map(|(distance, _)| FarPoint { at, place, distance })
+    let triangle = regions.navigation.triangle_at(at)?;
+    regions.nearest(triangle, at).map(|(distance, _)| FarPoint { at, triangle, distance })
 }
 
 /// The points of a group that are nearest to its mean.
@@ -192,6 +192,6 @@ fn innermost(group: &[FarPoint], middle: DVec2) -> Vec<FarPoint> {
 
 /// The midpoint of the shortest path between two points that crowd each other; `None` where the path is too long.
 fn halfway(regions: &mut Regions, one: FarPoint, other: FarPoint) -> Option<FarPoint> {
-    let field = regions.field(one.at, one.place, CROWDED * one.distance.min(other.distance));
-    point_at(regions, field.halfway(regions.navigation, other.place, other.at)?)
+    let field = regions.field(one.at, one.triangle, CROWDED * one.distance.min(other.distance));
+    point_at(regions, field.halfway(regions.navigation, other.triangle, other.at)?)
 }

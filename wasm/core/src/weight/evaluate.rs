@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     bone::Skeleton,
-    distance::{Navigation, Place},
+    distance::{Navigation, OutlineTriangle},
     rows::Rows,
     sample::Samples,
     site::Site,
@@ -67,10 +67,10 @@ impl WeightFunctions {
     /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, behind a hole for
     /// example, weights have a crease and several gradients: their mean is returned.
     #[must_use]
-    pub fn at(&self, sites: &[Site], place: Place, p: DVec2) -> Vec<Influence> {
+    pub fn at(&self, sites: &[Site], triangle: OutlineTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
-        for Reaching { site, windows } in self.reaching_in(place) {
+        for Reaching { site, windows } in self.reaching_in(triangle) {
             let &Site { rest, support_radius: radius, ref field, .. } = &sites[*site as usize];
             if rest.distance_squared(p) >= radius * radius {
                 continue;
@@ -98,12 +98,13 @@ impl WeightFunctions {
         &self,
         navigation: &Navigation,
         sites: &[Site],
-        (place, p): (Place, DVec2),
+        (triangle, p): (OutlineTriangle, DVec2),
         step: f64,
     ) -> Vec<Influence> {
-        let mut here = self.at(sites, place, p);
+        let mut here = self.at(sites, triangle, p);
         // Beside a sharp corner a point may be moved by more than a step when it is located.
-        let at = |q: DVec2| navigation.locate(q).map_or((p, here.clone()), |(place, q)| (q, self.at(sites, place, q)));
+        let at =
+            |q: DVec2| navigation.locate(q).map_or((p, here.clone()), |(triangle, q)| (q, self.at(sites, triangle, q)));
         let [left, right, above, below] = [-DVec2::X, DVec2::X, -DVec2::Y, DVec2::Y].map(|axis| at(p + step * axis));
         let slope = |(from, before): &(DVec2, Vec<Influence>), (to, after): &(DVec2, Vec<Influence>), site: usize| {
             let weight = |list: &[Influence]| list.iter().find(|one| one.site == site).map_or(0.0, |one| one.weight);
@@ -120,17 +121,17 @@ impl WeightFunctions {
     ///
     /// Cost: see [`sweep`]; a look at every site for each sample that no support covers, of which there should be none.
     pub(crate) fn of_samples(&self, navigation: &Navigation, sites: &[Site], samples: &Samples) -> Swept {
-        let mut swept = sweep(sites, samples, &self.basis, |place| {
-            let reaching = self.reaching_in(place).iter();
+        let mut swept = sweep(sites, samples, &self.basis, |triangle| {
+            let reaching = self.reaching_in(triangle).iter();
             reaching.map(|Reaching { site, windows }| (*site, sites[*site as usize].field.windows(windows.clone())))
         });
         self.sharing.share_out_rows(&samples.mesh.vertices, &mut swept.weights);
         let islands: HashSet<usize> = sites.iter().map(|site| site.island).collect();
         for sample in (0..samples.len()).filter(|&sample| swept.sums[sample] == 0.0) {
-            let (place, p) = (samples.places[sample], samples.mesh.vertices[sample]);
-            if islands.contains(&navigation.island_of(place)) {
+            let (triangle, p) = (samples.outline_triangles[sample], samples.mesh.vertices[sample]);
+            if islands.contains(&navigation.island_of(triangle)) {
                 // Fields reach over their cells.
-                let distances = (0..).zip(sites).map(|(number, site)| (site.field.distance(place, p), number));
+                let distances = (0..).zip(sites).map(|(number, site)| (site.field.distance(triangle, p), number));
                 let nearest =
                     distances.fold((f64::INFINITY, NONE), |least, one| if one.0 < least.0 { one } else { least });
                 swept.nearest[sample] = nearest.1;
@@ -139,8 +140,8 @@ impl WeightFunctions {
         swept
     }
 
-    fn reaching_in(&self, place: Place) -> &[Reaching] {
-        self.reaching.row(place.0 as usize)
+    fn reaching_in(&self, triangle: OutlineTriangle) -> &[Reaching] {
+        self.reaching.row(triangle.0 as usize)
     }
 }
 

@@ -2,16 +2,16 @@
 
 use glam::DVec2;
 
-use crate::distance::{DistanceField, PathEnd, Place};
+use crate::distance::{DistanceField, OutlineTriangle, PathEnd};
 
 /// The paths to the corners; `None` where none leads, or only one beyond the field's bound.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CornerPaths(pub(super) [Option<PathEnd>; 3]);
 
 impl CornerPaths {
-    pub(super) fn new(field: &DistanceField, corners: &[DVec2; 3], places: &[Place; 3]) -> Self {
+    pub(super) fn new(field: &DistanceField, corners: &[DVec2; 3], outline_triangles: &[OutlineTriangle; 3]) -> Self {
         let mut field = field.cached_lookup();
-        Self([0, 1, 2].map(|k| field.path_end(places[k], corners[k])))
+        Self([0, 1, 2].map(|k| field.path_end(outline_triangles[k], corners[k])))
     }
 
     /// Those to the corners of a part: 0 to 2 are the corners of the whole, 3 to 5 those of the triangle between their midpoints.

@@ -17,18 +17,18 @@ mod triangles;
 use glam::DVec2;
 
 use super::{Regions, Site};
-use crate::distance::Place;
+use crate::distance::OutlineTriangle;
 
 pub(crate) use pieces::Pieces;
 
 /// Points no farther apart than this share of their distance are one point found twice.
 pub(super) const SAME_POINT: f64 = 1e-8;
 
-/// A point of the domain, its place, and the distance to the nearest site.
+/// A point of the domain, its triangle of the outline, and the distance to the nearest site.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FarPoint {
     pub(super) at: DVec2,
-    pub(super) place: Place,
+    pub(super) triangle: OutlineTriangle,
     pub(super) distance: f64,
 }
 
@@ -85,7 +85,7 @@ impl Regions<'_> {
     pub(super) fn keep_far_points(&mut self) {
         let Some(Site { rest, field, .. }) = self.sites.last() else { return };
         let kept = |point: &FarPoint| {
-            rest.distance(point.at) >= point.distance || field.distance(point.place, point.at) >= point.distance
+            rest.distance(point.at) >= point.distance || field.distance(point.triangle, point.at) >= point.distance
         };
         for far in &mut self.far {
             if let Far::Known(points) = far {

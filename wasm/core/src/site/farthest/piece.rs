@@ -9,7 +9,7 @@ use super::{
     corner_paths::{CornerPaths, nearest_by_sources},
 };
 use crate::{
-    distance::{DistanceField, Place},
+    distance::{DistanceField, OutlineTriangle},
     triangulation::NONE,
 };
 
@@ -28,7 +28,7 @@ pub(super) const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 
 /// A piece of the domain, and bounds of the distances in it.
 pub(super) struct Piece {
     corners: [DVec2; 3],
-    places: [Place; 3],
+    outline_triangles: [OutlineTriangle; 3],
     /// Every site that may be the nearest somewhere in the piece, ascending.
     pub(super) sites: Vec<u32>,
     /// Paths from these sites, in the same order. Empty where there are parts, which have better ones.
@@ -51,27 +51,38 @@ impl Piece {
     pub(super) fn of_scouts(regions: &Regions, triangle: u32) -> Self {
         let (scouts, cells) = (regions.scouts, &regions.cells);
         let vertices = scouts.mesh.triangles[triangle as usize].map(|v| v as usize);
-        let (corners, places) = (vertices.map(|v| scouts.mesh.vertices[v]), vertices.map(|v| scouts.places[v]));
+        let (corners, outline_triangles) =
+            (vertices.map(|v| scouts.mesh.vertices[v]), vertices.map(|v| scouts.outline_triangles[v]));
         // A site that is the nearest somewhere in the triangle is no farther than this from its corners.
         let limits = vertices.map(|v| cells.distance[v] + 2.0 * scouts.reach[v]);
         let is_near = |site: &Site| (0..3).all(|k| site.rest.distance_squared(corners[k]) <= limits[k] * limits[k]);
         let near = (0..).zip(&regions.sites).filter(|(_, site)| is_near(site));
-        let paths = near.map(|(at, site)| (at, CornerPaths::new(&site.field, &corners, &places)));
+        let paths = near.map(|(at, site)| (at, CornerPaths::new(&site.field, &corners, &outline_triangles)));
         let walls = scouts.mesh.neighbours[triangle as usize].iter().filter(|&&n| n == NONE).count();
-        Self::new(corners, places, paths.unzip(), walls)
+        Self::new(corners, outline_triangles, paths.unzip(), walls)
     }
 
     /// A piece in which only `sites` can be the nearest.
     fn new(
         corners: [DVec2; 3],
-        places: [Place; 3],
+        outline_triangles: [OutlineTriangle; 3],
         (sites, paths): (Vec<u32>, Vec<CornerPaths>),
         walls: usize,
     ) -> Self {
         let longest = lengths(&corners).into_iter().fold(0.0, f64::max);
         let (nearest, limits, upper_bound) = ([f64::INFINITY; 3], 0, f64::INFINITY);
-        let mut piece =
-            Self { corners, places, sites, paths, nearest, walls, limits, longest, upper_bound, parts: None };
+        let mut piece = Self {
+            corners,
+            outline_triangles,
+            sites,
+            paths,
+            nearest,
+            walls,
+            limits,
+            longest,
+            upper_bound,
+            parts: None,
+        };
         piece.update_bounds();
         piece
     }
@@ -94,7 +105,7 @@ impl Piece {
 
     /// The paths from a site to the corners.
     pub(super) fn path_ends(&self, field: &DistanceField) -> CornerPaths {
-        CornerPaths::new(field, &self.corners, &self.places)
+        CornerPaths::new(field, &self.corners, &self.outline_triangles)
     }
 
     /// Drops the sites that are nowhere the nearest, and computes the upper bound from the others.
@@ -145,17 +156,18 @@ impl Piece {
         }
         let [a, b, c] = self.corners;
         let middles = [a.midpoint(b), b.midpoint(c), c.midpoint(a)];
-        let places = middles.map(|p| regions.navigation.place(p));
-        let [Some(ab), Some(bc), Some(ca)] = places else { return None };
-        let (corners, places) = ([self.corners, middles], [self.places, [ab, bc, ca]]);
+        let outline_triangles = middles.map(|p| regions.navigation.triangle_at(p));
+        let [Some(ab), Some(bc), Some(ca)] = outline_triangles else { return None };
+        let (corners, outline_triangles) = ([self.corners, middles], [self.outline_triangles, [ab, bc, ca]]);
         let paths_of = |(&site, &of_corners): (&u32, &CornerPaths)| {
-            [of_corners, CornerPaths::new(&regions.sites[site as usize].field, &middles, &places[1])]
+            [of_corners, CornerPaths::new(&regions.sites[site as usize].field, &middles, &outline_triangles[1])]
         };
         let paths: Vec<[CornerPaths; 2]> = self.sites.iter().zip(&self.paths).map(paths_of).collect();
         Some(PARTS.map(|part| {
             let of_part = |[outer, inner]: &[CornerPaths; 2]| CornerPaths::of_part(outer, inner, part);
-            let (corners, places) = (part.map(|k| corners[k / 3][k % 3]), part.map(|k| places[k / 3][k % 3]));
-            Self::new(corners, places, (self.sites.clone(), paths.iter().map(of_part).collect()), self.walls)
+            let (corners, outline_triangles) =
+                (part.map(|k| corners[k / 3][k % 3]), part.map(|k| outline_triangles[k / 3][k % 3]));
+            Self::new(corners, outline_triangles, (self.sites.clone(), paths.iter().map(of_part).collect()), self.walls)
         }))
     }
 
@@ -211,9 +223,9 @@ impl Piece {
 
     /// Lists the cones at a point that are no higher than `limit`.
     fn cones(&self, regions: &Regions, site: usize, p: DVec2, limit: f64, cones: &mut Cones) {
-        let Some(place) = self.place(regions, p) else { return };
+        let Some(triangle) = self.triangle_at(regions, p) else { return };
         for &at in &self.sites {
-            let paths = regions.sites[at as usize].field.path_ends(place, p).filter(|path| path.distance <= limit);
+            let paths = regions.sites[at as usize].field.path_ends(triangle, p).filter(|path| path.distance <= limit);
             let list = if at == site as u32 { &mut cones.own } else { &mut cones.others };
             let first = list.len();
             for path in paths {
@@ -227,18 +239,18 @@ impl Piece {
         }
     }
 
-    /// The place of a point of the piece.
-    fn place(&self, regions: &Regions, p: DVec2) -> Option<Place> {
-        let [a, b, c] = self.places;
-        if a == b && b == c { Some(a) } else { regions.navigation.place(p) }
+    /// The triangle of the outline that a point of the piece lies in.
+    fn triangle_at(&self, regions: &Regions, p: DVec2) -> Option<OutlineTriangle> {
+        let [a, b, c] = self.outline_triangles;
+        if a == b && b == c { Some(a) } else { regions.navigation.triangle_at(p) }
     }
 
     fn in_cell(&self, regions: &Regions, site: usize, p: DVec2) -> Option<FarPoint> {
-        let place = self.place(regions, p)?;
-        let distance = |at: usize| regions.sites[at].field.distance(place, p);
+        let triangle = self.triangle_at(regions, p)?;
+        let distance = |at: usize| regions.sites[at].field.distance(triangle, p);
         let least = self.sites.iter().map(|&at| distance(at as usize)).fold(f64::INFINITY, f64::min);
         let of_site = distance(site) <= least * (1.0 + TIE);
-        (of_site && least.is_finite()).then_some(FarPoint { at: p, place, distance: least })
+        (of_site && least.is_finite()).then_some(FarPoint { at: p, triangle, distance: least })
     }
 }
 
@@ -301,8 +313,8 @@ mod tests {
         let behind = [7.0, 5.0, 5.0 + 1e-12, 6.0, 5.1].map(|behind| paths_by(ways, behind));
         let paths: Vec<CornerPaths> = behind.into_iter().chain([paths_by(other_ways, 6.0)]).collect();
         let navigation = Navigation::new(&Domain::new(None, &Picture::new(2, 2, &[255; 16]).unwrap()).unwrap());
-        let place = navigation.place(DVec2::ONE).unwrap();
-        let piece = Piece::new(corners, [place; 3], ((0..).take(paths.len()).collect(), paths), 0);
+        let triangle = navigation.triangle_at(DVec2::ONE).unwrap();
+        let piece = Piece::new(corners, [triangle; 3], ((0..).take(paths.len()).collect(), paths), 0);
         // Differences within rounding are ties.
         assert_eq!(piece.sites, [1, 2, 5]);
     }

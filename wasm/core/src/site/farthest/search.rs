@@ -51,15 +51,15 @@ impl Regions<'_> {
         if points.is_empty() {
             // The cell contains no other point: the site itself.
             let site = &self.sites[site];
-            points.push(FarPoint { at: site.rest, place: site.place, distance: 0.0 });
+            points.push(FarPoint { at: site.rest, triangle: site.triangle, distance: 0.0 });
         }
         points
     }
 
     /// A scout as a far point.
     fn far_point(&self, scout: usize) -> FarPoint {
-        let (at, place) = (self.scouts.mesh.vertices[scout], self.scouts.places[scout]);
-        FarPoint { at, place, distance: self.cells.distance[scout] }
+        let (at, triangle) = (self.scouts.mesh.vertices[scout], self.scouts.outline_triangles[scout]);
+        FarPoint { at, triangle, distance: self.cells.distance[scout] }
     }
 }
 

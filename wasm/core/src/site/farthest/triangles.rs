@@ -71,8 +71,8 @@ impl Regions<'_> {
         if !self.is_low(corners, straight, straight) {
             return false;
         }
-        let places = corners.map(|at| scouts.places[at]);
-        let [Some(a), Some(b), Some(c)] = CornerPaths::new(field, &points, &places).0 else { return false };
+        let outline_triangles = corners.map(|at| scouts.outline_triangles[at]);
+        let [Some(a), Some(b), Some(c)] = CornerPaths::new(field, &points, &outline_triangles).0 else { return false };
         let paths = [a, b, c];
         let is_one_cone = paths.iter().all(|path| path.pseudo_source == a.pseudo_source);
         let to_apex = |path: PathEnd| if is_one_cone { path.distance - path.offset } else { 0.0 };

@@ -20,7 +20,7 @@ use self::{
     parts::{Part, areas, parts},
 };
 use crate::{
-    distance::{Navigation, Place},
+    distance::{Navigation, OutlineTriangle},
     sample::Samples,
     site::{Site, SiteKind},
     weight::{Influence, SparseWeights, WeightFunctions},
@@ -93,7 +93,7 @@ impl Quadrature {
         let is_alone = |&site: &usize| !has_node[site] && sites[site].kind != SiteKind::Boundary;
         let around = areas_around(sites.len(), &areas, weights);
         let alone = (0..sites.len()).filter(is_alone);
-        nodes.extend(alone.filter_map(|site| placing.node(sites[site].rest, sites[site].place, around[site])));
+        nodes.extend(alone.filter_map(|site| placing.node(sites[site].rest, sites[site].triangle, around[site])));
         Self { nodes }
     }
 
@@ -160,15 +160,15 @@ impl Placing<'_> {
     }
 
     fn node_at(&self, at: DVec2, area: f64) -> Option<PackedNode> {
-        self.node(at, self.navigation.place(at)?, area)
+        self.node(at, self.navigation.triangle_at(at)?, area)
     }
 
     /// The node at a place that stands for an area, unless weights say nothing of that.
-    fn node(&self, at: DVec2, place: Place, area: f64) -> Option<PackedNode> {
+    fn node(&self, at: DVec2, triangle: OutlineTriangle, area: f64) -> Option<PackedNode> {
         let Self { navigation, sites, functions, held } = *self;
-        let here = match navigation.is_on_edge(place, at) {
-            true => functions.across(navigation, sites, (place, at), STEP * area.sqrt()),
-            false => functions.at(sites, place, at),
+        let here = match navigation.is_on_edge(triangle, at) {
+            true => functions.across(navigation, sites, (triangle, at), STEP * area.sqrt()),
+            false => functions.at(sites, triangle, at),
         };
         let mut influences: Vec<Influence> = Vec::new();
         here.into_iter().for_each(|one| held.add(&mut influences, sites, one));
