@@ -163,12 +163,14 @@ impl Solver {
     }
 }
 
+/// The samples, of [`Stage::Sampling`].
 fn samples(grounds: &mut Grounds, outline: &Outline, rest: &Rest, request: &Request) -> Samples {
     let Outline { domain, navigation, fading, .. } = outline;
     let ground = grounds.of_samples(domain, navigation, &rest.bones(), request.samples, *fading);
     ground.with_sites(domain, navigation, &rest.sites())
 }
 
+/// The scouts, of [`Stage::Sampling`] too.
 fn scouts(grounds: &mut Grounds, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
     let Outline { domain, navigation, .. } = outline;
     let count = scouts_wanted(request.samples, request.density);
@@ -176,6 +178,7 @@ fn scouts(grounds: &mut Grounds, outline: &Outline, rest: &Rest, request: &Reque
     Scouts::new(ground, domain, navigation, &rest.sites())
 }
 
+/// The cells, of [`Stage::Regions`].
 fn divide(
     propagation: &mut Propagation,
     outline: &Outline,
@@ -198,6 +201,7 @@ fn divide(
     Ok(Divided { sites: regions.sites, scores })
 }
 
+/// The weights and all that follows from them, of [`Stage::Weights`].
 fn weigh(
     propagation: &mut Propagation,
     outline: Arc<Outline>,
