@@ -66,8 +66,8 @@ pub enum Error {
     /// A warped picture that reaches too far for all of it to be shown.
     #[error(
         "all of the warped picture would take {width}×{height} px: the result may have {side} px a side and {area} megapixels at most",
-        side = crate::picture::MAX_SIDE,
-        area = crate::picture::MAX_PIXELS / 1_000_000
+        side = limits::MAX_SIDE,
+        area = limits::MAX_PIXELS / 1_000_000
     )]
     Canvas {
         /// Width in pixels.

@@ -1,9 +1,10 @@
 //! The rectangle that a warped picture shows.
 
-use super::Warped;
 use super::facet::Facet;
-use crate::error::Error;
-use crate::picture::{MAX_PIXELS, MAX_SIDE};
+use crate::{
+    error::Error,
+    limits::{MAX_PIXELS, MAX_SIDE},
+};
 
 /// How much of a warped picture is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -48,28 +49,5 @@ impl Frame {
             return Err(Error::Canvas { width: size[0], height: size[1] });
         }
         Ok(Self { origin, size: size.map(|side| side as usize) })
-    }
-}
-
-/// Takes away the rows and columns around a picture's rectangle, which is of this size, in which nothing is drawn.
-pub(super) fn trimmed(warped: Warped, (width, height): (u32, u32)) -> Warped {
-    let [left, top] = warped.origin;
-    let pixel = |x: u32, y: u32| (y as usize * warped.width as usize + x as usize) * 4;
-    let empty = |x: u32, y: u32| warped.rgba[pixel(x, y) + 3] == 0;
-    let row = |&y: &u32| (0..warped.width).all(|x| empty(x, y));
-    let column = |&x: &u32| (0..warped.height).all(|y| empty(x, y));
-    let first_x = (0..left).take_while(column).count() as u32;
-    let first_y = (0..top).take_while(row).count() as u32;
-    let end_x = warped.width - (left + width..warped.width).rev().take_while(column).count() as u32;
-    let end_y = warped.height - (top + height..warped.height).rev().take_while(row).count() as u32;
-    if [first_x, first_y, end_x, end_y] == [0, 0, warped.width, warped.height] {
-        return warped;
-    }
-    let rows = (first_y..end_y).map(|y| &warped.rgba[pixel(first_x, y)..pixel(end_x, y)]);
-    Warped {
-        width: end_x - first_x,
-        height: end_y - first_y,
-        origin: [left - first_x, top - first_y],
-        rgba: rows.collect::<Vec<_>>().concat(),
     }
 }

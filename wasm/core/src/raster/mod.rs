@@ -22,36 +22,24 @@ mod facet;
 #[cfg(test)]
 mod tests;
 mod texture;
+mod warped;
 
 use glam::DVec2;
 
 use self::band::Band;
 pub use self::canvas::Canvas;
-use self::canvas::{Frame, trimmed};
+use self::canvas::Frame;
 use self::facet::Facet;
 use self::texture::Texture;
-use crate::error::Error;
+pub use self::warped::Warped;
 use crate::{
+    error::Error,
     limits::{MAX_PIXELS, MAX_SIDE},
     picture::Picture,
 };
 
 /// Rows in a band: enough to set up triangles rarely, few enough for the cache.
 const BAND_ROWS: usize = 16;
-
-/// A warped picture.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Warped {
-    /// Width in pixels.
-    pub width: u32,
-    /// Height in pixels.
-    pub height: u32,
-    /// Where the upper left corner of the picture's own rectangle lies in the result, in pixels from its upper left corner:
-    /// `[0, 0]` unless the canvas has grown.
-    pub origin: [u32; 2],
-    /// `width × height × 4` bytes: straight (not premultiplied) RGBA, rows from top to bottom.
-    pub rgba: Vec<u8>,
-}
 
 /// The size in pixels of a picture warped at a scale: `round(width × scale)` by `round(height × scale)`.
 ///
@@ -125,7 +113,7 @@ pub fn warp(
     }
     let origin = frame.origin.map(|side| side as u32);
     let warped = Warped { width: width as u32, height: height as u32, origin, rgba };
-    Ok(trimmed(warped, picture_size))
+    Ok(warped.trimmed(picture_size))
 }
 
 /// The facets that touch each band of rows, in drawing order.
