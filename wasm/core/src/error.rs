@@ -401,6 +401,7 @@ impl Error {
     /// | `picture` | a picture of a size that cannot be warped, or not of as many bytes |
     /// | `picture-mismatch` | a picture of another size than the project's |
     /// | `scale` | a scale at which no picture comes out, or one too large |
+    /// | `canvas` | a warped picture that reaches too far for all of it to be shown |
     /// | `nothing-opaque` | a picture without anything opaque that is large enough |
     /// | `domain` | rings that are none, or an outline with too many corners |
     /// | `handle-outside` | a handle outside the domain |
