@@ -201,6 +201,17 @@ test('Escape dismisses a hovered tooltip while the focus is elsewhere on the pag
   await expect(page.locator('body > input')).toHaveValue('Escape false');
 });
 
+test('an open menu takes the place of its tooltip', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const overlays = editor.button('Overlays');
+  await overlays.hover();
+  await expect.poll(tipped(overlays)).toBe(true);
+  await overlays.click();
+  await expect.poll(tipped(overlays)).toBe(false);
+  await overlays.click();
+  await expect.poll(tipped(overlays)).toBe(true);
+});
+
 test('Escape gives up a drawing before it dismisses a tooltip', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('b');

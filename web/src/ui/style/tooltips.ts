@@ -21,6 +21,10 @@ export const tooltipsStyle = css`
       pointer-events: none;
       animation: appear var(--_speed) 350ms backwards;
     }
+    /* An open menu tells what its button is for, and would cover a part of the tooltip. */
+    .menu:has(:popover-open) > [data-tip]::after {
+      content: none;
+    }
     .tools [data-tip]:is(:hover, :focus-visible)::after {
       top: 50%;
       left: calc(100% + 9px);
