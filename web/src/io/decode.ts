@@ -2,7 +2,7 @@
  * Decodes a picture with the browser's own decoders: turned upright by its EXIF data, and converted to sRGB from its
  * colour profile. A picture without either keeps its bytes.
  */
-import { readHeader } from './header';
+import { type Header, readHeader } from './header';
 import { checkSize } from './limits';
 import { PictureError } from './picture_error';
 import { straightPixels } from './pixels';
@@ -31,33 +31,36 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   if (size) checkSize(size.width, size.height);
   if (!complete) throw new PictureError('The picture is cut off: the end of the file is missing.');
 
-  const straight = await bitmapOf(file, 'none', kind !== 'other');
+  const straight = await bitmapOf(file, 'none', kind);
   try {
     checkSize(straight.width, straight.height);
-    const exact = kind === 'jpeg' || (await bitmapsKeepColours()) ? straight : await imageOf(file, straight);
-    const rgba = straightPixels(exact, straight.width, straight.height);
+    const image = kind === 'jpeg' || (await bitmapsKeepColours()) ? null : await imageOf(file);
+    const rgba = straightPixels(image ?? straight, straight.width, straight.height);
     // Last: the caller closes this bitmap, so nothing may fail after it.
-    const bitmap = await bitmapOf(file, 'premultiply', true);
+    const bitmap = await bitmapOf(file, 'premultiply', kind);
     return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
   } finally {
     straight.close();
   }
 }
 
-async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', known: boolean) {
+async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', kind: Header['kind']) {
   try {
     return await createImageBitmap(file, { premultiplyAlpha });
   } catch (error) {
+    // Firefox makes no bitmap of some photographs with EXIF data that it decodes for an image element.
+    const image = kind === 'jpeg' ? await imageOf(file) : null;
+    if (image) return createImageBitmap(image, { premultiplyAlpha });
     throw new PictureError(
-      known
-        ? 'The picture is damaged, or of a kind that this browser cannot show.'
-        : 'This is not a picture that the browser can show: PNG, JPEG and WebP work everywhere.',
+      kind === 'other'
+        ? 'This is not a picture that the browser can show: PNG, JPEG and WebP work everywhere.'
+        : 'The picture is damaged, or of a kind that this browser cannot show.',
       { cause: error },
     );
   }
 }
 
-/** False in WebKit, whose bitmaps have colours that were premultiplied and divided again. */
+/** False in WebKit, whose bitmaps have colours that were premultiplied and divided again; those of images have not. */
 async function bitmapsKeepColours(): Promise<boolean> {
   const colour = Uint8ClampedArray.of(200, 100, 50, 1);
   const bitmap = await createImageBitmap(new ImageData(colour, 1, 1), { premultiplyAlpha: 'none' });
@@ -68,15 +71,15 @@ async function bitmapsKeepColours(): Promise<boolean> {
   }
 }
 
-/** An image element, which keeps its colours in every browser, or the bitmap where the page's policy forbids it. */
-async function imageOf(file: Blob, bitmap: ImageBitmap): Promise<HTMLImageElement | ImageBitmap> {
+/** The file in an image element; null where it cannot be decoded, or the page's policy forbids it. */
+async function imageOf(file: Blob): Promise<HTMLImageElement | null> {
   const image = new Image();
   image.src = URL.createObjectURL(file);
   try {
     await image.decode();
     return image;
   } catch {
-    return bitmap;
+    return null;
   } finally {
     URL.revokeObjectURL(image.src);
   }
