@@ -34,7 +34,8 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   const straight = await bitmapOf(file, 'none', kind);
   try {
     checkSize(straight.width, straight.height);
-    const image = kind === 'jpeg' || (await bitmapsKeepColours()) ? null : await imageOf(file);
+    if (kind !== 'jpeg') bitmapsKeepColours ??= await keepsColours();
+    const image = kind === 'jpeg' || bitmapsKeepColours ? null : await imageOf(file);
     const rgba = straightPixels(image ?? straight, straight.width, straight.height);
     // Last: the caller closes this bitmap, so nothing may fail after it.
     const bitmap = await bitmapOf(file, 'premultiply', kind);
@@ -50,7 +51,7 @@ async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', ki
   } catch (error) {
     // Firefox makes no bitmap of some photographs with EXIF data that it decodes for an image element.
     const image = kind === 'jpeg' ? await imageOf(file) : null;
-    if (image) return createImageBitmap(image, { premultiplyAlpha });
+    if (image) return await createImageBitmap(image, { premultiplyAlpha });
     throw new PictureError(
       kind === 'other'
         ? 'This is not a picture that the browser can show: PNG, JPEG and WebP work everywhere.'
@@ -60,8 +61,11 @@ async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', ki
   }
 }
 
+/** Of this browser; found out with the first picture that may be transparent. */
+let bitmapsKeepColours: boolean | undefined;
+
 /** False in WebKit, whose bitmaps have colours that were premultiplied and divided again; those of images have not. */
-async function bitmapsKeepColours(): Promise<boolean> {
+async function keepsColours(): Promise<boolean> {
   const colour = Uint8ClampedArray.of(200, 100, 50, 1);
   const bitmap = await createImageBitmap(new ImageData(colour, 1, 1), { premultiplyAlpha: 'none' });
   try {
