@@ -64,8 +64,9 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// `rest` and `posed` are the mesh's vertices in image pixels, in the same number; `triangles` index them and are drawn in
 /// order, in either orientation. `scale` is pixels of the result per pixel of the picture.
 ///
-/// The result has the size [`warped_size`], or more where the canvas grows, and is transparent where there is no triangle. A mesh at rest with scale 1 returns the
-/// picture's bytes. On either canvas the bytes within the picture's own rectangle are the same.
+/// The result has the size [`warped_size`], or more where the canvas grows, and is transparent where there is no triangle. A
+/// mesh at rest with scale 1 returns the picture's bytes. On either canvas the bytes within the picture's own rectangle are the
+/// same.
 ///
 /// # Errors
 /// [`Error::Scale`] as [`warped_size`]; [`Error::Canvas`] where it would grow beyond what a picture may have.
