@@ -580,7 +580,7 @@ test('disabled, it hears no key', async ({ page }) => {
   await page.keyboard.down('o');
   await editor.drawn();
   expect(await editor.place('head')).toEqual(before);
-  await expect(page.locator('c2-warp .comparing')).not.toBeAttached();
+  await expect(page.locator('c2-warp .bare')).not.toBeAttached();
 });
 
 test('disabled, no control is reached by pointer or keys', async ({ page }) => {

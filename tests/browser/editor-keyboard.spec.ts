@@ -75,6 +75,36 @@ test('O shows the original for as long as it is held', async ({ page }) => {
   await expect.poll(async () => apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
 });
 
+test('W shows the bent picture alone for as long as it is held', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const hand = await editor.place('right hand');
+  await editor.dragHandle('right hand', { x: 0, y: -90 });
+  const at = { x: hand.x, y: hand.y - 90 };
+  const look = () => editor.still(() => editor.look(at, 40));
+  await editor.button('Overlays').click();
+  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByLabel(name).check();
+  await page.keyboard.press('Escape');
+  const covered = await look();
+  await page.keyboard.down('w');
+  await expect(editor.button(/without handles/)).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('c2-warp .handles')).toHaveCSS('opacity', '0');
+  const alone = await look();
+  expect(apart(alone, covered)).toBeGreaterThan(10);
+  await page.keyboard.up('w');
+  expect(apart(await look(), covered)).toBeLessThan(SAME);
+  // Without overlays and selection it is the same picture, which is not the original.
+  await editor.button('Overlays').click();
+  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByLabel(name).uncheck();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await page.keyboard.down('w');
+  expect(apart(await look(), alone)).toBeLessThan(SAME);
+  await page.keyboard.down('o');
+  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  expect(apart(await look(), alone)).toBeGreaterThan(10);
+  await page.keyboard.up('o');
+});
+
 test('over the original a press moves the view, and no handle that nobody sees', async ({ page }) => {
   const editor = await Editor.open(page);
   const [at, told] = [await editor.place('head'), await editor.told('head')];

@@ -37,7 +37,7 @@ export function actionsOf(host: ActionsHost): EditorActions {
   };
   return {
     run: (command) => commands.run(command),
-    compare: (on) => display.compare(on),
+    showBare: (view) => display.showBare(view),
     overlay: (name, on) => display.overlay(name, on),
     field: (field, value) => edit((edits) => edits.field(field, value)),
     automatic: (on) => edit((edits) => edits.automatic(on)),

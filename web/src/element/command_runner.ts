@@ -109,7 +109,8 @@ export class CommandRunner {
         editing.select(ids);
         this.#host.notices.say(`${ids.length} handles selected`);
       },
-      compare: () => display.compare(!display.comparing),
+      compare: () => display.showBare(display.bare === 'compare' ? null : 'compare'),
+      preview: () => display.showBare(display.bare === 'preview' ? null : 'preview'),
       fit: () => look(() => viewing.fit()),
       actual: () => look(() => viewing.actual()),
       'zoom-in': () => look(() => viewing.zoom(1)),

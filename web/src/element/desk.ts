@@ -87,10 +87,10 @@ export class Desk {
     this.#stage?.rearrange();
   }
 
-  /** Cancels a drag, drawing or input in progress, and the comparison with the original. */
+  /** Cancels a drag, drawing or input in progress, and the view of the picture alone. */
   stop(): void {
     this.#stage?.stop();
-    this.#parts.display.compare(false);
+    this.#parts.display.showBare(null);
   }
 
   /** Opens the stored work. Returns whether there was any that could be opened. */

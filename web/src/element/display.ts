@@ -1,5 +1,6 @@
-/** What is shown besides the document: overlays, the original for comparison, opened settings, the selection box. */
+/** What is shown besides the document: overlays, the picture alone while a key is held, opened settings, the selection box. */
 import type { Box } from '../geometry/box';
+import type { BareView } from '../ui/commands';
 import type { OverlayFlags } from '../ui/model';
 import type { Permissions } from './permissions';
 import type { Workbench } from './workbench';
@@ -18,7 +19,7 @@ const NO_OVERLAYS: OverlayFlags = { mesh: false, sites: false, graph: false, fol
 export class Display {
   readonly #host: DisplayHost;
   #overlays = NO_OVERLAYS;
-  #comparing = false;
+  #bare: BareView | null = null;
   #settings = false;
   #numbers = false;
   /** The selection box being drawn, image pixels. */
@@ -33,9 +34,9 @@ export class Display {
     return this.#host.permissions.playing ? NO_OVERLAYS : this.#overlays;
   }
 
-  /** Whether the original is shown, without handles. */
-  get comparing(): boolean {
-    return this.#comparing;
+  /** What is shown alone, without handles and overlays: the original, or the posed picture. */
+  get bare(): BareView | null {
+    return this.#bare;
   }
 
   /** Whether the settings of the whole picture are open, in layouts without room to show them always. */
@@ -53,9 +54,10 @@ export class Display {
     this.#host.looked();
   }
 
-  compare(on: boolean): void {
-    if (on === this.#comparing || (on && !this.#host.workbench.picture)) return;
-    this.#comparing = on;
+  /** Shows the picture alone, or null for all. */
+  showBare(view: BareView | null): void {
+    if (view === this.#bare || (view && !this.#host.workbench.picture)) return;
+    this.#bare = view;
     this.#host.looked();
   }
 

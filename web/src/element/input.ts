@@ -79,7 +79,7 @@ export class Input {
 
   /** Whether handles are visible and editable. */
   get #shown(): boolean {
-    return this.#host.permissions.editable && !this.#host.display.comparing;
+    return this.#host.permissions.editable && this.#host.display.bare === null;
   }
 
   /** Whether a press moves the view, whatever the tool. */

@@ -2,7 +2,7 @@
  * The keys of the editor while it has the focus. Text fields keep their keys, except document commands such as save.
  */
 import type { Vec } from '../geometry/vec';
-import { type CommandName, commandOfKey, commandsFor } from '../ui/commands';
+import { type CommandName, commandOfKey, commandsFor, isBareView } from '../ui/commands';
 import { isTyped } from '../ui/untyped';
 import type { CommandRunner } from './command_runner';
 import type { Display } from './display';
@@ -37,8 +37,8 @@ export class Keyboard {
   readonly #root: ShadowRoot;
   readonly #host: KeyboardHost;
   readonly #listening = new AbortController();
-  /** The `code` of the key held to compare with the original: its `key` depends on the keyboard layout. */
-  #compares: string | null = null;
+  /** The `code` of the key of a held command: its `key` depends on the keyboard layout. */
+  #held: string | null = null;
 
   constructor(root: ShadowRoot, host: KeyboardHost) {
     this.#root = root;
@@ -76,10 +76,10 @@ export class Keyboard {
       return;
     }
     event.preventDefault();
-    if (command !== 'compare') commands.run(command);
+    if (!isBareView(command)) commands.run(command);
     else if (!event.repeat) {
-      this.#compares = event.code;
-      display.compare(true);
+      this.#held = event.code;
+      display.showBare(command);
     }
   }
 
@@ -111,12 +111,12 @@ export class Keyboard {
       // A focused button would be clicked by the release of Space.
       if (held && (event.target as Element).closest('.stage')) event.preventDefault();
     }
-    if (event.code === this.#compares) this.#host.display.compare(false);
+    if (event.code === this.#held) this.#host.display.showBare(null);
   }
 
   /** Without the focus no `keyup` arrives: held keys count as released. */
   #letGo(): void {
     this.#host.input.space(false);
-    this.#host.display.compare(false);
+    this.#host.display.showBare(null);
   }
 }

@@ -57,7 +57,7 @@ export function modelOf(
     notice: notices.notice,
     hint: hint.shown,
     announcement: notices.announcement,
-    comparing: display.comparing,
+    bare: display.bare,
     overlays,
     sites: overlays.sites || overlays.graph ? posing.graph() : null,
     folded: overlays.folds ? posing.folded() : null,

@@ -101,12 +101,12 @@ export class Stage {
       return new Drawing(canvas, {
         view: () => ({
           ...deviceView(viewing.camera, viewing.stage, devicePixelRatio),
-          compare: display.comparing,
-          overlays: display.overlays,
+          compare: display.bare === 'compare',
+          overlays: display.bare ? {} : display.overlays,
         }),
         motions: () => posing.motions(),
         blend: () => blendOf(editing.project),
-        reach: () => (display.overlays.reach ? reaching.reach() : null),
+        reach: () => (display.overlays.reach && !display.bare ? reaching.reach() : null),
       });
     } catch (error) {
       notices.report(error);

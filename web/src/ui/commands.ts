@@ -29,6 +29,7 @@ export const COMMANDS = {
   forward: { label: 'Bring forward', icon: 'forward', keys: [']'] },
   backward: { label: 'Send back', icon: 'backward', keys: ['['] },
   compare: { label: 'Hold to compare with the original', icon: 'compare', keys: ['O'] },
+  preview: { label: 'Hold to see it without handles', icon: 'preview', keys: ['W'] },
   'select-all': { label: 'Select all handles', icon: 'select', keys: ['Mod+A'] },
   fit: { label: 'Fit the picture', icon: 'fit', keys: ['0'] },
   actual: { label: 'Actual size', icon: 'actual', keys: ['1'] },
@@ -40,6 +41,14 @@ export const COMMANDS = {
 
 export type CommandName = keyof typeof COMMANDS;
 
+const BARE_VIEWS = ['compare', 'preview'] as const satisfies readonly CommandName[];
+
+/** A command that shows the picture without handles and overlays while its key or button is held. */
+export type BareView = (typeof BARE_VIEWS)[number];
+
+export const isBareView = (command: CommandName): command is BareView =>
+  (BARE_VIEWS as readonly CommandName[]).includes(command);
+
 const NAMES = Object.keys(COMMANDS) as CommandName[];
 
 /** The commands available where handles can only be posed. */
@@ -50,6 +59,7 @@ const OF_PLAY: readonly CommandName[] = [
   'reset-all',
   'select-all',
   'compare',
+  'preview',
   'bail',
 ];
 

@@ -23,6 +23,7 @@ const SHAPES = {
   'add-corner': svg`<path d="M3.2 16.4 8.6 8.6l8.2 3.6"/><circle cx="8.6" cy="8.6" r="1.9" fill="currentColor" stroke="none"/><path d="M14.6 2.6v5M12.1 5.1h5"/>`,
   'remove-corner': svg`<path d="M3.2 16.4 8.6 8.6l8.2 3.6"/><circle cx="8.6" cy="8.6" r="1.9" fill="currentColor" stroke="none"/><path d="M12.1 5.1h5"/>`,
   compare: svg`<rect x="3" y="4.2" width="14" height="11.6" rx="1.2"/><path d="M10 2.6v14.8"/><path d="M10 5v10h6V5Z" fill="currentColor" stroke="none" opacity=".32"/>`,
+  preview: svg`<path d="M2.4 10S5 4.9 10 4.9 17.6 10 17.6 10 15 15.1 10 15.1 2.4 10 2.4 10Z"/><circle cx="10" cy="10" r="2.3"/>`,
   overlays: svg`<path d="M10 3.2 17 7l-7 3.8L3 7ZM3.4 10.3 10 13.9l6.6-3.6M3.4 13.4 10 17l6.6-3.6"/>`,
   fit: svg`<path d="M3.4 7V4.4c0-.6.4-1 1-1H7M13 3.4h2.6c.6 0 1 .4 1 1V7M16.6 13v2.6c0 .6-.4 1-1 1H13M7 16.6H4.4c-.6 0-1-.4-1-1V13"/>`,
   actual: svg`<path d="m3 6.2 2.4-1.7v11M13 6.2l2.4-1.7v11M9.9 7.6v.1M9.9 12.4v.1" stroke-width="1.9"/>`,

@@ -9,7 +9,7 @@ import type { Camera, Size } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
-import type { CommandName } from './commands';
+import type { BareView, CommandName } from './commands';
 import type { FoldedMesh, SiteGraph } from './overlays';
 
 export interface EditorModel {
@@ -39,7 +39,8 @@ export interface EditorModel {
   readonly notice: Notice | null;
   readonly hint: Hint | null;
   readonly announcement: string;
-  readonly comparing: boolean;
+  /** What is shown alone, without handles and overlays: the original, or the posed picture. */
+  readonly bare: BareView | null;
   readonly overlays: OverlayFlags;
   readonly sites: SiteGraph | null;
   /** Triangles that have turned over, while they are to be shown. */
@@ -106,7 +107,7 @@ export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
 
 export interface EditorActions {
   run(command: CommandName): void;
-  compare(on: boolean): void;
+  showBare(view: BareView | null): void;
   overlay(name: keyof OverlayFlags, on: boolean): void;
   /** Sets a number of each selected handle, from its current value. */
   field(field: Field, value: (now: number) => number): void;

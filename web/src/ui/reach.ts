@@ -6,9 +6,8 @@ import type { EditorModel } from './model';
 const COLOURS = REACH_RAMP.map(([red, green, blue, alpha]) => `rgb(${red} ${green} ${blue} / ${alpha})`);
 
 export function reachHint(model: EditorModel): TemplateResult | typeof nothing {
-  const { overlays, picture, draft, comparing, document, tool } = model;
-  if (!overlays.reach || !picture || draft || comparing || document.project.handles.length === 0)
-    return nothing;
+  const { overlays, picture, draft, bare, document, tool } = model;
+  if (!overlays.reach || !picture || draft || bare || document.project.handles.length === 0) return nothing;
   if (document.selection.length > 0) return legend;
   // These two tools have their own hint there, and draw something before anything is selected.
   if (tool === 'bar' || tool === 'polygon') return nothing;

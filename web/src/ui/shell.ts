@@ -25,9 +25,9 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${stage(model, actions, canvas)} ${model.picture ? nothing : emptyStage(model, actions)}
       ${playing ? nothing : html`${toolStrip(model, actions)} ${panel(model, actions)}`}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
-      ${model.hint && !model.comparing ? bubble(model.hint, model.camera) : nothing}
+      ${model.hint && !model.bare ? bubble(model.hint, model.camera) : nothing}
       ${playing ? nothing : html`${draftBar(model, actions)} ${toolHint(model)} ${reachHint(model)}`}
-      ${model.comparing ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
+      ${model.bare === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${playing ? nothing : statusLine(model, actions)}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>

@@ -12,7 +12,7 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
   const { camera, playing } = model;
   const handled = !(playing && model.readonly);
   return html`<div
-    class="stage ${model.hint ? 'inviting' : ''} ${model.comparing ? 'comparing' : ''}"
+    class="stage ${model.hint ? 'inviting' : ''} ${model.bare ? 'bare' : ''}"
     part="stage"
     tabindex=${handled ? (playing ? -1 : 0) : nothing}
     role=${handled ? 'group' : 'img'}

@@ -7,7 +7,7 @@ export function toolHint(model: EditorModel): TemplateResult | typeof nothing {
   const { draft, document, picture } = model;
   // A notice with an action, such as going back to another picture, stays until it is answered: hints appear above it.
   const silent = !model.notice || model.notice.action !== undefined;
-  const idle = !model.readonly && silent && !model.hint && !model.comparing;
+  const idle = !model.readonly && silent && !model.hint && !model.bare;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
   const words = wordsOf(model)[model.tool];
   return words === undefined ? nothing : html`<p class="hint" part="hint">${words}</p>`;

@@ -2,7 +2,7 @@
 import { html, type TemplateResult } from 'lit';
 import { commandButton, type Look } from './command_button';
 import type { CommandName } from './commands';
-import { compareButton } from './compare_button';
+import { holdButton } from './hold_button';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
 import { overlayMenu } from './overlay_menu';
@@ -24,7 +24,7 @@ export function topBar(model: EditorModel, actions: EditorActions): TemplateResu
     </div>
     <div class="group">
       ${command('reset-all', { enabled: editable && handles.length > 0 })}
-      ${compareButton(model, actions)} ${overlayMenu(model, actions)}
+      ${holdButton('compare', model, actions)} ${holdButton('preview', model, actions)} ${overlayMenu(model, actions)}
     </div>
     <span class="title" title=${model.picture?.name ?? ''}>${model.picture?.name ?? ''}</span>
     ${themeButton(model, actions)}

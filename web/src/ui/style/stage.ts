@@ -27,7 +27,7 @@ export const stageStyle = css`
     height: 100%;
     pointer-events: none;
   }
-  .stage.comparing :is(.marks, .handles) {
+  .stage.bare :is(.marks, .handles) {
     opacity: 0;
   }
   :host(.dropping) .stage::after {
