@@ -1,11 +1,12 @@
 /**
- * `npm run screenshots`: the pictures in the README, taken from the running editor with the sample bent by its handles.
+ * `npm run screenshots`: the pictures in the README. The running editor with the sample bent by its handles, and one pose by
+ * the methods that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { CHROMIUM_ARGS, findChromium, prepareChromium } from './chromium.mjs';
 import { prepare } from './prepare.mjs';
-import { heading, main, ROOT } from './steps.mjs';
+import { heading, main, ROOT, step } from './steps.mjs';
 
 const FOLDER = join(ROOT, 'web/screenshots');
 
@@ -36,6 +37,13 @@ await main(async () => {
     await browser.close();
     await server.close();
   }
+  const drawing = ['--package', 'c2warp-quality', '--', '--overview', join(FOLDER, 'methods.png')];
+  await step(
+    'Methods',
+    'cargo',
+    ['run', '--quiet', '--release', ...drawing],
+    'The methods were not drawn; the reason stands above.',
+  );
 });
 
 /**

@@ -4,36 +4,25 @@ use c2warp::{
     distance::{Navigation, Propagation},
     domain::Domain,
 };
-use glam::DVec2;
-
-use crate::{
-    outlines::{self, SIZE},
+use c2warp_tests::{
+    outlines::{self, scattered},
     visibility::{Viewpoint, VisibilityGraph},
 };
-
-/// Points of a low-discrepancy sequence that lie in the domain.
-fn points(graph: &VisibilityGraph, count: usize, start: usize) -> Vec<DVec2> {
-    // The plastic number's multiples spread evenly in the square (Roberts' R2 sequence).
-    let at = |i: usize| {
-        let i = (start + i) as f64;
-        DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)
-    };
-    (0..).map(at).filter(|&p| graph.contains(p)).take(count).collect()
-}
+use glam::DVec2;
 
 /// Greatest relative error from several sources to many points, and that of the points next to corners.
 fn worst_error(domain: &Domain) -> f64 {
     let graph = VisibilityGraph::new(domain.rings());
     let navigation = Navigation::new(domain);
     let mut propagation = Propagation::default();
-    let mut targets = points(&graph, 400, 1000);
+    let mut targets = scattered(&graph, 1000, 400);
     // Shadow lines meet at corners: errors would be largest next to them.
     for ring in domain.rings() {
         let near = ring.iter().flat_map(|&corner| (0..6).map(move |k| corner + 0.7 * DVec2::from_angle(f64::from(k))));
         targets.extend(near.filter(|&p| graph.contains(p)).step_by(7));
     }
     let targets: Vec<Viewpoint> = targets.into_iter().map(|p| graph.viewpoint(p)).collect();
-    let mut sources = points(&graph, 5, 0);
+    let mut sources = scattered(&graph, 0, 5);
     // On the outline, and on a corner.
     sources.push((domain.rings()[0][0] + domain.rings()[0][1]) / 2.0);
     sources.push(domain.rings()[0][3]);
@@ -123,7 +112,7 @@ fn straight_in_a_convex_domain() {
     let source = DVec2::new(333.0, 444.0);
     let triangle = navigation.triangle_at(source).expect("inside");
     let field = Propagation::default().field(&navigation, triangle, source, f64::INFINITY);
-    for p in points(&graph, 2000, 0) {
+    for p in scattered(&graph, 0, 2000) {
         let triangle = navigation.triangle_at(p).expect("inside");
         assert!((field.distance(triangle, p) - source.distance(p)).abs() <= 1e-12 * source.distance(p));
     }

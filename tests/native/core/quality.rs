@@ -3,12 +3,10 @@
 use std::collections::BTreeSet;
 
 use c2warp::{Solution, project::Support};
+use c2warp_tests::outlines;
 use glam::DVec2;
 
-use crate::{
-    outlines,
-    scenes::{handle, project, solved, spread},
-};
+use crate::scenes::{handle, project, solved, spread};
 
 /// Where a handle rests, and by how much it goes, as plain numbers.
 type Move = ((f64, f64), (f64, f64));

@@ -1,12 +1,15 @@
-//! What the rigid mode promises beside the dense reference, and whether it keeps it.
+//! What the rigid mode promises beside the dense reference, and the distances beside the geodesic, and whether they keep it.
 
-use crate::methods::{Compared, EDITOR, Method};
+use crate::{
+    distances::{Distances, greatest},
+    methods::{Compared, EDITOR, Method},
+};
 
-/// A promise about one pose.
+/// A promise about one pose, or the distances in one domain.
 #[derive(Debug, Clone)]
 pub struct Bar {
-    /// The pose.
-    pub pose: &'static str,
+    /// The pose, or the domain.
+    pub of: &'static str,
     /// What is promised.
     pub what: &'static str,
     /// The figure and what it may be at most.
@@ -23,17 +26,27 @@ impl Bar {
     }
 }
 
-/// The bars of a pose, for the rigid mode as the editor asks for it.
+/// The bars of distances: one for each domain, whatever the number of samples.
+#[must_use]
+pub fn distance_bars(all: &[Distances]) -> Vec<Bar> {
+    let of = |same: &[Distances]| {
+        let figure = greatest(same.iter().map(|distances| distances.solver.greatest));
+        Bar { of: same[0].domain, what: "greatest error of a distance", figure, limit: 1e-6 }
+    };
+    all.chunk_by(|a, b| a.domain == b.domain).map(of).collect()
+}
+
+/// The bars of a pose, for `rigid 100`: the rigid mode as the editor asks for it.
 #[must_use]
 pub fn bars(compared: &Compared) -> Vec<Bar> {
     let (Some(rigid), Some(dense)) = (compared.by(EDITOR), compared.by(Method::Dense)) else { return Vec::new() };
-    let bar = |what, figure, limit| Bar { pose: compared.pose.name, what, figure, limit };
+    let bar = |what, figure, limit| Bar { of: compared.pose.name, what, figure, limit };
     // A pin may turn the triangles next to it over, at any size of the mesh: folds of the reference count away from pins.
     let folds = if compared.folds_away_from_handles(dense) == 0 { 0.0 } else { f64::INFINITY };
     vec![
-        bar("mean energy ÷ dense's", rigid.distortion.energy / dense.distortion.energy, 1.25),
-        bar("time of a frame ÷ dense's", rigid.frame_ms / dense.frame_ms, 0.02),
-        bar("folds, where dense has none", rigid.distortion.folds as f64, folds),
-        bar("farthest off a handle, px", rigid.off_handles, 1e-6),
+        bar("rigid 100: mean energy ÷ dense's", rigid.distortion.energy / dense.distortion.energy, 1.25),
+        bar("rigid 100: time of a frame ÷ dense's", rigid.frame_ms / dense.frame_ms, 0.02),
+        bar("rigid 100: folds, where dense has none", rigid.distortion.folds as f64, folds),
+        bar("rigid 100: farthest off a handle, px", rigid.off_handles, 1e-6),
     ]
 }

@@ -1,5 +1,4 @@
-//! Pictures for eyes: a pose by all methods side by side. In the first row a grid, turned over where it is red; in the second
-//! the picture; in the third the energy, from blue over green to red.
+//! Pictures for eyes: a pose by several methods side by side.
 
 use std::convert::Infallible;
 
@@ -17,7 +16,7 @@ use image::{Rgba, RgbaImage, imageops};
 
 use crate::{
     measure::{energy, jacobians, stretches},
-    methods::{Compared, Outcome},
+    methods::{Compared, Method, Outcome},
 };
 
 /// Greatest side of a panel in pixels.
@@ -27,24 +26,41 @@ const LABEL: u32 = 28;
 /// Lines of the grid over the larger side.
 const LINES: u32 = 40;
 
-/// The sheet of a pose.
+/// What a row of panels shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Row {
+    /// A grid, turned over where it is red, with the sites.
+    Grid,
+    /// The picture.
+    Picture,
+    /// The energy, from blue over green to red.
+    Energy,
+}
+
+impl Row {
+    /// In the order of sheets.
+    pub const ALL: [Self; 3] = [Self::Grid, Self::Picture, Self::Energy];
+}
+
+/// The sheet of a pose: a column for each of these methods that did it.
 #[must_use]
-pub fn sheet(compared: &Compared) -> RgbaImage {
+pub fn sheet(compared: &Compared, methods: &[Method], rows: &[Row]) -> RgbaImage {
     let frame = Frame::around(compared);
     let (width, height) = (frame.width, frame.height);
-    let columns = compared.outcomes.len() as u32;
-    let mut sheet = RgbaImage::from_pixel(columns * (width + 8), 3 * (height + 8) + LABEL, Rgba([255; 4]));
+    let shown: Vec<&Outcome> = methods.iter().filter_map(|&method| compared.by(method)).collect();
+    let size = (shown.len() as u32 * (width + 8), rows.len() as u32 * (height + 8) + LABEL);
+    let mut sheet = RgbaImage::from_pixel(size.0, size.1, Rgba([255; 4]));
     let grid = grid(compared);
-    for (column, outcome) in (0_u32..).zip(&compared.outcomes) {
+    for (column, outcome) in (0_u32..).zip(shown) {
         let x = column * (width + 8) + 4;
         let label = format!("{}  E {:.3}", outcome.method.name().replace(", rigid", " +"), outcome.distortion.energy);
         write(&mut sheet, &label, x, 20);
-        let energies = frame.energies(compared, outcome);
-        for (row, panel) in (0_u32..).zip([
-            frame.warped(compared, outcome, &grid, true),
-            frame.warped(compared, outcome, &compared.pose.picture, false),
-            energies,
-        ]) {
+        for (row, what) in (0_u32..).zip(rows) {
+            let panel = match what {
+                Row::Grid => frame.warped(compared, outcome, &grid, true),
+                Row::Picture => frame.warped(compared, outcome, &compared.pose.picture, false),
+                Row::Energy => frame.energies(compared, outcome),
+            };
             imageops::overlay(&mut sheet, &panel, x.into(), (LABEL + row * (height + 8)).into());
         }
     }

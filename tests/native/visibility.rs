@@ -4,15 +4,16 @@
 use glam::DVec2;
 
 /// A polygon with holes, and which of its reflex corners see one another.
-pub(crate) struct VisibilityGraph {
+pub struct VisibilityGraph {
     edges: Vec<(DVec2, DVec2)>,
     corners: Vec<DVec2>,
     links: Vec<Vec<(usize, f64)>>,
 }
 
 /// A point of the polygon, and the corners that it sees with their distances.
-pub(crate) struct Viewpoint {
-    pub(crate) at: DVec2,
+pub struct Viewpoint {
+    /// Where it is, in pixels.
+    pub at: DVec2,
     corners: Vec<(usize, f64)>,
 }
 
@@ -21,7 +22,8 @@ const ON: f64 = 1e-9;
 
 impl VisibilityGraph {
     /// Rings: outer ones with positive area, holes with negative.
-    pub(crate) fn new(rings: &[Vec<DVec2>]) -> Self {
+    #[must_use]
+    pub fn new(rings: &[Vec<DVec2>]) -> Self {
         let (mut edges, mut corners) = (Vec::new(), Vec::new());
         for ring in rings {
             let n = ring.len();
@@ -38,7 +40,9 @@ impl VisibilityGraph {
         graph
     }
 
-    pub(crate) fn contains(&self, p: DVec2) -> bool {
+    /// Whether a point lies in the polygon.
+    #[must_use]
+    pub fn contains(&self, p: DVec2) -> bool {
         let crossings = self
             .edges
             .iter()
@@ -47,12 +51,14 @@ impl VisibilityGraph {
     }
 
     /// A point with the corners that it sees.
-    pub(crate) fn viewpoint(&self, p: DVec2) -> Viewpoint {
+    #[must_use]
+    pub fn viewpoint(&self, p: DVec2) -> Viewpoint {
         Viewpoint { at: p, corners: self.seen_corners(p) }
     }
 
-    /// Distances from one point to others.
-    pub(crate) fn distances(&self, from: DVec2, to: &[Viewpoint]) -> Vec<f64> {
+    /// Distances from one point to others, in pixels; infinite where no path leads.
+    #[must_use]
+    pub fn distances(&self, from: DVec2, to: &[Viewpoint]) -> Vec<f64> {
         let mut distance = vec![f64::INFINITY; self.corners.len()];
         let mut open: Vec<(usize, f64)> = self.seen_corners(from);
         while let Some(least) = (0..open.len()).min_by(|&i, &j| open[i].1.total_cmp(&open[j].1)) {

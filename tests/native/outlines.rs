@@ -1,14 +1,22 @@
-//! Domains to test with, drawn by formulas.
+//! Domains that are hard for distances, drawn by formulas.
 
 use c2warp::{Picture, domain::Domain};
 use glam::DVec2;
 
-pub(crate) const SIZE: u32 = 1000;
+use crate::visibility::VisibilityGraph;
 
-pub(crate) type Rings = Vec<Vec<DVec2>>;
+/// Side of the square picture that they lie in, in pixels.
+pub const SIZE: u32 = 1000;
+
+/// Corners of the rings of a domain, in pixels: outer ones with positive area, holes with negative.
+pub type Rings = Vec<Vec<DVec2>>;
 
 /// A domain from its rings, within a picture of [`SIZE`] squared.
-pub(crate) fn polygon(rings: &Rings) -> Domain {
+///
+/// # Panics
+/// Where the rings make no domain.
+#[must_use]
+pub fn polygon(rings: &Rings) -> Domain {
     Domain::from_polygon(rings, SIZE, SIZE).expect("the test's rings are valid")
 }
 
@@ -18,7 +26,8 @@ fn circle(centre: DVec2, radius: f64, corners: usize) -> Vec<DVec2> {
 }
 
 /// A figure with a head, arms and legs.
-pub(crate) fn gingerbread() -> Rings {
+#[must_use]
+pub fn gingerbread() -> Rings {
     let half = [
         (500.0, 40.0),
         (560.0, 55.0),
@@ -55,7 +64,8 @@ pub(crate) fn gingerbread() -> Rings {
 }
 
 /// A band wound two and a half times, with many corners.
-pub(crate) fn spiral() -> Rings {
+#[must_use]
+pub fn spiral() -> Rings {
     let arm = |i: usize, width: f64| {
         let turn = 5.0 * std::f64::consts::PI * i as f64 / 160.0;
         DVec2::splat(500.0) + (60.0 + 24.0 * turn + width) * DVec2::from_angle(turn)
@@ -66,7 +76,8 @@ pub(crate) fn spiral() -> Rings {
 }
 
 /// A square with a hole that has corners of every sort.
-pub(crate) fn holed_square() -> Rings {
+#[must_use]
+pub fn holed_square() -> Rings {
     let hole = [
         (300.0, 300.0),
         (520.0, 350.0),
@@ -84,7 +95,8 @@ pub(crate) fn holed_square() -> Rings {
 }
 
 /// A bar with teeth 6 px wide and gaps of 3 px.
-pub(crate) fn comb() -> Rings {
+#[must_use]
+pub fn comb() -> Rings {
     let mut ring = vec![DVec2::new(50.0, 100.0), DVec2::new(950.0, 100.0), DVec2::new(950.0, 250.0)];
     let mut x = 950.0;
     while x - 9.0 > 60.0 {
@@ -99,7 +111,11 @@ pub(crate) fn comb() -> Rings {
 }
 
 /// Bays, capes, holes and small scallops: the outline of a picture's alpha, with over 500 corners.
-pub(crate) fn alpha() -> Domain {
+///
+/// # Panics
+/// Never: the picture is drawn here.
+#[must_use]
+pub fn alpha() -> Domain {
     let n = SIZE as usize;
     let mut rgba = vec![255_u8; n * n * 4];
     for (i, pixel) in rgba.chunks_exact_mut(4).enumerate() {
@@ -116,6 +132,18 @@ pub(crate) fn alpha() -> Domain {
 }
 
 /// A convex domain.
-pub(crate) fn disc() -> Rings {
+#[must_use]
+pub fn disc() -> Rings {
     vec![circle(DVec2::splat(500.0), 420.0, 48)]
+}
+
+/// `count` points of a low-discrepancy sequence, from its `start` on, that lie in one of these domains.
+#[must_use]
+pub fn scattered(domain: &VisibilityGraph, start: usize, count: usize) -> Vec<DVec2> {
+    // The plastic number's multiples spread evenly in the square (Roberts' R2 sequence).
+    let at = |i: usize| {
+        let i = i as f64;
+        DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)
+    };
+    (start..).map(at).filter(|&p| domain.contains(p)).take(count).collect()
 }

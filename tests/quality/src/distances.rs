@@ -1,0 +1,136 @@
+//! Intrinsic distances beside the geodesic of the polygon: the solver's, and those of Dijkstra's algorithm along the edges of the
+//! samples' mesh, which is the paper's way (section V-B).
+
+use std::hint::black_box;
+
+use c2warp::{
+    distance::{Navigation, Propagation, graph::Graph},
+    domain::Domain,
+    sample::Samples,
+};
+use c2warp_bench::{
+    clock::native_ms,
+    measure::{Effort, least_ms},
+};
+use c2warp_tests::{
+    outlines,
+    visibility::{Viewpoint, VisibilityGraph},
+};
+use glam::DVec2;
+
+const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, least_runs: 3 };
+
+/// Numbers of samples asked for.
+const SAMPLES: [usize; 3] = [2_000, 8_000, 31_000];
+/// Points that distances are measured from.
+const SOURCES: usize = 4;
+/// Samples that distances are compared at.
+const COMPARED: usize = 400;
+/// Distances below this are compared as if they were as long, in pixels.
+const SHORTEST: f64 = 1.0;
+
+/// Relative errors of some distances.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Errors {
+    /// Their mean.
+    pub mean: f64,
+    /// The greatest.
+    pub greatest: f64,
+}
+
+/// Distances in one domain with one number of samples. Times are for one source.
+#[derive(Debug, Clone)]
+pub struct Distances {
+    /// What the domain is.
+    pub domain: &'static str,
+    /// Corners of its outline.
+    pub corners: usize,
+    /// Samples of it.
+    pub samples: usize,
+    /// Of the solver.
+    pub solver: Errors,
+    /// Of Dijkstra's algorithm on the edges.
+    pub graph: Errors,
+    /// The solver's time to all samples, ms.
+    pub solver_ms: f64,
+    /// The time of Dijkstra's algorithm, ms.
+    pub graph_ms: f64,
+}
+
+/// Distances in all domains, with each number of samples.
+#[must_use]
+pub fn distances() -> Vec<Distances> {
+    let domains = [
+        ("gingerbread", outlines::polygon(&outlines::gingerbread())),
+        ("spiral", outlines::polygon(&outlines::spiral())),
+        ("square with a hole", outlines::polygon(&outlines::holed_square())),
+        ("comb", outlines::polygon(&outlines::comb())),
+        ("outline of a picture", outlines::alpha()),
+    ];
+    domains.iter().flat_map(|(name, domain)| of_domain(name, domain)).collect()
+}
+
+fn of_domain(name: &'static str, domain: &Domain) -> Vec<Distances> {
+    let geodesics = VisibilityGraph::new(domain.rings());
+    let navigation = Navigation::new(domain);
+    let sources = outlines::scattered(&geodesics, 0, SOURCES);
+    SAMPLES
+        .iter()
+        .map(|&count| {
+            let samples = Samples::new(domain, &navigation, &sources, &[], count);
+            of_samples(name, domain, (&geodesics, &navigation), (&sources, &samples))
+        })
+        .collect()
+}
+
+fn of_samples(
+    domain: &'static str,
+    outline: &Domain,
+    (geodesics, navigation): (&VisibilityGraph, &Navigation),
+    (sources, samples): (&[DVec2], &Samples),
+) -> Distances {
+    let points = &samples.mesh.vertices;
+    // Samples on the outline lie in it or not as rounding decides.
+    let inner: Vec<usize> = (0..samples.len()).filter(|&i| geodesics.contains(points[i])).collect();
+    let compared: Vec<usize> = inner.iter().copied().step_by(inner.len().div_ceil(COMPARED)).collect();
+    let graph = Graph::of_mesh(&samples.mesh);
+    let mut propagation = Propagation::default();
+    let mut solve = |source: DVec2| -> Vec<f64> {
+        let triangle = navigation.triangle_at(source).expect("sources lie in the domain");
+        let field = propagation.field(navigation, triangle, source, f64::INFINITY);
+        let at = |(&triangle, &p)| field.distance(triangle, p);
+        samples.outline_triangles.iter().zip(points).map(at).collect()
+    };
+
+    let viewpoints: Vec<Viewpoint> = compared.iter().map(|&i| geodesics.viewpoint(points[i])).collect();
+    let (mut of_solver, mut of_graph) = (Vec::new(), Vec::new());
+    for (&source, &at) in sources.iter().zip(&samples.at_sites) {
+        let found = solve(source);
+        let along_edges = graph.distances(points, at as usize);
+        for (&i, exact) in compared.iter().zip(geodesics.distances(source, &viewpoints)) {
+            let error = |distance: f64| (distance - exact).abs() / exact.max(SHORTEST);
+            of_solver.push(error(found[i]));
+            of_graph.push(error(along_edges[i]));
+        }
+    }
+    let time = |run: &mut dyn FnMut()| least_ms(native_ms, EFFORT, run);
+    let source = sources[0];
+    Distances {
+        domain,
+        corners: outline.rings().iter().map(Vec::len).sum(),
+        samples: samples.len(),
+        solver: errors(&of_solver),
+        graph: errors(&of_graph),
+        solver_ms: time(&mut || drop(black_box(solve(source)))),
+        graph_ms: time(&mut || drop(black_box(graph.distances(points, samples.at_sites[0] as usize)))),
+    }
+}
+
+fn errors(all: &[f64]) -> Errors {
+    Errors { mean: all.iter().sum::<f64>() / all.len() as f64, greatest: greatest(all.iter().copied()) }
+}
+
+/// The greatest value; what is not a number is greater than any.
+pub(crate) fn greatest(values: impl Iterator<Item = f64>) -> f64 {
+    values.max_by(f64::total_cmp).unwrap_or(f64::NAN)
+}
