@@ -5,6 +5,7 @@
 //! any machine: [`bars`] lists them, and whether they are met. The yardstick is a *pass*: one distance field without a bound,
 //! asked at every sample.
 
+pub mod aligned;
 pub mod bars;
 pub mod cases;
 pub mod clock;

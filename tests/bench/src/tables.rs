@@ -1,8 +1,7 @@
 //! The results as a person reads them: tables in Markdown, aligned.
 
-use std::fmt::Write;
-
 use crate::{
+    aligned::aligned,
     bars::bars,
     cases::{TABLE_1, TABLE_2},
     results::{Figure, Results},
@@ -76,7 +75,7 @@ fn table_1(results: &Results) -> String {
             or_none(wasm.map(|solve| solve.weights_ms)),
         ]
     };
-    aligned(&header, TABLE_1.iter().enumerate().map(row))
+    aligned(&header, TABLE_1.iter().enumerate().map(row), 1)
 }
 
 fn table_2(results: &Results) -> String {
@@ -95,7 +94,7 @@ fn table_2(results: &Results) -> String {
             or_none(wasm.map(|solve| solve.sampling_ms)),
         ]
     };
-    aligned(&header, TABLE_2.iter().enumerate().map(row))
+    aligned(&header, TABLE_2.iter().enumerate().map(row), 1)
 }
 
 fn parts(results: &Results) -> String {
@@ -127,7 +126,7 @@ fn parts(results: &Results) -> String {
         let ratio = wasm.map_or(NONE.into(), |wasm| format!("{:.2}", wasm / native));
         vec![what, milliseconds(native), or_none(wasm), ratio]
     };
-    aligned(&["", "native", "wasm", "wasm ÷ native"], cases.into_iter().map(row))
+    aligned(&["", "native", "wasm", "wasm ÷ native"], cases.into_iter().map(row), 1)
 }
 
 fn bar_table(results: &Results) -> String {
@@ -140,33 +139,7 @@ fn bar_table(results: &Results) -> String {
             bar.wasm.map_or(NONE.into(), figure),
         ]
     };
-    aligned(&["", "bar", "figure", "verdict", "in wasm"], bars(results).into_iter().map(row))
-}
-
-/// A table whose first column stands on the left and whose others stand on the right.
-fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
-    let rows: Vec<Vec<String>> =
-        std::iter::once(header.iter().map(|&cell| cell.to_owned()).collect()).chain(rows).collect();
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let mut text = String::new();
-    for (at, row) in rows.iter().enumerate() {
-        let cell = |(column, cell): (usize, &String)| match (column, widths[column]) {
-            (0, width) => format!("{cell:<width$}"),
-            (_, width) => format!("{cell:>width$}"),
-        };
-        let cells: Vec<String> = row.iter().enumerate().map(cell).collect();
-        writeln!(text, "| {} |", cells.join(" | ")).expect("writing to memory does not fail");
-        if at == 0 {
-            let rule = |(column, &width): (usize, &usize)| match column {
-                0 => "-".repeat(width),
-                _ => "-".repeat(width.max(2) - 1) + ":",
-            };
-            let rules: Vec<String> = widths.iter().enumerate().map(rule).collect();
-            writeln!(text, "| {} |", rules.join(" | ")).expect("writing to memory does not fail");
-        }
-    }
-    text
+    aligned(&["", "bar", "figure", "verdict", "in wasm"], bars(results).into_iter().map(row), 1)
 }
 
 fn or_none(ms: Option<f64>) -> String {

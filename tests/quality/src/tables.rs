@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use c2warp_bench::aligned::aligned;
+
 use crate::{
     bars::{Bar, bars, distance_bars},
     distances::Distances,
@@ -146,30 +148,4 @@ fn digits(value: f64) -> String {
         size if size < 99.5 => format!("{value:.1}"),
         _ => format!("{value:.0}"),
     }
-}
-
-/// A table whose first columns hold words.
-fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>, words: usize) -> String {
-    let lines: Vec<Vec<String>> =
-        std::iter::once(header.iter().map(|&cell| cell.to_owned()).collect()).chain(rows).collect();
-    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0).max(2);
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let mut text = String::new();
-    for (at, line) in lines.iter().enumerate() {
-        let cell = |(column, cell): (usize, &String)| {
-            let width = widths[column];
-            if column < words { format!("{cell:width$}") } else { format!("{cell:>width$}") }
-        };
-        let cells: Vec<String> = line.iter().enumerate().map(cell).collect();
-        writeln!(text, "| {} |", cells.join(" | ")).expect("writing to memory does not fail");
-        if at == 0 {
-            let rule = |(column, &width): (usize, &usize)| match column < words {
-                true => "-".repeat(width),
-                false => "-".repeat(width - 1) + ":",
-            };
-            let rules: Vec<String> = widths.iter().enumerate().map(rule).collect();
-            writeln!(text, "| {} |", rules.join(" | ")).expect("writing to memory does not fail");
-        }
-    }
-    text
 }
