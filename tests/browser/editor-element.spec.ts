@@ -33,6 +33,21 @@ test('it tells of input while dragging, of change once committed, of selection a
   await expect.poll(heard).toEqual(['selectionchange', 'input', 'historychange', 'input', 'change']);
 });
 
+test('input and change bubble, like those of form controls, and no other event does', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.evaluate(() => {
+    const heard: string[] = [];
+    Object.assign(globalThis, { heard });
+    for (const type of ['ready', 'load', 'input', 'change', 'selectionchange', 'historychange', 'error'])
+      document.body.addEventListener(type, ({ target }) =>
+        heard.push(`${type} ${(target as Element).localName}`),
+      );
+  });
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  const heard = () => page.evaluate(() => [...new Set(Reflect.get(globalThis, 'heard') as string[])]);
+  await expect.poll(heard).toEqual(['input c2-warp', 'change c2-warp']);
+});
+
 test('methods do what tools do', async ({ page }) => {
   const editor = await Editor.open(page);
   const answers = await page.locator('c2-warp').evaluate(async (element) => {

@@ -26,6 +26,54 @@ test('one script and one tag are a working editor', async ({ page }) => {
   expect(size).toBeGreaterThan(1000);
 });
 
+test('under the least policy it opens, bends and exports', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.addInitScript(() => {
+    const violations: string[] = [];
+    document.addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI, sample }) =>
+      violations.push(`${violatedDirective}: ${blockedURI} ${sample}`),
+    );
+    Object.assign(globalThis, { violations });
+  });
+  await page.goto('/strict/');
+  const editor = new Editor(page);
+  await editor.ready();
+  await editor.dragHandle('right hand', { x: 10, y: -40 });
+  await editor.button('Overlays').click();
+  const download = page.waitForEvent('download');
+  await editor.button('Export a PNG at full size').click();
+  expect((await download).suggestedFilename()).toBe('gingerbread-warped.png');
+  expect(await page.evaluate(() => Reflect.get(globalThis, 'violations'))).toEqual([]);
+});
+
+test.describe('without a policy', () => {
+  test.use({ bypassCSP: true });
+
+  test('it runs on a page of another origin, and in a sandboxed frame', async ({ page, baseURL }) => {
+    const warp = `
+      <script type="module" src="${baseURL}/element/c2warp.js"></script>
+      <c2-warp src="${baseURL}/samples/gingerbread.png" project="${baseURL}/samples/gingerbread.c2warp.json"></c2-warp>`;
+    await page.route('**/favicon.ico', (route) => route.fulfill());
+    await page.goto(`${baseURL}/samples/gingerbread.c2warp.json`.replace('localhost', 'other.localhost'));
+    await page.evaluate((warp) => {
+      const sandboxed = Object.assign(document.createElement('iframe'), {
+        srcdoc: warp,
+        width: 800,
+        height: 600,
+      });
+      sandboxed.sandbox.add('allow-scripts');
+      document.body.replaceChildren(document.createRange().createContextualFragment(warp), sandboxed);
+    }, warp);
+    await expect.poll(() => page.frames().length).toBe(2);
+    for (const frame of page.frames()) {
+      const element = frame.locator('c2-warp');
+      await expect(element.locator('.solved')).toContainText('sample');
+      const size = await element.evaluate(async (warp) => (await (warp as C2Warp).toBlob(0.1)).size);
+      expect(size).toBeGreaterThan(1000);
+    }
+  });
+});
+
 test('what a page downloads stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;

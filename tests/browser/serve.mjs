@@ -1,6 +1,6 @@
 /**
  * Serves what the browser tests look at, as it would be deployed: the built editor at /, the harness at /harness/, the element for other
- * people's pages at /element/, and such pages at /plain/ and /article/.
+ * people's pages at /element/, and such pages at /plain/, /strict/ and /article/.
  *
  * Built in memory, so that two runs side by side do not disturb each other; served under the strictest Content Security
  * Policy that the program promises to work with.
@@ -30,7 +30,7 @@ const files = new Map();
 await add('', 'vite.config.ts', {});
 await add('harness/', 'vite.config.ts', { root: path('harness'), publicDir: false });
 await add('element/', 'vite.element.config.ts', {});
-for (const page of ['plain', 'article'])
+for (const page of ['plain', 'strict', 'article'])
   files.set(`${page}/index.html`, await readFile(path(`${page}.html`)));
 
 createServer(async (request, response) => {
@@ -41,8 +41,13 @@ createServer(async (request, response) => {
     response.writeHead(404).end();
     return;
   }
-  const type = TYPES[extname(name)] ?? 'application/octet-stream';
-  response.writeHead(200, { 'Content-Type': type, 'Content-Security-Policy': POLICY }).end(content);
+  const headers = {
+    'Content-Type': TYPES[extname(name)] ?? 'application/octet-stream',
+    'Content-Security-Policy': POLICY,
+    // Pages of other origins may take the element from here.
+    'Access-Control-Allow-Origin': '*',
+  };
+  response.writeHead(200, headers).end(content);
 }).listen(Number(process.env.PORT), 'localhost');
 
 /**

@@ -6,10 +6,12 @@
  * solve, and the page itself never waits.
  */
 import type { Project } from '../document/project';
-import { superseded } from './errors';
+import { startWorker } from '../start_worker';
+import { ENGINE, EngineError, superseded } from './errors';
 import { Link } from './link';
 import { checkedProject, createPoser, loadModule, type Poser } from './module';
 import type { Pixels, SolutionData, Stage } from './solution';
+import worker from './worker/worker?worker&url';
 
 export class Engine {
   readonly #link: Link;
@@ -21,11 +23,15 @@ export class Engine {
     this.#link = link;
   }
 
-  /** @throws EngineError with the code `engine` where the module cannot be loaded. */
+  /** @throws EngineError with the code `engine` where the module cannot be loaded, or the worker not be started. */
   static async start(): Promise<Engine> {
     const module = await loadModule();
-    const spawn = () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' });
-    return new Engine(new Link(spawn, module));
+    try {
+      return new Engine(new Link(() => startWorker(worker), module));
+    } catch (error) {
+      const message = `The solver could not be started: ${error}`;
+      throw new EngineError({ code: ENGINE, message }, { cause: error });
+    }
   }
 
   /** Sets the picture of all later calls, in straight alpha. If the solver refuses it, those calls reject. */

@@ -27,6 +27,9 @@ interface Pending {
 
 const DEATHS_ALLOWED = 1;
 
+/** Browsers do not say why. */
+const NOT_STARTED = 'its worker could not be started: is the file there, and does the page allow it?';
+
 export class Link {
   readonly #spawn: () => Port;
   readonly #module: WebAssembly.Module;
@@ -88,7 +91,7 @@ export class Link {
     this.#port = port;
     port.onmessage = ({ data }) => this.#receive(data);
     // The worker script threw outside of a request, or did not load.
-    port.onerror = (event) => this.#replace(event.message || 'the worker could not be started');
+    port.onerror = (event) => this.#replace(event.message || NOT_STARTED);
     port.postMessage({ module: this.#module });
     const requests = [...this.#pending.values()].map(({ request }) => request);
     if (this.#picture && !requests.some(({ name }) => name === 'picture')) {

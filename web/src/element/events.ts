@@ -23,10 +23,12 @@ type EventMap = Omit<HTMLElementEventMap, EventName> & C2WarpEventMap;
 
 export type Emit = <T extends EventName>(type: T, detail: EventDetails[T]) => void;
 
+/** `input` and `change` bubble like those of form controls: some frameworks listen for these on the document. */
 export const emitter =
   (element: EventTarget): Emit =>
   (type, detail) => {
-    element.dispatchEvent(new CustomEvent(type, { detail }));
+    const bubbles = type === 'input' || type === 'change';
+    element.dispatchEvent(new CustomEvent(type, { detail, bubbles }));
   };
 
 type Listener<T extends keyof EventMap> = (event: EventMap[T]) => unknown;

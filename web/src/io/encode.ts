@@ -3,13 +3,15 @@
  *
  * Compressing takes about 0.1 s per million pixels, so a worker does it, one for all editors of a page.
  */
+import { startWorker } from '../start_worker';
+import png from './worker/png?worker&url';
 
 let worker: Worker | null = null;
 
 /** Loads the worker ahead, so that a later export needs no network. */
 export function preparePng(): Worker {
   if (worker) return worker;
-  const made = new Worker(new URL('./worker/png.ts', import.meta.url), { type: 'module' });
+  const made = startWorker(png);
   // After a failure, the next call starts another worker.
   made.addEventListener('error', () => {
     if (worker === made) worker = null;
