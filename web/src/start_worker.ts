@@ -15,9 +15,10 @@ const importing: Record<string, string> = {};
 
 /** @throws Error where the page's policy forbids it. */
 export function startWorker(address: string): Worker {
-  if (new URL(address).origin === origin) return new Worker(trusted(address), { type: 'module' });
-  importing[address] ??= URL.createObjectURL(new Blob([importer(address)], { type: 'text/javascript' }));
-  return new Worker(trusted(importing[address]));
+  const { href, origin: home } = new URL(address, document.baseURI);
+  if (home === origin) return new Worker(trusted(href), { type: 'module' });
+  importing[href] ??= URL.createObjectURL(new Blob([importer(href)], { type: 'text/javascript' }));
+  return new Worker(trusted(importing[href]));
 }
 
 /**
