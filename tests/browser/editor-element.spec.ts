@@ -566,6 +566,18 @@ test('what changes nothing is no step, and takes no redo away', async ({ page })
   await expect(page.getByRole('button', { name: 'Redo: change handle' })).toBeEnabled();
 });
 
+test('a property is taken back by undefined, as frameworks do it', async ({ page }) => {
+  await Editor.open(page);
+  const left = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const names = ['src', 'project', 'tool', 'readonly', 'disabled', 'play', 'theme', 'hint', 'hintFor'];
+    warp.selection = ['head'];
+    for (const name of [...names, 'autosave', 'selection']) Reflect.set(warp, name, undefined);
+    return { selection: warp.selection, handles: warp.project.handles.length };
+  });
+  expect(left).toEqual({ selection: [], handles: 5 });
+});
+
 test('a selection box goes with the picture that it was drawn on', async ({ page }) => {
   const editor = await Editor.open(page);
   const box = page.locator('c2-warp rect.box');

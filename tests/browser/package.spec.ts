@@ -5,7 +5,11 @@ import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
-const EXPORTS: Readonly<Record<'node' | 'default', string>> = JSON.parse(
+const {
+  types: _,
+  default: ELEMENT,
+  ...SERVERS
+}: Readonly<Record<string, string>> = JSON.parse(
   readFileSync(new URL('../../package.json', import.meta.url), 'utf8'),
 ).exports['.'];
 
@@ -82,9 +86,14 @@ test('what a page downloads stays small', async ({ request }) => {
   expect(await kilobytes('c2warp_bg.wasm')).toBeLessThan(420);
 });
 
-test('the package names files that are built, and one that a server may import', async ({ request }) => {
-  expect((await request.get(served(EXPORTS.default))).ok()).toBe(true);
-  const server = await (await request.get(served(EXPORTS.node))).text();
-  const { C2Warp } = await import(`data:text/javascript,${encodeURIComponent(server)}`);
-  expect(typeof C2Warp).toBe('function');
+test('the package names files that are built, and one that a server of any kind may import', async ({
+  request,
+}) => {
+  expect((await request.get(served(String(ELEMENT)))).ok()).toBe(true);
+  expect(Object.keys(SERVERS)).toEqual(['node', 'workerd', 'edge-light']);
+  for (const file of new Set(Object.values(SERVERS))) {
+    const server = await (await request.get(served(file))).text();
+    const { C2Warp } = await import(`data:text/javascript,${encodeURIComponent(server)}`);
+    expect(typeof C2Warp).toBe('function');
+  }
 });

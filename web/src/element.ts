@@ -54,7 +54,7 @@ import {
 } from './document/project';
 import { Desk } from './element/desk';
 import type { ChangeKind } from './element/editing';
-import { emitter, TypedElement } from './element/events';
+import { type C2WarpEventMap, emitter, TypedElement } from './element/events';
 import { FocusKeeper } from './element/focus_keeper';
 import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
@@ -70,6 +70,18 @@ export type { C2WarpEventMap } from './element/events';
 export type NewHandle<H = HandleFile> = H extends HandleFile
   ? Omit<H, 'id'> & { readonly id?: string }
   : never;
+
+/** What the template of a framework may set on the tag: attributes, properties, and listeners such as `onchange`. */
+export type C2WarpProps = {
+  [T in keyof C2WarpEventMap as `on${T}`]?: ((event: C2WarpEventMap[T]) => void) | undefined;
+} & {
+  [T in 'src' | 'tool' | 'theme' | 'hint' | 'hint-for' | 'autosave']?: string | null | undefined;
+} & {
+  [T in 'readonly' | 'disabled' | 'play']?: boolean | undefined;
+} & {
+  project?: ProjectFile | string | null | undefined;
+  selection?: readonly string[] | null | undefined;
+};
 
 export class C2Warp extends TypedElement {
   static override styles = editorStyle;
@@ -156,12 +168,17 @@ export class C2Warp extends TypedElement {
     else this.#initial.project = copied(given);
   }
 
-  /** Ids of the selected handles. A selection that is set before there is a picture is applied to the next one. */
+  /**
+   * Ids of the selected handles; null selects none. A selection that is set before there is a picture is applied to the
+   * next one.
+   */
   get selection(): readonly string[] {
     return [...this.#present.workbench.editing.document.selection];
   }
 
-  set selection(ids: readonly string[]) {
+  set selection(given: readonly string[] | null) {
+    // Frameworks take a property back by setting it to undefined.
+    const ids = given ?? [];
     if (!Array.isArray(ids)) throw new TypeError('selection: expected a list of ids');
     if (this.#desk?.workbench.picture) this.#desk.workbench.editing.select(ids);
     else this.#initial.selection = [...ids];
