@@ -78,6 +78,24 @@ test.describe('without a policy', () => {
   });
 });
 
+test('a file of the element that is missing is told of, also where a page is in its place', async ({
+  page,
+}) => {
+  const refused = async () => {
+    await page.goto('/plain/');
+    await expect(page.getByRole('alert')).toBeVisible();
+    return page.getByRole('alert').textContent();
+  };
+  await page.route('**/worker.js', (route) =>
+    route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }),
+  );
+  expect(await refused()).toContain('its worker could not be started: is the file there');
+  await page.route('**/*.wasm', (route) =>
+    route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }),
+  );
+  expect(await refused()).toContain('/element/c2warp_bg.wasm is not there: a page is, in its place');
+});
+
 test('what a page downloads stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;

@@ -47,8 +47,11 @@ async function load(): Promise<WebAssembly.Module> {
 async function compile(url: URL): Promise<WebAssembly.Module> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url.pathname} answers ${response.status}`);
+  const type = response.headers.get('content-type') ?? '';
+  // What development servers answer for a file that they do not have.
+  if (type.startsWith('text/html')) throw new Error(`${url.pathname} is not there: a page is, in its place`);
   // Streaming requires this type, which not every static server sends.
-  if (response.headers.get('content-type')?.startsWith('application/wasm')) {
+  if (type.startsWith('application/wasm')) {
     return WebAssembly.compileStreaming(response);
   }
   return WebAssembly.compile(await response.arrayBuffer());
