@@ -83,6 +83,29 @@ for (const [width, height] of [
   });
 }
 
+test('it can be seen where its width is left to its content', async ({ page }) => {
+  await Editor.open(page);
+  const widths = await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const row = document.createElement('div');
+    document.body.append(row);
+    row.append(warp);
+    warp.style.position = 'relative';
+    const layouts = ['display: block', 'display: flex', 'display: grid; justify-items: center'];
+    return ['auto', '200px'].map((width) => {
+      warp.style.width = width;
+      return layouts.map((layout) => {
+        row.style.cssText = `width: 500px; ${layout}`;
+        return warp.offsetWidth;
+      });
+    });
+  });
+  expect(widths).toEqual([
+    [500, 320, 320],
+    [200, 200, 200],
+  ]);
+});
+
 for (const [width, height] of [
   [240, null],
   [500, null],

@@ -1,12 +1,15 @@
 /** The element as a box on any page, and what all of the editor shares: focus rings, cards, icons, fading in. */
 import { css } from 'lit';
-import { LEAST_HEIGHT } from './sizes';
+import { LEAST_HEIGHT, OWN_WIDTH } from './sizes';
 
 export const baseStyle = css`
   :host {
     display: block;
     position: relative;
     min-height: ${LEAST_HEIGHT}px;
+    /* All that is in it goes by its size: without this its own width would be none. */
+    contain: inline-size;
+    contain-intrinsic-width: ${OWN_WIDTH}px;
     overflow: clip;
     background: var(--_ground);
     color: var(--_text);

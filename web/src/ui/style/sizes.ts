@@ -9,6 +9,9 @@ export const LOWEST = 290;
 /** Height of an element whose page sets none, unless the picture says otherwise. */
 export const LEAST_HEIGHT = 240;
 
+/** Width of an element whose layout leaves it to the content, as in a row of a flex box. */
+export const OWN_WIDTH = 320;
+
 /** Heights of the bar above and of the line below, for a mouse and for fingers. */
 export const BARS = {
   fine: { toolbar: 48, status: 34 },
