@@ -175,6 +175,30 @@ test('removed, it gives back its context; put back, it has its document', async 
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
+test('created and removed again and again, nothing of it is left', async ({ page }) => {
+  await Editor.open(page);
+  const workers = page.workers().length;
+  await page.evaluate(async () => {
+    const gone: WeakRef<Element>[] = [];
+    for (let k = 0; k < 5; k++) {
+      const warp = Object.assign(document.createElement('c2-warp'), { src: '/samples/gingerbread.png' });
+      document.body.append(warp);
+      await new Promise((ready) => warp.addEventListener('ready', ready));
+      warp.remove();
+      gone.push(new WeakRef(warp));
+    }
+    Object.assign(globalThis, { gone });
+  });
+  const left = async () => {
+    await page.requestGC();
+    return page.evaluate(
+      () => (Reflect.get(globalThis, 'gone') as WeakRef<Element>[]).filter((ref) => ref.deref()).length,
+    );
+  };
+  await expect.poll(left).toBe(0);
+  await expect.poll(() => page.workers().length).toBe(workers);
+});
+
 test('removed while it opens another picture, it keeps neither', async ({ page }) => {
   const answers = await Answers.of(page);
   await page.addInitScript(() => {
