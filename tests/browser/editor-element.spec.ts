@@ -295,7 +295,7 @@ test('a handle that cannot be solved is named and taken back, and the history wi
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [20, 20], posed: [30, 30] });
   });
-  await expect(editor.notice).toContainText('handle-1');
+  await expect(editor.notice).toContainText('handle 1');
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Redo')).toBeDisabled();
   await editor.button('Undo: move right hand').click();

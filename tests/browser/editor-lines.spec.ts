@@ -333,7 +333,7 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   await page.keyboard.press('b');
   await clicks(editor, [at(60, 900), at(160, 1000)]);
   await page.keyboard.press('Enter');
-  await expect(editor.notice).toContainText('bar-1');
+  await expect(editor.notice).toContainText('“bar 1” lies outside the shape');
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Undo: set a corner')).toBeEnabled();
@@ -357,7 +357,7 @@ test('a refused bar comes back as a drawing, and what was done since stays', asy
   const heart = at(512, 600);
   await page.mouse.click(heart.x, heart.y);
   await answers.pass();
-  await expect(editor.notice).toContainText('bar-1');
+  await expect(editor.notice).toContainText('“bar 1” lies outside the shape');
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(6);
   await page.keyboard.press('Escape');

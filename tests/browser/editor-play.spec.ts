@@ -394,7 +394,7 @@ test('another picture is opened by the page, and what goes wrong is said', async
   await rig.element.evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [20, 20] });
   });
-  await expect(rig.element.getByRole('alert')).toContainText('handle-1');
+  await expect(rig.element.getByRole('alert')).toContainText('handle 1');
   await rig.element.getByRole('button', { name: 'Dismiss' }).click();
   await expect(rig.element.getByRole('alert')).toHaveCount(0);
   await rig.element.evaluate((element) => (element as C2Warp).load('/samples/gingerbread.png'));

@@ -45,7 +45,7 @@ export const depthOf = (handle: Handle): number => handle.depth ?? 0;
 export const DEPTHS = { least: -10, most: 10 } as const;
 
 /** The handle's name for screen readers and messages: its id as words. */
-export const nameOf = (handle: Handle): string => handle.id.replace(/[-_]+/g, ' ').trim() || handle.id;
+export const nameOf = ({ id }: Pick<Handle, 'id'>): string => id.replace(/[-_]+/g, ' ').trim() || id;
 
 /** The handle with every posed corner passed through `place`. */
 const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>

@@ -35,7 +35,7 @@ import type { Field } from '../ui/model';
 import type { Editing } from './editing';
 import type { Guarding } from './guarding';
 import type { Posing } from './posing';
-import { depthWords, placeWords, selectionName } from './wording';
+import { cornerWords, depthWords, placeWords, selectionName } from './wording';
 
 export class EditCommands {
   readonly #editing: Editing;
@@ -77,7 +77,10 @@ export class EditCommands {
     const at = handle && isLine(handle) ? handle.posed[index] : undefined;
     if (!handle || !at) return;
     const next = putCorner(this.#document, id, index, add(at, by));
-    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`);
+    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`, () => {
+      const moved = handleById(this.#document, id);
+      return moved && isLine(moved) ? cornerWords(moved, index) : '';
+    });
   }
 
   /** Adds a corner to a bar or polygon. Returns its index. */
@@ -172,15 +175,22 @@ export class EditCommands {
     if (field === 'depth') this.#sayDepth();
   }
 
-  /** Commits a change as far as the guard against folds allows, and announces the result. */
-  #guarded(label: string, wanted: Document, key: string): void {
+  /**
+   * Commits a change as far as the guard against folds allows, and announces the result.
+   * @param words the result: by default the pose of what is selected.
+   */
+  #guarded(label: string, wanted: Document, key: string, words = () => this.#placeWords): void {
     const document = this.#guarding.limited(this.#document, wanted);
     if (document === this.#document && this.#guarding.holding) {
       this.#say('Stopped: more would fold the picture');
       return;
     }
     this.#editing.commit(label, document, key);
-    this.#say(placeWords(this.#document, this.#posing.turns()));
+    this.#say(words());
+  }
+
+  get #placeWords(): string {
+    return placeWords(this.#document, this.#posing.turns());
   }
 
   #sayDepth(): void {

@@ -4,6 +4,7 @@
  */
 import type { Notice, Progress } from '../ui/model';
 import type { Emit } from './events';
+import { refusalWords } from './wording';
 
 export interface NoticesHost {
   changed(): void;
@@ -87,11 +88,11 @@ export class Notices {
     this.#passing = null;
   }
 
-  /** Shows an error as a notice and emits it. Ignores AbortErrors: overtaken work is no error. */
+  /** Shows an error as a notice, in words of the editor, and emits it as it is. Ignores AbortErrors: overtaken work is no error. */
   report(thrown: unknown): void {
     const error = thrown instanceof Error ? thrown : new Error(String(thrown));
     if (error.name === 'AbortError') return;
-    this.notify({ kind: 'error', text: error.message });
+    this.notify({ kind: 'error', text: refusalWords(error) });
     this.#host.emit('error', error);
   }
 

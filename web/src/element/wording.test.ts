@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { EngineError } from '../compute/errors';
 import { type Document, newProject, openDocument } from '../document/document';
 import { addHandle, selectHandles } from '../document/edits';
 import { DEPTHS } from '../document/handle';
-import { depthWords, draftWords, placeWords, selectionName } from './wording';
+import { cornerWords, depthWords, draftWords, placeWords, refusalWords, selectionName } from './wording';
 
 const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
 const withPoint = (id: string, document: Document, depth = 0): Document =>
@@ -26,6 +27,25 @@ describe('words', () => {
     expect(depthWords(withPoint('a', empty, DEPTHS.most))).toMatch(/, in front$/);
     expect(depthWords(withPoint('a', empty, DEPTHS.least))).toMatch(/, at the back$/);
     expect(depthWords(empty)).toBeNull();
+  });
+
+  it('say where a corner is', () => {
+    const places = [
+      [0, 0],
+      [7.6, 2],
+    ] as const;
+    const bar = { id: 'left-leg', kind: 'bar', rest: places, posed: places } as const;
+    expect(cornerWords(bar, 1)).toBe('Corner 2 of left leg: x 8, y 2');
+  });
+
+  it('put what the solver refuses in words of the editor, by its code', () => {
+    const message = 'handle “left-hand” at (1, 2) lies outside the domain';
+    const error = new EngineError({ code: 'handle-outside', message, handles: ['left-hand'] });
+    expect(refusalWords(error)).toMatch(/^“left hand” lies outside the shape/);
+    expect(refusalWords(new EngineError({ code: 'bar-too-short', message: 'short', handles: ['a'] }))).toBe(
+      'short',
+    );
+    expect(refusalWords(new Error('no such file'))).toBe('no such file');
   });
 
   it('say which corner a drawing has got', () => {

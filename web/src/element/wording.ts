@@ -1,6 +1,8 @@
-/** What undo labels and announcements call the selection, its place and depth, and a drawing. */
+/** What people read and hear of the selection, its place and depth, of a drawing, and of what the solver refuses. */
+import type { EngineError } from '../compute/errors';
 import { type Document, handleById, selectedHandles } from '../document/document';
 import { anchor, DEPTHS, depthOf, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import type { LineHandle } from '../document/project';
 import type { Draft } from '../tools/state';
 
 export function selectionName(document: Document): string {
@@ -20,6 +22,12 @@ export function placeWords(document: Document, turns: Turns): string {
   return `${nameOf(handle)}: x ${x}, y ${y}, rotation ${turn} degrees${scale}`;
 }
 
+/** Where a corner of a bar or polygon is; its index counts from 0. */
+export function cornerWords(handle: LineHandle, index: number): string {
+  const [x, y] = handle.posed[index]?.map(Math.round) ?? [];
+  return `Corner ${index + 1} of ${nameOf(handle)}: x ${x}, y ${y}`;
+}
+
 /** The depth of the first selected handle; null without one. */
 export function depthWords(document: Document): string | null {
   const [handle] = selectedHandles(document);
@@ -34,4 +42,19 @@ export function draftWords(draft: Draft | null): string {
   const [at] = draft?.corners.slice(-1) ?? [];
   const [x, y] = at?.map(Math.round) ?? [];
   return draft ? `${draft.kind}, corner ${draft.corners.length}: x ${x}, y ${y}` : 'Drawing given up';
+}
+
+/** By the codes of errors whose messages are in words of the solver and of project files. */
+const REFUSALS: Readonly<Record<string, (name: string) => string>> = {
+  'handle-outside': (name) => `“${name}” lies outside the shape: place it on the picture.`,
+  'on-held-boundary': (name) =>
+    `“${name}” stands on the boundary, which is held: move it further inside, or free the boundary.`,
+};
+
+/** An error in words of the editor. */
+export function refusalWords(error: Error): string {
+  const { code, handles } = error as Partial<EngineError>;
+  const [id] = handles ?? [];
+  const words = REFUSALS[String(code)];
+  return words && id !== undefined ? words(nameOf({ id })) : error.message;
 }
