@@ -1,6 +1,7 @@
 /** Where things stand: in small frames, in pages with a style of their own, under a system's colours. */
 import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
+import { insetsOf } from '../../web/src/element/insets';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -169,6 +170,28 @@ test('what is drawn and what is said lie beside the cards', async ({ page }) => 
   await expect(editor.notice).toContainText('…');
   await beside(editor.notice);
 });
+
+for (const [width, height] of [
+  [1000, 700],
+  [1000, 350],
+  [1000, 280],
+  [800, 600],
+  [800, 350],
+] as const) {
+  test(`hints stand in the middle of where the picture is fitted, at ${width} × ${height}`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    await Editor.open(page);
+    const stage = await box(page.locator('c2-warp .stage'));
+    const { left, right } = insetsOf({ stage, coarse: false, sheet: false, bare: null });
+    const cards = await page.locator('c2-warp .middle').evaluate((middle) => {
+      const style = getComputedStyle(middle);
+      return ['--_left', '--_right'].map((name) => Number.parseFloat(style.getPropertyValue(name)));
+    });
+    expect(cards).toEqual([left, right]);
+  });
+}
 
 test('the hint goes when its handle is out of sight', async ({ page }) => {
   const editor = await Editor.open(page);

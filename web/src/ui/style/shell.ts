@@ -42,6 +42,7 @@ export const shellStyle = css`
   @container ${low} {
     .middle {
       --_left: ${TOOLS.low}px;
+      --_right: ${PANEL.narrow}px;
     }
   }
   @container ${lowest} {
