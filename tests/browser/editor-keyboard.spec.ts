@@ -179,9 +179,12 @@ test('Escape is for a dialog around the editor once there is nothing to take bac
   expect(await taken('Escape')).toBe(false);
 });
 
-/** Whether a button's tooltip is shown. */
+/** Whether a button's tooltip can be seen. */
 const tipped = (button: Locator) => () =>
-  button.evaluate((element) => getComputedStyle(element, '::after').content !== 'none');
+  button.evaluate((element) => {
+    const { content, opacity } = getComputedStyle(element, '::after');
+    return content !== 'none' && opacity === '1';
+  });
 
 test('Escape dismisses a tooltip, until its button is hovered or focused again', async ({ page }) => {
   const editor = await Editor.open(page);
@@ -230,6 +233,65 @@ test('Escape dismisses a hovered tooltip while the focus is elsewhere on the pag
   await expect.poll(tipped(editor.button('Fit'))).toBe(false);
   await expect(page.locator('body > input')).toHaveValue('Escape false');
 });
+
+test('the pointer may go onto a tooltip; a press there dismisses it, and does not press the button', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const reset = editor.button('Reset all handles');
+  await editor.handle('head').focus();
+  await page.keyboard.press('ArrowUp');
+  await reset.hover();
+  await expect.poll(tipped(reset)).toBe(true);
+  const { x, y } = await editor.middle(reset);
+  for (let below = 0; below <= 36; below += 4) {
+    await page.mouse.move(x, y + below);
+    expect(await tipped(reset)(), `${below} px below`).toBe(true);
+  }
+  await page.mouse.down();
+  await page.mouse.up();
+  await expect.poll(tipped(reset)).toBe(false);
+  await expect(editor.button('Undo: move head')).toBeEnabled();
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('the tooltip of a disabled button is as plain as any other', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const undo = editor.button('Undo');
+  await expect(undo).toBeDisabled();
+  await undo.hover({ force: true });
+  await expect.poll(tipped(undo)).toBe(true);
+  await expect(undo).toHaveCSS('opacity', '1');
+});
+
+for (const name of [
+  'Open a picture',
+  'compare',
+  'Overlays',
+  'Select and move',
+  'How the picture bends',
+  'Delete',
+]) {
+  test(`the tooltip of “${name}” lies inside a window of 320 px`, async ({ page }) => {
+    await page.setViewportSize({ width: 320, height: 640 });
+    const editor = await Editor.open(page);
+    await editor.handle('head').focus();
+    const button = editor.button(new RegExp(name)).first();
+    await button.hover();
+    await expect.poll(tipped(button)).toBe(true);
+    const { left, right } = await button.evaluate((element) => {
+      const style = getComputedStyle(element, '::after');
+      const frame = getComputedStyle(element).position === 'static' ? element.closest('.tools') : element;
+      const box = (frame as Element).getBoundingClientRect();
+      const start = box.left + (frame as Element).clientLeft + Number.parseFloat(style.left);
+      const width = Number.parseFloat(style.width);
+      const shift = style.translate.startsWith('-50%') ? width / 2 : 0;
+      return { left: start - shift, right: start - shift + width };
+    });
+    expect(left).toBeGreaterThanOrEqual(0);
+    expect(right).toBeLessThanOrEqual(320);
+  });
+}
 
 test('an open menu takes the place of its tooltip', async ({ page }) => {
   const editor = await Editor.open(page);

@@ -1,6 +1,6 @@
 /**
- * Escape dismisses a shown tooltip, wherever the pointer and the focus are (WCAG 1.4.13). The next hover or focus of its
- * button shows it again.
+ * Escape dismisses a shown tooltip, wherever the pointer and the focus are (WCAG 1.4.13), and so does a press on the
+ * tooltip, which is none on its button. The next hover or focus of its button shows it again.
  *
  * What a person is in the midst of goes first and leaves the tooltip: a drag, a drawing, the crosshair, an open menu or
  * sheet of settings, a number field. All else that Escape does waits for the next press, such as to let go of what is
@@ -47,8 +47,23 @@ class Tooltips extends AsyncDirective {
       if (event.key === 'Escape' && !this.#busy) dismissIn(shell, event);
     };
     shell.ownerDocument.defaultView?.addEventListener('keydown', onKey, { signal, capture: true });
+    shell.addEventListener('pointerdown', (event) => pressed(event as PointerEvent), {
+      signal,
+      capture: true,
+    });
   }
 }
+
+/** Dismisses a tooltip that is pressed: what lies under it gets the next press. */
+function pressed(event: PointerEvent): void {
+  const button = (event.target as Element).closest('[data-tip]');
+  if (!button || isOver(button.getBoundingClientRect(), event)) return;
+  event.stopPropagation();
+  dismiss(button);
+}
+
+const isOver = ({ left, top, right, bottom }: DOMRect, { clientX, clientY }: PointerEvent): boolean =>
+  clientX >= left && clientX <= right && clientY >= top && clientY <= bottom;
 
 function dismissIn(shell: Element, event: Event): void {
   const held = (shell.getRootNode() as ShadowRoot).activeElement;

@@ -38,8 +38,18 @@ export const buttonsStyle = css`
   }
   .button:disabled,
   .link:disabled {
-    opacity: 0.35;
     cursor: default;
+  }
+  .link:disabled {
+    opacity: 0.35;
+  }
+  /* Not by opacity, which the tooltip would have too. */
+  .button:disabled {
+    color: color-mix(in srgb, currentcolor 35%, transparent);
+  }
+  .button[aria-pressed='true']:disabled {
+    background: color-mix(in srgb, var(--_accent) 35%, transparent);
+    color: var(--_on-accent);
   }
   .button.small {
     min-width: 26px;

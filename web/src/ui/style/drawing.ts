@@ -56,7 +56,7 @@ export const drawingStyle = css`
   }
   .button.finish:disabled {
     background: var(--_raised);
-    color: var(--_faint);
+    color: color-mix(in srgb, var(--_faint) 60%, transparent);
   }
   @container ${phone} {
     .button.finish {

@@ -22,6 +22,10 @@ export const forcedStyle = css`
       background: Highlight;
       color: HighlightText;
     }
+    .button[aria-pressed='true']:disabled {
+      background: Highlight;
+      color: HighlightText;
+    }
     .button[aria-pressed='mixed'] {
       background: ButtonFace;
       color: ButtonText;
@@ -42,7 +46,7 @@ export const forcedStyle = css`
     .primary {
       border: 1px solid ButtonText;
     }
-    .button:disabled,
+    .button:disabled:not([aria-pressed='true']),
     .link:disabled {
       opacity: 1;
       color: GrayText;

@@ -11,6 +11,8 @@ export const lowest = css`shell (width >= ${PHONE}px) and (height < ${LOWEST}px)
 export const notPhone = css`shell (width >= ${PHONE}px)`;
 /** Tools within the thumb's reach, and the panel a sheet above them. */
 export const phone = css`shell (width < ${PHONE}px)`;
+/** A phone held upright: tools side by side in one row. */
+export const uprightPhone = css`shell (width < ${PHONE}px) and (height >= ${LOW}px)`;
 /** A phone held sideways: tools at the left, as much side by side as it asks for, and the sheet beside them. */
 export const lowPhone = css`shell (width < ${PHONE}px) and (height < ${LOW}px)`;
 export const lowestPhone = css`shell (width < ${PHONE}px) and (height < ${LOWEST}px)`;

@@ -72,6 +72,10 @@ export const panelStyle = css`
     .panel.open {
       display: block;
     }
+    /* One line, beyond which its tooltips go. */
+    .panel:not(.numbers, .settings) {
+      overflow: visible;
+    }
     .panel.high {
       top: var(--_edge);
       bottom: auto;

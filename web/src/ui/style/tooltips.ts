@@ -1,5 +1,10 @@
-/** Tooltips of buttons: what the button does, and the key for it. */
+/**
+ * Tooltips of buttons: what the button does, and the key for it.
+ *
+ * The pointer may go onto a tooltip, by a bridge between the two (WCAG 1.4.13).
+ */
 import { css } from 'lit';
+import { phone, uprightPhone } from './layouts';
 import { ORDER } from './order';
 
 export const tooltipsStyle = css`
@@ -11,24 +16,45 @@ export const tooltipsStyle = css`
       top: calc(100% + 7px);
       left: 50%;
       translate: -50% 0;
+      width: max-content;
+      max-width: 270px;
       padding: 4px 9px;
       border-radius: var(--_radius-item);
       background: var(--_inverse);
       color: var(--_on-inverse);
       font-size: 12px;
       font-weight: 400;
-      white-space: pre;
-      pointer-events: none;
-      animation: appear var(--_speed) 350ms backwards;
+      text-align: left;
+      white-space: pre-wrap;
+      cursor: default;
+      /* The delay is no motion: without it tooltips are in the way of a pointer that goes from button to button. */
+      animation: tip var(--_speed) 350ms backwards !important;
+    }
+    [data-tip]:hover:not([data-dismissed])::before {
+      content: '';
+      position: absolute;
+      z-index: ${ORDER.tooltip};
+      inset: 100% 0 -8px;
+      animation: tip 0s 350ms backwards !important;
+    }
+    @keyframes tip {
+      from {
+        opacity: 0;
+        visibility: hidden;
+      }
     }
     /* An open menu tells what its button is for, and would cover a part of the tooltip. */
-    .menu:has(:popover-open) > [data-tip]::after {
+    .menu:has(:popover-open) > [data-tip]:is(:hover, :focus-visible)::after,
+    .menu:has(:popover-open) > [data-tip]:hover::before {
       content: none;
     }
     .tools [data-tip]:is(:hover, :focus-visible)::after {
       top: 50%;
       left: calc(100% + 9px);
       translate: 0 -50%;
+    }
+    .tools [data-tip]:hover::before {
+      inset: 0 -10px 0 100%;
     }
     /* At an edge they grow away from it. */
     .brand + .group [data-tip]:is(:hover, :focus-visible)::after {
@@ -46,6 +72,43 @@ export const tooltipsStyle = css`
       left: auto;
       right: 0;
       translate: none;
+    }
+    :is(.status, .panel, .draft-bar) [data-tip]:hover::before {
+      inset: -8px 0 100%;
+    }
+    /* Wider ones would be cut off by the panel, which scrolls. */
+    .panel [data-tip]:is(:hover, :focus-visible)::after {
+      max-width: 190px;
+    }
+    @container ${phone} {
+      .group ~ .group ~ .group [data-tip]:is(:hover, :focus-visible)::after {
+        left: auto;
+        right: 0;
+        translate: none;
+      }
+      /* Nothing shows above this row: the sheet scrolls, or has the bar above it. */
+      .panel:is(.numbers, .high) .row [data-tip]:is(:hover, :focus-visible)::after {
+        top: calc(100% + 7px);
+        bottom: auto;
+      }
+      .panel:is(.numbers, .high) .row [data-tip]:hover::before {
+        inset: 100% 0 -8px;
+      }
+    }
+    /* Above the middle of the card: beside a button they would cover the others, and leave the window. */
+    @container ${uprightPhone} {
+      .tools [data-tip] {
+        position: static;
+      }
+      .tools [data-tip]:is(:hover, :focus-visible)::after {
+        top: auto;
+        bottom: calc(100% + 7px);
+        left: 50%;
+        translate: -50% 0;
+      }
+      .tools [data-tip]:hover::before {
+        inset: -8px 0 calc(100% - 5px);
+      }
     }
   }
 `;
