@@ -366,7 +366,7 @@ test('numbers commit as one step each, and reset puts back one handle or all', a
   await editor.button('Reset to rest').click();
   await expect.poll(() => editor.told('head')).toMatchObject({ x: 512, y: 260 });
   // At rest a handle turns by itself again: the hand that is still moved leans the head a little.
-  await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(async () => (await editor.told('left hand')).x).not.toBe(124);
   await editor.button('Reset all handles').click();
   await expect.poll(() => editor.told('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });

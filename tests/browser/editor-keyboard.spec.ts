@@ -44,7 +44,8 @@ test('a handle is placed, selected and deleted by keys', async ({ page }) => {
   await page.keyboard.press('Delete');
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByText('Delete handle 1')).toBeAttached();
-  // The focus was on what is gone; keys go on working.
+  // The focus was on what is gone; keys go on working, and Tab goes on to the handles.
+  await expect(page.locator('c2-warp .stage')).toBeFocused();
   await page.keyboard.press('Control+z');
   await expect(editor.handles).toHaveCount(6);
 });
@@ -319,7 +320,7 @@ test('Escape gives up a drawing before it dismisses a tooltip', async ({ page })
   await expect.poll(tipped(editor.button('Fit'))).toBe(false);
 });
 
-test('a menu that is closed by Escape gives the keys back', async ({ page }) => {
+test('a menu that is closed by Escape gives the focus to its button, and the keys back', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('ArrowUp');
@@ -327,6 +328,7 @@ test('a menu that is closed by Escape gives the keys back', async ({ page }) => 
   await page.keyboard.press('Enter');
   await page.getByRole('checkbox').first().focus();
   await page.keyboard.press('Escape');
+  await expect(editor.button('Overlays')).toBeFocused();
   await page.keyboard.press('Control+z');
   await expect(editor.button('Undo')).toBeDisabled();
 });
@@ -345,7 +347,7 @@ test('a button that disables itself gives the keys back', async ({ page }) => {
 test('a press on a control of the panel leaves the keys with the picture', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
-  for (const name of ['Automatic turn', /^Bring forward$/]) {
+  for (const name of ['Auto turn', /^Bring forward$/]) {
     const before = await editor.still(() => editor.told('head'));
     await editor.button(name).click();
     await expect(editor.handle('head')).toBeFocused();

@@ -237,7 +237,7 @@ test('forced colours show what is chosen', async ({ page }) => {
   });
   await expect.poll(ground(editor.button('Select and move'))).toBe(chosen);
   await expect.poll(ground(editor.button('Draw a bar'))).not.toBe(chosen);
-  await expect.poll(ground(editor.button('Automatic turn'))).toBe(chosen);
+  await expect.poll(ground(editor.button('Auto turn'))).toBe(chosen);
   await expect.poll(ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
   await page.locator('c2-warp summary').click();
   await expect.poll(ground(editor.button('Rigid'))).toBe(chosen);

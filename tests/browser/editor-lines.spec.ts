@@ -303,7 +303,7 @@ test('the panel moves, turns beyond half a turn, and resets a bar', async ({ pag
   await editor.field('rotation').fill('270');
   await editor.field('rotation').press('Enter');
   await expect.poll(() => editor.told('bar 1')).toMatchObject({ x: 360, rotation: 270 });
-  await expect(editor.button('Automatic turn')).toBeHidden();
+  await expect(editor.button('Auto turn')).toBeHidden();
   await editor.button('Reset to rest').click();
   await expect.poll(() => editor.inProject('bar-1')).toEqual(rest);
 });

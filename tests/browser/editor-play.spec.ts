@@ -51,7 +51,7 @@ class Rig {
   }
 
   get handles(): Locator {
-    return this.element.getByRole('application', { name: 'Handles' }).getByRole('button');
+    return this.element.getByRole('group', { name: 'Handles' }).getByRole('button');
   }
 
   async told(name: string): Promise<Told> {

@@ -19,7 +19,7 @@ test('a dragged hand turns by itself, and its field tells how far', async ({ pag
   // The arm points up now: against the clock.
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
-  await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
   const shown = await editor.still(() => turn(editor));
   await expect.poll(async () => (await editor.told('right hand')).rotation).toBe(Math.round(shown));
 
@@ -33,7 +33,7 @@ test('pinned, a hand keeps its turn wherever it goes, until it is freed', async 
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   const shown = await editor.still(() => turn(editor));
-  const toggle = editor.button('Automatic turn');
+  const toggle = editor.button('Auto turn');
   await toggle.click();
   await expect(toggle).toHaveAttribute('aria-pressed', 'false');
   await expect.poll(() => turn(editor)).toBe(shown);
@@ -54,7 +54,7 @@ test('the ring takes an automatic turn on from where it is', async ({ page }) =>
   const hand = await editor.still(() => editor.place('right hand'));
   await editor.drag({ x: hand.x + 40, y: hand.y }, { x: -40, y: 40 });
   await expect.poll(async () => Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
-  await expect(editor.button('Automatic turn')).toHaveAttribute('aria-pressed', 'false');
+  await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'false');
 });
 
 test('another way to bend is one click and one undo step', async ({ page }) => {

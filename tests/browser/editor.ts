@@ -71,7 +71,7 @@ export class Editor {
   }
 
   get handles(): Locator {
-    return this.page.getByRole('application', { name: 'Handles' }).getByRole('button');
+    return this.page.getByRole('group', { name: 'Handles' }).getByRole('button');
   }
 
   button(name: string | RegExp): Locator {
@@ -79,7 +79,7 @@ export class Editor {
   }
 
   field(name: 'x' | 'y' | 'rotation' | 'scale' | 'depth'): Locator {
-    return this.page.getByRole('spinbutton', { name: `${name} (` });
+    return this.page.getByRole('spinbutton', { name: `${name === 'rotation' ? 'turn' : name} (` });
   }
 
   async told(name: string): Promise<Told> {

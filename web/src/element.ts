@@ -10,6 +10,7 @@
  * | `disabled` | people can do nothing |
  * | `play` | only the picture and its handles, for an article; with `readonly`, only the picture |
  * | `theme` | `light` or `dark`; without it, the system's |
+ * | `alt` | with `play`: what the picture shows, for screen readers; without it they read its name |
  * | `hint`, `hint-for` | a hint shown until the first change, and the id of the handle it points to |
  * | `autosave` | a key in browser storage: work is saved after each step, and restored instead of the first `src` |
  *
@@ -94,6 +95,7 @@ export class C2Warp extends TypedElement {
     disabled: { type: Boolean, reflect: true },
     play: { type: Boolean, reflect: true },
     theme: { reflect: true },
+    alt: {},
     hint: {},
     hintFor: { attribute: 'hint-for' },
     autosave: {},
@@ -106,6 +108,7 @@ export class C2Warp extends TypedElement {
   declare disabled: boolean;
   declare play: boolean;
   declare theme: string | null;
+  declare alt: string | null;
   declare hint: string | null;
   declare hintFor: string | null;
   declare autosave: string | null;
@@ -131,6 +134,7 @@ export class C2Warp extends TypedElement {
     this.disabled = false;
     this.play = false;
     this.theme = null;
+    this.alt = null;
     this.hint = null;
     this.hintFor = null;
     this.autosave = null;
@@ -299,6 +303,9 @@ export class C2Warp extends TypedElement {
       },
       get dark() {
         return element.#dark;
+      },
+      get alt() {
+        return element.alt;
       },
       get tool() {
         return element.tool;

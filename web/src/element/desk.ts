@@ -28,6 +28,8 @@ import type { Kept, Workbench } from './workbench';
 
 export interface DeskHost extends PartsHost {
   readonly dark: boolean;
+  /** What the picture shows, in the words of the page. */
+  readonly alt: string | null;
   /** The tool set by the page. */
   readonly tool: string | null;
   edited(kind: ChangeKind): void;
@@ -124,9 +126,9 @@ export class Desk {
   }
 
   get model(): EditorModel {
-    const { dark } = this.#host;
+    const { alt, dark } = this.#host;
     const { platform } = navigator;
-    return modelOf(this.#parts, { cursor: this.#stage?.cursor ?? 'default', dark, platform });
+    return modelOf(this.#parts, { cursor: this.#stage?.cursor ?? 'default', alt, dark, platform });
   }
 
   #opened(picture: Picture | null, look?: Look): void {

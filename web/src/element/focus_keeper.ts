@@ -28,7 +28,10 @@ export class FocusKeeper {
 
   /** Restores a lost focus; to be called after each render. */
   repair(): void {
-    if (this.#inside && this.#isLost()) this.#host.focus({ preventScroll: true });
+    if (!this.#inside || !this.#isLost()) return;
+    // On the stage it can be seen, and Tab goes on to the handles.
+    const stage = this.#host.shadowRoot?.querySelector<HTMLElement>('.stage[tabindex]');
+    (stage ?? this.#host).focus({ preventScroll: true });
   }
 
   release(): void {
@@ -54,10 +57,12 @@ export class FocusKeeper {
     return document.activeElement === document.body && document.hasFocus();
   }
 
-  /** A closing menu would drop the focus of an element inside it. */
+  /** A closing menu would drop the focus of an element inside it: its button gets it. */
   #leave({ target, newState }: ToggleEvent): void {
-    if (newState === 'closed' && (target as Element).contains(this.#held))
-      this.#host.focus({ preventScroll: true });
+    const menu = target as Element;
+    if (newState !== 'closed' || !menu.contains(this.#held)) return;
+    const button = this.#host.shadowRoot?.querySelector<HTMLElement>(`[popovertarget="${menu.id}"]`);
+    button?.focus({ preventScroll: true });
   }
 
   /** The focused element in the editor's shadow tree. */

@@ -29,7 +29,7 @@ const SET_CORNER = 'Set a corner';
 
 export function modelOf(
   parts: ModelParts,
-  page: Pick<EditorModel, 'cursor' | 'dark' | 'platform'>,
+  page: Pick<EditorModel, 'alt' | 'cursor' | 'dark' | 'platform'>,
 ): EditorModel {
   const { workbench, viewing, files, notices, permissions, display, checks, hint, areas, crosshair } = parts;
   const { editing, solving, posing, guarding, picture } = workbench;
@@ -44,6 +44,7 @@ export function modelOf(
     readonly: permissions.readonly,
     disabled: permissions.disabled,
     playing: permissions.playing,
+    alt: page.alt,
     dark: page.dark,
     camera: viewing.camera,
     stage: viewing.stage,

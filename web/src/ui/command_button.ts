@@ -28,7 +28,7 @@ export function commandButton(
     data-tip=${label}
     data-keys=${keyHint(name, model.platform)}
     aria-label=${label}
-    aria-keyshortcuts=${ariaKeys(name) || nothing}
+    aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
     aria-pressed=${look.pressed === undefined ? nothing : String(look.pressed)}
     ?disabled=${look.enabled === false}
     @click=${() => actions.run(name)}

@@ -85,7 +85,8 @@ describe('hints', () => {
   });
 
   it('name keys for assistive technology', () => {
-    expect(ariaKeys('redo')).toBe('Control+Shift+Z Control+Y');
-    expect(ariaKeys('zoom-in')).toBe('=');
+    expect(ariaKeys('redo', 'Linux x86_64')).toBe('Control+Shift+Z Control+Y');
+    expect(ariaKeys('redo', 'MacIntel')).toBe('Meta+Shift+Z Meta+Y');
+    expect(ariaKeys('zoom-in', 'Linux x86_64')).toBe('=');
   });
 });

@@ -108,8 +108,8 @@ export function keyHint(name: CommandName, platform: string): string {
 }
 
 /** The keys of a command for `aria-keyshortcuts`. */
-export const ariaKeys = (name: CommandName): string =>
+export const ariaKeys = (name: CommandName, platform: string): string =>
   (COMMANDS[name].keys as readonly string[])
     .filter((key) => key !== '+')
-    .map((key) => key.replace('Mod', 'Control'))
+    .map((key) => key.replace('Mod', MAC.test(platform) ? 'Meta' : 'Control'))
     .join(' ');

@@ -90,7 +90,7 @@ function automaticToggle(
     class="button toggle"
     part="button"
     data-tip=${all ? 'Turns with what is around it' : 'Let it turn by itself'}
-    aria-label="Automatic turn"
+    aria-label="Auto turn"
     aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
     ?disabled=${model.readonly}
     @click=${() => actions.automatic(!all)}

@@ -30,7 +30,7 @@ export function handleLabel(handle: Handle, turns: Turns): string {
 
 export function handleButtons(model: EditorModel, actions: EditorActions): TemplateResult {
   const { document, camera } = model;
-  return html`<div class="handles ${model.draft ? 'drawing' : ''}" role="application" aria-label="Handles">
+  return html`<div class="handles ${model.draft ? 'drawing' : ''}" role="group" aria-label="Handles">
     ${repeat(
       document.project.handles,
       (handle) => handle.id,

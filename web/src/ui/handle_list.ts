@@ -32,7 +32,7 @@ export function handleList(model: EditorModel, actions: EditorActions): Template
                     adds(event) ? actions.toggle(handle.id) : listed(event, handle, actions)}
                 >
                   <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
-                  ${isAtRest(handle) ? nothing : html`<span class="moved" title="Moved from its rest"></span>`}
+                  ${isAtRest(handle) ? nothing : html`<span class="moved" role="img" aria-label="moved" title="Moved from its rest"></span>`}
                 </button>
               </li>`,
             )}

@@ -21,7 +21,7 @@ export function holdButton(name: BareView, model: EditorModel, actions: EditorAc
     data-tip=${COMMANDS[name].label}
     data-keys=${keyHint(name, model.platform)}
     aria-label=${COMMANDS[name].label}
-    aria-keyshortcuts=${ariaKeys(name)}
+    aria-keyshortcuts=${ariaKeys(name, model.platform)}
     aria-pressed=${String(model.bare === name)}
     ?disabled=${model.picture === null}
     @pointerdown=${hold}

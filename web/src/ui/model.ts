@@ -64,6 +64,8 @@ export interface EditorModel {
   readonly crosshair: Vec | null;
   readonly cursor: string;
   readonly platform: string;
+  /** What the picture shows, in the words of the page. */
+  readonly alt: string | null;
   /** The colours in use, so that the switch can offer the others. */
   readonly dark: boolean;
 }

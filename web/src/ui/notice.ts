@@ -1,13 +1,20 @@
-/** A notice: what the editor says, and what can be done about it. */
+/**
+ * A notice: what the editor says, and what can be done about it.
+ *
+ * Screen readers announce an alert that appears, but other words only in a region that has been there before.
+ */
 import { html, nothing, type TemplateResult } from 'lit';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
 import { shortened } from './shortened';
 
-export function notice(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+export const notice = (model: EditorModel, actions: EditorActions): TemplateResult =>
+  html`<div class="notices" role="status">${card(model, actions)}</div>`;
+
+function card(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
   if (!model.notice) return nothing;
   const { kind, text, action } = model.notice;
-  return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : 'status'}>
+  return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : nothing}>
     <p title=${text}>${shortened(text)}</p>
     ${action ? html`<button type="button" class="link" ?disabled=${model.readonly} @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
     <button type="button" class="button small" aria-label="Dismiss" @click=${() => actions.dismiss()}>

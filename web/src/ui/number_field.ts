@@ -71,7 +71,7 @@ export function numberField(
     event.preventDefault();
     input.value = shared;
     const root = input.getRootNode() as ShadowRoot;
-    root.querySelector<HTMLElement>('.shell')?.focus({ preventScroll: true });
+    root.querySelector<HTMLElement>('.stage')?.focus({ preventScroll: true });
   };
   return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
     <span class="label">${look.label}</span>
@@ -84,7 +84,8 @@ export function numberField(
       aria-valuenow=${shared || nothing}
       aria-valuemin=${look.least ?? nothing}
       aria-valuemax=${look.most ?? nothing}
-      aria-label="${look.field} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
+      aria-label="${look.label} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
+      aria-description=${look.tip ?? nothing}
       placeholder="mixed"
       .value=${untyped(shared)}
       ?disabled=${model.readonly}

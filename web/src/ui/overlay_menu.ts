@@ -14,17 +14,17 @@ const OVERLAYS = {
 
 export function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult {
   const names = Object.keys(OVERLAYS) as (keyof OverlayFlags)[];
-  const shown = names.some((name) => model.overlays[name]);
+  const shown = names.filter((name) => model.overlays[name]).map((name) => OVERLAYS[name][0]);
+  const label = ['Overlays', shown.join(', ').toLowerCase()].filter(Boolean).join(': ');
   return html`<div class="menu">
     <button
       type="button"
-      class="button"
+      class="button ${shown.length > 0 ? 'on' : ''}"
       part="button"
       id="overlays-button"
       popovertarget="overlays"
-      data-tip="Overlays"
-      aria-label="Overlays"
-      aria-pressed=${String(shown)}
+      data-tip=${label}
+      aria-label=${label}
     >
       ${icon('overlays')}
     </button>

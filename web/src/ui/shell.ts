@@ -7,7 +7,7 @@ import type { EditorActions, EditorModel } from './model';
 import { notice } from './notice';
 import { panel } from './panel';
 import { reachHint } from './reach';
-import { stage } from './stage';
+import { disabledStage, stage } from './stage';
 import { statusLine } from './status';
 import { LEAST_HEIGHT } from './style/sizes';
 import { toolHint } from './tool_hint';
@@ -19,7 +19,7 @@ import { tooltips } from './tooltips';
 export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
   const { playing } = model;
   return html`${playing ? room(model) : nothing}
-  <div class="shell" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
+  <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${playing ? nothing : topBar(model, actions)}
     <div class="middle">
       ${stage(model, actions, canvas)} ${model.picture ? nothing : emptyStage(model, actions)}
@@ -31,7 +31,8 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
     </div>
     ${playing ? nothing : statusLine(model, actions)}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>
-  </div>`;
+  </div>
+  ${model.disabled ? disabledStage(model) : nothing}`;
 }
 
 /** The element's height where the page sets none: that of the picture, or enough for a notice on why there is none. */

@@ -15,7 +15,7 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
     class="stage ${model.hint ? 'inviting' : ''} ${model.bare ? 'bare' : ''}"
     part="stage"
     tabindex=${handled ? (playing ? -1 : 0) : nothing}
-    role=${handled ? 'group' : 'img'}
+    role=${handled ? 'application' : 'img'}
     aria-label=${stageLabel(model)}
     .style=${`cursor: ${model.cursor}`}
   >
@@ -29,7 +29,15 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
   </div>`;
 }
 
-function stageLabel({ picture, playing, readonly }: EditorModel): string {
+/** The picture for screen readers while all that belongs to it is inert. */
+export const disabledStage = (model: EditorModel): TemplateResult =>
+  html`<p class="spoken" role="img" aria-label="${pictureLabel(model)}, disabled"></p>`;
+
+const stageLabel = (model: EditorModel): string =>
+  `${pictureLabel(model)}${model.playing && !model.readonly ? ', to be posed by its handles' : ''}`;
+
+/** In an editor people may open other pictures than the one that the page describes. */
+function pictureLabel({ picture, playing, alt }: EditorModel): string {
   if (!picture) return 'No picture';
-  return `Picture ${picture.name}${playing && !readonly ? ', to be posed by its handles' : ''}`;
+  return (playing && alt) || `Picture ${picture.name}`;
 }

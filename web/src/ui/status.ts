@@ -17,6 +17,7 @@ export function statusLine(model: EditorModel, actions: EditorActions): Template
       ${model.progress ? progress(model.progress, model) : model.solved ? solved(model) : nothing}
     </span>
     ${folds(model, actions)}
+    <span class="spoken" role="status">${model.folds > 0 ? 'A part of the picture is folded' : ''}</span>
     <span class="private" title="Pictures are opened, warped and saved on this machine only.">
       ${icon('lock')}Nothing leaves your browser
     </span>

@@ -22,11 +22,8 @@ export const bendingStyle = css`
   }
   .bending summary .faint {
     flex: 1;
-    overflow: hidden;
     font-size: 12px;
     text-align: right;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
   .bending summary .icon {
     width: 16px;

@@ -26,13 +26,13 @@ export const buttonsStyle = css`
   .button.worded {
     padding: 0 10px 0 8px;
   }
-  .button:hover:not(:disabled, [aria-pressed='true']) {
+  .button:hover:not(:disabled, [aria-pressed='true'], .on) {
     background: var(--_raised);
   }
   .button:active:not(:disabled) {
     background: var(--_line);
   }
-  .button[aria-pressed='true'] {
+  .button:is([aria-pressed='true'], .on) {
     background: var(--_accent);
     color: var(--_on-accent);
   }

@@ -16,6 +16,7 @@ export const fieldsStyle = css`
     height: var(--_control);
     padding: 0 7px;
     border: 1px solid transparent;
+    border-bottom-color: var(--_bound);
     border-radius: var(--_radius-control);
     background: var(--_raised);
     cursor: text;
@@ -62,6 +63,7 @@ export const fieldsStyle = css`
   .button.toggle[aria-pressed='true'] {
     background: color-mix(in srgb, var(--_accent) 14%, transparent);
     color: var(--_accent);
+    box-shadow: inset 0 0 0 1.5px currentcolor;
   }
   .pair:has([aria-pressed='true']) input:not(:focus) {
     color: var(--_faint);

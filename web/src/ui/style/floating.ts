@@ -20,7 +20,7 @@ export const floatingStyle = css`
     bottom: 22px;
   }
   @container ${notPhone} {
-    :is(.draft-bar, .hint:not(.bubble)) ~ .notice {
+    :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice {
       bottom: 70px;
     }
   }
@@ -40,14 +40,14 @@ export const floatingStyle = css`
       top: 12px;
       bottom: auto;
     }
-    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) ~ .notice {
+    .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) ~ .notices .notice {
       top: 72px;
     }
-    .panel.high ~ .notice {
+    .panel.high ~ .notices .notice {
       top: auto;
       bottom: 84px;
     }
-    .panel.high ~ .hint:not(.bubble) ~ .notice {
+    .panel.high ~ .hint:not(.bubble) ~ .notices .notice {
       bottom: 134px;
     }
   }
@@ -60,7 +60,7 @@ export const floatingStyle = css`
     .notice {
       top: var(--_edge);
     }
-    .panel.high ~ .notice {
+    .panel.high ~ .notices .notice {
       bottom: var(--_edge);
     }
   }

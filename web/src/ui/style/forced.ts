@@ -11,7 +11,7 @@ export const forcedStyle = css`
     .handles {
       forced-color-adjust: none;
     }
-    .button[aria-pressed='true'],
+    .button:is([aria-pressed='true'], .on),
     .button[aria-pressed='mixed'],
     .button.toggle[aria-pressed='true'],
     .button.segment[aria-pressed='true'],
@@ -81,7 +81,7 @@ export const forcedStyle = css`
     :focus-visible {
       outline-color: Highlight;
     }
-    .button[aria-pressed='true']:focus-visible,
+    .button:is([aria-pressed='true'], .on):focus-visible,
     .item[aria-pressed='true']:focus-visible {
       outline-color: CanvasText;
     }

@@ -84,7 +84,8 @@ export const handlesStyle = css`
     inset: 14px;
     border-radius: 50%;
     border: 2px solid var(--_casing);
-    animation: invite 1.8s ease-out infinite;
+    /* What moves for more than five seconds must be one's own to stop (WCAG 2.2.2). */
+    animation: invite 1.8s ease-out 2 forwards;
   }
   @keyframes invite {
     from {

@@ -16,7 +16,7 @@ export const marksStyle = css`
     stroke-linecap: round;
   }
   .under {
-    stroke: #0006;
+    stroke: #0009;
     stroke-width: 3.5;
   }
   .rest {
@@ -25,7 +25,6 @@ export const marksStyle = css`
     opacity: 0.8;
   }
   .rest .under {
-    stroke: #0005;
     stroke-width: 3;
   }
   .rest .dots {

@@ -2,6 +2,9 @@
 import { css } from 'lit';
 
 export const noticeStyle = css`
+  .notices {
+    display: contents;
+  }
   .notice {
     display: flex;
     align-items: center;

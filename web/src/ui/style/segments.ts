@@ -20,4 +20,9 @@ export const segmentsStyle = css`
     color: var(--_text);
     box-shadow: 0 1px 2px light-dark(#0000002b, #0009);
   }
+  @media (prefers-contrast: more) {
+    .button.segment[aria-pressed='true'] {
+      box-shadow: inset 0 0 0 1.5px currentcolor;
+    }
+  }
 `;

@@ -50,6 +50,7 @@ export const statusStyle = css`
   .status .folded[aria-pressed='true'] {
     background: color-mix(in srgb, var(--_warning) 16%, transparent);
     color: var(--_warning);
+    box-shadow: inset 0 0 0 1.5px currentcolor;
   }
   .percent {
     min-width: 46px;

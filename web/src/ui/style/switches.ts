@@ -35,7 +35,7 @@ export const switchesStyle = css`
     height: 20px;
     margin: 0;
     border-radius: 10px;
-    background: color-mix(in srgb, var(--_text) 24%, var(--_surface));
+    background: var(--_bound);
     cursor: inherit;
     transition: background var(--_speed);
   }
