@@ -2,7 +2,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import { Editor } from './editor';
+import { apart, Editor } from './editor';
 import { expect, test } from './fixtures';
 
 /** Each begins where the one before ends. */
@@ -184,6 +184,42 @@ test('names hold the words that can be read', async ({ page }) => {
   await expect(page.locator('c2-warp .shell')).toHaveAttribute('lang', 'en');
 });
 
+test('the focus of the stage shows on a picture that fills it', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const head = editor.handle('head');
+  await head.focus();
+  await page.keyboard.press('1');
+  for (let notch = 0; notch < 3; notch++) await page.keyboard.press('+');
+  const edge = async () => {
+    await editor.drawn();
+    const box = await page.locator('c2-warp .stage').boundingBox();
+    return page.screenshot({ clip: { x: 0, y: (box?.y ?? 0) + 300, width: 2, height: 100 } });
+  };
+  const before = await edge();
+  await page.keyboard.press('Shift+Tab');
+  await expect(page.locator('c2-warp .stage')).toBeFocused();
+  expect(apart(before, await edge())).toBeGreaterThan(20);
+});
+
+test('the sheet of a small window does not lie over a tool that has the focus', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 256 });
+  const editor = await Editor.open(page);
+  await editor.handle('left foot').focus();
+  const tool = editor.button('Select and move');
+  const inFront = () =>
+    tool.evaluate((button) => {
+      const { x, y, width, height } = button.getBoundingClientRect();
+      const root = button.getRootNode() as ShadowRoot;
+      return button.contains(root.elementFromPoint(x + width / 2, y + height / 2));
+    });
+  await expect.poll(inFront).toBe(false);
+  await tool.focus();
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Tab');
+  await expect(tool).toBeFocused();
+  await expect.poll(inFront).toBe(true);
+});
+
 /** The names of the pictures, groups and applications that Chromium tells a screen reader of. */
 async function told(page: Page): Promise<readonly string[]> {
   const session = await page.context().newCDPSession(page);
@@ -205,9 +241,8 @@ test('a picture in an article has the words of its page', async ({ page }) => {
   const first = page.locator('#first');
   await expect(first.getByRole('button', { name: 'Handle head, ' })).toBeVisible();
   await first.evaluate((element) => element.setAttribute('alt', 'A figure of dough'));
-  await expect(
-    first.getByRole('application', { name: 'A figure of dough, to be posed by its handles' }),
-  ).toBeVisible();
+  const figure = first.getByRole('application', { name: 'A figure of dough, to be posed by its handles' });
+  await expect(figure).toHaveAccessibleDescription(/^Arrow keys move/);
   await first.evaluate((element) => element.setAttribute('readonly', ''));
   await expect(first.getByRole('img', { name: 'A figure of dough', exact: true })).toBeVisible();
 });

@@ -8,6 +8,9 @@ import { handleMarks } from './handle_marks';
 import type { EditorActions, EditorModel } from './model';
 import { foldOverlay, siteOverlay } from './overlays';
 
+/** What no control tells of. */
+const KEYS = 'Arrow keys move the handle that has the focus, comma and full stop turn it.';
+
 export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
   const { camera, playing } = model;
   const handled = !(playing && model.readonly);
@@ -17,6 +20,7 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
     tabindex=${handled ? (playing ? -1 : 0) : nothing}
     role=${handled ? 'application' : 'img'}
     aria-label=${stageLabel(model)}
+    aria-description=${model.picture && handled && !model.readonly ? KEYS : nothing}
     .style=${`cursor: ${model.cursor}`}
   >
     ${canvas}

@@ -78,7 +78,8 @@ export const forcedStyle = css`
     .bubble::before {
       display: none;
     }
-    :focus-visible {
+    :focus-visible,
+    .stage:focus-visible::after {
       outline-color: Highlight;
     }
     .button:is([aria-pressed='true'], .on):focus-visible,

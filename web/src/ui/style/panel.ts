@@ -127,6 +127,9 @@ export const panelStyle = css`
       z-index: ${ORDER.panelOverTools};
       left: var(--_edge);
     }
+    .tools:has(:focus-visible) ~ .panel {
+      z-index: ${ORDER.panel};
+    }
   }
   /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
   @container ${strip} {

@@ -16,10 +16,15 @@ export const stageStyle = css`
   .stage:focus-visible {
     outline: none;
   }
-  :host(.keyed) .stage:focus-visible {
+  /* Over the picture, which would cover an outline of the stage itself; with a pale line inside, for any picture. */
+  :host(.keyed) .stage:focus-visible::after {
+    content: '';
+    position: absolute;
+    inset: 0;
     outline: 2px solid var(--_accent);
-    /* Beside the bars it shows on any picture. */
     outline-offset: -2px;
+    box-shadow: inset 0 0 0 3px var(--_surface);
+    pointer-events: none;
   }
   canvas {
     position: absolute;
