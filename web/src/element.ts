@@ -76,7 +76,7 @@ export type NewHandle<H = HandleFile> = H extends HandleFile
 export type C2WarpProps = {
   [T in keyof C2WarpEventMap as `on${T}`]?: ((event: C2WarpEventMap[T]) => void) | undefined;
 } & {
-  [T in 'src' | 'tool' | 'theme' | 'hint' | 'hint-for' | 'autosave']?: string | null | undefined;
+  [T in 'src' | 'tool' | 'theme' | 'alt' | 'hint' | 'hint-for' | 'autosave']?: string | null | undefined;
 } & {
   [T in 'readonly' | 'disabled' | 'play']?: boolean | undefined;
 } & {
