@@ -11,13 +11,13 @@ pub const SIZE: u32 = 1000;
 /// Corners of the rings of a domain, in pixels: outer ones with positive area, holes with negative.
 pub type Rings = Vec<Vec<DVec2>>;
 
-/// A domain from its rings, within a picture of [`SIZE`] squared.
+/// A domain from its rings.
 ///
 /// # Panics
 /// Where the rings make no domain.
 #[must_use]
 pub fn polygon(rings: &Rings) -> Domain {
-    Domain::from_polygon(rings, SIZE, SIZE).expect("the test's rings are valid")
+    Domain::from_rings(rings).expect("the test's rings are valid")
 }
 
 fn circle(centre: DVec2, radius: f64, corners: usize) -> Vec<DVec2> {

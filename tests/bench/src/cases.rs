@@ -90,18 +90,14 @@ impl Scene {
     }
 
     fn new(width: u32, height: u32, rgba: Vec<u8>, handles: &[(f64, f64)]) -> Self {
-        let mut project = Project::new(ImageRef { src: "drawn.png".into(), width, height });
+        let mut project = Project::new(ImageRef::new("drawn.png", width, height));
         project.handles = handles.iter().enumerate().map(|(id, &rest)| handle(id, rest.into())).collect();
         Self { project, rgba }
     }
 
     /// The same scene with straight bars besides.
     fn with_bars(mut self, bars: &[[(f64, f64); 2]]) -> Self {
-        let bar = |(at, ends): (usize, &[(f64, f64); 2])| {
-            let rest = ends.map(DVec2::from).to_vec();
-            let shape = Shape::Bar { posed: rest.clone(), rest };
-            Handle { id: format!("b{at}"), shape, rotation: Rotation::Auto, scale: 1.0, depth: 0.0 }
-        };
+        let bar = |(at, ends): (usize, &[(f64, f64); 2])| Handle::bar(format!("b{at}"), *ends).turned(Rotation::Auto);
         self.project.handles.extend(bars.iter().enumerate().map(bar));
         self
     }
@@ -127,8 +123,7 @@ impl Scene {
 /// A point handle that stays where it is.
 #[must_use]
 pub fn handle(id: usize, rest: DVec2) -> Handle {
-    let shape = Shape::Point { rest, posed: rest };
-    Handle { id: format!("h{id}"), shape, rotation: Rotation::Degrees(0.0), scale: 1.0, depth: 0.0 }
+    Handle::point(format!("h{id}"), rest)
 }
 
 /// The scenes of Table I, in its order.

@@ -3,10 +3,9 @@
 use std::hint::black_box;
 
 use c2warp::{
-    Error, Picture, Solution, Solver, Stage,
-    distance::{Navigation, Propagation, graph::Graph},
+    Error, Picture, Solution, Solver, StageTimes,
+    distance::{Located, graph::Graph},
     project::{PoseMode, Project, Rotation, Shape, Support},
-    sample::Samples,
     solve as solve_once,
 };
 use glam::DVec2;
@@ -40,10 +39,8 @@ pub struct Suite {
 
 /// Milliseconds of one solve.
 #[derive(Debug, Clone, Copy, Default)]
-struct Stages {
-    sampling: f64,
-    regions: f64,
-    weights: f64,
+struct Times {
+    stages: StageTimes,
     whole: f64,
 }
 
@@ -73,7 +70,7 @@ impl Suite {
         let (middle_solve, middle_solution) = self.solved(&figure, &middle)?;
         let (fine_solve, fine_solution) = self.solved(&figure, &fine)?;
         tell("Evaluation at every vertex");
-        let vertices = &fine_solution.mesh.vertices[..fine_solution.samples];
+        let vertices = &fine_solution.vertices()[..fine_solution.samples()];
         let (small, small_solution) = self.solved(&figure, &project(SMALL, 0))?;
         let serving_ms = self.evaluation(&small_solution, vertices, Solution::weights_at);
         tell("Distances");
@@ -100,9 +97,9 @@ impl Suite {
     fn solved(&self, scene: &Scene, project: &Project) -> Result<(Solve, Solution), Error> {
         let picture = scene.picture()?;
         let mut solver = Solver::new();
-        let stages = runs(self.clock, self.effort, || self.stages(&mut solver, project, &picture))?;
+        let times = runs(self.clock, self.effort, || self.times(&mut solver, project, &picture))?;
         let solution = solver.into_solution().expect("solved at least once");
-        Ok((solve(&stages, &solution), solution))
+        Ok((solve(&times, &solution), solution))
     }
 
     /// From a solution to that with one more handle.
@@ -111,11 +108,11 @@ impl Suite {
         let mut more = project.clone();
         more.handles.push(one_more());
         let mut solver = Solver::new();
-        let stages = runs(self.clock, self.effort, || {
-            self.stages(&mut solver, project, &picture)?;
-            self.stages(&mut solver, &more, &picture)
+        let times = runs(self.clock, self.effort, || {
+            self.times(&mut solver, project, &picture)?;
+            self.times(&mut solver, &more, &picture)
         })?;
-        Ok(solve(&stages, solver.solution().expect("every stage has run")))
+        Ok(solve(&times, solver.solution().expect("every stage has run")))
     }
 
     /// The motions of all sites in the rigid mode, with every rotation left to the solver.
@@ -133,47 +130,41 @@ impl Suite {
         }))
     }
 
-    fn stages(&self, solver: &mut Solver, project: &Project, picture: &Picture) -> Result<Stages, Error> {
-        let mut stages = Stages::default();
+    fn times(&self, solver: &mut Solver, project: &Project, picture: &Picture) -> Result<Times, Error> {
+        let mut stages = StageTimes::default();
         let start = (self.clock)();
         solver.begin(project, picture)?;
         let mut last = start;
         while let Some(stage) = solver.advance()? {
             let now = (self.clock)();
-            match stage {
-                Stage::Domain => {}
-                Stage::Sampling => stages.sampling = now - last,
-                Stage::Regions => stages.regions = now - last,
-                Stage::Weights => stages.weights = now - last,
-            }
+            stages.add(stage, now - last);
             last = now;
         }
-        stages.whole = last - start;
-        Ok(stages)
+        Ok(Times { stages, whole: last - start })
     }
 
     /// A pass and a Dijkstra over the same samples, from each handle in turn.
     fn yardstick(&self, solution: &Solution, project: &Project) -> Yardstick {
-        let navigation = Navigation::new(solution.domain());
+        let navigation = solution.navigation();
+        let points = &solution.vertices()[..solution.samples()];
         let sources: Vec<DVec2> = project.handles.iter().filter_map(|handle| point(&handle.shape)).collect();
-        let samples = Samples::new(solution.domain(), &navigation, &sources, &[], project.samples as usize);
-        let points = &samples.mesh.vertices;
-        let mut propagation = Propagation::default();
-        let mut distances = vec![0.0; samples.len()];
+        let located: Vec<Located> = points.iter().filter_map(|&p| navigation.located(p)).collect();
+        let mut distances = vec![0.0; points.len()];
         let passes = least_ms(self.clock, self.effort, || {
             for &source in &sources {
-                let triangle = navigation.triangle_at(source).expect("handles lie in the domain");
-                let field = propagation.field(&navigation, triangle, source, f64::INFINITY);
-                for ((distance, &triangle), &p) in distances.iter_mut().zip(&samples.outline_triangles).zip(points) {
-                    *distance = field.distance(triangle, p);
+                let from = navigation.distances_from(source).expect("handles lie in the domain");
+                for (distance, &p) in distances.iter_mut().zip(&located) {
+                    *distance = from.to_located(p).unwrap_or(f64::INFINITY);
                 }
                 black_box(&mut distances);
             }
         });
-        let graph = Graph::of_mesh(&samples.mesh);
+        let graph = graph_of_samples(solution);
+        let at = |source: &DVec2| points.iter().position(|p| p == source).expect("handles are samples");
+        let at: Vec<usize> = sources.iter().map(at).collect();
         let graphs = least_ms(self.clock, self.effort, || {
-            for &source in &samples.at_sites {
-                black_box(graph.distances(points, source as usize));
+            for &source in &at {
+                black_box(graph.distances(points, source));
             }
         });
         let sources = sources.len() as f64;
@@ -203,17 +194,26 @@ impl Suite {
     }
 }
 
+/// The paper's graph: the edges of the mesh between the samples of a solution.
+#[must_use]
+pub fn graph_of_samples(solution: &Solution) -> Graph {
+    let samples = solution.samples();
+    let between = |triangle: &&[u32; 3]| triangle.iter().all(|&v| (v as usize) < samples);
+    let triangles: Vec<[u32; 3]> = solution.triangles().iter().filter(between).copied().collect();
+    Graph::of_triangles(samples, &triangles)
+}
+
 /// The least times of many solves with the same outcome, each stage for itself.
-fn solve(stages: &[Stages], solution: &Solution) -> Solve {
-    let of = |part: fn(&Stages) -> f64| least(stages.iter().map(part));
+fn solve(times: &[Times], solution: &Solution) -> Solve {
+    let of = |part: fn(&Times) -> f64| least(times.iter().map(part));
     Solve {
-        samples: solution.samples,
-        virtual_sites: solution.sites.iter().filter(|site| !site.kind.is_real()).count(),
-        sampling_ms: of(|s| s.sampling),
-        regions_ms: of(|s| s.regions),
-        weights_ms: of(|s| s.weights),
-        solve_ms: of(|s| s.regions + s.weights),
-        whole_ms: of(|s| s.whole),
+        samples: solution.samples(),
+        virtual_sites: solution.sites().iter().filter(|site| !site.kind.is_real()).count(),
+        sampling_ms: of(|t| t.stages.sampling),
+        regions_ms: of(|t| t.stages.regions),
+        weights_ms: of(|t| t.stages.weights),
+        solve_ms: of(|t| t.stages.regions + t.stages.weights),
+        whole_ms: of(|t| t.whole),
     }
 }
 

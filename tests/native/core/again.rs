@@ -12,7 +12,8 @@ use crate::scenes::{cases, handle, scenes};
 
 /// Everything of a solution that is drawn.
 fn drawn(solution: &Solution) -> impl PartialEq + use<'_> {
-    (&solution.mesh, &solution.weights, &solution.nearest, &solution.phi_sums, solution.samples)
+    let nearest: Vec<Option<usize>> = (0..solution.samples()).map(|sample| solution.nearest_site(sample)).collect();
+    (solution.vertices(), solution.triangles(), solution.weights(), solution.phi_sums(), nearest)
 }
 
 fn advance(solver: &mut Solver, project: &Project, picture: &Picture) -> Result<(), Error> {
@@ -44,7 +45,7 @@ fn a_picture_of_another_size_has_an_outline_of_its_own() {
     for (width, height) in [(64, 48), (200, 100)] {
         let rgba = vec![255; (width * height * 4) as usize];
         let picture = Picture::new(width, height, &rgba).expect("a picture of fair size");
-        let mut project = Project::new(ImageRef { src: "white.png".into(), width, height });
+        let mut project = Project::new(ImageRef::new("white.png", width, height));
         let far = DVec2::new(f64::from(width), f64::from(height)) - 4.0;
         project.samples = 300;
         project.handles = vec![handle(0, DVec2::splat(4.0), DVec2::splat(4.0), 0.0), handle(1, far, far, 0.0)];

@@ -1,6 +1,6 @@
 //! Outlines from alpha: where they run, and that nothing thin is cut and nothing narrow bridged.
 
-use c2warp::{Error, Picture, domain::Domain};
+use c2warp::{Error, Picture, domain::Domain, project::DomainSpec};
 use glam::DVec2;
 
 use crate::noise::Random;
@@ -79,9 +79,8 @@ fn two_fingers_two_pixels_apart_stay_apart_in_every_direction() {
         // A shortest path from one tip to the other goes around by the palm.
         let navigation = c2warp::distance::Navigation::new(&domain);
         let [a, b] = [side, -side].map(|side| palm + side + 58.0 * along);
-        let triangle = |p| navigation.triangle_at(p).expect("a tip");
-        let field = c2warp::distance::Propagation::default().field(&navigation, triangle(a), a, f64::INFINITY);
-        assert!(field.distance(triangle(b), b) > 80.0, "step {step}");
+        let distances = navigation.distances_from(a).expect("a tip");
+        assert!(distances.to(b).expect("the other tip") > 80.0, "step {step}");
     }
 }
 
@@ -151,7 +150,12 @@ fn opaque_up_to_the_rim_reaches_the_rim() {
 fn rings_that_are_none_are_refused_by_name() {
     let ring = |points: &[(f64, f64)]| -> Vec<DVec2> { points.iter().map(|&p| p.into()).collect() };
     let square = ring(&[(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)]);
-    let refused = |rings: &[Vec<DVec2>]| Domain::from_polygon(rings, 100, 100).expect_err("not a domain").to_string();
+    let rgba = [255; 100 * 100 * 4];
+    let picture = Picture::new(100, 100, &rgba).expect("a valid picture");
+    let refused = |rings: &[Vec<DVec2>]| {
+        let spec = DomainSpec::Polygon { rings: rings.to_vec() };
+        Domain::new(Some(&spec), &picture).expect_err("not a domain").to_string()
+    };
     let with = |other: &[(f64, f64)]| refused(&[square.clone(), ring(other)]);
     assert_eq!(with(&[(20.0, 20.0), (30.0, 20.0)]), "domain.rings[1]: expected at least 3 points, found 2");
     assert_eq!(
@@ -181,10 +185,24 @@ fn rings_that_are_none_are_refused_by_name() {
 }
 
 #[test]
+fn rings_without_a_picture_lie_anywhere_that_can_be_computed_with() {
+    let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
+    let domain = Domain::from_rings(&[square(-1e6, 1e6), square(-1.0, 1.0)]).expect("a square with a hole");
+    assert_eq!((domain.islands(), domain.holes(), domain.area()), (1, 1, 4e12 - 4.0));
+    let refused = |rings: &[Vec<DVec2>]| Domain::from_rings(rings).expect_err("not a domain");
+    assert_eq!(refused(&[square(0.0, 1.0), square(2.0, 1.1e6)]), Error::RingPoint { ring: 1, point: 1 });
+    for none in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(refused(&[square(0.0, none)]).code(), "project");
+    }
+    assert_eq!(refused(&[square(0.0, 1e-4)]), Error::RingFlat { ring: 0 });
+    assert_eq!(refused(&[Vec::new()]).to_string(), "domain.rings[0]: expected at least 3 points, found 0");
+}
+
+#[test]
 fn outlines_too_fine_are_refused_with_what_there_is_to_do() {
     let ring: Vec<DVec2> =
         (0..20_001).map(|i| DVec2::splat(50.0) + 40.0 * DVec2::from_angle(f64::from(i) * 3e-4)).collect();
-    let error = Domain::from_polygon(&[ring], 100, 100).expect_err("too many points");
+    let error = Domain::from_rings(&[ring]).expect_err("too many points");
     assert_eq!(error, Error::RingsTooFine { corners: 20_001 });
     assert!(!error.to_string().contains("threshold"), "{error}");
     // Squares of 3 px in a chequered pattern: too many before any is looked at closely.

@@ -23,7 +23,7 @@ fn points(corners: &[(f64, f64)]) -> Vec<DVec2> {
 }
 
 fn line(id: &str, shape: Shape) -> Handle {
-    Handle { id: id.into(), shape, rotation: Rotation::Auto, scale: 1.0, depth: 0.0 }
+    Handle::new(id, shape).turned(Rotation::Auto)
 }
 
 pub(crate) fn bar(id: &str, rest: &[(f64, f64)], posed: &[(f64, f64)]) -> Handle {
@@ -123,7 +123,7 @@ fn all_weight_on_a_bar_is_its_own_and_sums_to_one() {
             assert!((weights.iter().map(|&(_, weight)| weight).sum::<f64>() - 1.0).abs() <= 1e-12);
             for (site, weight) in weights {
                 assert!(weight >= 0.0);
-                assert!(weight == 0.0 || solution.sites[site].kind.handle() == Some(1));
+                assert!(weight == 0.0 || solution.sites()[site].kind.handle() == Some(1));
             }
         }
     }
@@ -177,7 +177,7 @@ fn what_nobody_moves_stays_in_the_rigid_mode_around_joints_too() {
             }
         });
         let posed = solution.posed_vertices(&pose);
-        let moved = posed.iter().zip(&solution.mesh.vertices).map(|(p, q)| p.distance(*q));
+        let moved = posed.iter().zip(solution.vertices()).map(|(p, q)| p.distance(*q));
         // Weights of the quadrature are kept as f32, but what they sum to is exact.
         let farthest = moved.fold(0.0, f64::max);
         assert!(farthest < 1e-8, "{name}: {farthest} px");
@@ -190,7 +190,7 @@ fn what_is_squeezed_between_bars_keeps_its_side_whatever_the_samples() {
     for samples in [4_000, 5_000, 7_000, 9_000, 10_000, 16_000] {
         let (solution, pose) = in_rigid_mode("portrait", 4, |project| project.samples = samples);
         let det = |&p: &DVec2| solution.map(&pose, p).expect("a sample").det;
-        let least = solution.mesh.vertices[..solution.samples].iter().map(det).fold(f64::INFINITY, f64::min);
+        let least = solution.vertices()[..solution.samples()].iter().map(det).fold(f64::INFINITY, f64::min);
         eprintln!("{samples} samples: least det {least:.3}");
         // With places of the quadrature too far apart it was -0.7.
         assert!(least > 0.05, "{samples} samples: {least}");
@@ -236,7 +236,7 @@ fn a_bar_that_is_drawn_to_nothing_takes_no_more_along_than_one_of_a_thousandth()
 #[test]
 fn a_scale_is_for_what_is_around_a_handle_too() {
     let rest = DVec2::new(160.0, 220.0);
-    let mut project = square(Support::Smooth, vec![Handle { scale: 1.25, ..handle(0, rest, rest, 0.0) }]);
+    let mut project = square(Support::Smooth, vec![handle(0, rest, rest, 0.0).scaled(1.25)]);
     (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 100);
     let (solution, pose) = posed(&project);
     for p in [(30.0, 30.0), (370.0, 30.0), (200.0, 360.0)].map(DVec2::from) {
@@ -370,10 +370,10 @@ fn a_bar_whose_corner_sticks_out_by_a_hair_is_one_body() {
         posed(&project)
     };
     let by = DVec2::new(14.0, -9.0);
-    let within = bent(-1e-3, by).0.sites.len();
+    let within = bent(-1e-3, by).0.sites().len();
     for out in [0.0, 1e-5, 1e-3, 0.01, 0.1, 0.3] {
         let (solution, pose) = bent(out, by);
-        assert!(solution.sites.len() <= within + 5, "{out}: {} sites, {within} within", solution.sites.len());
+        assert!(solution.sites().len() <= within + 5, "{out}: {} sites, {within} within", solution.sites().len());
         for p in spread(500).filter(|p| p.min_element() > 20.0 && p.max_element() < 380.0) {
             assert!(goes(&solution, &pose, p).distance(p + by) <= ON_BAR, "{out}: {p}");
         }
@@ -432,7 +432,7 @@ fn a_bar_with_a_short_piece_is_one_body() {
         let mut project = square(Support::Smooth, vec![bar("bent", &rest, &rest)]);
         let beside = DVec2::new(150.0, 300.0);
         project.handles.push(handle(0, beside, beside, 0.0));
-        solved(&project).expect("a valid scene").sites.len()
+        solved(&project).expect("a valid scene").sites().len()
     };
     let long = sites(3.0);
     for short in [0.02, 0.1, 0.3, 0.49, 0.6] {
@@ -482,7 +482,7 @@ fn a_round_polygon_and_a_long_zigzag_are_solved_like_others() {
         let project = square(Support::Smooth, vec![handle]);
         let (solution, pose) = self::posed(&project);
         check_lines(&project, &solution, &pose);
-        let bones: Vec<_> = solution.sites.iter().filter(|site| site.kind.is_real()).collect();
+        let bones: Vec<_> = solution.sites().iter().filter(|site| site.kind.is_real()).collect();
         assert!(bones.len() < 2 * rest.len(), "{} sites on {} corners", bones.len(), rest.len());
         if closed {
             assert!(bones.iter().all(|site| site.cell_radius > 119.9), "a cell ends before the middle");
@@ -515,7 +515,7 @@ fn a_held_boundary_stays() {
                 }
             }
         }
-        let outline = solution.mesh.vertices.iter().zip(solution.posed_vertices(&pose));
+        let outline = solution.vertices().iter().zip(solution.posed_vertices(&pose));
         let on_outline = |p: DVec2| p.x == 20.0 || p.y == 20.0 || p.y == 380.0;
         assert!(outline.filter(|(p, _)| on_outline(**p)).all(|(p, posed)| p.distance(posed) <= 1e-9));
         assert_eq!(solution.outside().len(), 1);
@@ -556,7 +556,7 @@ fn a_close_point_asks_for_sites_of_a_bar_where_it_is_close_alone() {
         project.samples = samples;
         let (solution, _) = posed(&project);
         let on_bar = |site: &&c2warp::site::Site| matches!(site.kind, SiteKind::Bone { .. });
-        (solution.sites.iter().filter(on_bar).count(), solution.sites.len())
+        (solution.sites().iter().filter(on_bar).count(), solution.sites().len())
     };
     // The paper's uniform pieces, as long as the gap is wide, would be 32, 320 and 3,200.
     let [wide, narrow, hair] = [10.0, 1.0, 0.1].map(|gap| sites(gap, 1_500));
@@ -588,8 +588,8 @@ fn a_close_point_asks_for_no_sites_without_end_where_bars_meet_at_a_shallow_angl
             let mut project = square(support, lines.into_iter().chain([close]).collect());
             project.samples = samples;
             let (solution, pose) = posed(&project);
-            eprintln!("{second:?}, {x}: {} sites", solution.sites.len());
-            assert!(solution.sites.len() < 1_000, "{second:?}, {x}: {} sites", solution.sites.len());
+            eprintln!("{second:?}, {x}: {} sites", solution.sites().len());
+            assert!(solution.sites().len() < 1_000, "{second:?}, {x}: {} sites", solution.sites().len());
             check_lines(&project, &solution, &pose);
             check_weights_around_bars(project, 1).expect("weights are weights");
         }
@@ -603,7 +603,7 @@ fn a_close_point_asks_for_no_sites_without_end_where_bars_meet_at_a_shallow_angl
     project.samples = 200;
     project.handles = vec![bar("first", &first, &first), bar("second", &second, &second), handle(2, place, place, 0.0)];
     let (solution, _) = posed(&project);
-    assert!(solution.sites.len() < 1_000, "{} sites", solution.sites.len());
+    assert!(solution.sites().len() < 1_000, "{} sites", solution.sites().len());
     check_weights_around_bars(project, 1).expect("weights are weights");
 }
 
@@ -778,7 +778,7 @@ fn check_weights_around_bars(mut project: Project, by: usize) -> Result<(), Test
         prop_assert!(weights.is_empty() || (sum - 1.0).abs() <= 1e-12, "weights at {} sum to {}", p, sum);
         prop_assert!(solution.map(&pose, p).expect("inside").posed.is_finite());
     }
-    for site in &solution.sites {
+    for site in solution.sites() {
         // Between bones that meet at a shallow angle, theirs reach over what is left.
         prop_assert!(site.cell_radius < 1.05 * site.support_radius, "{:?} at {}", site.kind, site.rest);
     }
@@ -801,7 +801,7 @@ fn check_weights_around_bars(mut project: Project, by: usize) -> Result<(), Test
                 let of: BTreeSet<Option<usize>> = weights
                     .iter()
                     .filter(|&&(_, weight)| weight > 1e-9)
-                    .map(|&(site, _)| solution.sites[site].kind.handle())
+                    .map(|&(site, _)| solution.sites()[site].kind.handle())
                     .collect();
                 prop_assert!(!of.contains(&None), "something virtual weighs on {} at {p}", handle.id);
             }
@@ -810,7 +810,7 @@ fn check_weights_around_bars(mut project: Project, by: usize) -> Result<(), Test
     let handles = project.handles.len();
     project.handles.rotate_left(by % handles);
     let turned = solved(&project).expect("a valid scene");
-    prop_assert!(turned.weights == solution.weights, "another order of the handles, other weights");
+    prop_assert!(turned.weights() == solution.weights(), "another order of the handles, other weights");
     let posed = turned.poser().pose(&project.handles, project.pose.blend).expect("finite");
     prop_assert!(turned.posed_vertices(&posed) == solution.posed_vertices(&pose));
     Ok(())

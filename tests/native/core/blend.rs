@@ -21,7 +21,7 @@ proptest! {
             prop_assert!(solution.map(&pose, rest).expect("inside").posed.distance(to(rest)) <= 1e-9);
         }
         // The mesh is posed as single points are.
-        for (&vertex, posed) in solution.mesh.vertices.iter().zip(solution.posed_vertices(&pose)).step_by(50) {
+        for (&vertex, posed) in solution.vertices().iter().zip(solution.posed_vertices(&pose)).step_by(50) {
             if let Some(mapped) = solution.map(&pose, vertex) {
                 prop_assert!(mapped.posed.distance(posed) <= 1e-6);
             }

@@ -3,7 +3,7 @@
 use c2warp::{
     Canvas, Picture, Solution,
     pose::Pose,
-    project::{Handle, Project, Support},
+    project::{Project, Support},
 };
 use glam::DVec2;
 
@@ -23,7 +23,7 @@ fn crossing(depths: [f64; 3]) -> Project {
     project.pose.density = 20;
     let posed = |(id, (rest, posed)): (usize, (DVec2, DVec2))| {
         let degrees = [0.0, -35.0, 35.0][id];
-        Handle { depth: depths[id], ..handle(id, rest, posed, degrees) }
+        handle(id, rest, posed, degrees).at_depth(depths[id])
     };
     project.handles = moves.into_iter().enumerate().map(posed).collect();
     project
@@ -101,7 +101,7 @@ fn the_way_back_leads_to_where_a_point_came_from() {
     let (solution, pose) = posed(&project);
     // On the outline rounding decides whether a vertex is inside.
     let inner = |&(p, _): &(&DVec2, DVec2)| p.min_element() > 41.0 && p.max_element() < 359.0;
-    let vertices = solution.mesh.vertices.iter().zip(solution.posed_vertices(&pose));
+    let vertices = solution.vertices().iter().zip(solution.posed_vertices(&pose));
     for (&p, posed) in vertices.filter(inner).step_by(37) {
         let back = solution.rest_at(&pose, posed).expect("a vertex of what is drawn");
         assert!(back.distance(p) < 1e-9, "{p} came back as {back}");
@@ -119,13 +119,13 @@ fn one_depth_for_all_is_none() {
     let flat = drawn(&crossing([0.0; 3]));
     assert!(drawn(&crossing([7.3; 3])) == flat && drawn(&crossing([-1e9; 3])) == flat);
     let (solution, pose) = posed(&crossing([7.3; 3]));
-    assert_eq!(solution.drawn_triangles(&pose), solution.mesh.triangles);
+    assert_eq!(solution.drawn_triangles(&pose), solution.triangles());
 }
 
 #[test]
 fn a_depth_orders_the_same_triangles() {
     let (solution, pose) = posed(&crossing([0.0, 1.0, 2.0]));
-    let (mut drawn, mut all) = (solution.drawn_triangles(&pose).into_owned(), solution.mesh.triangles.clone());
+    let (mut drawn, mut all) = (solution.drawn_triangles(&pose).into_owned(), solution.triangles().to_vec());
     assert!(drawn != all);
     drawn.sort_unstable();
     all.sort_unstable();

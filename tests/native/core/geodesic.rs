@@ -1,9 +1,6 @@
 //! Intrinsic distances against the geodesic of the polygon, computed by other means.
 
-use c2warp::{
-    distance::{Navigation, Propagation},
-    domain::Domain,
-};
+use c2warp::{distance::Navigation, domain::Domain};
 use c2warp_tests::{
     outlines::{self, scattered},
     visibility::{Viewpoint, VisibilityGraph},
@@ -14,7 +11,6 @@ use glam::DVec2;
 fn worst_error(domain: &Domain) -> f64 {
     let graph = VisibilityGraph::new(domain.rings());
     let navigation = Navigation::new(domain);
-    let mut propagation = Propagation::default();
     let mut targets = scattered(&graph, 1000, 400);
     // Shadow lines meet at corners: errors would be largest next to them.
     for ring in domain.rings() {
@@ -28,13 +24,11 @@ fn worst_error(domain: &Domain) -> f64 {
     sources.push(domain.rings()[0][3]);
     let mut worst = 0.0_f64;
     for source in sources {
-        let triangle = navigation.triangle_at(source).expect("the source lies in the domain");
-        let field = propagation.field(&navigation, triangle, source, f64::INFINITY);
+        let distances = navigation.distances_from(source).expect("the source lies in the domain");
         let expected = graph.distances(source, &targets);
         for (&Viewpoint { at: p, .. }, expected) in targets.iter().zip(expected) {
             assert!(expected.is_finite());
-            let triangle = navigation.triangle_at(p).expect("the point lies in the domain");
-            let found = field.distance(triangle, p);
+            let found = distances.to(p).expect("the point lies in the domain");
             let error = (found - expected).abs() / expected.max(1.0);
             if error > 1e-6 {
                 eprintln!("{source} → {p}: {found} for {expected}");
@@ -82,19 +76,17 @@ fn exact_in_the_outline_of_a_picture() {
 fn paths_from_a_wall_turn_around_its_corners_however_near_those_are() {
     let domain = outlines::alpha();
     let navigation = Navigation::new(&domain);
-    let mut propagation = Propagation::default();
     let mut asked = 0;
     for ring in domain.rings() {
         let n = ring.len();
         let ends = (0..n).flat_map(|i| [(i, (i + 1) % n), (i, (i + n - 1) % n)]).map(|(i, j)| (ring[i], ring[j]));
         for ((corner, other), away) in ends.flat_map(|ends| [1.0, 0.1, 0.01, 1e-3, 1e-4].map(|away| (ends, away))) {
             let source = corner.lerp(other, (away / corner.distance(other)).min(0.5));
-            let triangle = navigation.triangle_at(source).expect("a point of the outline");
-            let field = propagation.field(&navigation, triangle, source, 4.0);
+            let distances = navigation.distances_within(source, 4.0).expect("a point of the outline");
             for p in (0..6).map(|k| corner + 0.2 * DVec2::from_angle(f64::from(k))) {
-                if let Some(triangle) = navigation.triangle_at(p) {
+                if let Some(located) = navigation.located(p) {
                     let longest = source.distance(corner) + corner.distance(p);
-                    let found = field.distance(triangle, p);
+                    let found = distances.to_located(located).unwrap_or(f64::INFINITY);
                     assert!(found <= longest + EXACT, "{source} → {p} by way of {corner}: {found} for {longest}");
                     asked += 1;
                 }
@@ -110,10 +102,9 @@ fn straight_in_a_convex_domain() {
     let graph = VisibilityGraph::new(domain.rings());
     let navigation = Navigation::new(&domain);
     let source = DVec2::new(333.0, 444.0);
-    let triangle = navigation.triangle_at(source).expect("inside");
-    let field = Propagation::default().field(&navigation, triangle, source, f64::INFINITY);
+    let distances = navigation.distances_from(source).expect("inside");
     for p in scattered(&graph, 0, 2000) {
-        let triangle = navigation.triangle_at(p).expect("inside");
-        assert!((field.distance(triangle, p) - source.distance(p)).abs() <= 1e-12 * source.distance(p));
+        let found = distances.to(p).expect("inside");
+        assert!((found - source.distance(p)).abs() <= 1e-12 * source.distance(p));
     }
 }

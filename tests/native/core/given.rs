@@ -2,7 +2,7 @@
 
 use c2warp::{
     Error, GivenMesh, Solution,
-    project::{Handle, PoseMode, Rotation, Support},
+    project::{PoseMode, Rotation, Support},
     solve_mesh,
 };
 use glam::DVec2;
@@ -18,7 +18,7 @@ type Triangles = Vec<[u32; 3]>;
 
 /// The vertices and triangles of a solution's own mesh.
 fn own_mesh(solution: &Solution) -> (Vec<DVec2>, Triangles) {
-    (solution.mesh.vertices.clone(), solution.mesh.triangles.clone())
+    (solution.vertices().to_vec(), solution.triangles().to_vec())
 }
 
 /// A grid of quads, each of two triangles that wind in opposite ways.
@@ -52,9 +52,9 @@ proptest! {
         let (vertices, triangles) = own_mesh(&own);
         let mesh = GivenMesh::new(vertices, triangles).expect("the solver's meshes are meshes");
         let given = solve_mesh(&project, &mesh).expect("solved before");
-        prop_assert_eq!(&given.mesh.vertices, &own.mesh.vertices);
-        prop_assert_eq!(given.rings().len(), own.rings().len());
-        prop_assert_eq!(given.sites.len(), own.sites.len());
+        prop_assert_eq!(given.vertices(), own.vertices());
+        prop_assert_eq!(given.domain().rings().len(), own.domain().rings().len());
+        prop_assert_eq!(given.sites().len(), own.sites().len());
         for p in spread(500) {
             let (Some(given), Some(own)) = (given.weights_at(p), own.weights_at(p)) else { continue };
             let weight = |of: &[(usize, f64)], site: usize| {
@@ -72,11 +72,11 @@ fn weights_sum_to_one_and_handles_between_vertices_have_all_of_their_own() {
     let places = [(33.0, 41.0), (257.5, 120.25), (90.0, 180.0), (36.0, 44.5)].map(DVec2::from);
     let (vertices, triangles) = grid(33, 21, 10.0);
     let solution = solved_on((vertices.clone(), triangles), &places);
-    assert_eq!(solution.mesh.vertices, vertices);
-    assert_eq!(solution.samples, vertices.len());
-    assert_eq!(solution.weights.len(), vertices.len());
+    assert_eq!(solution.vertices(), vertices);
+    assert_eq!(solution.samples(), vertices.len());
+    assert_eq!(solution.weights().len(), vertices.len());
     for (v, &p) in vertices.iter().enumerate() {
-        let row: Vec<(usize, f64)> = solution.weights.row(v).collect();
+        let row: Vec<(usize, f64)> = solution.weights().row(v).collect();
         assert!((row.iter().map(|entry| entry.1).sum::<f64>() - 1.0).abs() < 1e-12, "at {p}");
         assert!(row.iter().all(|entry| entry.1 >= 0.0), "at {p}");
         for (site, weight) in solution.weights_at(p).expect("a vertex") {
@@ -84,7 +84,7 @@ fn weights_sum_to_one_and_handles_between_vertices_have_all_of_their_own() {
             assert!((known - weight).abs() < 1e-12, "site {site} at {p}");
         }
     }
-    for (site, real) in solution.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
+    for (site, real) in solution.sites().iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
         assert_eq!(solution.weights_at(real.rest), Some(vec![(site, 1.0)]));
     }
 }
@@ -100,11 +100,11 @@ fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
         (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 40);
         for (id, (rest, posed)) in moves.into_iter().enumerate() {
             let handle = handle(id, DVec2::from(rest) + by, DVec2::from(posed) + by, 0.0);
-            project.handles.push(Handle { rotation: Rotation::Auto, ..handle });
+            project.handles.push(handle.turned(Rotation::Auto));
         }
         let solution = solve_mesh(&project, &mesh).expect("a scene that can be solved");
         let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
-        (solution.sites.len(), solution.posed_vertices(&pose).iter().map(|&p| p - by).collect::<Vec<_>>())
+        (solution.sites().len(), solution.posed_vertices(&pose).iter().map(|&p| p - by).collect::<Vec<_>>())
     };
     let ((sites, here), (far_sites, there)) = (bent(DVec2::ZERO), bent(DVec2::new(999_999.0, -1e6)));
     assert_eq!(sites, far_sites);
@@ -130,7 +130,7 @@ fn distances_lead_around_a_notch_of_the_boundary() {
     let vertices = used.iter().map(|&v| vertices[v as usize]).collect();
     let solution = solved_on((vertices, kept), &[(20.0, 10.0).into(), (80.0, 10.0).into()]);
     assert_eq!(
-        solution.rings(),
+        solution.domain().rings(),
         [[(0, 0), (40, 0), (40, 30), (60, 30), (60, 0), (100, 0), (100, 50), (0, 50)]
             .map(|(x, y)| DVec2::new(x.into(), y.into()))]
     );
@@ -146,8 +146,8 @@ fn holes_and_parts_are_known_by_the_boundary() {
     let vertices: Vec<DVec2> = vertices.into_iter().chain(island).collect();
     let solution = solved_on((vertices, ring.into_iter().chain([[16, 17, 18]]).collect()), &[(5.0, 5.0).into()]);
     assert_eq!((solution.domain().islands(), solution.domain().holes()), (2, 1));
-    assert_eq!(solution.weights.row(16).count(), 0);
-    assert_eq!(solution.weights.row(0).count(), 1);
+    assert_eq!(solution.weights().row(16).count(), 0);
+    assert_eq!(solution.weights().row(0).count(), 1);
 }
 
 #[test]
@@ -155,16 +155,16 @@ fn coarse_and_needle_like_meshes_are_solved_too() {
     let square = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)].map(DVec2::from);
     let places = [(20.0, 20.0), (20.02, 20.0), (70.0, 60.0), (100.0, 100.0)].map(DVec2::from);
     let solution = solved_on((square.to_vec(), vec![[0, 1, 2], [0, 2, 3]]), &places);
-    assert!((0..4).all(|v| solution.weights.row(v).next().is_some()));
+    assert!((0..4).all(|v| solution.weights().row(v).next().is_some()));
     let (vertices, triangles) = grid(30, 30, 1.0);
     let squeezed: Vec<DVec2> = vertices.iter().map(|p| DVec2::new(p.x * 10.0, p.y * 1e-3)).collect();
     let solution = solved_on((squeezed, triangles.clone()), &[(100.0, 0.01).into(), (200.0, 0.02).into()]);
-    assert!((0..900).all(|v| solution.weights.row(v).next().is_some()));
+    assert!((0..900).all(|v| solution.weights().row(v).next().is_some()));
     // Coordinates of 32 bits: a boundary that is almost straight.
     let turned: Vec<DVec2> =
         vertices.iter().map(|p| (DVec2::from_angle(0.3).rotate(*p) * 9.0).as_vec2().as_dvec2()).collect();
     let solution = solved_on((turned.clone(), triangles), &[turned[100], turned[420], turned[0]]);
-    assert!((0..900).all(|v| solution.weights.row(v).next().is_some()));
+    assert!((0..900).all(|v| solution.weights().row(v).next().is_some()));
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn bars_and_a_held_boundary_move_a_given_mesh_too() {
     project.handles = vec![bar("bar", &[(60.0, 100.0), (140.0, 100.0)], &[(60.0, 110.0), (140.0, 90.0)])];
     let solution = solve_mesh(&project, &mesh).expect("a valid scene");
     let posed = solution.posed_vertices(&solution.poser().pose(&project.handles, project.pose.blend).expect("finite"));
-    for (p, posed) in solution.mesh.vertices.iter().zip(posed) {
+    for (p, posed) in solution.vertices().iter().zip(posed) {
         if p.x == 0.0 || p.y == 0.0 || p.x == 200.0 || p.y == 200.0 {
             assert!(p.distance(posed) <= 1e-9);
         } else if p.y == 100.0 && (60.0..=140.0).contains(&p.x) {
@@ -250,5 +250,5 @@ fn an_outline_too_fine_is_refused_and_a_straight_one_is_not() {
     assert_eq!(refusal(&vertices, &strip), Error::MeshTooFine { corners: 22_000 });
     let (vertices, triangles) = grid(n, 2, 1.0);
     let solution = solved_on((vertices, triangles), &[(1.0, 0.5).into(), (9000.0, 0.5).into()]);
-    assert_eq!(solution.rings()[0].len(), 4);
+    assert_eq!(solution.domain().rings()[0].len(), 4);
 }

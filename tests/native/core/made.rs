@@ -4,9 +4,10 @@ use c2warp::{
     Canvas, Error, GivenMesh, Picture,
     cloud::PointCloud,
     distances,
+    domain::Domain,
     pose::Poser,
     project::{Blend, DomainSpec, Handle, Project, Shape, Support},
-    solve, solve_cloud, solve_mesh,
+    solve, solve_cloud, solve_domain, solve_mesh,
 };
 use glam::DVec2;
 
@@ -155,4 +156,22 @@ fn what_cannot_be_posed_is_refused_by_its_key() {
         refused.map_err(|error| error.to_string()),
         Err("handles[1].scale: expected a number above 0, found 0".into())
     );
+}
+
+#[test]
+fn a_domain_without_a_picture_is_solved_as_that_of_a_project_is() {
+    let (project, rings) = (made(), [RING.map(DVec2::from).to_vec()]);
+    let with = solved(&project).expect("a valid scene");
+    // The picture and the project's own domain play no part.
+    let mut other = project.clone();
+    (other.domain, other.image.width) = (None, 1);
+    let without = solve_domain(&other, &Domain::from_rings(&rings).expect("a square")).expect("a valid scene");
+    assert_eq!(without.weights(), with.weights());
+    assert_eq!((without.vertices(), without.triangles()), (with.vertices(), with.triangles()));
+    let points = [DVec2::splat(150.0), DVec2::splat(10.0), DVec2::new(200.0, 100.0)];
+    assert_eq!(without.weights_of(&points), with.weights_of(&points));
+    for (row, &p) in points.iter().enumerate() {
+        let expected = with.weights_at(p).unwrap_or_default();
+        assert_eq!(without.weights_of(&points).row(row).collect::<Vec<_>>(), expected);
+    }
 }

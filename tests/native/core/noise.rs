@@ -50,7 +50,7 @@ fn noise_of_every_grain_is_solved_or_refused() {
         let alpha = |i: u32| blocks[(i / width / grain * columns + i % width / grain) as usize];
         let rgba: Vec<u8> = (0..width * height).flat_map(|i| [200, 100, 50, alpha(i)]).collect();
         let picture = Picture::new(width, height, &rgba).expect("a valid size");
-        let mut project = Project::new(ImageRef { src: "noise.png".into(), width, height });
+        let mut project = Project::new(ImageRef::new("noise.png", width, height));
         project.samples = 100 + random.below(900) as u32;
         let threshold = [0.004, 0.1, 0.5, 0.502, 0.9, 1.0][random.below(6) as usize];
         project.domain = Some(DomainSpec::Alpha { threshold });
@@ -64,9 +64,9 @@ fn noise_of_every_grain_is_solved_or_refused() {
         match solve(&project, &picture) {
             Ok(solution) => {
                 solved += 1;
-                for v in 0..solution.weights.len() {
-                    let sum: f64 = solution.weights.row(v).map(|(_, w)| w).sum();
-                    let reached = solution.weights.row(v).next().is_some();
+                for v in 0..solution.weights().len() {
+                    let sum: f64 = solution.weights().row(v).map(|(_, w)| w).sum();
+                    let reached = solution.weights().row(v).next().is_some();
                     assert!(!reached || (sum - 1.0).abs() <= 1e-12, "case {case}: {sum}");
                 }
                 let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");

@@ -66,7 +66,7 @@ fn ten_times_the_samples_change_the_picture_by_little() {
             let (project, solution) = scene(&rings, &moves, samples, Support::Smooth);
             let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
             let points = spread(2_500).map(|p| p * 2.5).filter_map(|p| solution.map(&pose, p)).take(1_000);
-            (solution.sites.len() as f64, points.map(|mapped| mapped.posed).collect::<Vec<DVec2>>())
+            (solution.sites().len() as f64, points.map(|mapped| mapped.posed).collect::<Vec<DVec2>>())
         });
         assert!((coarse_sites / fine_sites - 1.0).abs() <= 0.1, "{name}: {coarse_sites} and {fine_sites} sites");
         let largest = moves.iter().map(|(rest, posed)| rest.distance(*posed)).fold(0.0, f64::max);
@@ -147,14 +147,15 @@ fn hardly_a_weight_has_a_second_maximum() {
     for (name, rings, moves) in posed_scenes() {
         for support in [Support::Paper, Support::Smooth] {
             let (_, solution) = scene(&rings, &moves, 8_000, support);
-            let mut neighbours: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); solution.samples];
-            for t in solution.mesh.triangles.iter().filter(|t| t.iter().all(|&v| (v as usize) < solution.samples)) {
+            let mut neighbours: Vec<BTreeSet<u32>> = vec![BTreeSet::new(); solution.samples()];
+            for t in solution.triangles().iter().filter(|t| t.iter().all(|&v| (v as usize) < solution.samples())) {
                 for k in 0..3 {
                     neighbours[t[k] as usize].extend([t[(k + 1) % 3], t[(k + 2) % 3]]);
                 }
             }
-            let mut fields = vec![vec![0.0; solution.samples]; solution.sites.len()];
-            let rows = (0..solution.samples).flat_map(|v| solution.weights.row(v).map(move |(site, w)| (site, v, w)));
+            let mut fields = vec![vec![0.0; solution.samples()]; solution.sites().len()];
+            let rows =
+                (0..solution.samples()).flat_map(|v| solution.weights().row(v).map(move |(site, w)| (site, v, w)));
             rows.for_each(|(site, v, w)| fields[site][v] = w);
             let lives = fields.iter().flat_map(|field| persistences(&neighbours, field));
             let strays: Vec<f64> = lives.filter(|&life| life > NOISE).collect();

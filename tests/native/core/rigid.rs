@@ -115,7 +115,7 @@ fn a_drag_is_followed_without_jumps() {
         let solution = solved(&project).expect("a valid scene");
         let places = |project: &Project| -> Vec<DVec2> {
             let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
-            solution.sites.iter().enumerate().map(|(at, site)| pose.moved(at, site.rest)).collect()
+            solution.sites().iter().enumerate().map(|(at, site)| pose.moved(at, site.rest)).collect()
         };
         let mut before = places(&project);
         let mut worst = 0.0_f64;
@@ -226,7 +226,7 @@ fn a_set_rotation_is_kept() {
     let mut project = bent_strip(PoseMode::Rigid);
     project.handles[1].rotation = Rotation::Degrees(25.0);
     let (solution, pose) = pose_of(&project);
-    let site = solution.sites.iter().position(|site| site.kind.handle() == Some(1)).expect("a real site");
+    let site = solution.sites().iter().position(|site| site.kind.handle() == Some(1)).expect("a real site");
     assert_eq!(pose.motions()[site].angle, 25.0_f64.to_radians());
     assert!(pose.motions().iter().any(|motion| motion.angle.abs() > 0.3));
 }

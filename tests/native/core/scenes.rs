@@ -2,7 +2,7 @@
 
 use c2warp::{
     Error, Picture, Solution,
-    project::{DomainSpec, Handle, ImageRef, Project, Rotation, Shape, Support},
+    project::{DomainSpec, Handle, ImageRef, Project, Support},
     solve,
 };
 use glam::DVec2;
@@ -73,13 +73,12 @@ pub(crate) fn places() -> impl Strategy<Value = Vec<DVec2>> {
 }
 
 pub(crate) fn handle(id: usize, rest: DVec2, posed: DVec2, degrees: f64) -> Handle {
-    let shape = Shape::Point { rest, posed };
-    Handle { id: format!("h{id}"), shape, rotation: Rotation::Degrees(degrees), scale: 1.0, depth: 0.0 }
+    Handle::point(format!("h{id}"), rest).posed_at([posed]).turned(degrees)
 }
 
 /// A project with point handles at rest; without rings, of what stands for the domain.
 pub(crate) fn project(rings: &[Vec<DVec2>], places: &[DVec2], support: Support) -> Project {
-    let mut project = Project::new(ImageRef { src: "white.png".into(), width: SIZE, height: SIZE });
+    let mut project = Project::new(ImageRef::new("white.png", SIZE, SIZE));
     project.domain = (!rings.is_empty()).then(|| DomainSpec::Polygon { rings: rings.to_vec() });
     project.samples = 1500;
     project.weighting.support = support;

@@ -32,7 +32,7 @@ fn turned_over(p: DVec2) -> DVec2 {
 
 /// A handle that turns by itself.
 fn handle(id: usize, shape: Shape) -> Handle {
-    Handle { id: format!("h{id}"), shape, rotation: Rotation::Auto, scale: 1.0, depth: 0.0 }
+    Handle::new(format!("h{id}"), shape).turned(Rotation::Auto)
 }
 
 /// What `change` makes of a shape.
@@ -135,9 +135,10 @@ fn check_same(
     (there, other): (&Solution, &Pose),
     change: impl Fn(DVec2) -> DVec2,
 ) -> Result<(), TestCaseError> {
-    prop_assert_eq!(here.sites.len(), there.sites.len());
-    for site in &here.sites {
-        let off = there.sites.iter().map(|other| change(site.rest).distance(other.rest)).fold(f64::INFINITY, f64::min);
+    prop_assert_eq!(here.sites().len(), there.sites().len());
+    for site in here.sites() {
+        let off =
+            there.sites().iter().map(|other| change(site.rest).distance(other.rest)).fold(f64::INFINITY, f64::min);
         prop_assert!(off <= SYMMETRIC, "the site at {} is {off} px off", site.rest);
     }
     for p in spread(1000) {
@@ -246,7 +247,7 @@ proptest! {
         let (solution, pose) = found.expect("as assumed");
         let mut other = project.clone();
         other.domain = Some(DomainSpec::Polygon {
-            rings: solution.rings().iter().map(|ring| ring.iter().rev().map(|&p| turned_over(p)).collect()).collect(),
+            rings: solution.domain().rings().iter().map(|ring| ring.iter().rev().map(|&p| turned_over(p)).collect()).collect(),
         });
         for handle in &mut other.handles {
             handle.shape = changed(&handle.shape, turned_over);

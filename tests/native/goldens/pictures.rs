@@ -27,9 +27,8 @@ fn warped(scene: &Scene) -> RgbaImage {
         .poser()
         .pose(&scene.project.handles, scene.project.pose.blend)
         .expect("as many handles as were solved");
-    let (mesh, posed) = (&solution.mesh, solution.posed_vertices(&pose));
-    let warped =
-        raster::warp(&picture, &mesh.vertices, &posed, &mesh.triangles, 1.0, Canvas::Picture).expect("a fair size");
+    let (rest, posed) = (solution.vertices(), solution.posed_vertices(&pose));
+    let warped = raster::warp(&picture, rest, &posed, solution.triangles(), 1.0, Canvas::Picture).expect("a fair size");
     RgbaImage::from_raw(warped.width, warped.height, warped.rgba).expect("as many bytes as pixels")
 }
 

@@ -4,13 +4,15 @@
 use std::hint::black_box;
 
 use c2warp::{
-    distance::{Navigation, Propagation, graph::Graph},
+    distance::Located,
     domain::Domain,
-    sample::Samples,
+    project::{Handle, Project},
+    solve_domain,
 };
 use c2warp_bench::{
     clock::native_ms,
     measure::{Effort, least_ms},
+    suite::graph_of_samples,
 };
 use c2warp_tests::{
     outlines,
@@ -21,7 +23,7 @@ use glam::DVec2;
 const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, least_runs: 3 };
 
 /// Numbers of samples asked for.
-const SAMPLES: [usize; 3] = [2_000, 8_000, 31_000];
+const SAMPLES: [u32; 3] = [2_000, 8_000, 31_000];
 /// Points that distances are measured from.
 const SOURCES: usize = 4;
 /// Samples that distances are compared at.
@@ -72,57 +74,57 @@ pub fn distances() -> Vec<Distances> {
 
 fn of_domain(name: &'static str, domain: &Domain) -> Vec<Distances> {
     let geodesics = VisibilityGraph::new(domain.rings());
-    let navigation = Navigation::new(domain);
     let sources = outlines::scattered(&geodesics, 0, SOURCES);
-    SAMPLES
-        .iter()
-        .map(|&count| {
-            let samples = Samples::new(domain, &navigation, &sources, &[], count);
-            of_samples(name, domain, (&geodesics, &navigation), (&sources, &samples))
-        })
-        .collect()
+    SAMPLES.iter().map(|&count| of_samples(name, domain, &geodesics, &sources, count)).collect()
 }
 
 fn of_samples(
-    domain: &'static str,
-    outline: &Domain,
-    (geodesics, navigation): (&VisibilityGraph, &Navigation),
-    (sources, samples): (&[DVec2], &Samples),
+    name: &'static str,
+    domain: &Domain,
+    geodesics: &VisibilityGraph,
+    sources: &[DVec2],
+    count: u32,
 ) -> Distances {
-    let points = &samples.mesh.vertices;
-    // Samples on the outline lie in it or not as rounding decides.
-    let inner: Vec<usize> = (0..samples.len()).filter(|&i| geodesics.contains(points[i])).collect();
-    let compared: Vec<usize> = inner.iter().copied().step_by(inner.len().div_ceil(COMPARED)).collect();
-    let graph = Graph::of_mesh(&samples.mesh);
-    let mut propagation = Propagation::default();
-    let mut solve = |source: DVec2| -> Vec<f64> {
-        let triangle = navigation.triangle_at(source).expect("sources lie in the domain");
-        let field = propagation.field(navigation, triangle, source, f64::INFINITY);
-        let at = |(&triangle, &p)| field.distance(triangle, p);
-        samples.outline_triangles.iter().zip(points).map(at).collect()
+    // Handles are samples, so both measure from the same points.
+    let handles = sources.iter().enumerate().map(|(at, &source)| Handle::point(at.to_string(), source));
+    let mut project = Project::for_picture(outlines::SIZE, outlines::SIZE).with_handles(handles);
+    project.samples = count;
+    let solution = solve_domain(&project, domain).expect("the domain has room for four handles");
+    let (navigation, samples) = (solution.navigation(), solution.samples());
+    let points = &solution.vertices()[..samples];
+    let located: Vec<Located> = points.iter().filter_map(|&p| navigation.located(p)).collect();
+    let graph = graph_of_samples(&solution);
+    let solve = |source: DVec2| -> Vec<f64> {
+        let distances = navigation.distances_from(source).expect("sources lie in the domain");
+        located.iter().map(|&p| distances.to_located(p).unwrap_or(f64::INFINITY)).collect()
+    };
+    let walk = |source: DVec2| {
+        let at = points.iter().position(|&p| p == source).expect("handles are samples");
+        graph.distances(points, at)
     };
 
+    // Samples on the outline lie in it or not as rounding decides.
+    let inner: Vec<usize> = (0..samples).filter(|&i| geodesics.contains(points[i])).collect();
+    let compared: Vec<usize> = inner.iter().copied().step_by(inner.len().div_ceil(COMPARED)).collect();
     let viewpoints: Vec<Viewpoint> = compared.iter().map(|&i| geodesics.viewpoint(points[i])).collect();
     let (mut of_solver, mut of_graph) = (Vec::new(), Vec::new());
-    for (&source, &at) in sources.iter().zip(&samples.at_sites) {
-        let found = solve(source);
-        let along_edges = graph.distances(points, at as usize);
+    for &source in sources {
+        let (found, walked) = (solve(source), walk(source));
         for (&i, exact) in compared.iter().zip(geodesics.distances(source, &viewpoints)) {
             let error = |distance: f64| (distance - exact).abs() / exact.max(SHORTEST);
             of_solver.push(error(found[i]));
-            of_graph.push(error(along_edges[i]));
+            of_graph.push(error(walked[i]));
         }
     }
-    let time = |run: &mut dyn FnMut()| least_ms(native_ms, EFFORT, run);
-    let source = sources[0];
+    let time = |run: &dyn Fn(DVec2) -> Vec<f64>| least_ms(native_ms, EFFORT, || drop(black_box(run(sources[0]))));
     Distances {
-        domain,
-        corners: outline.rings().iter().map(Vec::len).sum(),
-        samples: samples.len(),
+        domain: name,
+        corners: domain.rings().iter().map(Vec::len).sum(),
+        samples,
         solver: errors(&of_solver),
         graph: errors(&of_graph),
-        solver_ms: time(&mut || drop(black_box(solve(source)))),
-        graph_ms: time(&mut || drop(black_box(graph.distances(points, samples.at_sites[0] as usize)))),
+        solver_ms: time(&solve),
+        graph_ms: time(&walk),
     }
 }
 

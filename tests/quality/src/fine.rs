@@ -18,12 +18,12 @@ impl Fine {
     /// The mesh over the samples of a solution.
     #[must_use]
     pub fn of(solution: &Solution) -> Self {
-        let vertices = solution.mesh.vertices[..solution.samples].to_vec();
+        let vertices = solution.vertices()[..solution.samples()].to_vec();
         let twice = |[a, b, c]: [u32; 3]| {
             let [a, b, c] = [a, b, c].map(|v| vertices[v as usize]);
             (b - a).perp_dot(c - a)
         };
-        let inner = solution.mesh.triangles.iter().filter(|t| t.iter().all(|&v| (v as usize) < vertices.len()));
+        let inner = solution.triangles().iter().filter(|t| t.iter().all(|&v| (v as usize) < vertices.len()));
         let turned = |&[a, b, c]: &[u32; 3]| if twice([a, b, c]) > 0.0 { [a, b, c] } else { [a, c, b] };
         let triangles: Vec<[u32; 3]> = inner.map(turned).collect();
         let areas = triangles.iter().map(|&t| twice(t) / 2.0).collect();

@@ -164,7 +164,7 @@ impl Compared {
         let solution = solve(&project, &self.pose.solver_picture())?;
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         // The same samples whatever the mode, but for those that a solve adds.
-        let same = solution.mesh.vertices.get(..self.fine.vertices.len()) == Some(&self.fine.vertices[..]);
+        let same = solution.vertices().get(..self.fine.vertices.len()) == Some(&self.fine.vertices[..]);
         let map = |p: DVec2| solution.map(&pose, p).map_or(p, |mapped| mapped.posed);
         let posed = match same {
             true => solution.posed_vertices(&pose)[..self.fine.vertices.len()].to_vec(),
@@ -178,8 +178,8 @@ impl Compared {
             method,
             distortion: Distortion::of(&self.fine, &posed),
             off_handles: self.off_handles(&posed, map),
-            virtual_sites: Some(solution.sites.iter().filter(|site| !site.kind.is_real()).count()),
-            sites: solution.sites.iter().enumerate().map(site).collect(),
+            virtual_sites: Some(solution.sites().iter().filter(|site| !site.kind.is_real()).count()),
+            sites: solution.sites().iter().enumerate().map(site).collect(),
             pose_ms: Some(pose_ms),
             frame_ms,
             turns: None,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use c2warp::{
     Picture,
-    project::{DomainSpec, Handle, ImageRef, Project, Rotation, Shape},
+    project::{DomainSpec, Handle, ImageRef, Project, Rotation},
 };
 use c2warp_tests::Scene;
 use glam::DVec2;
@@ -38,7 +38,7 @@ impl StandardPose {
     }
 
     fn on_rings(name: &'static str, rings: Vec<Vec<DVec2>>, moves: &[(DVec2, DVec2)]) -> Self {
-        let image = ImageRef { src: "drawn.png".into(), width: SIZE, height: SIZE };
+        let image = ImageRef::new("drawn.png", SIZE, SIZE);
         let mut project = Project::new(image);
         project.domain = Some(DomainSpec::Polygon { rings });
         project.handles = handles(moves);
@@ -72,12 +72,8 @@ pub fn standard_poses() -> image::ImageResult<Vec<StandardPose>> {
 
 /// Point handles with their rotations left to the solver.
 fn handles(moves: &[(DVec2, DVec2)]) -> Vec<Handle> {
-    let handle = |(id, &(rest, posed)): (usize, &(DVec2, DVec2))| Handle {
-        id: format!("h{id}"),
-        shape: Shape::Point { rest, posed },
-        rotation: Rotation::Auto,
-        scale: 1.0,
-        depth: 0.0,
+    let handle = |(id, &(rest, posed)): (usize, &(DVec2, DVec2))| {
+        Handle::point(format!("h{id}"), rest).posed_at([posed]).turned(Rotation::Auto)
     };
     moves.iter().enumerate().map(handle).collect()
 }
@@ -93,7 +89,7 @@ fn strip() -> StandardPose {
 const GINGERBREAD: [(f64, f64); 5] = [(512.0, 260.0), (124.0, 516.0), (900.0, 516.0), (312.0, 1126.0), (712.0, 1126.0)];
 
 fn gingerbread(name: &'static str, picture: RgbaImage, posed: [DVec2; 5]) -> StandardPose {
-    let image = ImageRef { src: "gingerbread.png".into(), width: picture.width(), height: picture.height() };
+    let image = ImageRef::new("gingerbread.png", picture.width(), picture.height());
     let mut project = Project::new(image);
     project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
     let rest = GINGERBREAD.map(DVec2::from);

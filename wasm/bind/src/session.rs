@@ -75,7 +75,8 @@ impl Session {
         };
         let start = now_ms();
         let pose = solution.poser().pose(&project.handles, project.pose.blend).map_err(|error| to_js(&error))?;
-        let ms = StageTimes { pose: now_ms() - start, ..ms.clone() };
+        let mut ms = *ms;
+        ms.pose = now_ms() - start;
         let report = Inspection { report: solution.report(&pose), ms };
         let report = serde_json::to_string(&report).expect("numbers under names are JSON");
         Ok(Solution::new(solution, report))
@@ -98,7 +99,8 @@ impl Session {
         let start = now_ms();
         let picture = Picture::new(self.width, self.height, &self.rgba)?;
         self.solver.begin(&project, &picture)?;
-        let ms = StageTimes { domain: now_ms() - start, ..StageTimes::default() };
+        let mut ms = StageTimes::default();
+        ms.add(Stage::Domain, now_ms() - start);
         self.solving = Some(Solve { project, ms });
         Ok(())
     }

@@ -23,14 +23,14 @@ pub struct Solution {
 impl Solution {
     pub(crate) fn new(solution: &c2warp::Solution, report: String) -> Self {
         Self {
-            positions: flat(solution.mesh.vertices.iter().map(DVec2::to_array)),
-            triangles: solution.mesh.triangles.concat(),
-            offsets: solution.weights.offsets.clone(),
-            sites: solution.weights.sites.clone(),
-            weights: solution.weights.weights.iter().map(|&weight| weight as f32).collect(),
-            site_rest: solution.sites.iter().flat_map(|site| site.rest.to_array()).collect(),
-            site_handle: solution.sites.iter().map(|site| handle_of(site.kind)).collect(),
-            site_edges: solution.graph.links.concat(),
+            positions: flat(solution.vertices().iter().map(DVec2::to_array)),
+            triangles: solution.triangles().concat(),
+            offsets: solution.weights().offsets().to_vec(),
+            sites: solution.weights().sites().to_vec(),
+            weights: solution.weights().weights().iter().map(|&weight| weight as f32).collect(),
+            site_rest: solution.sites().iter().flat_map(|site| site.rest.to_array()).collect(),
+            site_handle: solution.sites().iter().map(|site| handle_of(site.kind)).collect(),
+            site_edges: solution.links().flat_map(|(i, j, _)| [i as u32, j as u32]).collect(),
             poser: solution.poser().to_bytes(),
             report,
         }

@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-use c2warp::check_size;
+use c2warp::Picture;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
 use crate::error::CliError;
@@ -41,7 +41,7 @@ pub(crate) fn read(path: &Path) -> Result<RgbaImage, CliError> {
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(refusal)?;
     let (width, height) = decoder.dimensions();
-    check_size(width, height).map_err(CliError::refused(path))?;
+    Picture::check_size(width, height).map_err(CliError::refused(path))?;
     // Invalid metadata is no reason to refuse a picture.
     let orientation = decoder.orientation().ok();
     let mut image = DynamicImage::from_decoder(decoder).map_err(refusal)?;

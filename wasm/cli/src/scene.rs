@@ -60,8 +60,7 @@ impl Scene {
 
     /// The pose of the project's handles.
     pub(crate) fn pose(&self, solution: &Solution) -> Result<Pose, CliError> {
-        let Project { handles, pose, .. } = &self.project;
-        solution.poser().pose(handles, pose.blend).map_err(|reason| self.refused(reason))
+        solution.pose(&self.project).map_err(|reason| self.refused(reason))
     }
 
     /// An error about the project's content.

@@ -32,7 +32,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         for (point, &place) in points.iter().enumerate() {
             for (index, weight) in solution.weights_at(place).unwrap_or_default().into_iter().filter(|&(_, w)| w > 0.0)
             {
-                let site = &solution.sites[index];
+                let site = &solution.sites()[index];
                 let kind = if site.kind.is_real() { "real" } else { "virtual" };
                 // Sites of a held boundary are real, but belong to no handle.
                 let handle = site.kind.handle().map_or("", |handle| scene.project.handles[handle].id.as_str());

@@ -121,6 +121,15 @@ pub enum Error {
         /// Height of the picture.
         height: u32,
     },
+    /// A point of a ring that is too far out to compute with.
+    #[error("domain.rings[{ring}][{point}] is not a point with coordinates from −{max} to {max}",
+        max = limits::MAX_COORDINATE)]
+    RingPoint {
+        /// Index of the ring.
+        ring: usize,
+        /// Index of the point.
+        point: usize,
+    },
     /// Two points of the rings coincide.
     #[error("domain.rings[{ring}][{point}] stands on the same spot as domain.rings[{other_ring}][{other_point}]")]
     RingDuplicate {
@@ -311,7 +320,7 @@ pub enum Error {
     MeshEmpty,
     /// A vertex of a mesh that is not a finite number, or too far out to compute with.
     #[error("vertex {vertex} of the mesh is not a point with coordinates from −{max} to {max}",
-        max = limits::FARTHEST)]
+        max = limits::MAX_COORDINATE)]
     MeshVertex {
         /// Index of the vertex.
         vertex: usize,
@@ -374,7 +383,7 @@ pub enum Error {
     },
     /// A point of a cloud that is not a finite number, or too far out to compute with.
     #[error("point {point} of the cloud is not a point with coordinates from −{max} to {max}",
-        max = limits::FARTHEST)]
+        max = limits::MAX_COORDINATE)]
     CloudPoint {
         /// Index of the point.
         point: usize,
@@ -428,6 +437,7 @@ impl Error {
             Self::PictureMismatch { .. } => "picture-mismatch",
             Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
             Self::RingOutsidePicture { .. }
+            | Self::RingPoint { .. }
             | Self::RingDuplicate { .. }
             | Self::RingFlat { .. }
             | Self::RingsCross { .. }

@@ -13,7 +13,7 @@ use glam::DVec2;
 use crate::{
     domain::{Domain, Ring},
     error::Error,
-    limits::FARTHEST,
+    limits::MAX_COORDINATE,
     outline::Outline,
     sample::Samples,
     triangulation::{NONE, Triangulation},
@@ -27,23 +27,19 @@ const STRAIGHT: f64 = 1e-12;
 /// A checked triangle mesh, for [`solve_mesh`](crate::solve_mesh).
 ///
 /// ```
-/// use c2warp::{GivenMesh, project::Project, solve_mesh};
+/// use c2warp::{GivenMesh, project::{Handle, Project}, solve_mesh};
 ///
 /// // Four columns and three rows of vertices, 10 px apart.
 /// let vertices = (0..12).map(|i| [f64::from(i % 4) * 10.0, f64::from(i / 4) * 10.0].into()).collect();
 /// let quads = [0, 1, 2, 4, 5, 6];
 /// let triangles = quads.iter().flat_map(|&a| [[a, a + 1, a + 5], [a, a + 5, a + 4]]).collect();
 /// let mesh = GivenMesh::new(vertices, triangles)?;
-/// let project = Project::from_json(r#"{
-///     "format": "c2warp/1",
-///     "image": { "src": "any.png", "width": 30, "height": 20 },
-///     "handles": [
-///         { "id": "left", "kind": "point", "rest": [2, 9] },
-///         { "id": "right", "kind": "point", "rest": [30, 10], "posed": [30, 15] }
-///     ]
-/// }"#)?;
+/// let left = Handle::point("left", [2.0, 9.0]);
+/// let right = Handle::point("right", [30.0, 10.0]).posed_at([[30.0, 15.0]]);
+/// // Of any size: the picture plays no part.
+/// let project = Project::for_picture(1, 1).with_handles([left, right]);
 /// let solution = solve_mesh(&project, &mesh)?;
-/// let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
+/// let pose = solution.pose(&project)?;
 /// let posed = solution.posed_vertices(&pose);
 /// assert_eq!(posed.len(), 12);
 /// assert_eq!(posed[7], [30.0, 15.0].into());
@@ -73,7 +69,8 @@ impl GivenMesh {
             return Err(Error::MeshEmpty);
         }
         // NaN is not below anything.
-        if let Some(vertex) = vertices.iter().position(|p| !(p.abs().max_element() <= FARTHEST && p.is_finite())) {
+        if let Some(vertex) = vertices.iter().position(|p| !(p.abs().max_element() <= MAX_COORDINATE && p.is_finite()))
+        {
             return Err(Error::MeshVertex { vertex });
         }
         let mut used = vec![false; vertices.len()];

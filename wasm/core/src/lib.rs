@@ -4,12 +4,14 @@
 //!
 //! - [`Project`](project::Project) states the problem: read from a file ([`from_json`](project::Project::from_json)) or made in
 //!   code. Its fields document their units and ranges; [`check`](project::Project::check) enforces them.
-//! - [`solve`] solves it for a [`Picture`], [`solve_mesh`] for a mesh that the caller supplies, [`solve_cloud`] for a point
-//!   cloud. A [`Solver`] solves one project of a picture after another, stage by stage, and keeps what they have in common.
-//! - [`Solution`] holds for any point of the domain, not for samples only: where it [goes](Solution::map), the
-//!   [weights](Solution::weights_at) there, and intrinsic [distances](Solution::distances). It draws the
+//! - [`solve`] solves it for a [`Picture`], [`solve_domain`] for a [`Domain`](domain::Domain) alone, [`solve_mesh`] for a mesh
+//!   that the caller supplies, [`solve_cloud`] for a point cloud. A [`Solver`] solves one project of a picture after another, stage
+//!   by stage, and keeps what they have in common.
+//! - [`Solution`] holds for any point of the domain, not for samples only: where it [goes](Solution::map), and the
+//!   [weights](Solution::influences_at) there with their gradients, for many points as [sparse rows](Solution::weights_of). It draws the
 //!   [warped picture](Solution::warped) and finds what is drawn [at a place of it](Solution::rest_at).
 //! - [`Poser`](pose::Poser) makes a [`Pose`](pose::Pose) from posed handles. A drag needs nothing else.
+//! - [`Navigation`](distance::Navigation) measures intrinsic distances in a domain, and needs nothing else.
 //! - [`Error`] covers everything that is refused: a sentence for people, and a [code](Error::code) for programs.
 //!
 //! Units: image pixels, pixel centres at +0.5, y down, origin at the top left; radians, but degrees in a project. Places are
@@ -29,7 +31,7 @@
 
 // What is given.
 mod error;
-mod limits;
+pub mod limits;
 mod picture;
 pub mod project;
 
@@ -38,7 +40,7 @@ mod grid;
 mod min_entry;
 mod rows;
 mod segment;
-pub mod triangulation;
+mod triangulation;
 
 // The pipeline.
 mod bone;
@@ -48,7 +50,7 @@ pub mod domain;
 mod given_mesh;
 mod outline;
 pub mod pose;
-pub mod sample;
+mod sample;
 pub mod site;
 pub mod weight;
 
@@ -65,16 +67,35 @@ mod solution;
 mod solver;
 mod stage;
 
-pub use bone::Outside;
-pub use error::Error;
-pub use given_mesh::GivenMesh;
 /// The vectors that this crate's places are.
 pub use glam;
-pub use limits::{MAX_PIXELS, MAX_SIDE, MIN_SIDE};
-pub use picture::{Picture, check_size};
-pub use raster::{Canvas, Warped};
-pub use render_mesh::RenderMesh;
+
+// The problem.
+pub use error::Error;
+pub use given_mesh::GivenMesh;
+pub use picture::Picture;
+
+// Solving it.
+pub use solver::{Solver, distances, solve, solve_cloud, solve_domain, solve_mesh};
+pub use stage::{Stage, StageTimes};
+
+// What comes out.
+pub use bone::Outside;
+pub use raster::{canvas::Canvas, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
-pub use solver::{Solver, distances, solve, solve_cloud, solve_mesh};
-pub use stage::{Stage, StageTimes};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_program_holds_goes_from_thread_to_thread() {
+        fn check<T: Send + Sync + std::fmt::Debug>() {}
+        fn check_clone<T: Clone>() {}
+        check::<(Error, GivenMesh, Picture<'_>, Solution, Solver, Warped, Report)>();
+        check::<(cloud::PointCloud, cloud::CloudSolution, domain::Domain, project::Project)>();
+        check::<(distance::Navigation, distance::Distances<'_>, pose::Poser, pose::Pose, weight::SparseWeights)>();
+        check_clone::<(Solution, cloud::CloudSolution, distance::Navigation, distance::Distances<'_>, pose::Pose)>();
+    }
+}

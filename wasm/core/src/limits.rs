@@ -1,4 +1,4 @@
-//! The limits that more than one module keeps, and that errors name.
+//! What is too small, too large, too many or too close: beyond these limits come errors that name them.
 
 /// Least number of pixels on a side: smaller pictures have nothing to bend.
 pub const MIN_SIDE: u32 = 2;
@@ -7,8 +7,9 @@ pub const MAX_SIDE: u32 = 16_384;
 /// Greatest number of pixels: 400 MB of RGBA, which a browser tab can hold twice.
 pub const MAX_PIXELS: u64 = 100_000_000;
 
-/// The greatest coordinate that a caller may give: its rounding is four digits below the tolerance of the outline.
-pub(crate) const FARTHEST: f64 = 1e6;
+/// Greatest coordinate, in pixels and either direction, of a mesh, a point cloud or rings without a picture: its rounding is four
+/// digits below the tolerance of the outline.
+pub const MAX_COORDINATE: f64 = 1e6;
 
 /// Greatest number of corners of an outline. Each corner can bend shortest paths, so this bounds the cost of a distance
 /// field.

@@ -5,7 +5,8 @@ use crate::{
     limits::{MAX_PIXELS, MAX_SIDE, MIN_SIDE},
 };
 
-/// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom.
+/// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom: what the bytes of an `RgbaImage` of the crate
+/// `image` are.
 #[derive(Debug, Clone, Copy)]
 pub struct Picture<'a> {
     width: u32,
@@ -14,18 +15,32 @@ pub struct Picture<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// Borrows a picture.
+    /// Borrows a picture: its size in pixels, and `width × height × 4` bytes.
     ///
     /// # Errors
-    /// [`Error::PictureSide`] or [`Error::PictureArea`] for a size that cannot be warped (see [`MIN_SIDE`],
-    /// [`MAX_SIDE`], [`MAX_PIXELS`]); [`Error::PictureBytes`] where the pixels do not fill it.
+    /// Those of [`check_size`](Self::check_size); [`Error::PictureBytes`] where the pixels do not fill it.
     pub fn new(width: u32, height: u32, rgba: &'a [u8]) -> Result<Self, Error> {
-        check_size(width, height)?;
+        Self::check_size(width, height)?;
         let expected = width as usize * height as usize * 4;
         if rgba.len() != expected {
             return Err(Error::PictureBytes { width, height, expected, found: rgba.len() });
         }
         Ok(Self { width, height, rgba })
+    }
+
+    /// Whether a picture of this size can be warped: a check before its pixels are decoded.
+    ///
+    /// # Errors
+    /// [`Error::PictureSide`] and [`Error::PictureArea`], by [`MIN_SIDE`], [`MAX_SIDE`] and [`MAX_PIXELS`].
+    pub fn check_size(width: u32, height: u32) -> Result<(), Error> {
+        let sides = MIN_SIDE..=MAX_SIDE;
+        if !sides.contains(&width) || !sides.contains(&height) {
+            return Err(Error::PictureSide { width, height });
+        }
+        if u64::from(width) * u64::from(height) > MAX_PIXELS {
+            return Err(Error::PictureArea { width, height });
+        }
+        Ok(())
     }
 
     /// Width in pixels.
@@ -57,19 +72,4 @@ impl<'a> Picture<'a> {
     pub fn has_transparency(&self) -> bool {
         self.rgba.chunks_exact(4).any(|pixel| pixel[3] != u8::MAX)
     }
-}
-
-/// Whether a picture of this size can be warped: a check before its pixels are decoded.
-///
-/// # Errors
-/// [`Error::PictureSide`] and [`Error::PictureArea`].
-pub fn check_size(width: u32, height: u32) -> Result<(), Error> {
-    let sides = MIN_SIDE..=MAX_SIDE;
-    if !sides.contains(&width) || !sides.contains(&height) {
-        return Err(Error::PictureSide { width, height });
-    }
-    if u64::from(width) * u64::from(height) > MAX_PIXELS {
-        return Err(Error::PictureArea { width, height });
-    }
-    Ok(())
 }

@@ -13,11 +13,11 @@ use crate::{
 
 /// Triangles, drawn later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RenderMesh {
+pub(crate) struct RenderMesh {
     /// Rest places: the samples, then the rim's vertices.
-    pub vertices: Vec<DVec2>,
+    pub(crate) vertices: Vec<DVec2>,
     /// Triangles × 3 vertex indices.
-    pub triangles: Vec<[u32; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl RenderMesh {

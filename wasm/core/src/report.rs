@@ -30,8 +30,8 @@ pub struct Report {
     pub real_sites: usize,
     /// Sites that Algorithm 1 added.
     pub virtual_sites: usize,
-    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d −
-    /// `Site::reach_limit` in place of r_d − r_h.
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d minus
+    /// the greatest radius that the cell may have, in place of r_d − r_h.
     pub scores: Vec<f64>,
     /// Mean number of supports over a sample.
     pub cover_mean: f64,

@@ -6,52 +6,139 @@ use glam::DVec2;
 
 use crate::{
     bone::Outside,
-    distance::Propagation,
-    domain::{Domain, Ring},
+    distance::Navigation,
+    domain::Domain,
     drawing_order::drawn_triangles,
     error::Error,
     inverse,
     outline::Outline,
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
-    raster::{self, Canvas, Warped},
+    project::Project,
+    raster::{self, canvas::Canvas, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     request::check_picture,
     site::{Site, SiteGraph},
+    triangulation::NONE,
     weight::{Influence, SparseWeights, WeightFunctions},
 };
 
-/// The result of a solve. It does not depend on where the handles are posed: its [`poser`](Self::poser) makes the poses that it takes,
-/// and no other does.
-#[derive(Debug)]
+/// The result of a solve: of a mesh over the domain and of any point of it, how sites move it. It does not depend on where the
+/// handles are posed: its [`poser`](Self::poser) makes the poses that it takes, and no other does.
+///
+/// ```
+/// use c2warp::{Picture, project::{Handle, Project}, solve};
+///
+/// let rgba = vec![255; 40 * 30 * 4];
+/// let mut project = Project::for_picture(40, 30);
+/// project.handles = vec![Handle::point("left", [5.0, 15.0]), Handle::point("right", [35.0, 15.0]).posed_at([[35.0, 10.0]])];
+/// let solution = solve(&project, &Picture::new(40, 30, &rgba)?)?;
+/// let pose = solution.pose(&project)?;
+/// // A point between the handles, and the vertices of the mesh.
+/// let mapped = solution.map(&pose, [25.0, 15.0].into()).unwrap();
+/// assert!(mapped.posed.y < 15.0 && mapped.det > 0.0);
+/// assert_eq!(solution.posed_vertices(&pose).len(), solution.vertices().len());
+/// // What is outside of the domain goes nowhere.
+/// assert!(solution.map(&pose, [41.0, 15.0].into()).is_none());
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+#[derive(Debug, Clone)]
 pub struct Solution {
-    /// What is drawn.
-    pub mesh: RenderMesh,
-    /// The weights of the mesh's vertices.
-    pub weights: SparseWeights,
-    /// Point handles and the first sites of bars and of a held boundary from top to bottom, then others as they were inserted.
-    pub sites: Vec<Site>,
-    /// The cell graph.
-    pub graph: SiteGraph,
-    /// ϖ, by site.
-    pub harmonic: HarmonicFields,
+    pub(crate) mesh: RenderMesh,
+    pub(crate) weights: SparseWeights,
+    pub(crate) sites: Vec<Site>,
+    pub(crate) graph: SiteGraph,
+    pub(crate) harmonic: HarmonicFields,
     /// Number of samples: the first vertices of the mesh; the others are the rim's.
-    pub samples: usize,
-    /// The nearest site of each sample, `u32::MAX` on an island without sites. Where the support of the nearest site ends before the
-    /// sample, as it may in a nook, it can be another one that moves the sample.
-    pub nearest: Vec<u32>,
-    /// Σφ at each sample.
-    pub phi_sums: Vec<f64>,
-    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d −
-    /// `Site::reach_limit` in place of r_d − r_h.
-    pub scores: Vec<f64>,
+    pub(crate) samples: usize,
+    /// The nearest site of each sample, [`NONE`] on an island without sites.
+    pub(crate) nearest: Vec<u32>,
+    pub(crate) phi_sums: Vec<f64>,
+    pub(crate) scores: Vec<f64>,
     /// Numbers of point handles, bars and polygons.
     pub(crate) kinds: [usize; 3],
     pub(crate) outside: Vec<Outside>,
     pub(crate) poser: Poser,
     pub(crate) functions: WeightFunctions,
     pub(crate) outline: Arc<Outline>,
+}
+
+/// What is drawn.
+impl Solution {
+    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the rim, a skirt of some pixels around
+    /// soft edges.
+    #[must_use]
+    pub fn vertices(&self) -> &[DVec2] {
+        &self.mesh.vertices
+    }
+
+    /// Triangles × 3 vertices, drawn later ones over earlier ones as long as no handle has a depth: see
+    /// [`drawn_triangles`](Self::drawn_triangles).
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.mesh.triangles
+    }
+
+    /// Number of samples, the first of the [`vertices`](Self::vertices): those in the domain.
+    #[must_use]
+    pub fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// The weights of the vertices (eq. 2), vertices × sites.
+    #[must_use]
+    pub fn weights(&self) -> &SparseWeights {
+        &self.weights
+    }
+}
+
+/// What moves it.
+impl Solution {
+    /// The sites, with their cells and supports: point handles and the first sites of bars and of a held boundary from top to bottom,
+    /// then others as they were inserted.
+    #[must_use]
+    pub fn sites(&self) -> &[Site] {
+        &self.sites
+    }
+
+    /// The links of the cell graph (section IV-B): two sites, the lower index first, and the weight of the link, in (0, 1]. Ascending.
+    pub fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
+        self.graph.iter()
+    }
+
+    /// ϖ: the real sites that a site gets its motion from and their shares (eq. 4), which sum to 1 within rounding; ascending by site. Of a
+    /// real site itself alone.
+    ///
+    /// # Panics
+    /// For a site that there is not.
+    pub fn shares(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.harmonic.row(site)
+    }
+
+    /// The nearest site of a sample, `None` on an island without sites. Where the support of the nearest site ends before the
+    /// sample, as it may in a nook, it can be another one that moves the sample.
+    ///
+    /// # Panics
+    /// For a vertex that is no sample.
+    #[must_use]
+    pub fn nearest_site(&self, sample: usize) -> Option<usize> {
+        let site = self.nearest[sample];
+        (site != NONE).then_some(site as usize)
+    }
+
+    /// Σφ at each sample, by which weights are normalised (eq. 2): near 0, weights are steep.
+    #[must_use]
+    pub fn phi_sums(&self) -> &[f64] {
+        &self.phi_sums
+    }
+
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d minus the greatest radius that
+    /// the cell may have, in place of r_d − r_h. Infinite where there is no cell.
+    #[must_use]
+    pub fn scores(&self) -> &[f64] {
+        &self.scores
+    }
 }
 
 impl Solution {
@@ -61,16 +148,24 @@ impl Solution {
         &self.outline.domain
     }
 
-    /// The outline, as rings in image pixels.
+    /// The triangulation of the domain that [distances](Navigation::distances_from) are computed on.
     #[must_use]
-    pub fn rings(&self) -> &[Ring] {
-        self.outline.domain.rings()
+    pub fn navigation(&self) -> &Navigation {
+        &self.outline.navigation
     }
 
     /// Makes poses of this solution.
     #[must_use]
     pub fn poser(&self) -> &Poser {
         &self.poser
+    }
+
+    /// The pose of a project's handles, blended as the project says: see [`Poser::pose`].
+    ///
+    /// # Errors
+    /// Those of [`Poser::pose`].
+    pub fn pose(&self, project: &Project) -> Result<Pose, Error> {
+        self.poser.pose(&project.handles, project.pose.blend)
     }
 
     /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
@@ -85,6 +180,19 @@ impl Solution {
     pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
         let influences = self.influences_at(p)?;
         Some(influences.into_iter().map(|influence| (influence.site, influence.weight)).collect())
+    }
+
+    /// The weights of points of the caller's, such as the vertices of a mesh, points × sites. The row of a point outside the domain
+    /// is empty, as that of a point on an island without sites is: such a point stays.
+    ///
+    /// Cost: for each point, that of [`weights_at`](Self::weights_at).
+    #[must_use]
+    pub fn weights_of(&self, points: &[DVec2]) -> SparseWeights {
+        let mut weights = SparseWeights::with_capacity(points.len());
+        for &p in points {
+            weights.push_row(self.weights_at(p).unwrap_or_default().into_iter());
+        }
+        weights
     }
 
     /// Parts of bars and polygons that lie outside the domain, or on its held boundary: they move nothing.
@@ -174,7 +282,8 @@ impl Solution {
     /// # Errors
     /// [`Error::PointOutside`] where the first point lies outside the domain.
     pub fn distances(&self, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
-        Propagation::default().distances(&self.outline.navigation, from, at)
+        let distances = self.navigation().distances_from(from)?;
+        Ok(at.iter().map(|&p| distances.to(p)).collect())
     }
 
     /// The solve in numbers, with the folds of a pose.
@@ -184,12 +293,12 @@ impl Solution {
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
         let real = self.sites.iter().filter(|site| site.kind.is_real()).count();
-        let entries = self.weights.offsets[self.samples] as usize;
-        let covers = self.weights.offsets[..=self.samples].windows(2).map(|row| (row[1] - row[0]) as usize);
-        let reached = self.phi_sums.iter().zip(&self.nearest).filter(|&(_, &nearest)| nearest != u32::MAX);
-        let offsets = self.weights.offsets.iter().map(|&offset| u64::from(offset));
-        let sites = self.weights.sites.iter().map(|&site| u64::from(site));
-        let bits = self.weights.weights.iter().map(|weight| weight.to_bits());
+        let entries = self.weights.offsets()[self.samples] as usize;
+        let covers = self.weights.offsets()[..=self.samples].windows(2).map(|row| (row[1] - row[0]) as usize);
+        let reached = self.phi_sums.iter().zip(&self.nearest).filter(|&(_, &nearest)| nearest != NONE);
+        let offsets = self.weights.offsets().iter().map(|&offset| u64::from(offset));
+        let sites = self.weights.sites().iter().map(|&site| u64::from(site));
+        let bits = self.weights.weights().iter().map(|weight| weight.to_bits());
         Report {
             samples: self.samples,
             islands: self.domain().islands(),

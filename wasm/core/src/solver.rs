@@ -7,7 +7,8 @@ use glam::DVec2;
 use crate::{
     bone::Track,
     cloud::{CloudSolution, PointCloud},
-    distance::Propagation,
+    distance::{Navigation, Propagation},
+    domain::Domain,
     error::Error,
     given_mesh::GivenMesh,
     outline::{Outline, OutlineKey},
@@ -27,6 +28,24 @@ use crate::{
 /// outline, and the samples and scouts without handles.
 ///
 /// A picture is identified by its size: another one of the same size needs a new solver.
+///
+/// ```
+/// use c2warp::{Picture, Solver, project::{Handle, Project}};
+///
+/// let rgba = vec![255; 40 * 30 * 4];
+/// let picture = Picture::new(40, 30, &rgba)?;
+/// let mut project = Project::for_picture(40, 30).with_handles([Handle::point("left", [5.0, 15.0])]);
+/// let mut solver = Solver::new();
+/// for x in [25.0, 35.0] {
+///     project.handles.push(Handle::point(format!("at {x}"), [x, 15.0]));
+///     solver.begin(&project, &picture)?;
+///     while let Some(stage) = solver.advance()? {
+///         println!("{} is done: is there anything newer to solve?", stage.name());
+///     }
+/// }
+/// assert_eq!(solver.solution().map(|solution| solution.sites().len() >= 3), Some(true));
+/// # Ok::<(), c2warp::Error>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct Solver {
     kept: Option<Kept>,
@@ -98,7 +117,7 @@ impl Solver {
     /// # Errors
     /// [`Error::PictureMismatch`]; [`Error::Project`] for what [`Project::check`] refuses; [`Error::TooManyHandles`],
     /// [`Error::TooManyCorners`]; or an error of [`Domain::new`](crate::domain::Domain::new).
-    pub fn begin(&mut self, project: &Project, picture: &Picture) -> Result<(), Error> {
+    pub fn begin(&mut self, project: &Project, picture: &Picture<'_>) -> Result<(), Error> {
         self.work = None;
         check_picture(project.image.size(), picture)?;
         let request = Request::new(project)?;
@@ -255,7 +274,7 @@ fn weigh(
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`].
-pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
+pub fn solve(project: &Project, picture: &Picture<'_>) -> Result<Solution, Error> {
     let mut solver = Solver::new();
     solver.begin(project, picture)?;
     while solver.advance()?.is_some() {}
@@ -263,15 +282,54 @@ pub fn solve(project: &Project, picture: &Picture) -> Result<Solution, Error> {
 }
 
 /// Intrinsic distances in a project's domain, in pixels, from one point to others; `None` where no path leads. Handles are
-/// ignored.
+/// ignored. Without a picture, or for one source after another, use [`Navigation`].
 ///
 /// # Errors
 /// [`Error::PictureMismatch`], an error of [`Domain::new`](crate::domain::Domain::new), or [`Error::PointOutside`] where the
 /// first point lies outside the domain.
-pub fn distances(project: &Project, picture: &Picture, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
+pub fn distances(
+    project: &Project,
+    picture: &Picture<'_>,
+    from: DVec2,
+    at: &[DVec2],
+) -> Result<Vec<Option<f64>>, Error> {
     check_picture(project.image.size(), picture)?;
-    let outline = Outline::new(project.domain.as_ref(), picture)?;
-    Propagation::default().distances(&outline.navigation, from, at)
+    let navigation = Navigation::new(&Domain::new(project.domain.as_ref(), picture)?);
+    let distances = navigation.distances_from(from)?;
+    Ok(at.iter().map(|&p| distances.to(p)).collect())
+}
+
+/// Solves a project in one call in a domain from the caller, without a picture.
+///
+/// The project's picture and domain are ignored. The solution draws any picture that the caller lays over the domain.
+///
+/// ```
+/// use c2warp::{domain::Domain, glam::DVec2, project::{Handle, Project}, solve_domain};
+///
+/// let ring = [(-1.0, -1.0), (3.0, -1.0), (3.0, 1.0), (1.0, 1.0), (1.0, 3.0), (-1.0, 3.0)];
+/// let domain = Domain::from_rings(&[ring.map(|corner| 100.0 * DVec2::from(corner)).to_vec()])?;
+/// // Of another size or none: the picture plays no part.
+/// let mut project = Project::for_picture(1, 1);
+/// project.handles = vec![Handle::point("right", [200.0, 0.0]), Handle::point("down", [0.0, 200.0])];
+/// let solution = solve_domain(&project, &domain)?;
+/// // The sites that move a point, with weights and their gradients.
+/// let influences = solution.influences_at([50.0, 50.0].into()).unwrap();
+/// let (sum, slope) = influences.iter().fold((0.0, DVec2::ZERO), |(w, g), one| (w + one.weight, g + one.gradient));
+/// assert!((sum - 1.0).abs() < 1e-12 && slope.length() < 1e-12);
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
+pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Error> {
+    let (request, outline) = (Request::new(project)?, Arc::new(Outline::hard(domain.clone())));
+    let rest = request.rest(&outline)?;
+    let mut grounds = Grounds::default();
+    let samples = samples(&mut grounds, &outline, &rest, &request);
+    let scouts = scouts(&mut grounds, &outline, &rest, &request);
+    let mut propagation = Propagation::default();
+    let divided = divide(&mut propagation, &outline, &scouts, &rest, &request)?;
+    Ok(weigh(&mut propagation, outline, &request, rest, samples, divided))
 }
 
 /// Solves a project in one call on a mesh from the caller: its vertices are the samples, and the only vertices of the

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 /// A stage of the solve. Between two stages a caller may look for newer requests.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Stage {
     /// The outline: from the picture's alpha or the project's rings.
     Domain,
@@ -29,7 +30,8 @@ impl Stage {
 }
 
 /// Milliseconds spent in each stage, and on a pose. The core has no clock: whoever runs the stages measures them.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct StageTimes {
     /// The outline.
     pub domain: f64,

@@ -41,6 +41,6 @@ fn memory() -> Result<Memory, Box<dyn Error>> {
     while solver.advance()?.is_some() {}
     let (held_bytes, peak_bytes) = (HEAP.current_usage() - before, HEAP.peak_usage() - before);
     let solution = solver.solution().expect("every stage has run");
-    let virtual_sites = solution.sites.iter().filter(|site| !site.kind.is_real()).count();
-    Ok(Memory { samples: solution.samples, virtual_sites, held_bytes, peak_bytes })
+    let virtual_sites = solution.sites().iter().filter(|site| !site.kind.is_real()).count();
+    Ok(Memory { samples: solution.samples(), virtual_sites, held_bytes, peak_bytes })
 }

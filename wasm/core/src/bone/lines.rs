@@ -31,10 +31,11 @@ impl Line {
 
 /// A part of a bar or polygon that lies outside the domain, or on its held boundary: it moves nothing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Outside {
     /// Id of the handle.
     pub handle: String,
-    /// Where the part begins, at rest.
+    /// Where the part begins, at rest: x and y in image pixels.
     pub from: [f64; 2],
     /// Where it ends.
     pub to: [f64; 2],

@@ -15,27 +15,23 @@ mod tree;
 use glam::DVec2;
 
 use self::tree::Tree;
-use crate::{distance::graph::Graph, error::Error, limits::FARTHEST, triangulation::NONE};
+use crate::{distance::graph::Graph, error::Error, limits::MAX_COORDINATE, triangulation::NONE};
 
 pub use solution::CloudSolution;
 
 /// Points and the graph over their nearest neighbours, for [`solve_cloud`](crate::solve_cloud).
 ///
 /// ```
-/// use c2warp::{cloud::PointCloud, project::Project, solve_cloud};
+/// use c2warp::{cloud::PointCloud, project::{Handle, Project}, solve_cloud};
 ///
 /// let points = (0..600).map(|i| [f64::from(i % 30) * 10.0, f64::from(i / 30) * 10.0].into()).collect();
 /// let cloud = PointCloud::new(points, 8)?;
-/// let project = Project::from_json(r#"{
-///     "format": "c2warp/1",
-///     "image": { "src": "any.png", "width": 300, "height": 200 },
-///     "handles": [
-///         { "id": "left", "kind": "point", "rest": [42, 97] },
-///         { "id": "right", "kind": "point", "rest": [250, 100], "posed": [250, 130] }
-///     ]
-/// }"#)?;
+/// let left = Handle::point("left", [42.0, 97.0]);
+/// let right = Handle::point("right", [250.0, 100.0]).posed_at([[250.0, 130.0]]);
+/// // Of any size: the picture plays no part.
+/// let project = Project::for_picture(1, 1).with_handles([left, right]);
 /// let solution = solve_cloud(&project, &cloud)?;
-/// let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
+/// let pose = solution.pose(&project)?;
 /// assert_eq!(solution.map(&pose, [250.0, 100.0].into()), Some([250.0, 130.0].into()));
 /// assert_eq!(solution.posed_points(&pose).len(), 600);
 /// # Ok::<(), c2warp::Error>(())
@@ -62,7 +58,7 @@ impl PointCloud {
         if neighbours == 0 || points.len() <= neighbours {
             return Err(Error::CloudNeighbours { points: points.len(), neighbours });
         }
-        if let Some(point) = points.iter().position(|p| !(p.is_finite() && p.abs().max_element() <= FARTHEST)) {
+        if let Some(point) = points.iter().position(|p| !(p.is_finite() && p.abs().max_element() <= MAX_COORDINATE)) {
             return Err(Error::CloudPoint { point });
         }
         let tree = Tree::new(&points);
@@ -96,10 +92,23 @@ impl PointCloud {
         &self.points
     }
 
-    /// The links between points.
+    /// The points that a point is linked with.
+    ///
+    /// # Panics
+    /// For a point that there is not.
     #[must_use]
-    pub fn graph(&self) -> &Graph {
-        &self.graph
+    pub fn neighbours(&self, point: usize) -> &[u32] {
+        self.graph.of(point)
+    }
+
+    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite where there is none. Dijkstra's
+    /// algorithm: O(n log n).
+    ///
+    /// # Panics
+    /// For a point that there is not.
+    #[must_use]
+    pub fn distances_from(&self, point: usize) -> Vec<f64> {
+        self.graph.distances(&self.points, point)
     }
 
     /// Whether a place belongs to the domain that the cloud represents: its distance to the nearest point is at most the

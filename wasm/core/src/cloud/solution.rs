@@ -9,27 +9,24 @@ use crate::{
     bone::Skeleton,
     error::Error,
     pose::{HarmonicFields, Pose, Poser},
+    project::Project,
     request::Request,
     site::{PointSite, Site, SiteGraph, SiteKind},
+    triangulation::NONE,
     weight::{Basis, SparseWeights, support_radii},
 };
 
-/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on where the handles are posed.
-#[derive(Debug)]
+/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on where the handles are posed: its
+/// [`poser`](Self::poser) makes the poses that it takes, and no other does.
+#[derive(Debug, Clone)]
 pub struct CloudSolution {
-    /// The weights of the cloud's points in the caller's order, then those of handles between them.
-    pub weights: SparseWeights,
-    /// Real sites from top to bottom, then virtual ones as they were inserted.
-    pub sites: Vec<Site>,
-    /// The dual graph of the cells.
-    pub graph: SiteGraph,
-    /// ϖ, by site.
-    pub harmonic: HarmonicFields,
-    /// The nearest site of each point, `u32::MAX` in a part of the cloud without sites.
-    pub nearest: Vec<u32>,
-    /// The score δ / r_d of the worst cell before each insertion, as in the paper's figure 3 (right), with δ = r_d minus the
-    /// greatest radius that the cell may have, in place of r_d − r_h.
-    pub scores: Vec<f64>,
+    weights: SparseWeights,
+    sites: Vec<Site>,
+    graph: SiteGraph,
+    harmonic: HarmonicFields,
+    /// The nearest site of each point, [`NONE`] in a part of the cloud without sites.
+    nearest: Vec<u32>,
+    scores: Vec<f64>,
     points: usize,
     given: PointCloud,
     /// The cloud with the handles as points; their short links would make `contains` narrower around them.
@@ -67,10 +64,61 @@ impl CloudSolution {
         Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, given, cloud, poser })
     }
 
+    /// The weights of the cloud's points in the caller's order, then those of handles between them: points × sites.
+    #[must_use]
+    pub fn weights(&self) -> &SparseWeights {
+        &self.weights
+    }
+
+    /// Real sites from top to bottom, then virtual ones as they were inserted.
+    #[must_use]
+    pub fn sites(&self) -> &[Site] {
+        &self.sites
+    }
+
+    /// The links of the cells' dual graph: two sites, the lower index first, and the weight of the link, which is 1. Ascending.
+    pub fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
+        self.graph.iter()
+    }
+
+    /// ϖ: the real sites that a site gets its motion from and their shares (eq. 4), which sum to 1 within rounding; ascending by site. Of a
+    /// real site itself alone.
+    ///
+    /// # Panics
+    /// For a site that there is not.
+    pub fn shares(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.harmonic.row(site)
+    }
+
+    /// The nearest site of a point of [`weights`](Self::weights), `None` in a part of the cloud without sites.
+    ///
+    /// # Panics
+    /// For a point that there is not.
+    #[must_use]
+    pub fn nearest_site(&self, point: usize) -> Option<usize> {
+        let site = self.nearest[point];
+        (site != NONE).then_some(site as usize)
+    }
+
+    /// The score δ / r_d of the worst cell before each insertion, as in the paper's figure 3 (right), with δ = r_d minus the
+    /// greatest radius that the cell may have, in place of r_d − r_h. Infinite where there is no cell.
+    #[must_use]
+    pub fn scores(&self) -> &[f64] {
+        &self.scores
+    }
+
     /// Makes poses of this solution.
     #[must_use]
     pub fn poser(&self) -> &Poser {
         &self.poser
+    }
+
+    /// The pose of a project's handles, blended as the project says: see [`Poser::pose`].
+    ///
+    /// # Errors
+    /// Those of [`Poser::pose`].
+    pub fn pose(&self, project: &Project) -> Result<Pose, Error> {
+        self.poser.pose(&project.handles, project.pose.blend)
     }
 
     /// The sites that move a place and their weights, ascending by site; `None` outside the cloud.
@@ -102,20 +150,20 @@ impl CloudSolution {
         Some(weights.into_iter().collect())
     }
 
-    /// Where a place goes under a pose (eq. 1); `None` outside the cloud.
+    /// Where a place goes (eq. 1), in pixels; `None` outside the cloud.
     ///
     /// # Panics
-    /// If the pose belongs to another solution.
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
         self.expect_own(pose);
-        Some(pose.blended(p, self.weights_at(p)?.into_iter()))
+        Some(pose.blended(p, self.weights_at(p)?))
     }
 
-    /// The posed places of the cloud's points.
+    /// Where the cloud's points go, in the caller's order.
     ///
     /// # Panics
-    /// If the pose belongs to another solution.
+    /// Where the pose is of another solution.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose) -> Vec<DVec2> {
         self.expect_own(pose);

@@ -77,13 +77,13 @@ impl Window {
 
 /// How the shortest path reaches a point: its length, and the vertex it bends at last.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PathEnd {
+pub(crate) struct PathEnd {
     /// Length of the path: the intrinsic distance, in pixels.
-    pub distance: f64,
+    pub(crate) distance: f64,
     /// The last vertex of the path: the source, or a corner of the outline.
-    pub pseudo_source: DVec2,
+    pub(crate) pseudo_source: DVec2,
     /// Intrinsic distance from the source to the pseudo-source.
-    pub offset: f64,
+    pub(crate) offset: f64,
 }
 
 impl PathEnd {
@@ -109,7 +109,7 @@ impl PathEnd {
 ///
 /// 64 bytes a window; one window for each pseudo-source and triangle of the outline in which it may be the nearest.
 #[derive(Debug, Clone)]
-pub struct DistanceField {
+pub(crate) struct DistanceField {
     pub(crate) source: DVec2,
     pub(crate) bound: f64,
     /// Triangles reached, ascending, each with the index of its first window.
@@ -118,21 +118,13 @@ pub struct DistanceField {
 }
 
 impl DistanceField {
-    /// The point that distances are measured from.
-    #[must_use]
-    pub fn source(&self) -> DVec2 {
-        self.source
-    }
-
     /// Distances up to this bound are exact; greater ones are reported as infinite.
-    #[must_use]
-    pub fn bound(&self) -> f64 {
+    pub(crate) fn bound(&self) -> f64 {
         self.bound
     }
 
     /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
-    #[must_use]
-    pub fn distance(&self, triangle: OutlineTriangle, p: DVec2) -> f64 {
+    pub(crate) fn distance(&self, triangle: OutlineTriangle, p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
         for window in self.windows_in(triangle) {
             if window.nearest >= best {
@@ -147,8 +139,7 @@ impl DistanceField {
     }
 
     /// How the shortest path reaches a point, if the distance is within the bound.
-    #[must_use]
-    pub fn path_end(&self, triangle: OutlineTriangle, p: DVec2) -> Option<PathEnd> {
+    pub(crate) fn path_end(&self, triangle: OutlineTriangle, p: DVec2) -> Option<PathEnd> {
         self.path_end_in(self.windows_in(triangle), p)
     }
 

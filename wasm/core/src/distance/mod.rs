@@ -2,24 +2,40 @@
 //!
 //! The domain is flat, so a shortest path is a polyline that bends only at reflex corners of the outline. The distance from a
 //! source is therefore, at *any* point, the minimum of `offset + |p − pseudo_source|` over the pseudo-sources (the source
-//! itself, or the last corner at which the path bends) that see the point. [`DistanceField`] finds them exactly by
+//! itself, or the last corner at which the path bends) that see the point. [`Distances`] finds them exactly by
 //! propagating visibility windows through a triangulation of the outline alone ([`Navigation`]): no samples take part, so the
-//! result does not depend on sampling. The paper's own approximation, Dijkstra's algorithm on a graph over the samples, is
-//! kept in [`graph`] as the reference.
+//! result does not depend on sampling. The paper's own approximation, Dijkstra's algorithm on a [graph] over the samples, is
+//! kept as the reference; it is also that of [point clouds](crate::cloud).
+//!
+//! ```
+//! use c2warp::{distance::Navigation, domain::Domain, glam::DVec2};
+//!
+//! let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
+//! let with_a_hole = Domain::from_rings(&[square(0.0, 100.0), square(30.0, 70.0)])?;
+//! let navigation = Navigation::new(&with_a_hole);
+//! let distances = navigation.distances_from([10.0, 30.0].into())?;
+//! // Along the upper side of the hole, and around its corner.
+//! let expected = 60.0 + f64::sqrt(200.0);
+//! assert!((distances.to([80.0, 40.0].into()).unwrap() - expected).abs() < 1e-12);
+//! assert_eq!(distances.to([50.0, 50.0].into()), None);
+//! # Ok::<(), c2warp::Error>(())
+//! ```
 //!
 //! Literature: Mitchell, Mount and Papadimitriou, "The discrete geodesic problem" (1987), for windows in the order of
 //! distance; Xin and Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem" (2009), for the test that
 //! drops a window; Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh" (2017), for its use in the
 //! plane.
 //!
-//! Cost and limits: see [`Propagation`] (about ten windows for each corner within the bound) and [`Navigation`].
+//! Cost and limits: about ten windows for each corner within the bound, and see [`Navigation`].
 
+mod distances;
 mod field;
 pub mod graph;
 mod navigation;
 mod propagate;
 
-pub use field::{DistanceField, PathEnd};
-pub(crate) use field::{WINDOW_SLACK, Window};
-pub use navigation::{Navigation, OutlineTriangle};
-pub use propagate::Propagation;
+pub use distances::{Distances, Located};
+pub(crate) use field::{DistanceField, PathEnd, WINDOW_SLACK, Window};
+pub use navigation::Navigation;
+pub(crate) use navigation::OutlineTriangle;
+pub(crate) use propagate::Propagation;

@@ -16,7 +16,7 @@ use crate::{
 ///
 /// Locating a point is the costly half of a distance query, so samples store their triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct OutlineTriangle(pub(crate) u32);
+pub(crate) struct OutlineTriangle(pub(crate) u32);
 
 /// Turns smaller than this (sine of the angle) are straight: no path becomes shorter by bending there.
 const STRAIGHT: f64 = 1e-12;
@@ -27,7 +27,8 @@ const OUTSIDE_SLACK: f64 = WINDOW_SLACK / 2.0;
 /// decided by rounding.
 const ON_CORNER: f64 = 1e-8;
 
-/// The constrained Delaunay triangulation of a domain's outline, and the surroundings of each corner.
+/// The navigation mesh: the constrained Delaunay triangulation of a domain's outline, and the surroundings of each corner. What
+/// [distances](Self::distances_from) are computed on, for one source after another.
 #[derive(Debug, Clone)]
 pub struct Navigation {
     pub(crate) mesh: Triangulation,
@@ -73,15 +74,13 @@ impl Navigation {
 
     /// The triangle of a point, or `None` outside the domain; up to a millionth of a pixel outside the outline counts as
     /// rounding.
-    #[must_use]
-    pub fn triangle_at(&self, p: DVec2) -> Option<OutlineTriangle> {
+    pub(crate) fn triangle_at(&self, p: DVec2) -> Option<OutlineTriangle> {
         self.locator.locate(&self.mesh, p).map(|t| OutlineTriangle(t as u32))
     }
 
     /// The triangle of a point from the caller, and the point inside it: moved onto the outline where it lies outside by no more
     /// than [`triangle_at`](Self::triangle_at) allows. `None` outside.
-    #[must_use]
-    pub fn locate(&self, p: DVec2) -> Option<(OutlineTriangle, DVec2)> {
+    pub(crate) fn locate(&self, p: DVec2) -> Option<(OutlineTriangle, DVec2)> {
         self.triangle_at(p).map(|triangle| (triangle, self.onto(triangle, p)))
     }
 
@@ -115,19 +114,12 @@ impl Navigation {
     }
 
     /// Index of the connected part of the domain that a triangle lies in.
-    #[must_use]
-    pub fn island_of(&self, triangle: OutlineTriangle) -> usize {
+    pub(crate) fn island_of(&self, triangle: OutlineTriangle) -> usize {
         self.island[triangle.0 as usize] as usize
     }
 
-    /// Number of connected parts.
-    #[must_use]
-    pub fn islands(&self) -> usize {
-        self.island.iter().max().map_or(0, |&last| last as usize + 1)
-    }
-
     /// Corners of the outline at which shortest paths may bend.
-    pub fn reflex_corners(&self) -> impl Iterator<Item = DVec2> + '_ {
+    pub(crate) fn reflex_corners(&self) -> impl Iterator<Item = DVec2> + '_ {
         let corners = self.corners.iter().zip(&self.mesh.vertices);
         corners.filter(|(corner, _)| corner.reflex).map(|(_, &p)| p)
     }

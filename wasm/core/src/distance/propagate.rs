@@ -15,7 +15,7 @@ use super::{
     field::{DistanceField, Window},
     navigation::{Navigation, OutlineTriangle},
 };
-use crate::{error::Error, min_entry::MinEntry, segment::segment_distance, triangulation::NONE};
+use crate::{min_entry::MinEntry, segment::segment_distance, triangulation::NONE};
 
 /// Sines of angles, and differences of distances in pixels, below this are zero: rounding stays two orders of magnitude
 /// below.
@@ -25,7 +25,7 @@ const ON_EDGE: f64 = 1e-9;
 
 /// Working memory for distance fields, to be reused.
 #[derive(Debug, Default)]
-pub struct Propagation {
+pub(crate) struct Propagation {
     /// Distance of each corner of the outline and the pseudo-source before it, as far as known.
     corners: Vec<(f64, DVec2)>,
     touched: Vec<u32>,
@@ -49,8 +49,7 @@ const CORNER: u32 = 1 << 31;
 
 impl Propagation {
     /// Exact distances from `source`, which lies in `triangle`, up to `bound` pixels (infinite for all).
-    #[must_use]
-    pub fn field(
+    pub(crate) fn field(
         &mut self,
         navigation: &Navigation,
         triangle: OutlineTriangle,
@@ -68,21 +67,6 @@ impl Propagation {
             }
         }
         self.collect(source, bound)
-    }
-
-    /// Exact distances from one point of the domain to others, in pixels; `None` where no path leads.
-    ///
-    /// # Errors
-    /// [`Error::PointOutside`] where the first point lies outside the domain.
-    pub fn distances(&mut self, navigation: &Navigation, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
-        let (triangle, from) = navigation.locate(from).ok_or(Error::PointOutside { x: from.x, y: from.y })?;
-        let field = self.field(navigation, triangle, from, f64::INFINITY);
-        let distance = |&p: &DVec2| {
-            let (triangle, p) = navigation.locate(p)?;
-            let d = field.distance(triangle, p);
-            d.is_finite().then_some(d)
-        };
-        Ok(at.iter().map(distance).collect())
     }
 
     fn reset(&mut self, corners: usize) {

@@ -10,16 +10,21 @@ mod simplify;
 
 use glam::DVec2;
 
-pub use crate::limits::MAX_CORNERS;
-use crate::{error::Error, picture::Picture, project::DomainSpec, segment::segment_distance};
+use crate::{
+    error::Error,
+    limits::{MAX_COORDINATE, MAX_CORNERS},
+    picture::Picture,
+    project::DomainSpec,
+    segment::segment_distance,
+};
 
 /// A closed chain of at least three points, the first not repeated.
 ///
-/// Outer rings have positive [`signed_area`], holes negative: walking along a ring in the y-down image, the
-/// domain lies on the right hand.
+/// In a [`Domain`], outer rings have a positive signed area, holes a negative one: walking along a ring in the y-down image, the
+/// domain lies on the right hand. A ring that a caller gives may run either way.
 pub type Ring = Vec<DVec2>;
 
-/// The region to warp. See the [module](self) for its invariants.
+/// The region to warp, in image pixels. See the [module](self) for its invariants.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Domain {
     rings: Vec<Ring>,
@@ -32,7 +37,7 @@ impl Domain {
     /// of any other.
     ///
     /// # Errors
-    /// Those of [`Domain::from_alpha`] and [`Domain::from_polygon`].
+    /// Those of [`Domain::from_alpha`] and [`Domain::from_rings`], and [`Error::RingOutsidePicture`].
     pub fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         match spec {
             Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width(), picture.height())),
@@ -44,8 +49,7 @@ impl Domain {
     }
 
     /// The whole picture.
-    #[must_use]
-    pub fn rectangle(width: u32, height: u32) -> Self {
+    pub(crate) fn rectangle(width: u32, height: u32) -> Self {
         let (w, h) = (f64::from(width), f64::from(height));
         let ring = vec![DVec2::ZERO, DVec2::new(w, 0.0), DVec2::new(w, h), DVec2::new(0.0, h)];
         Self::of_oriented(vec![ring], 0)
@@ -76,12 +80,39 @@ impl Domain {
     /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
     ///
     /// # Errors
-    /// One of the `Ring…` errors, naming ring and point; [`Error::RingsTooFine`]; [`Error::Project`] for no ring at all, and for one of
-    /// less than three points or with one that is not finite.
-    pub fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
+    /// As [`from_rings`](Self::from_rings), but [`Error::RingOutsidePicture`] for a point outside the picture.
+    pub(crate) fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
         DomainSpec::check_rings(rings)?;
         check_fineness(rings)?;
         polygon::check(rings, width, height)?;
+        Ok(Self::of_oriented(islands::oriented(rings), 0))
+    }
+
+    /// The inside of rings by the even-odd rule, without a picture: places in pixels, each coordinate from −1,000,000 to 1,000,000.
+    ///
+    /// Tolerances are in pixels, as for a [`GivenMesh`](crate::GivenMesh): scale up rings in units of 0 to 1 to some hundreds of pixels.
+    ///
+    /// ```
+    /// use c2warp::{domain::Domain, glam::DVec2};
+    ///
+    /// let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
+    /// let domain = Domain::from_rings(&[square(-50.0, 50.0), square(-20.0, 20.0)])?;
+    /// assert_eq!((domain.islands(), domain.holes(), domain.area()), (1, 1, 8400.0));
+    /// # Ok::<(), c2warp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// One of the `Ring…` errors, naming ring and point; [`Error::RingsTooFine`]; [`Error::Project`] for no ring at all, and for one of
+    /// less than three points or with one that is not finite.
+    pub fn from_rings(rings: &[Ring]) -> Result<Self, Error> {
+        DomainSpec::check_rings(rings)?;
+        for (ring, points) in rings.iter().enumerate() {
+            if let Some(point) = points.iter().position(|p| p.abs().max_element() > MAX_COORDINATE) {
+                return Err(Error::RingPoint { ring, point });
+            }
+        }
+        check_fineness(rings)?;
+        polygon::check_rings(rings)?;
         Ok(Self::of_oriented(islands::oriented(rings), 0))
     }
 
@@ -103,7 +134,7 @@ impl Domain {
         Self { rings, islands, specks }
     }
 
-    /// Outer rings and holes.
+    /// Outer rings and holes, in image pixels.
     #[must_use]
     pub fn rings(&self) -> &[Ring] {
         &self.rings
@@ -133,7 +164,7 @@ impl Domain {
         self.rings.iter().map(|ring| signed_area(ring)).sum()
     }
 
-    /// Least and greatest coordinates.
+    /// Least and greatest coordinates, in pixels.
     #[must_use]
     pub fn bounds(&self) -> (DVec2, DVec2) {
         let points = self.rings.iter().flatten();
@@ -153,8 +184,7 @@ fn check_fineness(rings: &[Ring]) -> Result<(), Error> {
 }
 
 /// Signed area of a ring: positive for an outer ring, negative for a hole.
-#[must_use]
-pub fn signed_area(ring: &[DVec2]) -> f64 {
+pub(crate) fn signed_area(ring: &[DVec2]) -> f64 {
     let Some(&origin) = ring.first() else { return 0.0 };
     edges(ring).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum::<f64>() / 2.0
 }

@@ -30,6 +30,14 @@ pub(super) fn check(rings: &[Ring], width: u32, height: u32) -> Result<(), Error
             }
         }
     }
+    check_rings(rings)
+}
+
+/// Checks rings of at least three finite points, wherever they lie.
+///
+/// # Errors
+/// The first ring, or pair of rings, that breaks the rules.
+pub(super) fn check_rings(rings: &[Ring]) -> Result<(), Error> {
     check_simple(rings)?;
     let flat = rings.iter().position(|ring| signed_area(ring).abs() < MIN_AREA);
     flat.map_or(Ok(()), |ring| Err(Error::RingFlat { ring }))

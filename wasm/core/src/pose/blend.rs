@@ -12,7 +12,8 @@ use super::{
 };
 use crate::{project::Blend, weight::Influence};
 
-/// The maps of all sites: T_i(p) = posed_i + [a c; b d] (p − rest_i).
+/// Where everything goes: the maps of all sites, T_i(p) = posed_i + [a c; b d] (p − rest_i), and how they are blended (eq. 1). Made by a
+/// [`Poser`](super::Poser).
 #[derive(Debug, Clone)]
 pub struct Pose {
     rest: Arc<[DVec2]>,
@@ -45,7 +46,7 @@ impl Pose {
         &self.rest
     }
 
-    /// T_i(p) for one site.
+    /// T_i(p) for one site: where it alone would take a point, in pixels.
     ///
     /// # Panics
     /// For a site that the solution has not.
@@ -55,25 +56,27 @@ impl Pose {
         rest + self.motions[site].translation + self.linear[site] * (p - rest)
     }
 
-    /// The posed place of a point, from weights alone. A point without weights stays.
+    /// The posed place of a point, in pixels, from the sites that move it and their weights: a row of
+    /// [`SparseWeights`](crate::weight::SparseWeights), for example. A point without weights stays.
     ///
     /// # Panics
     /// If the solution has no such site.
     #[must_use]
-    pub fn blended(&self, p: DVec2, weights: impl Iterator<Item = (usize, f64)>) -> DVec2 {
+    pub fn blended(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
         if let Some(duals) = &self.duals {
-            let sums = weights.fold(None, |sums: Option<Sums>, (site, weight)| {
+            let sums = weights.into_iter().fold(None, |sums: Option<Sums>, (site, weight)| {
                 Some(sums.unwrap_or_default() + weight * duals[site].term(p))
             });
             return sums.map_or(p, |sums| sums.place(p));
         }
-        let sum = weights.fold(None, |sum: Option<DVec2>, (site, weight)| {
+        let sum = weights.into_iter().fold(None, |sum: Option<DVec2>, (site, weight)| {
             Some(sum.unwrap_or(DVec2::ZERO) + weight * self.moved(site, p))
         });
         sum.unwrap_or(p)
     }
 
-    /// The posed place of a point and the determinant of the Jacobian there. A point without influences stays.
+    /// The posed place of a point, in pixels, and the determinant of the Jacobian there, from the influences of
+    /// [`Solution::influences_at`](crate::Solution::influences_at). A point without influences stays.
     ///
     /// # Panics
     /// If the solution has no such site.
@@ -128,7 +131,7 @@ impl Pose {
             .collect()
     }
 
-    /// The motion of each site.
+    /// The motion of each site, in the order of the sites.
     #[must_use]
     pub fn motions(&self) -> &[Motion] {
         &self.motions

@@ -13,9 +13,9 @@ use crate::site::{Site, SiteGraph};
 
 /// The harmonic fields at all sites.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct HarmonicFields {
+pub(crate) struct HarmonicFields {
     /// For each site the real sites and their shares, ascending: for a real site, itself alone.
-    pub rows: Vec<Vec<(u32, f64)>>,
+    pub(crate) rows: Vec<Vec<(u32, f64)>>,
 }
 
 impl HarmonicFields {
@@ -44,5 +44,10 @@ impl HarmonicFields {
             }
         }
         Self { rows }
+    }
+
+    /// The real sites that a site gets its motion from, and their shares.
+    pub(crate) fn row(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.rows[site].iter().map(|&(real, share)| (real as usize, share))
     }
 }

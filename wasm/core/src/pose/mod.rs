@@ -30,9 +30,8 @@ mod solved;
 mod strain;
 mod unwrap;
 
-pub use crate::project::Form;
 pub use blend::{Mapped, Pose};
-pub use harmonic::HarmonicFields;
+pub(crate) use harmonic::HarmonicFields;
 pub use motion::Motion;
 pub use poser::Poser;
 pub(crate) use rigid::Quadrature;

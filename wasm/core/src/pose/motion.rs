@@ -11,6 +11,7 @@ use super::Strain;
 /// can, and more than half a turn remains more than half a turn. Blending about the site's own place makes the result
 /// independent of the picture's origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Motion {
     /// Rotation in radians, from x towards y, not limited to one turn.
     pub angle: f64,
@@ -29,15 +30,20 @@ const MIN_STRETCH_RATIO: f64 = 0.1;
 
 impl Motion {
     /// A rotation and a scale above 0: the motion of a point.
-    #[must_use]
-    pub fn similarity(angle: f64, scale: f64, translation: DVec2, depth: f64) -> Self {
+    pub(crate) fn similarity(angle: f64, scale: f64, translation: DVec2, depth: f64) -> Self {
         Self { angle, strain: Strain::uniform(scale), translation, depth }
     }
 
     /// The motion of a bone: a stretch by `along` in a unit `direction` of the rest frame and by `across` at right angles to
     /// it, then a rotation. Stretches below 1e-9 are set to 1e-9.
-    #[must_use]
-    pub fn of_bone(angle: f64, direction: DVec2, along: f64, across: f64, translation: DVec2, depth: f64) -> Self {
+    pub(crate) fn of_bone(
+        angle: f64,
+        direction: DVec2,
+        along: f64,
+        across: f64,
+        translation: DVec2,
+        depth: f64,
+    ) -> Self {
         Self { angle, strain: Strain::of_bone(direction, along, across), translation, depth }
     }
 

@@ -17,7 +17,25 @@ use crate::{
     site::{Site, SiteGraph, SiteKind},
 };
 
-/// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples.
+/// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples, and as bytes it goes to
+/// where no solution is, such as another thread of a page.
+///
+/// ```
+/// # use c2warp::{Picture, project::{Handle, Project}, solve};
+/// use c2warp::{pose::Poser, project::Blend};
+///
+/// # let (mut project, rgba) = (Project::for_picture(40, 30), vec![255; 40 * 30 * 4]);
+/// # project.handles = vec![Handle::point("left", [5.0, 15.0]), Handle::point("right", [35.0, 15.0])];
+/// # let solution = solve(&project, &Picture::new(40, 30, &rgba)?)?;
+/// let poser = Poser::from_bytes(&solution.poser().to_bytes())?;
+/// // A drag: one pose after another of the same solution.
+/// for y in [14.0, 13.0, 12.0] {
+///     project.handles[1].shape.posed_mut()[0].y = y;
+///     let pose = poser.pose(&project.handles, Blend::Linear)?;
+///     assert_eq!(solution.map(&pose, [35.0, 15.0].into()).unwrap().posed, [35.0, y].into());
+/// }
+/// # Ok::<(), c2warp::Error>(())
+/// ```
 ///
 /// Cost of a pose: a look at every share of a handle in a virtual site, and at every pair of handles that has an edge where
 /// rotations are automatic. Microseconds for tens of handles, some milliseconds for 1,000; some hundreds of microseconds more in the
@@ -189,6 +207,8 @@ impl Poser {
         postcard::to_allocvec(&all).expect("plain data can be written to memory")
     }
 
+    /// A poser from its bytes.
+    ///
     /// # Errors
     /// [`Error::PoserBytes`] for anything but the result of [`Poser::to_bytes`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {

@@ -23,15 +23,13 @@ pub struct Strain {
 
 impl Strain {
     /// A uniform stretch.
-    #[must_use]
-    pub fn uniform(scale: f64) -> Self {
+    pub(crate) fn uniform(scale: f64) -> Self {
         let log = libm::log(scale);
         Self { xx: log, xy: 0.0, yy: log }
     }
 
     /// A stretch by `along` in a unit direction and by `across` at right angles to it; at least 1e-9 each.
-    #[must_use]
-    pub fn of_bone(direction: DVec2, along: f64, across: f64) -> Self {
+    pub(crate) fn of_bone(direction: DVec2, along: f64, across: f64) -> Self {
         // Written so that NaN is passed on.
         let log = |stretch: f64| libm::log(if stretch < MIN_STRETCH { MIN_STRETCH } else { stretch });
         let (along, across) = (log(along), log(across));
@@ -57,8 +55,7 @@ impl Strain {
     }
 
     /// The stretch with its lesser principal stretch raised to at least `share` of the greater one, but not above 1.
-    #[must_use]
-    pub fn shrunk_by_at_most(&self, share: f64) -> Self {
+    pub(crate) fn shrunk_by_at_most(&self, share: f64) -> Self {
         let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
         let r = libm::hypot(half, self.xy);
         let (long, short) = (mean + r, mean - r);
@@ -72,8 +69,7 @@ impl Strain {
     }
 
     /// Logarithm of the uniform scale with the same change of area.
-    #[must_use]
-    pub fn mean(&self) -> f64 {
+    pub(crate) fn mean(&self) -> f64 {
         (self.xx + self.yy) / 2.0
     }
 }

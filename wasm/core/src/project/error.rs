@@ -4,6 +4,7 @@ use std::fmt;
 
 /// A project that was refused: the offending key and one sentence about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ProjectError {
     /// Path of the offending key, as `handles[2].rest[0]`; empty for the project as a whole.
     pub path: String,

@@ -12,8 +12,18 @@ use super::points::{self, Point};
 use super::{ProjectError, Rotation, left_out, rules};
 
 /// A handle, where it rests and where it was taken.
+///
+/// ```
+/// use c2warp::project::{Handle, Rotation, Shape};
+///
+/// let hand = Handle::point("hand", [120.0, 80.0]).posed_at([[140.0, 60.0]]).turned(30.0);
+/// assert_eq!(hand.shape, Shape::Point { rest: [120.0, 80.0].into(), posed: [140.0, 60.0].into() });
+/// let arm = Handle::bar("arm", [[60.0, 90.0], [110.0, 85.0]]).turned(Rotation::Auto).at_depth(1.0);
+/// assert_eq!((arm.rotation, arm.scale, arm.depth), (Rotation::Auto, 1.0, 1.0));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(extend("unevaluatedProperties" = false))]
+#[non_exhaustive]
 pub struct Handle {
     /// A name that no other handle of the project has.
     #[schemars(length(min = 1))]
@@ -97,7 +107,8 @@ impl Handle {
         Self::new(id, Shape::Polygon { posed: rest.clone(), rest })
     }
 
-    fn new(id: impl Into<String>, shape: Shape) -> Self {
+    /// A handle that is neither turned nor scaled, at depth 0.
+    pub fn new(id: impl Into<String>, shape: Shape) -> Self {
         Self { id: id.into(), shape, rotation: Rotation::default(), scale: default_scale(), depth: 0.0 }
     }
 
@@ -111,6 +122,27 @@ impl Handle {
         let posed = self.shape.posed_mut();
         assert_eq!(places.len(), posed.len(), "each corner is posed at one place");
         posed.copy_from_slice(&places);
+        self
+    }
+
+    /// The same handle, turned: by degrees, or as suits the handles around it.
+    #[must_use]
+    pub fn turned(mut self, rotation: impl Into<Rotation>) -> Self {
+        self.rotation = rotation.into();
+        self
+    }
+
+    /// The same handle with a growth, above 0.
+    #[must_use]
+    pub fn scaled(mut self, scale: f64) -> Self {
+        self.scale = scale;
+        self
+    }
+
+    /// The same handle at another depth: more is nearer.
+    #[must_use]
+    pub fn at_depth(mut self, depth: f64) -> Self {
+        self.depth = depth;
         self
     }
 

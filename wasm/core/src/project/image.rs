@@ -15,6 +15,7 @@ const SIDES: RangeInclusive<u32> = 1..=u32::MAX;
 /// Where the picture is found, and the size that the project's coordinates mean.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct ImageRef {
     /// The picture's file name, beside the project file; may be empty for a picture that has none.
     pub src: String,
@@ -27,6 +28,12 @@ pub struct ImageRef {
 }
 
 impl ImageRef {
+    /// The picture in a file of this name, with its size in pixels.
+    #[must_use]
+    pub fn new(src: impl Into<String>, width: u32, height: u32) -> Self {
+        Self { src: src.into(), width, height }
+    }
+
     pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
         let image = place.object()?;
         image.only(&["src", "width", "height"])?;

@@ -51,8 +51,28 @@ const MOST_SAMPLES: u32 = 2_000_000;
 const SAMPLES: RangeInclusive<u32> = LEAST_SAMPLES..=MOST_SAMPLES;
 
 /// A warp: a picture, the part of it that bends, and the handles that bend it.
+///
+/// ```
+/// use c2warp::project::{Handle, Project};
+///
+/// let project = Project::from_json(r#"{
+///     "format": "c2warp/1",
+///     "image": { "src": "cat.png", "width": 640, "height": 480 },
+///     "handles": [{ "id": "tail", "kind": "point", "rest": [520, 300], "posed": [560, 260], "rotation": -20 }]
+/// }"#)?;
+/// let tail = Handle::point("tail", [520.0, 300.0]).posed_at([[560.0, 260.0]]).turned(-20.0);
+/// assert_eq!(project.handles, [tail]);
+/// // What is left out has its default, and is written.
+/// assert_eq!((project.samples, project.fix_boundary), (10_000, false));
+/// assert_eq!(Project::from_json(&project.to_json())?, project);
+/// // What is wrong is told by its key.
+/// let error = Project::for_picture(640, 480).with_handles([Handle::point("", [0.0, 0.0])]).check().unwrap_err();
+/// assert_eq!(error.to_string(), "handles[0].id: expected a name, found an empty text");
+/// # Ok::<(), c2warp::project::ProjectError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Project {
     /// The version of the format.
     pub format: Format,
@@ -101,15 +121,24 @@ impl Project {
     /// A project without handles for a picture of this size that has no name, with the format's defaults, which are the paper's.
     #[must_use]
     pub fn for_picture(width: u32, height: u32) -> Self {
-        Self::new(ImageRef { src: String::new(), width, height })
+        Self::new(ImageRef::new("", width, height))
+    }
+
+    /// The same project with these handles instead of its own.
+    #[must_use]
+    pub fn with_handles(mut self, handles: impl IntoIterator<Item = Handle>) -> Self {
+        self.handles = handles.into_iter().collect();
+        self
     }
 
     /// The same project with the editor's settings for new projects: rigid mode, at least 100 virtual sites, smooth supports, and
     /// automatic rotations for points that have none. What is dragged keeps its shape, and what is far from it stays.
     ///
-    /// `web/src/document/bending.ts` has the same settings.
+    /// Handles that are added later keep the rotation that they come with: add them first, or as [`turned`](Handle::turned) by
+    /// [`Rotation::Auto`].
     #[must_use]
     pub fn bent_rigidly(mut self) -> Self {
+        // As `web/src/document/bending.ts` has them.
         self.weighting.support = Support::Smooth;
         self.pose = PoseSpec { mode: PoseMode::Rigid, density: 100, ..self.pose };
         for handle in &mut self.handles {

@@ -13,6 +13,7 @@ const MAX_DENSITY: u32 = crate::limits::MAX_SITES as u32 / 2;
 /// How a pose is made from the handles.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
 #[schemars(rename = "Pose", deny_unknown_fields)]
+#[non_exhaustive]
 pub struct PoseSpec {
     /// Where virtual sites get their motions from.
     #[schemars(default)]

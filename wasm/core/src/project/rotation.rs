@@ -23,6 +23,12 @@ impl Default for Rotation {
     }
 }
 
+impl From<f64> for Rotation {
+    fn from(degrees: f64) -> Self {
+        Self::Degrees(degrees)
+    }
+}
+
 impl Rotation {
     pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
         if place.text().is_ok_and(|text| text == "auto") {

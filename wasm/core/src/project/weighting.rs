@@ -19,6 +19,7 @@ const MOST_DEGREE: u32 = 32;
 /// The parameters of the weights.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Weighting {
     /// α, from 0 (supports as small as they may be) to 1 (as wide as they may be).
     #[schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR))]

@@ -8,6 +8,7 @@ use crate::{
 
 /// How much of a warped picture is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Canvas {
     /// The picture's own rectangle; what is bent beyond it is cut off.
     #[default]

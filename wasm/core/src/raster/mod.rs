@@ -17,21 +17,20 @@
 //! colour.
 
 mod band;
-mod canvas;
+pub(crate) mod canvas;
 mod facet;
 #[cfg(test)]
 mod tests;
 mod texture;
-mod warped;
+pub(crate) mod warped;
 
 use glam::DVec2;
 
 use self::band::Band;
-pub use self::canvas::Canvas;
-use self::canvas::Frame;
+use self::canvas::{Canvas, Frame};
 use self::facet::Facet;
 use self::texture::Texture;
-pub use self::warped::Warped;
+use self::warped::Warped;
 use crate::{
     error::Error,
     limits::{MAX_PIXELS, MAX_SIDE},
@@ -63,6 +62,19 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 ///
 /// `rest` and `posed` are the mesh's vertices in image pixels, in the same number; `triangles` index them and are drawn in
 /// order, in either orientation. `scale` is pixels of the result per pixel of the picture.
+///
+/// ```
+/// use c2warp::{Canvas, Picture, glam::DVec2, raster::warp};
+///
+/// let rgba: Vec<u8> = (0..16 * 8).flat_map(|i| [i, 2 * i, 0, 255]).collect();
+/// let picture = Picture::new(16, 8, &rgba)?;
+/// let rest = [(0.0, 0.0), (16.0, 0.0), (16.0, 8.0), (0.0, 8.0)].map(DVec2::from);
+/// let moved = rest.map(|corner| corner + DVec2::new(4.0, 0.0));
+/// let warped = warp(&picture, &rest, &moved, &[[0, 1, 2], [0, 2, 3]], 1.0, Canvas::Grown)?;
+/// assert_eq!((warped.width, warped.height, warped.origin), (20, 8, [0, 0]));
+/// assert_eq!(warped.rgba[4 * 4..20 * 4], rgba[..16 * 4]);
+/// # Ok::<(), c2warp::Error>(())
+/// ```
 ///
 /// The result has the size [`warped_size`], or more where the canvas grows, and is transparent where there is no triangle. A
 /// mesh at rest with scale 1 returns the picture's bytes. On either canvas the bytes within the picture's own rectangle are the

@@ -2,6 +2,7 @@
 
 /// A warped picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Warped {
     /// Width in pixels.
     pub width: u32,

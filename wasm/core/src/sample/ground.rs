@@ -27,8 +27,9 @@ pub(crate) struct Ground {
 }
 
 impl Ground {
-    /// About `count` samples: see [`Samples::new`]. With a rim where the picture, of size `fading`, fades out beyond the
-    /// outline.
+    /// About `count` samples: a triangular lattice centred on the domain's bounding box, so that a symmetric domain is sampled
+    /// symmetrically, and points along the outline with all its corners. `bones` are straight lines in the domain, along which the
+    /// mesh has edges wherever nothing else is close. With a rim where the picture, of size `fading`, fades out beyond the outline.
     ///
     /// Cost: O(n log n), nearly all of it for the triangulation.
     pub(crate) fn new(
@@ -60,7 +61,8 @@ impl Ground {
         self.count == count && self.bones == bones
     }
 
-    /// The samples including every site, with finer lattices around close sites. `sites` must lie in the domain, be distinct,
+    /// The samples including every site, with finer lattices where sites are closer to one another than the lattice resolves (the
+    /// paper's up-sampling). `sites` must lie in the domain, be distinct,
     /// and come in an order that does not depend on earlier solves.
     ///
     /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex; for finer lattices that of [`refine`].
@@ -71,10 +73,11 @@ impl Ground {
             outline_triangles: outline_triangles.clone(),
             outline: outline.clone(),
             rim: Rim::default(),
-            at_sites: Vec::new(),
             spacing: *spacing,
         };
-        samples.at_sites = sites.iter().map(|&site| insert(&mut samples, navigation, &self.locator, site)).collect();
+        for &site in sites {
+            insert(&mut samples, navigation, &self.locator, site);
+        }
         let patches = refine::patches(sites, samples.spacing);
         if !patches.is_empty() {
             let mut known = Grid::of_points(samples.spacing, &samples.mesh.vertices);

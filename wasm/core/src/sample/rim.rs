@@ -18,13 +18,13 @@ const MAX_MITRE: f64 = 2.0;
 
 /// The skirt: offset vertices of the outline's samples, and the triangles between.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Rim {
+pub(crate) struct Rim {
     /// Rest places of the offset vertices.
-    pub vertices: Vec<DVec2>,
+    pub(crate) vertices: Vec<DVec2>,
     /// The outline sample of each offset vertex.
-    pub owners: Vec<u32>,
+    pub(crate) owners: Vec<u32>,
     /// Triangles; vertex indices from the mesh's vertex count on are offset vertices.
-    pub triangles: Vec<[u32; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl Rim {

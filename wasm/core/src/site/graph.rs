@@ -18,11 +18,11 @@ const LINK_REACH: f64 = 1.3;
 
 /// Weighted links between sites.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct SiteGraph {
+pub(crate) struct SiteGraph {
     /// Pairs of linked sites, the lower index first, in ascending order.
-    pub links: Vec<[u32; 2]>,
+    pub(crate) links: Vec<[u32; 2]>,
     /// Weight of each link, in (0, 1].
-    pub weights: Vec<f64>,
+    pub(crate) weights: Vec<f64>,
 }
 
 impl SiteGraph {

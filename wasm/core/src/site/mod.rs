@@ -23,8 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::distance::{DistanceField, OutlineTriangle};
 
-pub use crate::limits::{MAX_HANDLES, MAX_SITES, MIN_SEPARATION};
-pub use graph::SiteGraph;
+pub(crate) use graph::SiteGraph;
 pub(crate) use obstacles::Obstacles;
 pub(crate) use regions::Regions;
 pub(crate) use virtual_sites::{Scores, allowed_score, insert_virtual_sites, score};

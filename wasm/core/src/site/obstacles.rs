@@ -100,7 +100,7 @@ impl Regions<'_> {
         others.fold(
             known,
             |least, (bone, track)| {
-                if bone.distance(field.source()) < least { least.min(track.distance(field)) } else { least }
+                if bone.distance(field.source) < least { least.min(track.distance(field)) } else { least }
             },
         )
     }

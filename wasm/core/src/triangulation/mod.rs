@@ -14,20 +14,20 @@ pub(crate) use insertion::Inserted;
 pub(crate) use locate::{Locator, ON_OUTLINE, depth_in};
 
 /// "No triangle" in [`Triangulation::neighbours`].
-pub const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
 
 /// Four points are on one circle where opposite angles add up to π within this sine: above rounding.
 const ON_CIRCLE: f64 = 1e-9;
 
 /// A triangle mesh. Every triangle has positive signed area (`perp_dot`).
 #[derive(Debug, Clone, Default)]
-pub struct Triangulation {
+pub(crate) struct Triangulation {
     /// Vertex places.
-    pub vertices: Vec<DVec2>,
+    pub(crate) vertices: Vec<DVec2>,
     /// Triangles × 3 vertex indices.
-    pub triangles: Vec<[u32; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
     /// Triangles × 3: the triangle across the edge from corner k to corner k + 1, or [`NONE`].
-    pub neighbours: Vec<[u32; 3]>,
+    pub(crate) neighbours: Vec<[u32; 3]>,
 }
 
 impl Triangulation {
@@ -35,8 +35,7 @@ impl Triangulation {
     ///
     /// Vertices keep their indices and must be finite. They should be distinct, and segments should not cross: of coinciding
     /// vertices only the first is used, and edges are missing where segments cross.
-    #[must_use]
-    pub fn constrained_delaunay(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>) -> Self {
+    pub(crate) fn constrained_delaunay(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>) -> Self {
         let points: Vec<_> = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
         segments.retain(|&[a, b]| points[a] != points[b]);
         let ends: Vec<[Point2<f64>; 2]> = segments.iter().map(|ends| ends.map(|end| points[end])).collect();
@@ -112,8 +111,7 @@ impl Triangulation {
     }
 
     /// The corners of a triangle.
-    #[must_use]
-    pub fn corners(&self, triangle: usize) -> [DVec2; 3] {
+    pub(crate) fn corners(&self, triangle: usize) -> [DVec2; 3] {
         self.triangles[triangle].map(|v| self.vertices[v as usize])
     }
 }

@@ -7,7 +7,7 @@ use crate::project::Filling;
 
 /// The basis function of one degree and filling.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Basis {
+pub(crate) struct Basis {
     /// `b_i · C(n, i)` for i from 0 to n − 3; the last three control values are 0.
     value: Vec<f64>,
     /// `−n (b_{i+1} − b_i) · C(n − 1, i)` for i from 2 to n − 3; the other differences are 0.
@@ -19,8 +19,7 @@ impl Basis {
     ///
     /// # Panics
     /// For a degree below 5, which has too few control values for the conditions.
-    #[must_use]
-    pub fn new(degree: u32, filling: Filling) -> Self {
+    pub(crate) fn new(degree: u32, filling: Filling) -> Self {
         assert!(degree >= 5, "the conditions on φ need six control values");
         let n = degree as usize;
         let control = |i: usize| match (i, filling) {
@@ -35,8 +34,7 @@ impl Basis {
     }
 
     /// φ(t) for t ≥ 0.
-    #[must_use]
-    pub fn value(&self, t: f64) -> f64 {
+    pub(crate) fn value(&self, t: f64) -> f64 {
         if t >= 1.0 {
             return 0.0;
         }
@@ -59,8 +57,7 @@ impl Basis {
     }
 
     /// φ′(t) for t ≥ 0.
-    #[must_use]
-    pub fn derivative(&self, t: f64) -> f64 {
+    pub(crate) fn derivative(&self, t: f64) -> f64 {
         if t >= 1.0 {
             return 0.0;
         }

@@ -34,7 +34,7 @@ pub struct Influence {
 
 /// The weight functions of all sites.
 #[derive(Debug, Clone)]
-pub struct WeightFunctions {
+pub(crate) struct WeightFunctions {
     basis: Basis,
     sharing: Sharing,
     /// The supports that reach into each triangle of the navigation mesh, ascending by site.
@@ -66,8 +66,7 @@ impl WeightFunctions {
     ///
     /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, behind a hole for
     /// example, weights have a crease and several gradients: their mean is returned.
-    #[must_use]
-    pub fn at(&self, sites: &[Site], triangle: OutlineTriangle, p: DVec2) -> Vec<Influence> {
+    pub(crate) fn at(&self, sites: &[Site], triangle: OutlineTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
         for Reaching { site, windows } in self.reaching_in(triangle) {
@@ -151,6 +150,7 @@ mod tests {
     use crate::{
         Picture,
         project::{Filling, Project},
+        sample::Ground,
         solve,
     };
 
@@ -174,7 +174,8 @@ mod tests {
         let mut sites = solution.sites.clone();
         sites.iter_mut().filter(|site| site.rest.x > 50.0).for_each(|site| site.support_radius = 0.0);
         let handles: Vec<DVec2> = sites.iter().filter(|site| site.kind.is_real()).map(|site| site.rest).collect();
-        let samples = Samples::new(solution.domain(), navigation, &handles, &[], 500);
+        let ground = Ground::new(solution.domain(), navigation, &[], 500, None);
+        let samples = ground.with_sites(solution.domain(), navigation, &handles);
         let functions =
             WeightFunctions::new(navigation, &sites, &Skeleton::default(), Basis::new(5, Filling::default()));
         let Swept { sums, nearest, .. } = functions.of_samples(navigation, &sites, &samples);
@@ -188,7 +189,7 @@ mod tests {
                 None => assert!(p.x > 78.0 && nearest == NONE),
             }
         }
-        assert_eq!(sums.len(), solution.samples);
+        assert_eq!(sums.len(), solution.samples());
         (solution.phi_sums, solution.nearest) = (sums, nearest);
         assert_eq!(solution.report(&pose).min_phi_sum, 0.0);
     }

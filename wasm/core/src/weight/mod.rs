@@ -12,8 +12,9 @@ mod sparse;
 mod support;
 mod sweep;
 
-pub use basis::Basis;
-pub use evaluate::{Influence, WeightFunctions};
+pub(crate) use basis::Basis;
+pub use evaluate::Influence;
+pub(crate) use evaluate::WeightFunctions;
 pub use sparse::SparseWeights;
 pub(crate) use support::support_radii;
 pub(crate) use sweep::Swept;

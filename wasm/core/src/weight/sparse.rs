@@ -3,15 +3,27 @@
 /// Initial capacity, in supports over a point: the average under the paper's rule; smooth supports make more.
 const EXPECTED_COVER: usize = 3;
 
-/// Weights of points: row `p` holds the sites that move point `p` and their weights, ascending by site.
-#[derive(Debug, Clone, Default, PartialEq)]
+/// Weights w_i of points (eq. 2), points × sites: row `p` holds the sites that move point `p` and their weights, ascending by
+/// site. A row sums to 1 within rounding, or is empty where no support reaches: that point stays.
+///
+/// ```
+/// # use c2warp::{Picture, project::{Handle, Project}, solve};
+/// # let (mut project, rgba) = (Project::for_picture(40, 30), vec![255; 40 * 30 * 4]);
+/// # project.handles = vec![Handle::point("left", [5.0, 15.0]), Handle::point("right", [35.0, 15.0])];
+/// # let solution = solve(&project, &Picture::new(40, 30, &rgba)?)?;
+/// let weights = solution.weights_of(&[[5.0, 15.0].into(), [12.0, 9.0].into()]);
+/// assert_eq!(weights.row(0).collect::<Vec<_>>(), [(0, 1.0)]);
+/// assert!((weights.row(1).map(|(_, weight)| weight).sum::<f64>() - 1.0).abs() < 1e-12);
+/// // The same as three arrays, which libraries for sparse matrices take.
+/// let (offsets, sites, values) = weights.into_parts();
+/// assert_eq!((offsets.len(), sites.len()), (3, values.len()));
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
 pub struct SparseWeights {
-    /// Points + 1: the index of each point's first entry.
-    pub offsets: Vec<u32>,
-    /// Entries: the site.
-    pub sites: Vec<u32>,
-    /// Entries: the weight. A row sums to 1, or is empty where no support reaches: that point stays.
-    pub weights: Vec<f64>,
+    offsets: Vec<u32>,
+    sites: Vec<u32>,
+    weights: Vec<f64>,
 }
 
 impl SparseWeights {
@@ -48,6 +60,15 @@ impl SparseWeights {
         self.weights.truncate(at);
     }
 
+    /// Appends a row: sites in ascending order, and their weights.
+    pub(crate) fn push_row(&mut self, row: impl Iterator<Item = (usize, f64)>) {
+        for (site, weight) in row {
+            self.sites.push(site as u32);
+            self.weights.push(weight);
+        }
+        self.offsets.push(self.sites.len() as u32);
+    }
+
     /// Normalises the `(point, φ)` lists of all sites, in order of the sites, into rows for `points` points (eq. 2). Also
     /// returns Σφ at each point.
     pub(crate) fn normalised(points: usize, by_site: &[Vec<(u32, f64)>]) -> (Self, Vec<f64>) {
@@ -77,7 +98,7 @@ impl SparseWeights {
     /// Number of points.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.offsets.len().saturating_sub(1)
+        self.offsets.len() - 1
     }
 
     /// Whether there is no point.
@@ -86,7 +107,35 @@ impl SparseWeights {
         self.len() == 0
     }
 
-    /// The sites that move a point, and their weights.
+    /// Points + 1: the index of each point's first entry in [`sites`](Self::sites) and [`weights`](Self::weights), and the number of
+    /// entries.
+    #[must_use]
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+
+    /// Entries: the index of the site.
+    #[must_use]
+    pub fn sites(&self) -> &[u32] {
+        &self.sites
+    }
+
+    /// Entries: the weight, from 0 to 1.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// [`offsets`](Self::offsets), [`sites`](Self::sites) and [`weights`](Self::weights), without a copy.
+    #[must_use]
+    pub fn into_parts(self) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
+        (self.offsets, self.sites, self.weights)
+    }
+
+    /// The sites that move a point, and their weights, ascending by site.
+    ///
+    /// # Panics
+    /// For a point that there is not.
     pub fn row(&self, point: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let range = self.offsets[point] as usize..self.offsets[point + 1] as usize;
         self.sites[range.clone()].iter().zip(&self.weights[range]).map(|(&site, &weight)| (site as usize, weight))

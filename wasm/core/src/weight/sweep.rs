@@ -19,7 +19,7 @@ use crate::{
 const BATCH: usize = 32;
 
 /// What the sweep finds.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Swept {
     pub(crate) weights: SparseWeights,
     /// Σφ at each sample.
