@@ -29,8 +29,12 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     await editor.button('Overlays').click();
     await editor.page.getByRole('checkbox', { name: 'Reach' }).click();
   },
-  'a notice is shown over a drawing': async (editor) => {
+  'folds are shown': async (editor) => {
     await editor.page.keyboard.press('Escape');
+    await fold(editor);
+    await editor.button(/Show the folds/).click();
+  },
+  'a notice is shown over a drawing': async (editor) => {
     await editor.button('Draw a bar').click();
     const head = await editor.place('head');
     await editor.page.mouse.click(head.x, head.y + 40);
@@ -45,6 +49,12 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     await editor.page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
   },
 };
+
+/** Turns the head over, below the arms. */
+const fold = (editor: Editor): Promise<void> =>
+  editor.page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).updateHandle('head', { rotation: 175, posed: [512, 900] });
+  });
 
 /** What axe finds, one line for each element. */
 async function violations(page: Page): Promise<readonly string[]> {
@@ -152,14 +162,26 @@ test('what is said appears in a region that was there before', async ({ page }) 
   await expect(page.locator('c2-warp .before')).toContainText('Depth takes a number');
 });
 
+test('a notice stays while it is pointed at', async ({ page }) => {
+  await page.clock.install();
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  await editor.field('depth').fill('deep');
+  await page.keyboard.press('Enter');
+  const notice = page.getByText('Depth takes a number');
+  await notice.hover();
+  await page.clock.runFor(20_000);
+  await expect(notice).toBeVisible();
+  await editor.button('Fit').hover();
+  await page.clock.runFor(20_000);
+  await expect(notice).toBeHidden();
+});
+
 test('a fold is told once, however many triangles there are', async ({ page }) => {
   const editor = await Editor.open(page);
   const told = page.getByRole('status').getByText('A part of the picture is folded');
   await expect(told).toHaveCount(0);
-  await editor.handle('head').focus();
-  await page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).updateHandle('head', { rotation: 175, posed: [512, 900] });
-  });
+  await fold(editor);
   await expect(page.getByRole('button', { name: /folded\. Show the folds/ })).toBeVisible();
   await expect(told).toHaveCount(1);
 });

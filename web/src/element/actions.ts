@@ -64,6 +64,7 @@ export function actionsOf(host: ActionsHost): EditorActions {
       host.looked();
     },
     dismiss: () => notices.dismiss(),
+    linger: (on) => notices.linger(on),
     theme: () => host.switchTheme(),
   };
 }

@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { Notices } from './notices';
 
 function notices() {
@@ -6,6 +6,21 @@ function notices() {
   const emit = (type: string, detail: unknown) => type === 'progress' && told.push(detail);
   return { told, notices: new Notices({ changed: () => {}, emit, answerable: true, playing: false }) };
 }
+
+describe('a notice that disappears by itself', () => {
+  it('stays as long as a pointer or the focus is on it', () => {
+    vi.useFakeTimers();
+    const { notices: it } = notices();
+    it.notify({ kind: 'info', text: 'a word' });
+    it.linger(true);
+    vi.runAllTimers();
+    expect(it.notice?.text).toBe('a word');
+    it.linger(false);
+    vi.runAllTimers();
+    expect(it.notice).toBeNull();
+    vi.useRealTimers();
+  });
+});
 
 describe('progress', () => {
   it('shows the newest of what is under way, and each until its own end', () => {

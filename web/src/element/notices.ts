@@ -62,9 +62,16 @@ export class Notices {
     else if (kind === 'error') this.#error = shown;
     else {
       this.#passing = shown;
-      this.#timer = setTimeout(() => this.dismiss(), action ? ANSWER_MS : PASSING_MS);
+      this.linger(false);
     }
     this.#host.changed();
+  }
+
+  /** Keeps a notice that would disappear by itself, as long as a pointer or the focus is on it. */
+  linger(on: boolean): void {
+    clearTimeout(this.#timer);
+    if (on || !this.#passing) return;
+    this.#timer = setTimeout(() => this.dismiss(), this.#passing.action ? ANSWER_MS : PASSING_MS);
   }
 
   /** Closes the shown notice. */

@@ -135,5 +135,7 @@ export interface EditorActions {
   /** Brings a place of the picture into view. */
   reveal(at: Vec): void;
   dismiss(): void;
+  /** Keeps a notice that would disappear by itself, or no longer does. */
+  linger(on: boolean): void;
   theme(): void;
 }

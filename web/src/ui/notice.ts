@@ -14,7 +14,12 @@ export const notice = (model: EditorModel, actions: EditorActions): TemplateResu
 function card(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
   if (!model.notice) return nothing;
   const { kind, text, action } = model.notice;
-  return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : nothing}>
+  return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : nothing}
+    @pointerenter=${() => actions.linger(true)}
+    @pointerleave=${() => actions.linger(false)}
+    @focusin=${() => actions.linger(true)}
+    @focusout=${() => actions.linger(false)}
+  >
     <p title=${text}>${shortened(text)}</p>
     ${action ? html`<button type="button" class="link" ?disabled=${model.readonly} @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
     <button type="button" class="button small" aria-label="Dismiss" @click=${() => actions.dismiss()}>

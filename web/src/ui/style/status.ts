@@ -48,7 +48,7 @@ export const statusStyle = css`
     font-weight: 600;
   }
   .status .folded[aria-pressed='true'] {
-    background: color-mix(in srgb, var(--_warning) 16%, transparent);
+    background: color-mix(in srgb, var(--_warning) 12%, transparent);
     color: var(--_warning);
     box-shadow: inset 0 0 0 1.5px currentcolor;
   }

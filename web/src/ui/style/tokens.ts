@@ -17,7 +17,7 @@ export const tokensStyle = css`
     --_line: color-mix(in srgb, var(--_text) 12%, var(--_surface));
     --_faint: color-mix(in srgb, var(--_text) 66%, var(--_surface));
     /* What a control is known by: three times as bright as the surface, or as dark (WCAG 1.4.11). */
-    --_bound: color-mix(in srgb, var(--_text) 50%, var(--_surface));
+    --_bound: color-mix(in srgb, var(--_text) 53%, var(--_surface));
     --_ground: var(--c2-ground, light-dark(#f5f5f3, #191a1c));
     --_checker: var(--c2-checker, light-dark(#ebebe8, #1f2023));
     /* What is drawn on the picture is the same on light and dark: the handles' colour, set off by a casing. */
