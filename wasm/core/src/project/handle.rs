@@ -12,15 +12,6 @@ use super::points::{self, Point};
 use super::{ProjectError, Rotation, left_out, rules};
 
 /// A handle, where it rests and where it was taken.
-///
-/// ```
-/// use c2warp::project::{Handle, Rotation, Shape};
-///
-/// let hand = Handle::point("hand", [120.0, 80.0]).posed_at([[140.0, 60.0]]).turned(30.0);
-/// assert_eq!(hand.shape, Shape::Point { rest: [120.0, 80.0].into(), posed: [140.0, 60.0].into() });
-/// let arm = Handle::bar("arm", [[60.0, 90.0], [110.0, 85.0]]).turned(Rotation::Auto).at_depth(1.0);
-/// assert_eq!((arm.rotation, arm.scale, arm.depth), (Rotation::Auto, 1.0, 1.0));
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(extend("unevaluatedProperties" = false))]
 #[non_exhaustive]
@@ -90,6 +81,15 @@ fn default_scale() -> f64 {
 
 impl Handle {
     /// A point handle at rest, neither turned nor scaled.
+    ///
+    /// ```
+    /// use c2warp::project::{Handle, Rotation, Shape};
+    ///
+    /// let hand = Handle::point("hand", [120.0, 80.0]).posed_at([[140.0, 60.0]]).turned(30.0);
+    /// assert_eq!(hand.shape, Shape::Point { rest: [120.0, 80.0].into(), posed: [140.0, 60.0].into() });
+    /// let arm = Handle::bar("arm", [[60.0, 90.0], [110.0, 85.0]]).turned(Rotation::Auto).at_depth(1.0);
+    /// assert_eq!((arm.rotation, arm.scale, arm.depth), (Rotation::Auto, 1.0, 1.0));
+    /// ```
     pub fn point(id: impl Into<String>, rest: impl Into<DVec2>) -> Self {
         let rest = rest.into();
         Self::new(id, Shape::Point { rest, posed: rest })

@@ -7,6 +7,25 @@
 //!
 //! A project is checked here as far as possible without the picture, whether it was read or made in code: whether a handle lies
 //! in the domain is checked by the solver.
+//!
+//! ```
+//! use c2warp::project::{Handle, Project};
+//!
+//! let project = Project::from_json(r#"{
+//!     "format": "c2warp/1",
+//!     "image": { "src": "cat.png", "width": 640, "height": 480 },
+//!     "handles": [{ "id": "tail", "kind": "point", "rest": [520, 300], "posed": [560, 260], "rotation": -20 }]
+//! }"#)?;
+//! let tail = Handle::point("tail", [520.0, 300.0]).posed_at([[560.0, 260.0]]).turned(-20.0);
+//! assert_eq!(project.handles, [tail]);
+//! // What is left out has its default, and is written.
+//! assert_eq!((project.samples, project.fix_boundary), (10_000, false));
+//! assert_eq!(Project::from_json(&project.to_json())?, project);
+//! // What is wrong is told by its key.
+//! let error = Project::for_picture(640, 480).with_handles([Handle::point("", [0.0, 0.0])]).check().unwrap_err();
+//! assert_eq!(error.to_string(), "handles[0].id: expected a name, found an empty text");
+//! # Ok::<(), c2warp::project::ProjectError>(())
+//! ```
 
 mod domain;
 mod error;
@@ -51,25 +70,6 @@ const MOST_SAMPLES: u32 = 2_000_000;
 const SAMPLES: RangeInclusive<u32> = LEAST_SAMPLES..=MOST_SAMPLES;
 
 /// A warp: a picture, the part of it that bends, and the handles that bend it.
-///
-/// ```
-/// use c2warp::project::{Handle, Project};
-///
-/// let project = Project::from_json(r#"{
-///     "format": "c2warp/1",
-///     "image": { "src": "cat.png", "width": 640, "height": 480 },
-///     "handles": [{ "id": "tail", "kind": "point", "rest": [520, 300], "posed": [560, 260], "rotation": -20 }]
-/// }"#)?;
-/// let tail = Handle::point("tail", [520.0, 300.0]).posed_at([[560.0, 260.0]]).turned(-20.0);
-/// assert_eq!(project.handles, [tail]);
-/// // What is left out has its default, and is written.
-/// assert_eq!((project.samples, project.fix_boundary), (10_000, false));
-/// assert_eq!(Project::from_json(&project.to_json())?, project);
-/// // What is wrong is told by its key.
-/// let error = Project::for_picture(640, 480).with_handles([Handle::point("", [0.0, 0.0])]).check().unwrap_err();
-/// assert_eq!(error.to_string(), "handles[0].id: expected a name, found an empty text");
-/// # Ok::<(), c2warp::project::ProjectError>(())
-/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
