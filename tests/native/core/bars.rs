@@ -301,8 +301,8 @@ fn a_bar_over_a_hole_moves_what_is_on_both_sides_and_tells_what_fell_out() {
     for x in [100.0, 123.0, 150.0, 250.0, 301.0, 380.0] {
         assert!(goes(&solution, &pose, DVec2::new(x, 200.0)).distance(goal(x)) <= ON_BAR, "{x}");
     }
-    let outside: Vec<([f64; 2], [f64; 2])> = solution.outside().iter().map(|part| (part.from, part.to)).collect();
-    assert_eq!(outside, [([150.0, 200.0], [250.0, 200.0]), ([380.0, 200.0], [400.0, 200.0])]);
+    let outside: Vec<[DVec2; 2]> = solution.outside().iter().map(|part| [part.from, part.to]).collect();
+    assert_eq!(outside, [(150.0, 250.0), (380.0, 400.0)].map(|(from, to)| [from, to].map(|x| DVec2::new(x, 200.0))));
     assert!(solution.outside().iter().all(|part| part.handle == "over"));
 }
 
@@ -317,7 +317,7 @@ fn a_bar_beside_the_outline_by_a_hair_is_cut_where_the_domain_ends() {
                 Ok(solution) => {
                     let told = solution.outside();
                     assert!(
-                        told.iter().any(|part| part.to[1] - part.from[1] > 0.99 * beyond),
+                        told.iter().any(|part| part.to.y - part.from.y > 0.99 * beyond),
                         "{beside} {beyond}: {told:?}"
                     );
                 }
@@ -533,7 +533,7 @@ fn a_bar_is_cut_where_a_held_boundary_comes_near_in_its_middle() {
         project.fix_boundary = true;
         project.handles = vec![bar("bar", &[(60.0, y), (340.0, y)], &[(60.0, y + 20.0), (340.0, y + 20.0)])];
         let (solution, pose) = posed(&project);
-        let outside: Vec<[f64; 2]> = solution.outside().iter().map(|part| [part.from[0], part.to[0]]).collect();
+        let outside: Vec<[f64; 2]> = solution.outside().iter().map(|part| [part.from.x, part.to.x]).collect();
         assert_eq!(outside.len(), usize::from(is_cut), "{outside:?}");
         assert!(
             outside.iter().all(|[from, to]| (from + to - 400.0).abs() < 1e-9 && (1.5..2.1).contains(&(to - from))),
@@ -790,7 +790,7 @@ fn check_weights_around_bars(mut project: Project, by: usize) -> Result<(), Test
                 let p = pair[0].lerp(pair[1], share);
                 let weights = solution.weights_at(p).unwrap_or_default();
                 let fallen = solution.outside().iter().any(|part| {
-                    let (from, to) = (DVec2::from(part.from), DVec2::from(part.to));
+                    let (from, to) = (part.from, part.to);
                     (to - from).normalize().perp_dot(p - from).abs() < 1e-6
                         && (p - from).dot(to - from) >= -1e-6
                         && (p - to).dot(from - to) >= -1e-6

@@ -35,8 +35,8 @@ impl Line {
 pub struct Outside {
     /// Id of the handle.
     pub handle: String,
-    /// Where the part begins, at rest: x and y in image pixels.
-    pub from: [f64; 2],
+    /// Where the part begins, at rest, in image pixels.
+    pub from: DVec2,
     /// Where it ends.
-    pub to: [f64; 2],
+    pub to: DVec2,
 }

@@ -117,7 +117,7 @@ impl Skeleton {
         let [from, to] = piece.shares;
         let mut leave_out = |from: f64, to: f64| {
             if from < to {
-                let [from, to] = [from, to].map(|share| a.lerp(b, share).into());
+                let [from, to] = [from, to].map(|share| a.lerp(b, share));
                 outside.push(Outside { handle: line.id.clone(), from, to });
             }
         };
