@@ -214,3 +214,22 @@ test('the keyboard on the glass moves nothing, and leaves the numbers in sight',
   await expect.poll(() => editor.place('head')).toEqual(before);
   expect(await editor.zoom()).toBe(zoom);
 });
+
+for (const width of [320, 390]) {
+  test(`at ${width} px the bar above has room for all its buttons, each as wide as the next`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height: 640 });
+    await Editor.open(page);
+    const buttons = page.locator('c2-warp .top .button:visible');
+    const widths: number[] = [];
+    for (const button of await buttons.all()) {
+      const box = await button.boundingBox();
+      expect(box && box.x >= 0 && box.x + box.width <= width).toBe(true);
+      widths.push(box?.width ?? 0);
+    }
+    expect(widths.length).toBe(8);
+    expect(Math.max(...widths) - Math.min(...widths)).toBeLessThan(1);
+    expect(Math.min(...widths)).toBeGreaterThan(24);
+  });
+}

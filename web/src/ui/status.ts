@@ -1,6 +1,7 @@
-/** The line at the bottom: what the solver did, the zoom, and that nothing leaves the browser. */
+/** The line at the bottom: what the solver did, that nothing leaves the browser, and how the picture is looked at. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { commandButton } from './command_button';
+import { holdButton } from './hold_button';
 import { icon } from './icons';
 import type { EditorActions, EditorModel, Progress } from './model';
 
@@ -21,8 +22,8 @@ export function statusLine(model: EditorModel, actions: EditorActions): Template
     <span class="private" title="Pictures are opened, warped and saved on this machine only.">
       ${icon('lock')}Nothing leaves your browser
     </span>
-    <span class="zoom" role="group" aria-label="Zoom">
-      ${commandButton('zoom-out', model, actions)}
+    <span class="view" role="group" aria-label="View">
+      ${holdButton('preview', model, actions)} ${commandButton('zoom-out', model, actions)}
       <output class="percent" aria-label="Zoom">${Math.round(model.camera.scale * 100)} %</output>
       ${commandButton('zoom-in', model, actions)} ${commandButton('fit', model, actions)}
       ${commandButton('actual', model, actions)}
@@ -34,7 +35,8 @@ export function statusLine(model: EditorModel, actions: EditorActions): Template
 function folds(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
   const { folds: count, holding, overlays } = model;
   if (count === 0 && !holding) return nothing;
-  const text = holding ? 'Stopped at a fold' : `${counted(count, 'triangle')} folded`;
+  const [number, what] = counted(count, 'triangle').split(' ');
+  const text = holding ? 'Stopped at a fold' : `${number} ${what} folded`;
   const tip = overlays.folds ? 'Hide the folds' : 'Show the folds';
   return html`<button
     type="button"
@@ -45,7 +47,7 @@ function folds(model: EditorModel, actions: EditorActions): TemplateResult | typ
     aria-pressed=${String(overlays.folds)}
     @click=${() => actions.overlay('folds', !overlays.folds)}
   >
-    ${icon('fold')}<span>${text}</span>
+    ${icon('fold')}<span>${holding ? text : html`${number} <span class="what">${what}</span> folded`}</span>
   </button>`;
 }
 

@@ -24,7 +24,7 @@ export function topBar(model: EditorModel, actions: EditorActions): TemplateResu
     </div>
     <div class="group">
       ${command('reset-all', { enabled: editable && handles.length > 0 })}
-      ${holdButton('compare', model, actions)} ${holdButton('preview', model, actions)} ${overlayMenu(model, actions)}
+      ${holdButton('compare', model, actions)} ${overlayMenu(model, actions)}
     </div>
     <span class="title" title=${model.picture?.name ?? ''}>${model.picture?.name ?? ''}</span>
     ${themeButton(model, actions)}

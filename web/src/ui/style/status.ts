@@ -26,7 +26,7 @@ export const statusStyle = css`
   }
   .solved,
   .private,
-  .zoom {
+  .view {
     display: flex;
     align-items: center;
     gap: 6px;
@@ -37,7 +37,7 @@ export const statusStyle = css`
     min-width: 0;
     overflow: hidden;
   }
-  .zoom {
+  .view {
     gap: 0;
   }
   .status .folded {
@@ -81,6 +81,9 @@ export const statusStyle = css`
     }
     .folded {
       min-width: 0;
+    }
+    .folded .what {
+      display: none;
     }
     .folded span {
       overflow: hidden;

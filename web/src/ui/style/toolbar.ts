@@ -55,12 +55,18 @@ export const toolbarStyle = css`
       justify-content: space-between;
       padding: 0 4px;
     }
-    .group,
-    .group + .group {
-      gap: 0;
-      margin: 0;
+    /* One row of buttons, which share what room there is. */
+    .group {
+      display: contents;
+    }
+    .top .menu,
+    .top .button {
+      flex: 0 1 44px;
+      min-width: 0;
       padding: 0;
-      border: 0;
+    }
+    .top .menu .button {
+      width: 100%;
     }
     .brand,
     .title,

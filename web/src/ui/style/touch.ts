@@ -26,9 +26,6 @@ export const touchStyle = css`
       width: 48px;
       height: 46px;
     }
-    .button.worded {
-      min-width: var(--_finger);
-    }
     .segment {
       min-width: 0;
       height: var(--_finger);
