@@ -1,15 +1,19 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { licences } from './scripts/licences.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
+const { plugins, worker } = licences();
+
 export default defineConfig({
+  plugins,
   root: path('.'),
   // Relative, so that the built page works at any address.
   base: './',
   cacheDir: path('../node_modules/.vite'),
   server: { fs: { allow: [path('..')] } },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: worker },
   build: {
     target: 'es2022',
     // The wasm stays a separate file, to be compiled while it is streamed.

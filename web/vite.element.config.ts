@@ -4,6 +4,7 @@
  */
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { licences } from './scripts/licences.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -13,12 +14,15 @@ const output = {
   assetFileNames: '[name][extname]',
 };
 
+const { plugins, worker } = licences();
+
 export default defineConfig({
+  plugins,
   root: path('.'),
   base: './',
   publicDir: false,
   cacheDir: path('../node_modules/.vite'),
-  worker: { format: 'es', rolldownOptions: { output } },
+  worker: { format: 'es', plugins: worker, rolldownOptions: { output } },
   build: {
     outDir: 'dist/element',
     target: 'es2022',

@@ -1,0 +1,22 @@
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { licencesOf } from './licences.mjs';
+import { ROOT } from './steps.mjs';
+
+describe('the licences of a build', () => {
+  it('are those of what was bundled and of what the solver is linked from, with their texts', async () => {
+    const text = await licencesOf([join(ROOT, 'node_modules/lit')]);
+    const names = [...text.matchAll(/^## (\S+) /gm)].map(([, name]) => name);
+    expect(names).toEqual(expect.arrayContaining(['glam', 'lit', 'serde_json', 'spade', 'wasm-bindgen']));
+    // Of the command, of tests, of the build, and macros.
+    for (const other of ['clap', 'image', 'proptest', 'vite', 'serde_derive', 'c2warp']) {
+      expect(names).not.toContain(other);
+    }
+    for (const chapter of text.split(/^## /m).slice(1)) {
+      expect(chapter.length, chapter).toBeGreaterThan(300);
+      expect(chapter).toMatch(/copyright|licen[cs]e/i);
+    }
+    expect(text).toMatch(/^# c2warp\n\nMIT License/);
+    expect(text).toContain('Copyright (c) 2017 Google LLC');
+  });
+});
