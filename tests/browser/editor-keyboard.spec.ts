@@ -83,7 +83,7 @@ test('W shows the bent picture alone for as long as it is held', async ({ page }
   const at = { x: hand.x, y: hand.y - 90 };
   const look = () => editor.still(() => editor.look(at, 40));
   await editor.button('Overlays').click();
-  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByLabel(name).check();
+  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByRole('checkbox', { name }).check();
   await page.keyboard.press('Escape');
   const covered = await look();
   await page.keyboard.down('w');
@@ -95,7 +95,7 @@ test('W shows the bent picture alone for as long as it is held', async ({ page }
   expect(apart(await look(), covered)).toBeLessThan(SAME);
   // Without overlays and selection it is the same picture, which is not the original.
   await editor.button('Overlays').click();
-  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByLabel(name).uncheck();
+  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByRole('checkbox', { name }).uncheck();
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape');
   await page.keyboard.down('w');
