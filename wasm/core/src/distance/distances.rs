@@ -46,6 +46,7 @@ impl Distances<'_> {
 
     /// As [`to`](Self::to), for a point that the same navigation mesh has located.
     #[must_use]
+    #[inline]
     pub fn to_located(&self, p: Located) -> Option<f64> {
         let distance = self.field.distance(p.triangle, p.point);
         distance.is_finite().then_some(distance)

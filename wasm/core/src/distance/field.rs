@@ -124,6 +124,7 @@ impl DistanceField {
     }
 
     /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
+    #[inline]
     pub(crate) fn distance(&self, triangle: OutlineTriangle, p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
         for window in self.windows_in(triangle) {
