@@ -95,7 +95,8 @@ test('W shows the bent picture alone for as long as it is held', async ({ page }
   expect(apart(await look(), covered)).toBeLessThan(SAME);
   // Without overlays and selection it is the same picture, which is not the original.
   await editor.button('Overlays').click();
-  for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByRole('checkbox', { name }).uncheck();
+  for (const name of ['Mesh', 'Virtual handles', 'Reach'])
+    await page.getByRole('checkbox', { name }).uncheck();
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape');
   await page.keyboard.down('w');
