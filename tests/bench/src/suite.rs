@@ -148,7 +148,8 @@ impl Suite {
         let navigation = solution.navigation();
         let points = &solution.vertices()[..solution.samples()];
         let sources: Vec<DVec2> = project.handles.iter().filter_map(|handle| point(&handle.shape)).collect();
-        let located: Vec<Located> = points.iter().filter_map(|&p| navigation.located(p)).collect();
+        let locate = |&p| navigation.located(p).expect("samples lie in the domain");
+        let located: Vec<Located> = points.iter().map(locate).collect();
         let mut distances = vec![0.0; points.len()];
         let passes = least_ms(self.clock, self.effort, || {
             for &source in &sources {

@@ -92,7 +92,8 @@ fn of_samples(
     let solution = solve_domain(&project, domain).expect("the domain has room for four handles");
     let (navigation, samples) = (solution.navigation(), solution.samples());
     let points = &solution.vertices()[..samples];
-    let located: Vec<Located> = points.iter().filter_map(|&p| navigation.located(p)).collect();
+    let locate = |&p| navigation.located(p).expect("samples lie in the domain");
+    let located: Vec<Located> = points.iter().map(locate).collect();
     let graph = graph_of_samples(&solution);
     let solve = |source: DVec2| -> Vec<f64> {
         let distances = navigation.distances_from(source).expect("sources lie in the domain");

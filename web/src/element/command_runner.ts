@@ -109,8 +109,8 @@ export class CommandRunner {
         editing.select(ids);
         this.#host.notices.say(`${ids.length} handles selected`);
       },
-      compare: () => display.showBare(display.bare === 'compare' ? null : 'compare'),
-      preview: () => display.showBare(display.bare === 'preview' ? null : 'preview'),
+      compare: () => display.toggleBare('compare'),
+      preview: () => display.toggleBare('preview'),
       fit: () => look(() => viewing.fit()),
       actual: () => look(() => viewing.actual()),
       'zoom-in': () => look(() => viewing.zoom(1)),

@@ -61,6 +61,10 @@ export class Display {
     this.#host.looked();
   }
 
+  toggleBare(view: BareView): void {
+    this.showBare(this.#bare === view ? null : view);
+  }
+
   openSettings(on: boolean): void {
     this.#settings = on;
     this.#host.changed();
