@@ -37,7 +37,7 @@ impl Graph {
         Self::of_edges(nodes, || edges.iter().copied())
     }
 
-    /// The edges of a mesh.
+    /// The edges of a mesh whose neighbours are known: each is found once without a sort, as every insertion of a handle asks for it.
     pub(crate) fn of_mesh(mesh: &Triangulation) -> Self {
         Self::of_edges(mesh.vertices.len(), || {
             mesh.triangles.iter().zip(&mesh.neighbours).enumerate().flat_map(|(t, (corners, neighbours))| {
