@@ -257,6 +257,25 @@ test('the pointer may go onto a tooltip; a press there dismisses it, and does no
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
+test('a pressed button shows no tooltip until it is hovered again: the way to the picture is free', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const bar = editor.button('Draw a bar');
+  await bar.hover();
+  await expect.poll(tipped(bar)).toBe(true);
+  const { x, y } = await editor.middle(bar);
+  await page.mouse.down();
+  expect(await tipped(bar)()).toBe(false);
+  await page.mouse.up();
+  // Where the tooltip was: the first corner of a bar.
+  await page.mouse.click(x + 60, y);
+  await expect(page.locator('.draft')).toHaveCount(1);
+  await page.keyboard.press('Escape');
+  await bar.hover();
+  await expect.poll(tipped(bar)).toBe(true);
+});
+
 test('the tooltip of a disabled button is as plain as any other', async ({ page }) => {
   const editor = await Editor.open(page);
   const undo = editor.button('Undo');
@@ -300,9 +319,10 @@ test('an open menu takes the place of its tooltip', async ({ page }) => {
   const overlays = editor.button('Overlays');
   await overlays.hover();
   await expect.poll(tipped(overlays)).toBe(true);
-  await overlays.click();
+  await overlays.focus();
+  await page.keyboard.press('Enter');
   await expect.poll(tipped(overlays)).toBe(false);
-  await overlays.click();
+  await page.keyboard.press('Enter');
   await expect.poll(tipped(overlays)).toBe(true);
 });
 

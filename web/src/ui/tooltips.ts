@@ -1,6 +1,7 @@
 /**
- * Escape dismisses a shown tooltip, wherever the pointer and the focus are (WCAG 1.4.13), and so does a press on the
- * tooltip, which is none on its button. The next hover or focus of its button shows it again.
+ * Escape dismisses a shown tooltip, wherever the pointer and the focus are (WCAG 1.4.13), and so does a press: on the
+ * button, after which the pointer goes on to what may lie under the tooltip, or on the tooltip, which is none on its
+ * button. The next hover or focus of its button shows it again.
  *
  * What a person is in the midst of goes first and leaves the tooltip: a drag, a drawing, the crosshair, an open menu or
  * sheet of settings, a number field. All else that Escape does waits for the next press, such as to let go of what is
@@ -54,11 +55,11 @@ class Tooltips extends AsyncDirective {
   }
 }
 
-/** Dismisses a tooltip that is pressed: what lies under it gets the next press. */
+/** Dismisses the tooltip of a button that is pressed, or that itself is: what lies under it gets the next press. */
 function pressed(event: PointerEvent): void {
   const button = (event.target as Element).closest('[data-tip]');
-  if (!button || isOver(button.getBoundingClientRect(), event)) return;
-  event.stopPropagation();
+  if (!button) return;
+  if (!isOver(button.getBoundingClientRect(), event)) event.stopPropagation();
   dismiss(button);
 }
 
@@ -88,7 +89,9 @@ function dismiss(button: Element): void {
     again.abort();
   };
   button.addEventListener('pointerenter', show, { signal: again.signal });
-  button.addEventListener('focus', show, { signal: again.signal });
+  // A press, which dismisses too, gives a button the focus.
+  const byKeys = () => button.matches(':focus-visible') && show();
+  button.addEventListener('focus', byKeys, { signal: again.signal });
 }
 
 /** On `.shell`, for the tooltips in it. */
