@@ -153,14 +153,25 @@ fn hardly_a_weight_has_a_second_maximum() {
                     neighbours[t[k] as usize].extend([t[(k + 1) % 3], t[(k + 2) % 3]]);
                 }
             }
-            let mut fields = vec![vec![0.0; solution.samples()]; solution.sites().len()];
-            let rows =
-                (0..solution.samples()).flat_map(|v| solution.weights().row(v).map(move |(site, w)| (site, v, w)));
-            rows.for_each(|(site, v, w)| fields[site][v] = w);
-            let lives = fields.iter().flat_map(|field| persistences(&neighbours, field));
-            let strays: Vec<f64> = lives.filter(|&life| life > NOISE).collect();
-            eprintln!("{name} {support:?}: {} sites, stray maxima {strays:.3?}", fields.len());
-            assert!(strays.len() <= STRAYS && strays.iter().all(|&life| life < HIGHEST_STRAY), "{name} {support:?}");
+            let sites = solution.sites();
+            let mut of_sites = vec![vec![0.0; solution.samples()]; sites.len()];
+            let mut of_handles = vec![vec![0.0; solution.samples()]; sites.iter().filter(|s| s.kind.is_real()).count()];
+            for v in 0..solution.samples() {
+                for (site, w) in solution.weights().row(v) {
+                    of_sites[site][v] = w;
+                    solution.shares(site).for_each(|(handle, share)| of_handles[handle][v] += w * share);
+                }
+            }
+            let strays = |fields: &[Vec<f64>]| -> Vec<f64> {
+                let lives = fields.iter().flat_map(|field| persistences(&neighbours, field));
+                lives.filter(|&life| life > NOISE).collect()
+            };
+            let (sites, handles) = (strays(&of_sites), strays(&of_handles));
+            eprintln!("{name} {support:?}, stray maxima: {} sites {sites:.3?}", of_sites.len());
+            eprintln!("{name} {support:?}, stray maxima: {} handles {handles:.3?}", of_handles.len());
+            assert!(sites.len() <= STRAYS && sites.iter().all(|&life| life < HIGHEST_STRAY), "{name} {support:?}");
+            let highest = if support == Support::Smooth { NOISE } else { HIGHEST_OF_HANDLE };
+            assert!(handles.iter().all(|&life| life < highest), "{name} {support:?}");
         }
     }
 }
@@ -172,3 +183,6 @@ const NOISE: f64 = 0.01;
 /// on these scenes: at most this many in one scene, of some 30 fields, and this high.
 const STRAYS: usize = 2;
 const HIGHEST_STRAY: f64 = 0.2;
+/// In the field of a handle, the sum of those of all sites times its shares of them (eq. 4), neighbours make up for it: with
+/// smooth supports nothing is left, with the paper's 0.013, where two paths around the hole meet.
+const HIGHEST_OF_HANDLE: f64 = 0.02;
