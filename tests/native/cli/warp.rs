@@ -1,7 +1,8 @@
 //! `c2warp warp`.
 
 use image::codecs::jpeg::JpegEncoder;
-use image::{ImageEncoder, RgbImage, Rgba};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageDecoder, ImageEncoder, ImageReader, RgbImage, Rgba};
 
 use crate::command::{command, succeed};
 use crate::workplace::Workplace;
@@ -145,6 +146,33 @@ fn a_photograph_taken_sideways_stands_upright() {
     let upright = place.picture("out.png");
     assert_eq!(upright.dimensions(), (96, 48));
     assert!(upright.get_pixel(48, 4)[0] > 240 && upright.get_pixel(48, 44)[2] > 240);
+}
+
+#[test]
+fn colours_keep_the_profile_that_they_are_meant_by() {
+    let place = Workplace::with("untouched");
+    // Of an ICC profile the space of its colours plays a part, and no more.
+    let profile = |space: &[u8; 4]| [[7; 16].as_slice(), space, &[7; 700]].concat();
+    let out = || {
+        succeed(place.folder(), &format!("{WARP} --image tagged"));
+        let mut decoder = ImageReader::open(place.file("out.png")).unwrap().into_decoder().unwrap();
+        decoder.icc_profile().unwrap()
+    };
+    let tagged = RgbImage::from_pixel(96, 48, [200, 100, 50].into());
+    for (space, kept) in [(b"RGB ", Some(profile(b"RGB "))), (b"GRAY", None)] {
+        let mut jpeg = Vec::new();
+        let mut encoder = JpegEncoder::new(&mut jpeg);
+        encoder.set_icc_profile(profile(space)).unwrap();
+        encoder.encode_image(&tagged).unwrap();
+        place.write("tagged", jpeg);
+        assert_eq!(out(), kept);
+        let mut png = Vec::new();
+        let mut encoder = PngEncoder::new(&mut png);
+        encoder.set_icc_profile(profile(space)).unwrap();
+        encoder.write_image(&tagged, 96, 48, ExtendedColorType::Rgb8).unwrap();
+        place.write("tagged", png);
+        assert_eq!(out(), kept);
+    }
 }
 
 #[cfg(unix)]

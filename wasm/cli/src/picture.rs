@@ -1,7 +1,8 @@
-//! A picture file as straight RGBA, upright.
+//! A picture file as straight RGBA, upright, with the colour profile that its numbers are meant by.
 //!
 //! The type is detected from the contents, not from the name. The size is checked before any pixel is decoded. As in a
-//! browser, the orientation recorded by the camera is applied, and colour profiles are not.
+//! browser, the orientation recorded by the camera is applied. A profile is not: it goes with the picture, so that no colour is
+//! lost.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -16,8 +17,16 @@ use crate::jpeg;
 /// Memory limit of decoders: enough for the largest picture at 16 bits a channel, and a decoder's own copy of it.
 const DECODER_BYTES: u64 = 2 << 30;
 
+/// A picture that was read.
+#[derive(Debug)]
+pub(crate) struct PictureFile {
+    pub(crate) pixels: RgbaImage,
+    /// An ICC profile of RGB colours; `None` for sRGB, and where the file has other colours, which became RGB in decoding.
+    pub(crate) profile: Option<Vec<u8>>,
+}
+
 /// Reads a picture.
-pub(crate) fn read(path: &Path) -> Result<RgbaImage, CliError> {
+pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
     let mut file = open(path)?;
     if file.fill_buf().map_err(CliError::read(path))?.is_empty() {
         return Err(CliError::PictureEmpty { path: path.to_owned() });
@@ -44,11 +53,17 @@ pub(crate) fn read(path: &Path) -> Result<RgbaImage, CliError> {
     Picture::check_size(width, height).map_err(CliError::refused(path))?;
     // Invalid metadata is no reason to refuse a picture.
     let orientation = decoder.orientation().ok();
+    let profile = decoder.icc_profile().ok().flatten().filter(|profile| is_of_rgb(profile));
     let mut image = DynamicImage::from_decoder(decoder).map_err(refusal)?;
     if let Some(orientation) = orientation {
         image.apply_orientation(orientation);
     }
-    Ok(image.into_rgba8())
+    Ok(PictureFile { pixels: image.into_rgba8(), profile })
+}
+
+/// Whether an ICC profile is one of RGB colours: the "data colour space" of its header (ICC.1, 7.2.6).
+fn is_of_rgb(profile: &[u8]) -> bool {
+    profile.get(16..20) == Some(b"RGB ")
 }
 
 fn open(path: &Path) -> Result<BufReader<File>, CliError> {

@@ -7,10 +7,9 @@ use c2warp::Picture;
 use c2warp::Solution;
 use c2warp::pose::Pose;
 use c2warp::project::Project;
-use image::RgbaImage;
 
 use crate::error::CliError;
-use crate::picture;
+use crate::picture::{self, PictureFile};
 
 /// Which project, and which picture instead of the project's own.
 #[derive(Debug, clap::Args)]
@@ -28,7 +27,7 @@ pub(crate) struct Scene {
     pub(crate) project: Project,
     /// Path of the project, for errors about its content.
     project_path: PathBuf,
-    image: RgbaImage,
+    image: PictureFile,
     image_path: PathBuf,
 }
 
@@ -49,8 +48,13 @@ impl Scene {
     }
 
     pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {
-        Picture::new(self.image.width(), self.image.height(), self.image.as_raw())
-            .map_err(CliError::refused(&self.image_path))
+        let pixels = &self.image.pixels;
+        Picture::new(pixels.width(), pixels.height(), pixels.as_raw()).map_err(CliError::refused(&self.image_path))
+    }
+
+    /// The ICC profile of the picture's colours; `None` for sRGB.
+    pub(crate) fn profile(&self) -> Option<&[u8]> {
+        self.image.profile.as_deref()
     }
 
     /// Solves the project.

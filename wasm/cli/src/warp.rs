@@ -41,12 +41,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let warped = solution.warped(&picture, &pose, arguments.scale, canvas).map_err(|reason| scene.refused(reason))?;
     output.finish(|writer| {
         // A quarter more bytes than with the default, in a third of its time.
-        PngEncoder::new_with_quality(writer, CompressionType::Fast, FilterType::Adaptive)
-            .write_image(&warped.rgba, warped.width, warped.height, ExtendedColorType::Rgba8)
-            .map_err(|reason| match reason {
+        let mut encoder = PngEncoder::new_with_quality(writer, CompressionType::Fast, FilterType::Adaptive);
+        if let Some(profile) = scene.profile() {
+            encoder.set_icc_profile(profile.to_owned()).map_err(io::Error::other)?;
+        }
+        encoder.write_image(&warped.rgba, warped.width, warped.height, ExtendedColorType::Rgba8).map_err(|reason| {
+            match reason {
                 ImageError::IoError(reason) => reason,
                 reason => io::Error::other(reason),
-            })
+            }
+        })
     })?;
     if arguments.grow {
         let [left, top] = warped.origin;
