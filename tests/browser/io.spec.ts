@@ -35,12 +35,16 @@ for (const [title, rounds] of [
 
 for (const browser of ['a photograph', 'a photograph that the browser makes no bitmap of'])
   test(`${browser} is opened upright`, async ({ page }) => {
-    const [width, height] = await page.evaluate(async (makes) => {
+    const [width, height, decoded] = await page.evaluate(async (makes) => {
+      let decoded = 0;
       // As Firefox does with some EXIF data.
       const create = globalThis.createImageBitmap.bind(globalThis);
-      const refuse = (source: ImageBitmapSource, options: ImageBitmapOptions) =>
-        source instanceof Blob ? Promise.reject(new DOMException('not decoded')) : create(source, options);
-      if (!makes) Object.assign(globalThis, { createImageBitmap: refuse });
+      const made = (source: ImageBitmapSource, options: ImageBitmapOptions) => {
+        if (source instanceof Blob && !makes) return Promise.reject(new DOMException('not decoded'));
+        decoded++;
+        return create(source, options);
+      };
+      Object.assign(globalThis, { createImageBitmap: made });
       const canvas = new OffscreenCanvas(40, 20);
       canvas.getContext('2d')?.fillRect(0, 0, 20, 20);
       const jpeg = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg' })).arrayBuffer());
@@ -51,9 +55,11 @@ for (const browser of ['a photograph', 'a photograph that the browser makes no b
       const exif = [0x45, 0x78, 0x69, 0x66, 0, 0, ...tiff];
       const segment = Uint8Array.from([0xff, 0xe1, 0, exif.length + 2, ...exif]);
       const picture = await harness.decodePicture(new Blob([jpeg.slice(0, 2), segment, jpeg.slice(2)]));
-      return [picture.width, picture.height];
+      return [picture.width, picture.height, decoded];
     }, browser === 'a photograph');
     expect([width, height]).toEqual([20, 40]);
+    // It has no alpha, so one bitmap is the shown one and the one whose bytes are read.
+    expect(decoded).toBe(1);
   });
 
 test('a worker that fails to write a PNG goes, and the next one writes', async ({ page }) => {

@@ -32,16 +32,17 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   if (!complete) throw new PictureError('The picture is cut off: the end of the file is missing.');
 
   const straight = await bitmapOf(file, 'none', kind);
+  let bitmap: ImageBitmap | undefined;
   try {
     checkSize(straight.width, straight.height);
     if (kind !== 'jpeg') bitmapsKeepColours ??= await keepsColours();
     const image = kind === 'jpeg' || bitmapsKeepColours ? null : await imageOf(file);
     const rgba = straightPixels(image ?? straight, straight.width, straight.height);
-    // Last: the caller closes this bitmap, so nothing may fail after it.
-    const bitmap = await bitmapOf(file, 'premultiply', kind);
+    // Last: the caller closes this bitmap, so nothing may fail after it. A JPEG has no alpha, and is decoded once.
+    bitmap = kind === 'jpeg' ? straight : await bitmapOf(file, 'premultiply', kind);
     return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
   } finally {
-    straight.close();
+    if (bitmap !== straight) straight.close();
   }
 }
 
