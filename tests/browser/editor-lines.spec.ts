@@ -127,6 +127,42 @@ test('by keys a corner is added beside the one that has the focus, and deleted',
   await expect(editor.corner(3, 'bar 1')).toBeVisible();
 });
 
+test('a corner that is clicked has its place in the panel, and buttons of its own', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await leg(editor);
+  await page.keyboard.press('v');
+  const [group, hip] = [page.getByRole('group', { name: 'Corner 2 of 2' }), at(...HIP)];
+  await expect(group).toBeHidden();
+  await page.mouse.click(hip.x, hip.y);
+  const before = await editor.inProject('bar-1');
+  if (before?.kind !== 'bar' || !before.posed[1]) throw new Error('a bar was drawn');
+  const [x, y] = [
+    group.getByRole('spinbutton', { name: 'X (' }),
+    group.getByRole('spinbutton', { name: 'Y (' }),
+  ];
+  await expect(x).toHaveValue(String(Number(before.posed[1][0].toFixed(1))));
+  await x.fill('450');
+  await y.focus();
+  await page.keyboard.press('Shift+ArrowUp');
+  await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
+  expect(await editor.inProject('bar-1')).toMatchObject({
+    posed: [before.posed[0], [450, before.posed[1][1] + 10]],
+    rest: before.rest,
+  });
+  // Two are needed; a third stands halfway, and goes again.
+  await expect(editor.button('Delete the corner')).toBeDisabled();
+  await editor.button('Add a corner').click();
+  const third = page.getByRole('group', { name: 'Corner 2 of 3' });
+  await expect(third.getByRole('spinbutton', { name: 'X (' })).toHaveValue(
+    String(Number(((before.posed[0]?.[0] ?? 0) / 2 + 225).toFixed(1))),
+  );
+  await editor.button('Delete the corner').click();
+  await expect(page.getByRole('group', { name: 'Corner 1 of 2' })).toBeVisible();
+  // The handle as a whole.
+  await editor.handle('bar 1').focus();
+  await expect(page.getByRole('group', { name: 'Corner' })).toBeHidden();
+});
+
 test('what is drawn goes on to the pointer also where the view moves under it', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Draw a bar').click();

@@ -40,6 +40,7 @@ export function actionsOf(host: ActionsHost): EditorActions {
     showBare: (view) => display.showBare(view),
     overlay: (name, on) => display.overlay(name, on),
     field: (field, value) => edit((edits) => edits.field(field, value)),
+    corner: (axis, value) => edit((edits) => focus.corner && edits.corner(focus.corner, axis, value)),
     automatic: (on) => edit((edits) => edits.automatic(on)),
     bend: (mode) => edit((edits) => edits.bend(mode)),
     detail: (detail) => edit((edits) => edits.detail(detail)),
@@ -57,6 +58,9 @@ export function actionsOf(host: ActionsHost): EditorActions {
     select: (ids) => editing.select(ids),
     toggle: (id) => editing.toggle(id),
     hold: (id) => focus.hold(id),
+    focused: (corner) => {
+      focus.corner = corner;
+    },
     refuse: (text) => notices.notify({ kind: 'info', text }),
     reveal: (at) => {
       if (permissions.playing) viewing.contain([at]);

@@ -31,7 +31,7 @@ import type { Handle, LineHandle, PoseMode, Project } from '../document/project'
 import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
 import { add, type Vec } from '../geometry/vec';
-import type { Field } from '../ui/model';
+import type { Corner, Field } from '../ui/model';
 import type { Editing } from './editing';
 import type { Guarding } from './guarding';
 import type { Posing } from './posing';
@@ -71,13 +71,24 @@ export class EditCommands {
     this.#guarded(label, moveHandles(this.#document, selection, by), `nudge ${selection.join(' ')}`);
   }
 
-  /** Nudges one corner of a bar or polygon. */
-  nudgeCorner(id: string, index: number, by: Vec): void {
+  nudgeCorner(corner: Corner, by: Vec): void {
+    this.#moveCorner(corner, 'nudge', (at) => add(at, by));
+  }
+
+  /** Sets a coordinate of a corner: 0 for x, 1 for y. */
+  corner(corner: Corner, axis: 0 | 1, value: (now: number) => number): void {
+    this.#moveCorner(corner, axis === 0 ? 'x' : 'y', ([x, y]) =>
+      axis === 0 ? [value(x), y] : [x, value(y)],
+    );
+  }
+
+  /** @param way moves of one corner by the same way are one undo step. */
+  #moveCorner({ id, index }: Corner, way: string, to: (at: Vec) => Vec): void {
     const handle = handleById(this.#document, id);
     const at = handle && isLine(handle) ? handle.posed[index] : undefined;
     if (!handle || !at) return;
-    const next = putCorner(this.#document, id, index, add(at, by));
-    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `nudge ${id} ${index}`, () => {
+    const next = putCorner(this.#document, id, index, to(at));
+    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `${way} ${id} ${index}`, () => {
       const moved = handleById(this.#document, id);
       return moved && isLine(moved) ? cornerWords(moved, index) : '';
     });

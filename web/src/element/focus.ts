@@ -1,20 +1,26 @@
+import type { Corner } from '../ui/model';
+
 /** What has the focus inside the editor, and what gets it. */
 export class Focus {
   readonly #root: ShadowRoot;
   readonly #changed: () => void;
+  #corner: Corner | null = null;
 
-  /** @param changed renders what is about to get the focus. */
+  /** @param changed renders what is about to get the focus, or another corner. */
   constructor(root: ShadowRoot, changed: () => void) {
     this.#root = root;
     this.#changed = changed;
   }
 
-  /** The corner whose button has the focus, or null. */
-  get corner(): { readonly id: string; readonly index: number } | null {
-    const active = this.#root.activeElement;
-    if (!(active instanceof HTMLElement)) return null;
-    const { of: id, corner } = active.dataset;
-    return id === undefined || corner === undefined ? null : { id, index: Number(corner) };
+  /** The last corner that had the focus, until a handle or the stage has it: what is done in the panel is for it. */
+  get corner(): Corner | null {
+    return this.#corner;
+  }
+
+  set corner(corner: Corner | null) {
+    const before = this.#corner;
+    this.#corner = corner;
+    if (before?.id !== corner?.id || before?.index !== corner?.index) this.#changed();
   }
 
   /** Whether a handle or a corner has the focus. */

@@ -28,6 +28,15 @@ export class LineCommands {
     this.#host = host;
   }
 
+  /** The index of the corner in hand, if its bar or polygon alone is selected. */
+  get corner(): number | null {
+    const { workbench, focus } = this.#host;
+    const [only, ...others] = selectedHandles(workbench.editing.document);
+    const index = focus.corner && focus.corner.id === only?.id ? focus.corner.index : null;
+    if (!only || others.length > 0 || !isLine(only) || index === null) return null;
+    return index < only.posed.length ? index : null;
+  }
+
   /** Finishes the current drawing. */
   finish(): void {
     const { workbench, permissions, areas, crosshair, focus } = this.#host;

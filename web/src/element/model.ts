@@ -5,6 +5,7 @@ import type { Display } from './display';
 import type { Files } from './files';
 import type { FirstHint } from './first_hint';
 import type { HitAreas } from './hit_areas';
+import type { LineCommands } from './line_commands';
 import type { Notices } from './notices';
 import type { Permissions } from './permissions';
 import type { PoseChecks } from './pose_checks';
@@ -22,6 +23,7 @@ export interface ModelParts {
   readonly hint: FirstHint;
   readonly areas: HitAreas;
   readonly crosshair: Crosshair;
+  readonly lines: LineCommands;
 }
 
 /** The undo and redo label while something is being drawn. */
@@ -31,7 +33,8 @@ export function modelOf(
   parts: ModelParts,
   page: Pick<EditorModel, 'alt' | 'cursor' | 'dark' | 'platform'>,
 ): EditorModel {
-  const { workbench, viewing, files, notices, permissions, display, checks, hint, areas, crosshair } = parts;
+  const { workbench, viewing, files, notices, permissions, display, checks, hint, areas, crosshair, lines } =
+    parts;
   const { editing, solving, posing, guarding, picture } = workbench;
   const { machine } = editing;
   const { overlays } = display;
@@ -66,6 +69,7 @@ export function modelOf(
     beyond: checks.beyond,
     guarded: guarding.on,
     holding: guarding.holding,
+    corner: lines.corner,
     settings: display.settings,
     numbers: display.numbers,
     draft: machine.draft,

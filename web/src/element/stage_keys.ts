@@ -48,7 +48,7 @@ export class StageKeys {
     const { editable } = permissions;
     const { draft } = editing.machine;
     const { corner } = focus;
-    if (editable && corner && !draft) commands.nudgeCorner(corner.id, corner.index, by);
+    if (editable && corner && !draft) commands.nudgeCorner(corner, by);
     else if (editable && editing.document.selection.length > 0 && !draft) commands.nudge(by);
     else if (editable && this.#places) this.#moveCrosshair(by);
     else if (permissions.playing) return false;

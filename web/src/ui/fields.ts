@@ -1,33 +1,31 @@
 /** The numbers of the selected handles, with buttons beside some of them. */
 import { html, type TemplateResult } from 'lit';
-import { anchor, DEPTHS, depthOf, isAutomatic, isLine, rotationOf, scaleOf } from '../document/handle';
+import {
+  anchor,
+  DEPTHS,
+  depthOf,
+  isAutomatic,
+  isLine,
+  rotationOf,
+  scaleOf,
+  type Turns,
+} from '../document/handle';
 import type { Handle } from '../document/project';
 import { commandButton } from './command_button';
-import type { EditorActions, EditorModel } from './model';
-import { type FieldLook, numberField } from './number_field';
+import type { EditorActions, EditorModel, Field } from './model';
+import { type FieldLook, numberField, PLACE } from './number_field';
 
-const FIELDS: readonly FieldLook[] = [
+interface HandleField extends FieldLook {
+  readonly name: Field;
+  read(handle: Handle, turns: Turns): number;
+}
+
+const FIELDS: readonly HandleField[] = [
+  { ...PLACE, name: 'x', label: 'X', read: (handle) => anchor(handle)[0] },
+  { ...PLACE, name: 'y', label: 'Y', read: (handle) => anchor(handle)[1] },
+  { name: 'rotation', label: 'Turn', unit: '°', step: 1, digits: 1, read: rotationOf },
   {
-    field: 'x',
-    label: 'X',
-    unit: 'px',
-    step: 1,
-    digits: 1,
-    digitKeys: true,
-    read: (handle) => anchor(handle)[0],
-  },
-  {
-    field: 'y',
-    label: 'Y',
-    unit: 'px',
-    step: 1,
-    digits: 1,
-    digitKeys: true,
-    read: (handle) => anchor(handle)[1],
-  },
-  { field: 'rotation', label: 'Turn', unit: '°', step: 1, digits: 1, read: rotationOf },
-  {
-    field: 'scale',
+    name: 'scale',
     label: 'Scale',
     unit: '×',
     step: 0.05,
@@ -38,7 +36,7 @@ const FIELDS: readonly FieldLook[] = [
     read: scaleOf,
   },
   {
-    field: 'depth',
+    name: 'depth',
     label: 'Depth',
     unit: '',
     step: 1,
@@ -52,23 +50,27 @@ export const fields = (
   selected: readonly Handle[],
   model: EditorModel,
   actions: EditorActions,
-): TemplateResult =>
-  html`<div class="fields">
-    ${FIELDS.map((look) => besides(look, numberField(look, selected, model, actions), selected, model, actions))}
-  </div>`;
+): TemplateResult => {
+  const field = (look: HandleField) => {
+    const numbers = selected.map((handle) => look.read(handle, model.turns));
+    const input = numberField(look, numbers, (value) => actions.field(look.name, value), model, actions);
+    return besides(look, input, selected, model, actions);
+  };
+  return html`<div class="fields">${FIELDS.map(field)}</div>`;
+};
 
 /** A field with its buttons. */
 function besides(
-  { field }: FieldLook,
+  { name }: HandleField,
   input: TemplateResult,
   selected: readonly Handle[],
   model: EditorModel,
   actions: EditorActions,
 ): TemplateResult {
-  if (field === 'rotation' && selected.some((handle) => !isLine(handle))) {
+  if (name === 'rotation' && selected.some((handle) => !isLine(handle))) {
     return html`<div class="pair turn">${input} ${automaticToggle(selected, model, actions)}</div>`;
   }
-  if (field !== 'depth') return input;
+  if (name !== 'depth') return input;
   const enabled = (end: number) => !model.readonly && selected.some((handle) => depthOf(handle) !== end);
   return html`<div class="pair depth">
     ${input} ${commandButton('backward', model, actions, { enabled: enabled(DEPTHS.least) })}

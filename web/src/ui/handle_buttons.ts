@@ -45,7 +45,10 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
             aria-label=${handleLabel(handle, model.turns)}
             aria-pressed=${selected ? 'true' : 'false'}
             .style=${`transform: translate(${x}px, ${y}px)`}
-            @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, actions)}
+            @focus=${(event: FocusEvent) => {
+              actions.focused(null);
+              focused(event, handle.id, anchor(handle), model, actions);
+            }}
             @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
           ></button>
           ${isLine(handle) ? cornerButtons(handle, selected, model, actions) : nothing}`;
@@ -64,16 +67,20 @@ const cornerButtons = (
   handle.posed.map((corner, index) => {
     const [x, y] = toStage(model.camera, corner);
     const [left, top] = corner.map(Math.round);
+    const inHand = selected && model.corner === index;
     return html`<button
       type="button"
-      class="handle corner ${selected ? 'selected' : ''}"
+      class="handle corner ${selected ? 'selected' : ''} ${inHand ? 'in-hand' : ''}"
       part="handle"
       data-of=${handle.id}
       data-corner=${index}
       tabindex=${selected ? 0 : -1}
       aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
       .style=${`transform: translate(${x}px, ${y}px)`}
-      @focus=${(event: FocusEvent) => focused(event, handle.id, corner, model, actions)}
+      @focus=${(event: FocusEvent) => {
+        actions.focused({ id: handle.id, index });
+        focused(event, handle.id, corner, model, actions);
+      }}
       @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
     ></button>`;
   });

@@ -52,6 +52,8 @@ export interface EditorModel {
   /** `guarded`: the guard against folds is on. `holding`: it holds a drag back now. */
   readonly guarded: boolean;
   readonly holding: boolean;
+  /** The corner in hand, of the only selected handle. */
+  readonly corner: number | null;
   /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
   readonly numbers: boolean;
@@ -104,6 +106,12 @@ export interface Notice {
 
 export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph' | 'folds' | 'reach', boolean>>;
 
+/** A corner of a bar or polygon, counted from 0. */
+export interface Corner {
+  readonly id: string;
+  readonly index: number;
+}
+
 /** A number of the selected handles that the panel can set. */
 export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
 
@@ -113,6 +121,8 @@ export interface EditorActions {
   overlay(name: keyof OverlayFlags, on: boolean): void;
   /** Sets a number of each selected handle, from its current value. */
   field(field: Field, value: (now: number) => number): void;
+  /** Sets a coordinate of the corner in hand: 0 for x, 1 for y. */
+  corner(axis: 0 | 1, value: (now: number) => number): void;
   automatic(on: boolean): void;
   bend(mode: PoseMode): void;
   detail(detail: Detail): void;
@@ -130,6 +140,8 @@ export interface EditorActions {
   toggle(id: string): void;
   /** Focuses a handle. */
   hold(id: string): void;
+  /** A corner has got the focus; null for a handle, or the stage. */
+  focused(corner: Corner | null): void;
   /** Rejects what was typed, with words on what is valid. */
   refuse(words: string): void;
   /** Brings a place of the picture into view. */

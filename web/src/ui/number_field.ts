@@ -1,12 +1,11 @@
-/** A number of the selected handles, to be typed or stepped. */
+/** A number of the selected handles or of a corner, to be typed or stepped. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { DEPTHS, type Turns } from '../document/handle';
-import type { Handle } from '../document/project';
-import type { EditorActions, EditorModel, Field } from './model';
+import { DEPTHS } from '../document/handle';
+import type { EditorActions, EditorModel } from './model';
 import { untyped } from './untyped';
 
 export interface FieldLook {
-  readonly field: Field;
+  readonly name: string;
   readonly label: string;
   readonly unit: string;
   readonly step: number;
@@ -17,8 +16,10 @@ export interface FieldLook {
   /** Asks for a keyboard with digits, which lacks a minus on some phones: the value is hardly ever negative. */
   readonly digitKeys?: boolean;
   readonly tip?: string;
-  read(handle: Handle, turns: Turns): number;
 }
+
+/** What coordinates have in common. */
+export const PLACE = { unit: 'px', step: 1, digits: 1, digitKeys: true } as const;
 
 /** Limit of typed pixels and degrees: far beyond any picture. */
 const MOST = 1e6;
@@ -36,16 +37,20 @@ const expected = ({ label, least, most }: FieldLook): string =>
 const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
 
 /**
- * Commits on Enter and on leaving the field; arrow keys change every selected handle by a step, with Shift by ten;
- * Escape restores the old number.
+ * Commits on Enter and on leaving the field; arrow keys change every number by a step, with Shift by ten; Escape
+ * restores what was there.
+ *
+ * @param numbers those of all that is selected: shown where they are the same.
+ * @param set sets each, from its current value.
  */
 export function numberField(
   look: FieldLook,
-  selected: readonly Handle[],
+  numbers: readonly number[],
+  set: (value: (now: number) => number) => void,
   model: EditorModel,
   actions: EditorActions,
 ): TemplateResult {
-  const values = selected.map((handle) => Number(look.read(handle, model.turns).toFixed(look.digits)));
+  const values = numbers.map((number) => Number(number.toFixed(look.digits)));
   const shared = values.every((value) => value === values[0]) ? String(values[0]) : '';
   const { least = -MOST, most = MOST } = look;
   const commit = (event: Event) => {
@@ -53,7 +58,7 @@ export function numberField(
     const input = event.target as HTMLInputElement;
     const value = numberOf(input.value);
     if (input.value !== shared && value >= least && value <= most) {
-      actions.field(look.field, () => value);
+      set(() => value);
       return;
     }
     if (input.value.trim() !== '' && input.value !== shared) actions.refuse(expected(look));
@@ -65,7 +70,7 @@ export function numberField(
     if (by !== 0) {
       event.preventDefault();
       input.dispatchEvent(new Event('change'));
-      actions.field(look.field, (now) => Math.min(Math.max(now + by, least), most));
+      set((now) => Math.min(Math.max(now + by, least), most));
     }
     if (event.key !== 'Escape') return;
     event.preventDefault();
@@ -73,14 +78,14 @@ export function numberField(
     const root = input.getRootNode() as ShadowRoot;
     root.querySelector<HTMLElement>('.stage')?.focus({ preventScroll: true });
   };
-  return html`<label class="field ${look.field === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
+  return html`<label class="field ${look.name === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
     <span class="label">${look.label}</span>
     <input
       type="text"
       role="spinbutton"
       inputmode=${look.digitKeys ? 'decimal' : nothing}
       autocomplete="off"
-      name=${look.field}
+      name=${look.name}
       aria-valuenow=${shared || nothing}
       aria-valuemin=${look.least ?? nothing}
       aria-valuemax=${look.most ?? nothing}

@@ -8,11 +8,12 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { selectedHandles } from '../document/document';
 import { anchor, isAtRest, isLine, nameOf } from '../document/handle';
-import type { Handle, LineHandle } from '../document/project';
+import type { Handle } from '../document/project';
 import { toStage } from '../geometry/camera';
 import { centre } from '../geometry/polyline';
 import { bending } from './bending';
 import { commandButton } from './command_button';
+import { cornerFields } from './corner_fields';
 import { fields } from './fields';
 import { handleList } from './handle_list';
 import { icon } from './icons';
@@ -54,7 +55,7 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
   return html`<section class="properties" aria-label="Selected handle">
     <h2>${title}</h2>
     ${fields(selected, model, actions)}
-    ${selected.length === 1 && isLine(first) ? cornersRow(first, model, actions) : nothing}
+    ${selected.length === 1 && isLine(first) ? cornerFields(first, model, actions) : nothing}
     <div class="row">
       <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(', ')}` : ''}</span>
       <button
@@ -72,13 +73,3 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
     </div>
   </section>`;
 }
-
-const cornersRow = ({ posed }: LineHandle, model: EditorModel, actions: EditorActions): TemplateResult =>
-  html`<div class="row corners">
-    <span
-      class="faint"
-      title="Double-${model.press} the line for one more there, a corner to delete it"
-      >${posed.length} corners: double-${model.press} adds or deletes one</span
-    >
-    ${commandButton('add-corner', model, actions, { enabled: !model.readonly })}
-  </div>`;

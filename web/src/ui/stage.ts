@@ -22,6 +22,7 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
     aria-label=${stageLabel(model)}
     aria-description=${model.picture && handled && !model.readonly ? KEYS : nothing}
     .style=${`cursor: ${model.cursor}`}
+    @focus=${() => actions.focused(null)}
   >
     ${canvas}
     <svg class="marks" aria-hidden="true">

@@ -46,6 +46,9 @@ export const fieldsStyle = css`
   .field input::-webkit-inner-spin-button {
     display: none;
   }
+  .fields.of-corner {
+    margin: 2px 0 6px;
+  }
   .fields > :nth-child(n + 3) {
     grid-column: 1 / -1;
   }
@@ -75,6 +78,9 @@ export const fieldsStyle = css`
       display: flex;
       flex-wrap: wrap;
       margin: 4px 0 0;
+    }
+    .fields.of-corner {
+      grid-area: of-corner;
     }
     .fields > :nth-child(n) {
       flex: 1 1 28%;

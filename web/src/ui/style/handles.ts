@@ -57,6 +57,13 @@ export const handlesStyle = css`
     inset: 15.5px;
     box-shadow: 0 1px 5px 1px #0008;
   }
+  .handle.corner.in-hand::before {
+    background: var(--_handle);
+    border-color: var(--_casing);
+    box-shadow:
+      0 0 0 2px var(--_handle),
+      0 1px 5px 2px #0006;
+  }
   /* The middle of a bar or polygon takes the focus and shows nothing else: the line itself is what is held. */
   .handle.middle-mark::before,
   .handle.middle-mark[aria-pressed='true']::before {

@@ -101,6 +101,11 @@ export const panelStyle = css`
       grid-template: 'name corners row' auto 'fields fields fields' auto / 1fr auto auto;
       align-items: center;
     }
+    .numbers .properties:has(.of-corner) {
+      grid-template:
+        'name name row' auto 'fields fields fields' auto
+        'corners corners corners' auto 'of-corner of-corner of-corner' auto / 1fr auto auto;
+    }
     .row {
       grid-area: row;
       margin-left: 0;
@@ -112,6 +117,9 @@ export const panelStyle = css`
     .row.corners {
       grid-area: corners;
       margin: 0;
+    }
+    .properties:has(.of-corner) .corners .faint {
+      display: block;
     }
   }
   /* Low: beside the tools. */

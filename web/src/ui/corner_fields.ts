@@ -1,0 +1,39 @@
+/** The corners of a bar or polygon in the panel: how to come by more, and the place of the one in hand. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { CORNERS_NEEDED } from '../document/handle';
+import type { LineHandle } from '../document/project';
+import { commandButton } from './command_button';
+import type { EditorActions, EditorModel } from './model';
+import { numberField, PLACE } from './number_field';
+
+export function cornerFields(
+  { kind, posed }: LineHandle,
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult {
+  const { corner, press, readonly } = model;
+  const at = corner === null ? undefined : posed[corner];
+  const words = at
+    ? `Corner ${(corner ?? 0) + 1} of ${posed.length}`
+    : `${posed.length} corners: double-${press} adds or deletes one`;
+  const enabled = !readonly && posed.length > CORNERS_NEEDED[kind];
+  return html`<div class="row corners">
+      <span class="faint" title="Double-${press} the line for one more there, a corner to delete it">${words}</span>
+      ${commandButton('add-corner', model, actions, { enabled: !readonly })}
+      ${at ? commandButton('remove-corner', model, actions, { enabled }) : nothing}
+    </div>
+    ${at ? place(at, words, model, actions) : nothing}`;
+}
+
+const place = (
+  at: readonly [number, number],
+  label: string,
+  model: EditorModel,
+  actions: EditorActions,
+): TemplateResult =>
+  html`<div class="fields of-corner" role="group" aria-label=${label}>
+    ${([0, 1] as const).map((axis) => {
+      const look = { ...PLACE, name: axis === 0 ? 'corner-x' : 'corner-y', label: axis === 0 ? 'X' : 'Y' };
+      return numberField(look, [at[axis]], (value) => actions.corner(axis, value), model, actions);
+    })}
+  </div>`;
