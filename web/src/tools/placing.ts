@@ -13,7 +13,8 @@ import { type Outcome, outcome, type Placement, type Press, type Scene, type Sta
 
 /**
  * A handle at a place of the posed picture, with the motion that the picture has there, so that the picture does not
- * jump. An automatic rotation follows from the pose.
+ * jump. An automatic rotation follows from the pose. Where the picture is turned over, the nearest scale can be 0, which
+ * no handle has.
  */
 export const pointHandle = (project: Project, at: Vec, placement: Placement): PointHandle => ({
   id: freeId(project),
@@ -21,7 +22,7 @@ export const pointHandle = (project: Project, at: Vec, placement: Placement): Po
   rest: roundedVec(placement.rest),
   posed: roundedVec(at),
   rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(placement.rotation),
-  scale: rounded(placement.scale),
+  scale: rounded(placement.scale) || 1,
 });
 
 export function placed(press: Press, scene: Scene, rest: State): Outcome {

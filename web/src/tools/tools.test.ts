@@ -201,6 +201,13 @@ describe('point', () => {
     expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ rotation: 30, scale: 2 });
   });
 
+  it('gives a handle on a part that has turned over a scale that the solver takes', () => {
+    bench.machine.choose('point');
+    bench.placement = { rest: [7, 8], rotation: 0, scale: 0.004 };
+    bench.click([50, 60]);
+    expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ scale: 1 });
+  });
+
   it('places and drags in one undo step', () => {
     bench.drag([50, 60], [70, 60]);
     expect(bench.posed('handle-1')).toEqual([70, 60]);
