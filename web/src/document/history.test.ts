@@ -91,6 +91,18 @@ describe('History', () => {
     expect(history.timeline).toEqual({ values: [0, 1, 9, 2, 3], at: 2 });
   });
 
+  it('forgets a merged step that has come back to where it began', () => {
+    const history = new History(0);
+    history.step('Add', 1);
+    history.step('Move', 2, 'nudge');
+    history.step('Move', 1, 'nudge');
+    expect(state(history)).toEqual([1, 'Add', null]);
+    history.step('Move', 2, 'nudge');
+    expect(state(history)).toEqual([2, 'Move', null]);
+    history.undo();
+    expect(state(history)).toEqual([1, 'Add', 'Move']);
+  });
+
   it('is mended throughout, and forgets the steps that change nothing any more', () => {
     const history = new History(0);
     for (const value of [1, 2, 3, 4]) history.step(`Set ${value}`, value);
@@ -100,6 +112,15 @@ describe('History', () => {
     expect(history.timeline).toEqual({ values: [0, 10, 30], at: 1 });
     expect(state(history)).toEqual([10, 'Set 1', 'Set 3']);
     expect(history.mend(history.timeline.values)).toBe(false);
+  });
+
+  it('forgets the steps between values that are equal and not the same', () => {
+    const history = new History<{ readonly x: number }>({ x: 0 }, (a, b) => a.x === b.x);
+    history.step('Add', { x: 1 });
+    history.step('Delete', { x: 0 });
+    history.undo();
+    history.mend(history.timeline.values.map((value) => (value.x === 1 ? { x: 0 } : value)));
+    expect([history.present.x, history.undoLabel, history.redoLabel]).toEqual([0, null, null]);
   });
 
   it('is mended under an open step, which goes on', () => {

@@ -98,7 +98,7 @@ export class History<T> {
     const joins = key !== null && key === this.#key;
     const before = { label, value: this.#present };
     this.#present = value;
-    if (joins) this.#future = [];
+    if (joins) this.#join();
     else this.#push(before, key);
     return true;
   }
@@ -151,12 +151,13 @@ export class History<T> {
     const [before, { at }] = [this.#present, this.timeline];
     const step = ({ label }: Step<T>, k: number): Step<T> => ({ label, value: values[k] as T });
     const last = values.length - 1;
-    this.#past = this.#past.map(step).filter(({ value }, k) => value !== values[k + 1]);
+    const changes = (a: T, b: T | undefined) => b === undefined || !this.#equal(a, b);
+    this.#past = this.#past.map(step).filter(({ value }, k) => changes(value, values[k + 1]));
     this.#open = this.#open && step(this.#open, at - 1);
     this.#present = values[at] as T;
     this.#future = this.#future
       .map((redone, j) => step(redone, last - j))
-      .filter(({ value }, j) => value !== values[last - j - 1]);
+      .filter(({ value }, j) => changes(value, values[last - j - 1]));
     this.#key = null;
     return this.#present !== before;
   }
@@ -164,6 +165,15 @@ export class History<T> {
   record(): HistoryRecord<T> {
     const present = this.#open ? this.#open.value : this.#present;
     return { past: this.#past, present, future: this.#future };
+  }
+
+  /** Makes the present part of the last step, and drops that step if it has come back to where it began. */
+  #join(): void {
+    this.#future = [];
+    const last = this.#past.at(-1);
+    if (!last || !this.#equal(last.value, this.#present)) return;
+    this.#past = this.#past.slice(0, -1);
+    this.#key = null;
   }
 
   #push(step: Step<T>, key: string | null): void {
