@@ -504,6 +504,35 @@ test('a long solve shows progress, and can be cancelled where people may edit', 
   await expect.poll(samples).toBe(10_000);
 });
 
+test('an undo whose solve is cancelled is taken back, and loses nothing of the history', async ({ page }) => {
+  const answers = await Answers.of(page);
+  const editor = await Editor.open(page);
+  await editor.solves(async () => {
+    await page.locator('c2-warp').evaluate((element) => {
+      (element as C2Warp).addHandle({ kind: 'point', rest: [512, 700] });
+    });
+  });
+  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(6);
+  // Only the present is solved then: what came before it is to be solved again.
+  await page.reload();
+  await editor.ready();
+  await expect(editor.handles).toHaveCount(6);
+  const undo = editor.button('Undo: add handle');
+  await answers.hold();
+  await undo.click();
+  await expect(editor.handles).toHaveCount(5);
+  await editor.button('Cancel').click();
+  await expect(editor.handles).toHaveCount(6);
+  await answers.pass();
+  await undo.click();
+  await expect(editor.handles).toHaveCount(5);
+  await expect(editor.solved).toContainText('sample');
+  const redo = editor.button('Redo: add handle');
+  await expect(redo).toBeEnabled();
+  await redo.click();
+  await expect(editor.handles).toHaveCount(6);
+});
+
 test('an export is told until it is done, whatever is solved meanwhile', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);

@@ -8,7 +8,7 @@ import { selectHandles } from '../document/edits';
 import type { History, HistoryRecord } from '../document/history';
 import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, Project } from '../document/project';
-import { solvesWith } from '../document/solved';
+import { solveKey, solvesWith } from '../document/solved';
 import { type Drawings, ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
 import type { Guarding } from './guarding';
@@ -33,6 +33,8 @@ export class Editing {
   readonly #host: EditingHost;
   /** The last finished drawing and its handle, to resume the drawing if the solver refuses the handle. */
   #drawn: { readonly draft: Draft; readonly handle: Handle } | null = null;
+  /** How the present was reached, if not by an edit. */
+  #travelled: 'undo' | 'redo' | null = null;
   /** Handles that the solver has refused during the current press. */
   #refused: readonly Handle[] = [];
 
@@ -67,6 +69,7 @@ export class Editing {
   open(record: HistoryRecord<Document>, drawings?: Drawings): void {
     this.#letGo(this.machine.restore(drawings));
     this.#drawn = null;
+    this.#travelled = null;
     this.#guarding.end();
     this.#history.restore(record);
     this.#host.edited('open');
@@ -111,17 +114,18 @@ export class Editing {
   /** Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step. */
   commit(label: string, document: Document, key: string | null = null): void {
     if (!this.#history.step(label, document, key)) return;
+    this.#travelled = null;
     // The current press would overwrite this step. Its changes so far are already a step of their own.
     if (this.machine.busy) this.apply(this.machine.cancel());
     this.#host.edited('change');
   }
 
   undo(): void {
-    this.#travel('Undone', this.#history.undo());
+    this.#travel('undo', 'Undone', this.#history.undo());
   }
 
   redo(): void {
-    this.#travel('Redone', this.#history.redo());
+    this.#travel('redo', 'Redone', this.#history.redo());
   }
 
   /** The next nudge starts a new undo step. */
@@ -133,6 +137,24 @@ export class Editing {
   giveUp(): void {
     this.apply(this.machine.clear());
     this.#drawn = null;
+  }
+
+  /**
+   * Takes back undo or redo, to the nearest state with the solution of this key: what they passed stays in the history.
+   * Returns false if the present was reached by an edit, or there is no such state.
+   */
+  turnBack(key: string): boolean {
+    const { values, at } = this.#history.timeline;
+    const stands = ({ project }: Document) => solveKey(project) === key;
+    let to = -1;
+    if (this.#travelled === 'undo') to = values.findIndex((document, k) => k > at && stands(document));
+    if (this.#travelled === 'redo') to = values.findLastIndex((document, k) => k < at && stands(document));
+    if (to < 0) return false;
+    for (let k = at; k < to; k++) this.#history.redo();
+    for (let k = at; k > to; k--) this.#history.undo();
+    this.#travelled = null;
+    this.#host.edited('change');
+    return true;
   }
 
   /**
@@ -175,6 +197,7 @@ export class Editing {
 
   #begin(label: string): void {
     this.#history.begin(label);
+    this.#travelled = null;
     this.#refused = [];
     this.#guarding.begin(this.document);
   }
@@ -207,11 +230,12 @@ export class Editing {
     this.#host.edited('input');
   }
 
-  #travel(verb: string, label: string | null): void {
+  #travel(way: 'undo' | 'redo', verb: string, label: string | null): void {
     this.apply(this.machine.cancel());
     this.machine.forget();
     this.#guarding.end();
     if (label === null) return;
+    this.#travelled = way;
     this.#host.edited('change');
     this.#host.say(`${verb}: ${label}`);
   }

@@ -174,11 +174,11 @@ export class Workbench {
     return encodePng(width, height, rgba);
   }
 
-  /** Cancels the running solve, and takes back the edit that required it. */
+  /** Cancels the running solve, and takes back the edit, undo or redo that required it. */
   cancelSolve(): void {
-    const { pending } = this.solving;
+    const { pending, current } = this.solving;
     if (pending === null || this.#opening) return;
-    this.editing.withdraw(pending);
+    if (!current || !this.editing.turnBack(current.key)) this.editing.withdraw(pending);
     this.#host.say('Cancelled');
   }
 
