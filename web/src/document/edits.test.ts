@@ -94,6 +94,19 @@ describe('bars and polygons', () => {
     );
   });
 
+  it('come back from a scale of more digits than are kept', () => {
+    const scaled = (document: Document, by: number) =>
+      changeHandles(document, ['arm'], (handle) => scaledTo(handle, by));
+    expect(arm(scaled(scaled(held, 1.504), 1)).posed).toEqual(bar.posed);
+    expect(arm(scaled(held, 1.504))).toMatchObject({
+      scale: 1.5,
+      posed: [
+        [-2.5, 0],
+        [12.5, 0],
+      ],
+    });
+  });
+
   it('may have the corner on the edge that closes them', () => {
     const around = [
       [0, 0],

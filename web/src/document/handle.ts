@@ -141,7 +141,8 @@ export const freed = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' 
 export function scaledTo(handle: Handle, scale: number): Handle {
   const grown = { ...handle, scale: rounded(scale) };
   if (!isLine(handle)) return grown;
-  const [pivot, growth] = [anchor(handle), scale / scaleOf(handle)];
+  // From the scale as it is kept: the next one starts there.
+  const [pivot, growth] = [anchor(handle), grown.scale / scaleOf(handle)];
   return replaced(grown, (corner) => roundedVec(add(pivot, scaled(subtract(corner, pivot), growth))));
 }
 
