@@ -352,6 +352,20 @@ for (const event of ['drop', 'paste'] as const) {
   });
 }
 
+test('in a narrow window words beside the way back stay whole', async ({ page }) => {
+  await page.setViewportSize({ width: 640, height: 480 });
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 10, y: -20 });
+  await bring(editor, 'drop', png('gingerbread-2.png', disc(64)));
+  const words = page.getByText('gingerbread-2.png is open.');
+  await expect(words).toBeVisible();
+  // Two lines: the name, and what is said of it.
+  const lines = await words.evaluate(
+    (p) => p.clientHeight / Number.parseFloat(getComputedStyle(p).lineHeight),
+  );
+  expect(Math.round(lines)).toBeLessThan(3);
+});
+
 test('readonly or disabled, nobody takes the way back', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');

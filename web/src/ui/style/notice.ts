@@ -18,8 +18,10 @@ export const noticeStyle = css`
   .notice.error {
     border-left-color: var(--_danger);
   }
+  /* Beside a long action too its words stay whole. */
   .notice p {
     flex: 1;
+    min-width: min(9em, 50%);
   }
   .notice .link {
     min-width: 0;
