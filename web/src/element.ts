@@ -43,7 +43,7 @@
  */
 import type { PropertyValues, TemplateResult } from 'lit';
 import { handleById } from './document/document';
-import { addHandle, changeHandles, freeId, removeHandles } from './document/edits';
+import { addHandle, freeId, putHandles, removeHandles } from './document/edits';
 import { checkedHandle } from './document/handle';
 import {
   copied,
@@ -71,6 +71,9 @@ export type { C2WarpEventMap } from './element/events';
 export type NewHandle<H = HandleFile> = H extends HandleFile
   ? Omit<H, 'id'> & { readonly id?: string }
   : never;
+
+/** The pose of the handle with this id. What is left out stays; `kind` and `rest`, if given, are those of the handle. */
+export type HandlePose = Pick<Handle, 'id'> & Partial<Handle>;
 
 /** What the template of a framework may set on the tag: attributes, properties, and listeners such as `onchange`. */
 export type C2WarpProps = {
@@ -120,6 +123,8 @@ export class C2Warp extends TypedElement {
   #signal: AbortSignal | null = null;
   #receiving: Receiving | null = null;
   #focusKeeper: FocusKeeper | null = null;
+  /** One query, kept: every frame of an animation asks it. */
+  readonly #darkness = matchMedia('(prefers-color-scheme: dark)');
   /** Values of the last `selectionchange` and `historychange`. */
   #selected = '';
   #past: string | null = null;
@@ -224,15 +229,19 @@ export class C2Warp extends TypedElement {
   /** @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid. */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
     const { editing } = this.#present.workbench;
-    const handle = this.#handle(id);
-    const changed = copied(checkedHandle({ ...handle, ...change } as Handle));
-    for (const key of ['id', 'kind'] as const) {
-      if (changed[key] !== handle[key]) throw new RangeError(`handle "${id}", ${key}: cannot be changed`);
-    }
-    editing.step(
-      'Change handle',
-      changeHandles(editing.document, [id], () => changed),
-    );
+    editing.step('Change handle', putHandles(editing.document, [this.#changed(id, change)]));
+  }
+
+  /**
+   * Poses any number of handles at once, for animation: the handles of a project, or their ids with what changes. This is
+   * no undo step, emits nothing and is not stored until the next step. While a person presses or drags handles,
+   * these are left to them, and the others are posed.
+   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then none is posed.
+   */
+  pose(handles: readonly HandlePose[]): void {
+    const { editing } = this.#present.workbench;
+    if (!Array.isArray(handles)) throw new TypeError('pose: expected a list of handles');
+    editing.pose(handles.map(({ id, ...pose }) => this.#changed(id, pose, ['kind', 'rest'])));
   }
 
   /** @throws RangeError if there is no such handle. */
@@ -257,6 +266,19 @@ export class C2Warp extends TypedElement {
   /** Maps a point of the original to the warped picture as shown, in image pixels; null outside the warped area. */
   mapPoint(point: Vec): Vec | null {
     return this.#present.workbench.posing.map(point)?.rest ?? null;
+  }
+
+  /**
+   * Where a place in the window, such as `[event.clientX, event.clientY]`, lies in the picture as it is shown, image
+   * pixels; null without a picture. It may lie beside the picture.
+   */
+  clientToImage(client: Vec): Vec | null {
+    return this.#present.imageAt(client);
+  }
+
+  /** Where a place of the picture as it is shown, such as that of `mapPoint`, lies in the window, CSS pixels; null without a picture. */
+  imageToClient(image: Vec): Vec | null {
+    return this.#present.clientAt(image);
   }
 
   /**
@@ -412,6 +434,17 @@ export class C2Warp extends TypedElement {
     return handle;
   }
 
+  /** A handle with a page's changes. @throws RangeError if the result is invalid, or a `fixed` key would change. */
+  #changed(id: string, change: object, fixed: readonly ('id' | 'kind' | 'rest')[] = ['id', 'kind']): Handle {
+    const handle = this.#handle(id);
+    const changed = copied(checkedHandle({ ...handle, ...change } as Handle));
+    for (const key of fixed) {
+      if (String(changed[key]) !== String(handle[key]))
+        throw new RangeError(`handle "${id}", ${key}: cannot be changed`);
+    }
+    return changed;
+  }
+
   get #present(): Desk {
     if (!this.#desk) throw new Error('<c2-warp> is not on a page, and has no picture there');
     return this.#desk;
@@ -419,7 +452,7 @@ export class C2Warp extends TypedElement {
 
   get #dark(): boolean {
     if (this.theme === 'dark' || this.theme === 'light') return this.theme === 'dark';
-    return matchMedia('(prefers-color-scheme: dark)').matches;
+    return this.#darkness.matches;
   }
 
   #edited(kind: ChangeKind): void {

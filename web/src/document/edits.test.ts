@@ -9,6 +9,7 @@ import {
   holdBoundary,
   moveHandles,
   putCorner,
+  putHandles,
   raiseHandles,
   removeCorner,
   removeHandles,
@@ -27,6 +28,12 @@ const empty = openDocument(newProject(image, 0.5));
 const two: Document = addHandle(addHandle(empty, handle('left-hand')), handle('b', 5));
 
 describe('edits', () => {
+  it('puts handles in place of those with their ids, and adds none', () => {
+    const put = putHandles(two, [handle('b', 7), handle('c')]);
+    expect(put.project.handles).toEqual([handle('left-hand'), handle('b', 7)]);
+    expect(put.selection).toEqual(two.selection);
+  });
+
   it('moves, turns and resets', () => {
     const moved = moveHandles(two, ['b'], [1.004, 2]);
     expect(moved.project.handles[1]?.posed).toEqual([6, 2]);

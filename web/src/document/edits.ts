@@ -32,6 +32,15 @@ export const changeHandles = (
     document.project.handles.map((handle) => (ids.includes(handle.id) ? change(handle) : handle)),
   );
 
+/** The document with these handles in place of those with the same ids. */
+export function putHandles(document: Document, handles: readonly Handle[]): Document {
+  const put = new Map(handles.map((handle) => [handle.id, handle]));
+  return withHandles(
+    document,
+    document.project.handles.map((handle) => put.get(handle.id) ?? handle),
+  );
+}
+
 const changeLine = (document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document =>
   changeHandles(document, [id], (handle) => (isLine(handle) ? change(handle) : handle));
 

@@ -24,6 +24,28 @@ describe('History', () => {
     expect(state(history)).toEqual([1, 'Add', null]);
   });
 
+  it('amends the present without a step, and the mark of the open step with it', () => {
+    const history = new History({ at: 0, led: 0 }, (a, b) => a.at === b.at && a.led === b.led);
+    const lead = (led: number) => history.amend((value) => ({ ...value, led }));
+    history.step('Move', { at: 1, led: 0 });
+    history.undo();
+    lead(1);
+    expect([history.present, history.undoLabel, history.redoLabel]).toEqual([
+      { at: 0, led: 1 },
+      null,
+      'Move',
+    ]);
+    history.begin('Move');
+    history.update({ at: 2, led: 1 });
+    lead(2);
+    expect(history.present).toEqual({ at: 2, led: 2 });
+    history.bail();
+    expect(history.present).toEqual({ at: 0, led: 2 });
+    history.begin('Move');
+    lead(3);
+    expect(history.commit()).toBe(false);
+  });
+
   it('does not count a drag that changed nothing', () => {
     const history = new History(0);
     history.begin('Move');

@@ -75,6 +75,12 @@ export class History<T> {
     this.#present = value;
   }
 
+  /** Changes the present without a step, as if it had been so when the open step began. */
+  amend(change: (value: T) => T): void {
+    this.#present = change(this.#present);
+    this.#open = this.#open && { ...this.#open, value: change(this.#open.value) };
+  }
+
   /** Ends the open step. Returns whether it changed anything. */
   commit(): boolean {
     const open = this.#open;

@@ -8,6 +8,7 @@
 import { handleById, selectedHandles } from '../document/document';
 import { corners, nameOf } from '../document/handle';
 import { panned } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
 import type { Effect } from '../tools/state';
 import { showSelected } from '../ui/handle_list';
 import type { EditorActions, EditorModel } from '../ui/model';
@@ -87,6 +88,7 @@ export class Desk {
     const { editing } = this.workbench;
     if (this.#host.play) editing.apply(editing.machine.choose('select'));
     this.#stage?.rearrange();
+    this.#parts.checks.posed();
   }
 
   /** Cancels a drag, drawing or input in progress, and the view of the picture alone. */
@@ -112,6 +114,16 @@ export class Desk {
   fit(): void {
     this.#parts.viewing.fit();
     this.#looked();
+  }
+
+  /** Null without a picture. */
+  imageAt(client: Vec): Vec | null {
+    return (this.workbench.picture && this.#stage?.imageAt(client)) ?? null;
+  }
+
+  /** Null without a picture. */
+  clientAt(image: Vec): Vec | null {
+    return (this.workbench.picture && this.#stage?.clientAt(image)) ?? null;
   }
 
   dispose(): void {
@@ -160,14 +172,14 @@ export class Desk {
     } else {
       this.#stage?.drawing?.pose();
       checks.posed();
-      if (editing.undoLabel !== null) hint.touched = true;
+      if (kind !== 'pose' && editing.undoLabel !== null) hint.touched = true;
     }
     if (kind === 'change') {
       clearTimeout(this.#settling);
       this.#settling = setTimeout(() => editing.settle(), SETTLE_MS);
       if (this.#host.play) this.#contain();
     }
-    if (kind !== 'input') this.autosave.save();
+    if (kind !== 'input' && kind !== 'pose') this.autosave.save();
     this.#host.edited(kind);
     this.#host.changed();
   }

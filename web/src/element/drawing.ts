@@ -22,6 +22,8 @@ export class Drawing {
   readonly #watching: IntersectionObserver;
   #frame = 0;
   #posed = true;
+  /** Whether the canvas is in or near the viewport; unknown, it counts as seen. */
+  #seen = true;
 
   /** @throws Error with the code `webgl` if WebGL2 is not available. */
   constructor(canvas: HTMLCanvasElement, host: DrawingHost) {
@@ -30,8 +32,10 @@ export class Drawing {
     this.#renderer.onrestore = () => this.pose();
     contexts.add(this.#renderer);
     const tell = (entries: readonly IntersectionObserverEntry[]) => {
-      if (entries.at(-1)?.isIntersecting) contexts.see(this.#renderer);
+      this.#seen = entries.at(-1)?.isIntersecting ?? false;
+      if (this.#seen) contexts.see(this.#renderer);
       else contexts.lose(this.#renderer);
+      if (this.#seen && !this.#posed) this.look();
     };
     this.#watching = new IntersectionObserver(tell, { rootMargin: AROUND });
     this.#watching.observe(canvas);
@@ -45,12 +49,13 @@ export class Drawing {
   setSolution(data: SolutionData | null): void {
     this.#renderer.setSolution(data);
     this.pose();
+    this.look();
   }
 
-  /** The handles have moved. */
+  /** The handles have moved. Out of sight this waits, so that an animation there costs nothing. */
   pose(): void {
     this.#posed = false;
-    this.look();
+    if (this.#seen) this.look();
   }
 
   /** The view has changed. */

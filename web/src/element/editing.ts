@@ -3,8 +3,8 @@
  *
  * Independent of the DOM. After each change the host gets its kind and a text for screen readers.
  */
-import type { Document } from '../document/document';
-import { selectHandles } from '../document/edits';
+import { type Document, handleById } from '../document/document';
+import { putHandles, selectHandles } from '../document/edits';
 import type { History, HistoryRecord } from '../document/history';
 import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, Project } from '../document/project';
@@ -15,8 +15,11 @@ import type { Guarding } from './guarding';
 import type { Posing } from './posing';
 import { draftWords, placeWords } from './wording';
 
-/** `open`: another document; `input`: during a drag; `change`: committed; `selection`: only the selection changed. */
-export type ChangeKind = 'open' | 'input' | 'change' | 'selection';
+/**
+ * `open`: another document; `input`: during a drag; `change`: committed; `selection`: only the selection changed; `pose`:
+ * the page has posed handles, without a step.
+ */
+export type ChangeKind = 'open' | 'input' | 'change' | 'selection' | 'pose';
 
 export interface EditingHost {
   edited(kind: ChangeKind): void;
@@ -37,6 +40,8 @@ export class Editing {
   #travelled: 'undo' | 'redo' | null = null;
   /** Handles that the solver has refused during the current press. */
   #refused: readonly Handle[] = [];
+  /** Ids of handles that the page has posed during the current drag. */
+  readonly #led = new Set<string>();
 
   constructor(history: History<Document>, posing: Posing, guarding: Guarding, host: EditingHost) {
     this.#history = history;
@@ -120,6 +125,16 @@ export class Editing {
     this.#host.edited('change');
   }
 
+  /** Poses handles without a step. A press goes on: the handles that it holds are left to it. */
+  pose(handles: readonly Handle[]): void {
+    const held = this.machine.holds ? this.document.selection : [];
+    const led = handles.filter(({ id }) => !held.includes(id));
+    if (led.length === 0) return;
+    for (const { id } of led) this.#led.add(id);
+    this.#history.amend((document) => putHandles(document, led));
+    this.#host.edited('pose');
+  }
+
   undo(): void {
     this.#travel('undo', 'Undone', this.#history.undo());
   }
@@ -199,14 +214,17 @@ export class Editing {
     this.#history.begin(label);
     this.#travelled = null;
     this.#refused = [];
+    this.#led.clear();
     this.#guarding.begin(this.document);
   }
 
   #input(document: Document): void {
-    // A drag computes every move from the document at its start, which still has the refused handles.
+    // A drag computes every move from the document at its start, which still has the refused handles, and the poses of
+    // that moment.
+    const led = [...this.#led].flatMap((id) => handleById(this.document, id) ?? []);
     const wanted = this.#refused.reduce(
       (mended, handle) => handleBack(mended, handle, this.document),
-      document,
+      putHandles(document, led),
     );
     this.#history.update(this.#guarding.limited(this.document, wanted));
     this.#host.edited('input');

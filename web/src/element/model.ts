@@ -40,7 +40,10 @@ export function modelOf(
   const { overlays } = display;
   return {
     document: editing.document,
-    turns: posing.turns(),
+    /** Only when asked: where no handles are shown nothing else may need the pose. */
+    get turns() {
+      return posing.turns();
+    },
     picture,
     opening: files.opening,
     tool: machine.tool,

@@ -87,6 +87,9 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     },
   });
   const checks = new PoseChecks({
+    get shown() {
+      return !permissions.playing;
+    },
     folds: () => workbench.posing.folds(),
     beyond: () => workbench.posing.beyond(),
     changed,

@@ -7,6 +7,8 @@
 import type { Report } from '../compute/solution';
 
 export interface PoseChecksHost {
+  /** Whether what is found is shown. */
+  readonly shown: boolean;
   /** The number of triangles that the current pose turns over. */
   folds(): number;
   /** Whether part of the posed picture lies outside the picture's frame. */
@@ -41,6 +43,7 @@ export class PoseChecks {
   }
 
   posed(): void {
+    if (!this.#host.shown) return;
     this.#looking ??= setTimeout(() => this.#look(), BREATH_MS);
   }
 

@@ -8,7 +8,7 @@ import { posedPositions } from '../geometry/blend';
 import { type Box, boxAround, reachesBeyond } from '../geometry/box';
 import { DrawingOrder } from '../geometry/drawing_order';
 import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
-import { type Located, locate, locateNear } from '../geometry/locate';
+import { type Located, locate, locateNear, locatePosed } from '../geometry/locate';
 import { type Skin, siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
@@ -125,8 +125,7 @@ export class Posing {
   map(rest: Vec): Located | null {
     const { current } = this.#solving;
     if (!current) return null;
-    const inverse = { ...current.data, positions: this.#positions() };
-    return locate(inverse, current.data.positions, rest);
+    return locatePosed(current.data, this.motions(), blendOf(this.#history.present.project), rest);
   }
 
   graph(): SiteGraph | null {

@@ -2,7 +2,8 @@
  * How far the selected handles reach in the current pose.
  *
  * Four poses and four blends are too much for every frame of a drag: some 8 ms at 10,000 samples in the rigid mode.
- * During a drag the reach is computed a few times a second; in between, the last values move with the picture.
+ * During a drag or an animation the reach is computed a few times a second; in between, the last values move with the
+ * picture.
  */
 import { blendOf } from '../document/bending';
 import { displaced } from '../document/handle';
@@ -18,7 +19,7 @@ export interface ReachingHost {
   changed(): void;
 }
 
-/** Between two computations during a drag. */
+/** Between two computations, milliseconds. */
 const PAUSE_MS = 120;
 
 export class Reaching {
@@ -28,6 +29,7 @@ export class Reaching {
   #project: Project | null = null;
   #reach: Float32Array | null = null;
   #waiting: ReturnType<typeof setTimeout> | undefined;
+  #renewed = Number.NEGATIVE_INFINITY;
 
   constructor(host: ReachingHost) {
     this.#host = host;
@@ -41,7 +43,8 @@ export class Reaching {
       [this.#solved, this.#selection, this.#reach] = [solving.current, selection, null];
       this.#renew();
     } else if (project !== this.#project) {
-      if (editing.machine.busy) this.#waiting ??= setTimeout(() => this.#again(), PAUSE_MS);
+      const rests = !editing.machine.busy && performance.now() - this.#renewed > PAUSE_MS;
+      if (!rests) this.#waiting ??= setTimeout(() => this.#again(), PAUSE_MS);
       else this.#renew();
     }
     return this.#reach;
@@ -59,6 +62,7 @@ export class Reaching {
   #renew(): void {
     clearTimeout(this.#waiting);
     this.#waiting = undefined;
+    this.#renewed = performance.now();
     const { editing, picture } = this.#host.workbench;
     const { selection, project } = editing.document;
     this.#project = project;

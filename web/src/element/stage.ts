@@ -1,6 +1,8 @@
 /** The stage on the page: listens to its size, to pointer and keys, and draws on its canvas. */
 import { blendOf } from '../document/bending';
-import { deviceView } from '../geometry/camera';
+import { deviceView, toImage, toStage } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
+import { clientToStage, stageToClient } from '../ui/client';
 import type { CommandRunner } from './command_runner';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
@@ -57,6 +59,16 @@ export class Stage {
 
   get cursor(): string {
     return this.#input.cursor;
+  }
+
+  /** The place of the picture, image pixels, at a place in the window. */
+  imageAt(client: Vec): Vec {
+    return toImage(this.#host.viewing.camera, clientToStage(this.#element, client));
+  }
+
+  /** The place in the window of a place of the picture, image pixels. */
+  clientAt(image: Vec): Vec {
+    return stageToClient(this.#element, toStage(this.#host.viewing.camera, image));
   }
 
   /** Adapts to the current `play` and `readonly`. */

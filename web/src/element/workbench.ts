@@ -89,7 +89,7 @@ export class Workbench {
     this.guarding = new Guarding(this.posing);
     this.editing = new Editing(history, this.posing, this.guarding, {
       edited: (kind) => {
-        if (kind !== 'selection') this.solving.want(this.editing.project);
+        if (kind !== 'selection' && kind !== 'pose') this.solving.want(this.editing.project);
         host.edited(kind);
       },
       say: (text) => host.say(text),
@@ -169,8 +169,10 @@ export class Workbench {
   /** The warped picture as PNG, at `scale` times the source's size, or grown to what is bent beyond that. */
   async png(scale = 1, grow = false): Promise<Blob> {
     if (!this.#picture) throw new PictureError('There is no picture yet.');
+    // The pose of the call: the page may go on to the next one meanwhile.
+    const { project } = this.editing;
     const engine = await this.solving.engine();
-    const { width, height, rgba } = await engine.warp(this.editing.project, scale, grow);
+    const { width, height, rgba } = await engine.warp(project, scale, grow);
     return encodePng(width, height, rgba);
   }
 

@@ -3,7 +3,7 @@
  * p′ = Σ w T(p).
  *
  * The GPU does the same for every frame; this copy serves rarer queries, such as what lies under the pointer of a
- * click. Cost: linear in the number of stored weights.
+ * click, and single vertices. Cost: linear in the number of stored weights.
  */
 import { rigidlyBlended } from './dual';
 import { MOTION_STRIDE, type Skin } from './skin';
@@ -20,13 +20,20 @@ export function posedPositions(
 ): Float32Array {
   const posed = Float32Array.from(skin.positions);
   if (!motions) return posed;
-  const blended = blend === 'rigid' ? rigidlyBlended : linearlyBlended;
   for (let vertex = 0; vertex + 1 < skin.offsets.length; vertex++) {
-    if (skin.offsets[vertex] !== skin.offsets[vertex + 1]) {
-      posed.set(blended(skin, motions, vertex), 2 * vertex);
-    }
+    const [x, y] = posedVertex(skin, motions, blend, vertex);
+    posed[2 * vertex] = x;
+    posed[2 * vertex + 1] = y;
   }
   return posed;
+}
+
+/** The posed position of one vertex; its rest position where nothing moves it, or `motions` is null. */
+export function posedVertex(skin: Skin, motions: Float32Array | null, blend: Blend, vertex: number): Vec {
+  if (!motions || skin.offsets[vertex] === skin.offsets[vertex + 1]) {
+    return [skin.positions[2 * vertex] ?? 0, skin.positions[2 * vertex + 1] ?? 0];
+  }
+  return blend === 'rigid' ? rigidlyBlended(skin, motions, vertex) : linearlyBlended(skin, motions, vertex);
 }
 
 /** Σ w T(p), where T(p) = posed + [a c; b d] (p − rest). */

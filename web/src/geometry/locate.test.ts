@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { posedPositions } from './blend';
-import { locate, locateNear } from './locate';
+import { locate, locateNear, locatePosed } from './locate';
 import { MOTION_STRIDE, type Skin } from './skin';
 
 /** A unit square of two triangles, its left side held by site 0 and its right by site 1; a lone vertex without weights. */
@@ -49,6 +49,20 @@ describe('locate', () => {
     expect(found?.rest[1]).toBeCloseTo(0.75);
     expect(found?.rotation).toBeCloseTo(90);
     expect(found?.scale).toBeCloseTo(2);
+  });
+
+  it('leads from rest to the posed picture, by the blends of all vertices', () => {
+    const [left, right] = [
+      [1, 0, 0, 1, 0, 0, 3, 4],
+      [0, 2, -2, 0, 1, 0, 4, 4],
+    ];
+    const moved = motions(left, right);
+    const inverse = { ...skin, positions: posedPositions(skin, moved) };
+    const there = locatePosed(skin, moved, 'linear', [0.75, 0.5]);
+    expect(there).toEqual(locate(inverse, skin.positions, [0.75, 0.5]));
+    expect(locatePosed(skin, null, 'linear', [0.75, 0.5])?.rest).toEqual([0.75, 0.5]);
+    expect(locatePosed(skin, moved, 'linear', [2, 2])).toBeNull();
+    expect(locatePosed(skin, moved, 'linear', [1, 0])?.rest).toEqual([4, 4]);
   });
 
   it('is null where there is no picture', () => {

@@ -1,10 +1,11 @@
 /**
  * From the posed picture back to rest: which point of the original lies under the pointer, and how the picture is
- * turned there.
+ * turned there. And from rest to the posed picture, for the places of single points in every frame.
  *
  * Within a triangle the map is affine, so its inverse is exact. Triangles are searched from the last drawn to the
- * first, which finds the visible one where the picture overlaps itself. Cost: linear in the triangles, once per click.
+ * first, which finds the visible one where the picture overlaps itself. Cost: linear in the triangles.
  */
+import { type Blend, posedVertex } from './blend';
 import type { Skin } from './skin';
 import type { Vec } from './vec';
 
@@ -17,30 +18,39 @@ export interface Located {
 
 /** The rest point that `posed` takes to `at`, or null beside the picture. `skin.triangles` are in drawing order. */
 export function locate(skin: Skin, posed: Float32Array, at: Vec): Located | null {
-  const { triangles, positions } = skin;
+  return found(skin.triangles, posed, at, (vertex) => corner(skin.positions, vertex));
+}
+
+/**
+ * Where `motions` take the point `at` of the original, or null beside the picture; `rotation` and `scale` are those of
+ * the way back. Blends three vertices alone.
+ */
+export function locatePosed(skin: Skin, motions: Float32Array | null, blend: Blend, at: Vec): Located | null {
+  return found(skin.triangles, skin.positions, at, (vertex) => posedVertex(skin, motions, blend, vertex));
+}
+
+/** Searches the triangles of `points` for the one around `at`; `there` is where each of its corners goes. */
+function found(
+  triangles: Uint32Array,
+  points: Float32Array,
+  at: Vec,
+  there: (vertex: number) => Vec,
+): Located | null {
   for (let index = triangles.length - 3; index >= 0; index -= 3) {
-    const corners = [triangles[index] ?? 0, triangles[index + 1] ?? 0, triangles[index + 2] ?? 0] as const;
-    const share = barycentric(
-      corner(posed, corners[0]),
-      corner(posed, corners[1]),
-      corner(posed, corners[2]),
-      at,
-    );
+    const a = triangles[index] ?? 0;
+    const b = triangles[index + 1] ?? 0;
+    const c = triangles[index + 2] ?? 0;
+    if (isBeside(points[2 * a], points[2 * b], points[2 * c], at[0])) continue;
+    if (isBeside(points[2 * a + 1], points[2 * b + 1], points[2 * c + 1], at[1])) continue;
+    const here: Triangle = [corner(points, a), corner(points, b), corner(points, c)];
+    const share = barycentric(...here, at);
     if (!share) continue;
-    const [p, q, r] = [
-      corner(positions, corners[0]),
-      corner(positions, corners[1]),
-      corner(positions, corners[2]),
-    ];
+    const [p, q, r]: Triangle = [there(a), there(b), there(c)];
     const rest: Vec = [
       share[0] * p[0] + share[1] * q[0] + share[2] * r[0],
       share[0] * p[1] + share[1] * q[1] + share[2] * r[1],
     ];
-    const motion = nearestSimilarity(
-      [p, q, r],
-      [corner(posed, corners[0]), corner(posed, corners[1]), corner(posed, corners[2])],
-    );
-    return { rest, ...motion };
+    return { rest, ...nearestSimilarity([p, q, r], here) };
   }
   return null;
 }
@@ -80,6 +90,10 @@ const corner = (points: Float32Array, index: number): Vec => [
   points[2 * index] ?? 0,
   points[2 * index + 1] ?? 0,
 ];
+
+/** Whether a coordinate is beyond those of all corners: rules out nearly every triangle, without a list of them. */
+const isBeside = (p = 0, q = 0, r = 0, at: number): boolean =>
+  (p < at && q < at && r < at) || (p > at && q > at && r > at);
 
 /** Barycentric coordinates of `p`, in either orientation; null outside the triangle, or where its area is 0. */
 function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, number] | null {

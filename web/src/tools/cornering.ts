@@ -16,6 +16,7 @@ export const cornering = (origin: Document, id: string, index: number, from: Vec
   const neighbour = posed[index - 1] ?? posed[index + 1] ?? start;
   /** Each move passes its turn on, so that full turns are counted. */
   const after = (turn: number): State => ({
+    holds: true,
     move: (press) => {
       const at = add(start, subtract(press.at, from));
       const goal = press.shift ? constrained(neighbour, at, STEP_DEGREES) : at;

@@ -32,6 +32,11 @@ export class ToolMachine {
     return this.#state !== this.#resting[this.#tool];
   }
 
+  /** Whether a press has the selected handles in hand. */
+  get holds(): boolean {
+    return this.#state.holds === true;
+  }
+
   /** The current tool's drawing, including the corner that is being set. */
   get draft(): Draft | null {
     return this.#state.draft ?? this.#resting[this.#tool].draft ?? null;

@@ -8,6 +8,7 @@ import { outcome, type State } from './state';
 /** @param origin the document at the start of the drag; every move starts from it, so that rounding never adds up. */
 export const moving = (origin: Document, ids: readonly string[], from: Vec, rest: State): State => {
   const state: State = {
+    holds: true,
     move: (press) =>
       outcome(state, { type: 'edit', document: moveHandles(origin, ids, subtract(press.at, from)) }),
     up: () => outcome(rest, { type: 'commit' }),

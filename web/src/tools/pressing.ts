@@ -56,6 +56,7 @@ const withoutRings = (scene: Scene): Scene => ({ ...scene, grips: { ...scene.gri
 
 const pressing = (target: Hit, from: Press, already: boolean, rest: State, beneath: Down): State => {
   const state: State = {
+    holds: true,
     move: (press, scene) => {
       if (distance(press.at, from.at) <= scene.grips.slop) return outcome(state);
       return dragged(target, from, press, scene, rest);

@@ -88,6 +88,8 @@ export interface Outcome {
 export interface State {
   /** The current drawing. A state with a draft lasts from press to press. */
   readonly draft?: Draft;
+  /** The press has the selected handles in hand. */
+  readonly holds?: true;
   down?(press: Press, scene: Scene): Outcome;
   move?(press: Press, scene: Scene): Outcome;
   up?(press: Press, scene: Scene): Outcome;

@@ -24,6 +24,7 @@ export const turning = (
   rest: State,
 ): State => {
   const after = (turn: number, last: number): State => ({
+    holds: true,
     move: (press) => {
       const now = bearing(pivot, press.at);
       const whole = turn + wrapDegrees(now - last);

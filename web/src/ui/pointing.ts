@@ -8,6 +8,7 @@
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
+import { clientToStage } from './client';
 
 /** A pointer on the stage, CSS pixels of the stage. */
 export interface StagePointer {
@@ -231,12 +232,7 @@ export class Pointing {
   }
 
   #place(event: MouseEvent): Vec {
-    const { left, top, width, height } = this.#stage.getBoundingClientRect();
-    const { clientWidth, clientHeight } = this.#stage;
-    return [
-      ((event.clientX - left) * clientWidth) / (width || 1),
-      ((event.clientY - top) * clientHeight) / (height || 1),
-    ];
+    return clientToStage(this.#stage, [event.clientX, event.clientY]);
   }
 
   #pointer(event: PointerEvent | WheelEvent): StagePointer {
