@@ -1,5 +1,6 @@
 #version 300 es
-// The picture, premultiplied.
+// The picture, premultiplied. Where it shrinks, a pixel is the mean of four reads of the mipmap that is finer than it: a single
+// read of one that is as coarse would be blurred.
 precision highp float;
 
 uniform sampler2D u_picture;
@@ -8,5 +9,24 @@ in vec2 v_texcoord;
 out vec4 colour;
 
 void main() {
-  colour = texture(u_picture, v_texcoord);
+  vec2 right = dFdx(v_texcoord);
+  vec2 down = dFdy(v_texcoord);
+  vec2 size = vec2(textureSize(u_picture, 0));
+  // How many texels wide a pixel is.
+  float width = max(length(right * size), length(down * size));
+  if (width <= 1.0) {
+    colour = textureLod(u_picture, v_texcoord, 0.0);
+    return;
+  }
+  float level = max(log2(width) - 1.0, 0.0);
+  // Together with the reads as wide as a box of the pixel's size: not apart at width 1, a quarter of a pixel from its middle at width 2.
+  float spread = sqrt((1.0 - 1.0 / (width * width)) / 12.0);
+  vec2 across = spread * right;
+  vec2 along = spread * down;
+  colour = 0.25 * (
+    textureLod(u_picture, v_texcoord + across + along, level) +
+    textureLod(u_picture, v_texcoord + across - along, level) +
+    textureLod(u_picture, v_texcoord - across + along, level) +
+    textureLod(u_picture, v_texcoord - across - along, level)
+  );
 }

@@ -1,6 +1,6 @@
 /**
  * The picture as a texture: premultiplied, so that neither filtering nor blending mixes in the colours of transparent
- * pixels; with mipmaps; without anisotropy, so that every GPU and the CPU filter alike.
+ * pixels; with mipmaps; without anisotropy, so that every GPU filters alike.
  */
 import * as twgl from 'twgl.js';
 

@@ -60,7 +60,7 @@ impl Band {
                 let mask = mask(&spans, x);
                 if mask != 0 {
                     let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-                    let colour = texture.sample(facet.source(place - self.origin), facet.lod());
+                    let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
                     self.blend((row - self.rows.start) * self.width + x, mask, colour);
                 }
             }

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use glam::{DMat2, DVec2};
 
+use super::footprint::Footprint;
+
 /// Coverage samples along a pixel's side.
 pub(super) const GRID: usize = 4;
 
@@ -23,7 +25,7 @@ pub(super) struct Facet {
     /// Maps a place relative to the picture's rectangle in the result to its place in the picture.
     inverse: DMat2,
     origin: DVec2,
-    lod: f32,
+    footprint: Footprint,
 }
 
 impl Facet {
@@ -42,12 +44,17 @@ impl Facet {
         }
         let edges = |[a, b, c]: [DVec2; 3]| DMat2::from_cols(b - a, c - a);
         let inverse = edges(rest) * edges(posed).inverse();
-        inverse.is_finite().then(|| Self { corners, inverse, origin: rest[0] - inverse * posed[0], lod: lod(inverse) })
+        inverse.is_finite().then(|| Self {
+            corners,
+            inverse,
+            origin: rest[0] - inverse * posed[0],
+            footprint: Footprint::new(inverse),
+        })
     }
 
-    /// The level of detail at which the picture is read: 0 is full size, every further level half the size.
-    pub(super) fn lod(&self) -> f32 {
-        self.lod
+    /// What of the picture one pixel shows.
+    pub(super) fn footprint(&self) -> Footprint {
+        self.footprint
     }
 
     /// The least and the greatest pixel borders around the triangle, by axis.
@@ -104,13 +111,4 @@ impl Facet {
         }
         if start < end { start as usize..end as usize } else { 0..0 }
     }
-}
-
-/// The level as in OpenGL ES 3.0 (section 3.8.10.1): from the longer of the two steps in the picture that correspond to one
-/// pixel to the right and one down. Rounded to 1/256, as on hardware, so that a rounding error does not select a smaller
-/// level.
-fn lod(inverse: DMat2) -> f32 {
-    let step = inverse.x_axis.length().max(inverse.y_axis.length());
-    let lod = (libm::log2(step) * 256.0).round() / 256.0;
-    lod.max(0.0) as f32
 }

@@ -1,24 +1,27 @@
 //! The warp on the CPU at full quality: for export, and as the reference for GPU rendering.
 //!
-//! Every triangle of the mesh is drawn from its rest place to its posed place, later ones over earlier ones. The result is
-//! that of a WebGL2 renderer with a premultiplied texture, `LINEAR_MIPMAP_LINEAR` and multisampling: 4×4 coverage samples a
-//! pixel, shaded once per pixel and triangle at the pixel's centre. Coverage follows the top-left rule in fixed-point
-//! arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture has no seams. Colours are
-//! bytes without gamma correction, as in a browser's canvas.
+//! Every triangle of the mesh is drawn from its rest place to its posed place, later ones over earlier ones. Coverage is that of
+//! graphics hardware with multisampling: 4×4 samples a pixel, shaded once per pixel and triangle at the pixel's centre, by the
+//! top-left rule in fixed-point arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture
+//! has no seams. The picture is read premultiplied by a cubic, which keeps it sharper than the bilinear filter of hardware; where
+//! it shrinks, by one as wide as a pixel is there, along x and y. Colours are bytes without gamma correction, as in a browser's
+//! canvas.
 //!
 //! Only integers and f64 or f32 addition, multiplication, division and square roots are used (and `libm`'s logarithm): the
 //! result has the same bits on every machine.
 //!
-//! Cost: linear in the pixels drawn; 12 megapixels take about a second. Besides the result, memory for a third of the
-//! picture's pixels at 8 bytes (only where something shrinks), some 110 bytes a triangle, and a band of 16 rows.
+//! Cost: linear in the pixels drawn; 12 megapixels take between one and two seconds. Besides the result, memory for a third of
+//! the picture's pixels at 8 bytes (only where something shrinks to a quarter), some 110 bytes a triangle, and a band of 16 rows.
 //!
-//! Limits: minification is isotropic, so a triangle that shrinks in one direction only is blurred in both; triangles with a
-//! corner more than a million pixels out are not drawn; pixels without opacity become transparent black, whatever their
-//! colour.
+//! Limits: the filter lies along x and y, so what shrinks along a diagonal only is blurred across it, too; at hard edges the cubic
+//! overshoots by up to 7 % of the step; triangles with a corner more than a million pixels out are not drawn; pixels without
+//! opacity become transparent black, whatever their colour.
 
 mod band;
 pub(crate) mod canvas;
 mod facet;
+mod footprint;
+mod kernel;
 #[cfg(test)]
 mod tests;
 mod texture;
@@ -109,7 +112,7 @@ pub fn warp(
     };
     facets.iter_mut().for_each(|facet| facet.move_by(frame.origin));
     let [width, height] = frame.size;
-    let texture = Texture::new(*picture, facets.iter().map(Facet::lod).fold(0.0, f32::max));
+    let texture = Texture::new(*picture, facets.iter().map(|facet| facet.footprint().level).max().unwrap_or(0));
     let bins = facets_by_band(&facets, height);
 
     let mut rgba = vec![0; width * height * 4];

@@ -90,18 +90,54 @@ fn whole_pixels_move_exactly() {
 }
 
 #[test]
-fn half_a_pixel_averages_two() {
+fn half_a_pixel_is_read_by_the_cubic() {
     let rgba = opaque(noise(20, 10));
     let (rest, triangles) = mesh(20.0, 10.0, 3);
     let moved = warp(&picture(20, 10, &rgba), &rest, &shifted(&rest, DVec2::new(0.5, 0.0)), &triangles, 1.0);
-    for (x, y) in (1..20).zip((0..10).cycle()) {
-        let (left, right) = (pixel(&rgba, 20, x - 1, y), pixel(&rgba, 20, x, y));
-        let expected = std::array::from_fn(|c| (f64::from(left[c]) / 2.0 + f64::from(right[c]) / 2.0).round() as u8);
+    for (x, y) in (1..20_usize).zip((0..10).cycle()) {
+        let at = |x: usize| pixel(&rgba, 20, x.min(19), y).map(f64::from);
+        let [before, left, right, after] = [at(x.saturating_sub(2)), at(x - 1), at(x), at(x + 1)];
+        let expected = std::array::from_fn(|c| {
+            (0.5625 * (left[c] + right[c]) - 0.0625 * (before[c] + after[c])).clamp(0.0, 255.0).round() as u8
+        });
         assert_eq!(pixel(&moved, 20, x, y), expected, "at {x}, {y}");
     }
     // Half of the first pixel is covered: the picture's rim, half as opaque.
     let [r, g, b, _] = pixel(&rgba, 20, 0, 0);
     assert_eq!(pixel(&moved, 20, 0, 0), [r, g, b, 128]);
+}
+
+#[test]
+fn what_is_squeezed_stays_sharp_along() {
+    // Lines of one pixel, which the picture is squeezed along: to a quarter of its width, at full height.
+    let rgba: Vec<u8> = (0..64 * 64).flat_map(|i| if i / 64 % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] }).collect();
+    let (rest, triangles) = mesh(64.0, 64.0, 4);
+    let posed: Vec<_> = rest.iter().map(|p| DVec2::new(p.x * 0.25, p.y)).collect();
+    let squeezed = warp(&picture(64, 64, &rgba), &rest, &posed, &triangles, 1.0);
+    for y in 0..64 {
+        assert_eq!(pixel(&squeezed, 64, 8, y), pixel(&rgba, 64, 8, y), "row {y}");
+    }
+}
+
+#[test]
+fn a_soft_edge_keeps_its_colour_and_stays_within_its_opacity() {
+    // A disc of one colour whose opacity falls off over three pixels, and steps at a line.
+    let rgba: Vec<u8> = (0..40 * 40)
+        .flat_map(|i| {
+            let (x, y) = (f64::from(i % 40) - 19.5, f64::from(i / 40) - 19.5);
+            let opacity = ((15.0 - x.hypot(y)) / 3.0).clamp(0.0, if x < 0.0 { 1.0 } else { 0.5 });
+            [180, 90, 30, (255.0 * opacity).round() as u8]
+        })
+        .collect();
+    let (rest, triangles) = mesh(40.0, 40.0, 5);
+    let turn = DVec2::from_angle(0.3);
+    for scale in [0.4, 0.8, 1.0, 1.7] {
+        let posed: Vec<_> = rest.iter().map(|&p| turn.rotate(p - 20.0) * 0.9 + 20.0).collect();
+        let warped = warp(&picture(40, 40, &rgba), &rest, &posed, &triangles, scale);
+        for pixel in warped.chunks_exact(4).filter(|pixel| pixel[3] > 0) {
+            assert_eq!(pixel[..3], [180, 90, 30], "of opacity {}", pixel[3]);
+        }
+    }
 }
 
 #[test]

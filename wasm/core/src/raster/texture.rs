@@ -1,17 +1,16 @@
-//! The picture as a texture, read at any place and level of detail: bilinear within a level, linear between levels.
+//! The picture as a texture, read at any place by a cubic as wide as a pixel is there.
 //!
 //! Colours are premultiplied by their opacity on a scale from 0 to 255² = 65,025, on which the product of two bytes is exact:
 //! a read at the centre of a texel returns its bytes.
 
 use glam::{DVec2, Vec4};
 
+use super::footprint::Footprint;
+use super::kernel::Taps;
 use crate::picture::Picture;
 
 /// Full opacity.
 pub(super) const OPAQUE: f32 = 65_025.0;
-
-/// Places between texels are rounded to 1/256, as on hardware, which also absorbs rounding errors beside a texel's centre.
-const FRACTIONS: f64 = 256.0;
 
 /// A picture and its reductions.
 #[derive(Debug)]
@@ -29,42 +28,34 @@ struct Reduction {
 }
 
 impl<'a> Texture<'a> {
-    /// Prepares levels of detail up to `greatest_lod`.
-    pub(super) fn new(picture: Picture<'a>, greatest_lod: f32) -> Self {
+    /// Prepares levels of detail up to `greatest`.
+    pub(super) fn new(picture: Picture<'a>, greatest: u32) -> Self {
         let mut texture = Self { picture, reductions: Vec::new() };
         let last = picture.width().max(picture.height()).ilog2();
-        for level in 0..last.min(greatest_lod.ceil() as u32) as usize {
+        for level in 0..last.min(greatest) as usize {
             let next = texture.halved(level);
             texture.reductions.push(next);
         }
         texture
     }
 
-    /// The colour at a place, in pixels of the picture, at a level of detail; beyond the border, that of the border.
-    pub(super) fn sample(&self, place: DVec2, lod: f32) -> Vec4 {
-        let lod = lod.min(self.reductions.len() as f32);
-        let level = lod as usize;
-        let between = lod - level as f32;
-        let colour = self.bilinear(level, place);
-        if between == 0.0 {
-            return colour;
-        }
-        colour + (self.bilinear(level + 1, place) - colour) * between
-    }
-
-    fn bilinear(&self, level: usize, place: DVec2) -> Vec4 {
+    /// The colour around a place, in pixels of the picture; beyond the border, that of the border.
+    pub(super) fn sample(&self, place: DVec2, footprint: Footprint) -> Vec4 {
+        let level = (footprint.level as usize).min(self.reductions.len());
         let (width, height) = self.size(level);
-        let (x, right, across) = taps(place.x, self.picture.width() as usize, width);
-        let (y, below, down) = taps(place.y, self.picture.height() as usize, height);
-        if across == 0.0 && down == 0.0 {
-            return self.texel(level, x, y);
-        }
-        let row = |y| {
-            let left = self.texel(level, x, y);
-            left + (self.texel(level, right, y) - left) * across
+        let taps = |place: f64, whole: u32, length: usize, width: f32| {
+            Taps::new(place * (length as f64 / f64::from(whole)), length, width)
         };
-        let upper = row(y);
-        upper + (row(below) - upper) * down
+        let x = taps(place.x, self.picture.width(), width, footprint.widths[0]);
+        let y = taps(place.y, self.picture.height(), height, footprint.widths[1]);
+        if let ([_], [_]) = (x.shares(), y.shares()) {
+            return self.texel(level, x.first, y.first);
+        }
+        let sum = match level {
+            0 => sum(self.picture.rgba().as_chunks().0, width, &x, &y, premultiplied),
+            _ => sum(&self.reductions[level - 1].texels, width, &x, &y, |texel| texel),
+        };
+        colour(sum)
     }
 
     fn size(&self, level: usize) -> (usize, usize) {
@@ -76,12 +67,10 @@ impl<'a> Texture<'a> {
 
     fn texel(&self, level: usize, x: usize, y: usize) -> Vec4 {
         if level == 0 {
-            let start = (y * self.picture.width() as usize + x) * 4;
-            let [r, g, b, a] = [0, 1, 2, 3].map(|channel| f32::from(self.picture.rgba()[start + channel]));
-            Vec4::new(r, g, b, 255.0) * a
+            premultiplied(value(self.picture.rgba().as_chunks().0[y * self.picture.width() as usize + x]))
         } else {
             let reduction = &self.reductions[level - 1];
-            Vec4::from_array(reduction.texels[y * reduction.width + x].map(f32::from))
+            value(reduction.texels[y * reduction.width + x])
         }
     }
 
@@ -131,12 +120,48 @@ impl Shares {
     }
 }
 
-/// The two texels beside a place, and its position from the first to the second (0 to 1), in a row of `length` texels that
-/// shows `whole` pixels of the picture.
-fn taps(place: f64, whole: usize, length: usize) -> (usize, usize, f32) {
-    let length_px = length as f64;
-    let centre = (place * (length_px / whole as f64)).clamp(0.5, length_px - 0.5) - 0.5;
-    let steps = (centre * FRACTIONS + 0.5) as usize;
-    let (first, fraction) = (steps / FRACTIONS as usize, steps % FRACTIONS as usize);
-    (first, (first + 1).min(length - 1), fraction as f32 / FRACTIONS as f32)
+fn value<T: Into<f32>>(texel: [T; 4]) -> Vec4 {
+    Vec4::from_array(texel.map(Into::into))
+}
+
+fn premultiplied(straight: Vec4) -> Vec4 {
+    straight.with_w(255.0) * straight.w
+}
+
+/// The sum of texels by their shares, in rows of `width` texels.
+fn sum<T: Copy + Into<f32>>(
+    texels: &[[T; 4]],
+    width: usize,
+    x: &Taps,
+    y: &Taps,
+    premultiplied: impl Fn(Vec4) -> Vec4,
+) -> Vec4 {
+    let mut sum = Vec4::ZERO;
+    let (quads, others) = x.shares().as_chunks::<4>();
+    for (row, &down) in (y.first..).zip(y.shares()) {
+        let row = &texels[row * width + x.first..][..x.shares().len()];
+        let (texel_quads, other_texels) = row.as_chunks::<4>();
+        let mut across = Vec4::ZERO;
+        for (texels, shares) in texel_quads.iter().zip(quads) {
+            // Four at a time are converted at once.
+            let flat = texels.as_flattened();
+            let values: [f32; 16] = std::array::from_fn(|i| flat[i].into());
+            for (value, &share) in values.as_chunks().0.iter().zip(shares) {
+                across += premultiplied(Vec4::from_array(*value)) * share;
+            }
+        }
+        for (&texel, &share) in other_texels.iter().zip(others) {
+            across += premultiplied(value(texel)) * share;
+        }
+        sum += across * down;
+    }
+    sum
+}
+
+/// The colour that a sum is meant as. The cubic overshoots at edges: no colour is more than its opacity, and an opacity beyond
+/// the greatest makes it no brighter.
+fn colour(sum: Vec4) -> Vec4 {
+    let opacity = sum.w.max(0.0);
+    let colour = sum.clamp(Vec4::ZERO, Vec4::splat(opacity));
+    if opacity > OPAQUE { (colour * (OPAQUE / opacity)).with_w(OPAQUE) } else { colour }
 }
