@@ -173,6 +173,13 @@ fn colours_keep_the_profile_that_they_are_meant_by() {
         place.write("tagged", png);
         assert_eq!(out(), kept);
     }
+    // What a PNG says by other chunks is kept as a profile: here a gamma of 1.
+    let mut png = Vec::new();
+    PngEncoder::new(&mut png).write_image(&tagged, 96, 48, ExtendedColorType::Rgb8).unwrap();
+    let end_of_header = 33;
+    png.splice(end_of_header..end_of_header, *b"\0\0\0\x04gAMA\0\x01\x86\xa0\x31\xe8\x96\x5f");
+    place.write("tagged", png);
+    assert!(out().is_some());
 }
 
 #[cfg(unix)]

@@ -12,6 +12,7 @@ mod number;
 mod output;
 mod picture;
 mod points;
+mod profile;
 mod scene;
 mod warp;
 mod weights;

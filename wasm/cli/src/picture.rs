@@ -12,7 +12,7 @@ use c2warp::Picture;
 use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
 
 use crate::error::CliError;
-use crate::jpeg;
+use crate::{jpeg, profile};
 
 /// Memory limit of decoders: enough for the largest picture at 16 bits a channel, and a decoder's own copy of it.
 const DECODER_BYTES: u64 = 2 << 30;
@@ -21,7 +21,7 @@ const DECODER_BYTES: u64 = 2 << 30;
 #[derive(Debug)]
 pub(crate) struct PictureFile {
     pub(crate) pixels: RgbaImage,
-    /// An ICC profile of RGB colours; `None` for sRGB, and where the file has other colours, which became RGB in decoding.
+    /// An ICC profile of RGB colours; `None` for sRGB, and for CMYK, which became RGB in decoding.
     pub(crate) profile: Option<Vec<u8>>,
 }
 
@@ -53,17 +53,14 @@ pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
     Picture::check_size(width, height).map_err(CliError::refused(path))?;
     // Invalid metadata is no reason to refuse a picture.
     let orientation = decoder.orientation().ok();
-    let profile = decoder.icc_profile().ok().flatten().filter(|profile| is_of_rgb(profile));
+    let held = decoder.icc_profile().ok().flatten();
     let mut image = DynamicImage::from_decoder(decoder).map_err(refusal)?;
     if let Some(orientation) = orientation {
         image.apply_orientation(orientation);
     }
+    let described = if format == ImageFormat::Png { profile::of_png(open(path)?) } else { None };
+    let profile = described.or_else(|| profile::of_rgb(held?));
     Ok(PictureFile { pixels: image.into_rgba8(), profile })
-}
-
-/// Whether an ICC profile is one of RGB colours: the "data colour space" of its header (ICC.1, 7.2.6).
-fn is_of_rgb(profile: &[u8]) -> bool {
-    profile.get(16..20) == Some(b"RGB ")
 }
 
 fn open(path: &Path) -> Result<BufReader<File>, CliError> {
