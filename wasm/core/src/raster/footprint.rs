@@ -24,9 +24,9 @@ impl Footprint {
         // Reductions are boxes: read no less than two texels wide, so that they cost no sharpness.
         let by_least = ((least / 2.0) as u32).max(1).ilog2();
         // Where a pixel is long and narrow, as the filter reaches no further.
-        let by_greatest = libm::ceil(libm::log2(greatest / WIDEST)).max(0.0) as u32;
+        let by_greatest = libm::ceil(libm::log2(greatest / WIDEST)).clamp(0.0, 31.0) as u32;
         let level = by_least.max(by_greatest);
-        Self { level, widths: spans.map(|span| (span / f64::from(level).exp2()).clamp(1.0, WIDEST) as f32) }
+        Self { level, widths: spans.map(|span| (span / f64::from(1_u32 << level)).clamp(1.0, WIDEST) as f32) }
     }
 }
 
