@@ -211,6 +211,26 @@ test('a polygon closes on its first corner, and carries the picture inside it al
   await expect(editor.button('Undo: move polygon 1')).toBeEnabled();
 });
 
+test('what is drawn waits over a reload, and goes on with its tool', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('g');
+  await clicks(editor, [at(440, 700), at(570, 720)]);
+  const kept = async () => (await editor.kept()).drawings?.map(({ kind, corners }) => [kind, corners.length]);
+  await expect.poll(kept).toEqual([['polygon', 2]]);
+  await page.reload();
+  await editor.ready();
+  const corners = page.locator('c2-warp .draft .corner');
+  await expect(corners).toHaveCount(2);
+  await page.keyboard.press('g');
+  await clicks(editor, [at(520, 800)]);
+  await editor.solves(() => page.keyboard.press('Enter'));
+  const polygon = await editor.inProject('polygon-1');
+  expect(polygon?.kind === 'polygon' && polygon.posed).toHaveLength(3);
+  // Nothing of it waits any more.
+  await expect.poll(kept).toEqual([]);
+});
+
 test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing up', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);

@@ -25,6 +25,8 @@ export interface KeptWork {
   readonly selection: readonly string[];
   /** Whether the guard against folds is on. */
   readonly guarded: boolean;
+  /** Bars and polygons that are not finished. */
+  readonly drawings: readonly { readonly kind: string; readonly corners: readonly unknown[] }[];
 }
 
 export class Editor {
@@ -163,8 +165,8 @@ export class Editor {
       const { past, present } = document.record;
       const { project, selection } = present;
       const step = past.at(-1)?.label ?? null;
-      const { guarded } = document;
-      return { picture: picture.name, step, handles: project.handles, selection, guarded };
+      const { guarded, drawings } = document;
+      return { picture: picture.name, step, handles: project.handles, selection, guarded, drawings };
     }, key);
   }
 

@@ -25,6 +25,7 @@ import type { Solved } from './solving';
 import { Stage } from './stage';
 import { Surroundings } from './surroundings';
 import type { Look } from './viewing';
+import { draftWords } from './wording';
 import type { Kept, Workbench } from './workbench';
 
 export interface DeskHost extends PartsHost {
@@ -193,7 +194,10 @@ export class Desk {
 
   #carryOut(effect: Effect): void {
     const { display, viewing } = this.#parts;
-    if (effect.type === 'box') display.box = effect.box;
+    if (effect.type === 'drafted') {
+      this.notices.say(draftWords(effect.draft));
+      this.autosave.save();
+    } else if (effect.type === 'box') display.box = effect.box;
     else if (effect.type === 'pan') viewing.look(panned(viewing.camera, effect.by));
     else if (effect.type === 'miss') this.notices.notify({ kind: 'info', text: NOTHING_TO_HOLD });
   }

@@ -13,7 +13,7 @@ import { type Drawings, ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
 import type { Guarding } from './guarding';
 import type { Posing } from './posing';
-import { draftWords, placeWords } from './wording';
+import { placeWords } from './wording';
 
 /**
  * `open`: another document; `input`: during a drag; `change`: committed; `selection`: only the selection changed; `pose`:
@@ -89,7 +89,6 @@ export class Editing {
       else if (effect.type === 'bail') this.#bail();
       else if (effect.type === 'select') this.select(effect.ids);
       else if (effect.type === 'drawn') this.#drawn = effect;
-      else if (effect.type === 'drafted') this.#host.say(draftWords(effect.draft));
       else this.#host.carryOut(effect);
     }
   }

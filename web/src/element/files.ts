@@ -36,7 +36,7 @@ const CUT =
   'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
 
 const isWorkedOn = ({ record, drawings }: Work): boolean =>
-  record.past.length > 0 || Object.values(drawings ?? {}).some(({ draft }) => draft !== undefined);
+  record.past.length > 0 || (drawings ?? []).length > 0;
 
 export class Files {
   readonly #workbench: Workbench;

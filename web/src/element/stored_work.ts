@@ -1,6 +1,6 @@
 /**
- * The work stored under one key of the browser's storage: the picture, written once, and the document with its history
- * and whether the guard against folds is on. Tabs share the key: the last change of any of them is read, picture and
+ * The work stored under one key of the browser's storage: the picture, written once, and the document with its history,
+ * unfinished drawings, and whether the guard against folds is on. Tabs share the key: the last change of any of them is read, picture and
  * document together.
  *
  * If the browser refuses storage, as in some private windows, nothing is stored and nothing fails.
@@ -12,8 +12,8 @@ interface KeptPicture extends Pick<Kept, 'file' | 'name'> {
   readonly mark: string;
 }
 
-/** `guarded` is missing in documents stored by older versions. */
-interface KeptDocument extends Pick<Kept, 'record'>, Partial<Pick<Kept, 'guarded'>> {
+/** `guarded` and `drawings` are missing in documents stored by older versions. */
+interface KeptDocument extends Pick<Kept, 'record' | 'drawings'>, Partial<Pick<Kept, 'guarded'>> {
   readonly mark: string;
 }
 
@@ -36,8 +36,8 @@ export class StoredWork {
       if (!picture || picture.mark !== document?.mark) return null;
       const { file, name, mark } = picture;
       [this.#file, this.#mark] = [file, mark];
-      const { record, guarded = false } = document;
-      return { file, name, record, guarded };
+      const { record, drawings = [], guarded = false } = document;
+      return { file, name, record, drawings, guarded };
     } catch {
       return null;
     }
@@ -54,14 +54,14 @@ export class StoredWork {
     const kept = this.#next;
     this.#next = null;
     if (!kept) return;
-    const { file, name, record, guarded } = kept;
+    const { file, name, record, drawings = [], guarded } = kept;
     if (file !== this.#file)
       [this.#file, this.#mark] = [file, `${performance.timeOrigin}+${performance.now()}`];
     const mark = this.#mark;
     const markName = `${this.#key}/mark`;
     const [picture, document]: [KeptPicture, KeptDocument] = [
       { file, name, mark },
-      { record, guarded, mark },
+      { record, drawings, guarded, mark },
     ];
     try {
       await writeKept(

@@ -12,8 +12,8 @@ export type ToolName = keyof typeof TOOLS;
 
 const NAMES = Object.keys(TOOLS) as ToolName[];
 
-/** For each tool its unfinished drawing, or the tool itself. */
-export type Drawings = Readonly<Record<ToolName, State>>;
+/** Unfinished drawings, one of each tool at most. */
+export type Drawings = readonly Draft[];
 
 export const isToolName = (name: unknown): name is ToolName => typeof name === 'string' && name in TOOLS;
 
@@ -49,7 +49,7 @@ export class ToolMachine {
 
   /** All unfinished drawings, for `restore`, without the current press. */
   get drawings(): Drawings {
-    return { ...this.#resting };
+    return NAMES.flatMap((name) => this.#resting[name].draft ?? []);
   }
 
   /** Selects another tool and cancels the current press; a drawing waits. */
@@ -102,9 +102,10 @@ export class ToolMachine {
   }
 
   /** Cancels the current press and replaces all drawings. */
-  restore(drawings: Drawings = TOOLS): readonly Effect[] {
+  restore(drawings: Drawings = []): readonly Effect[] {
     const effects = this.cancel();
-    Object.assign(this.#resting, drawings);
+    Object.assign(this.#resting, TOOLS);
+    for (const draft of drawings) this.#resting[draft.kind] = resumed(draft, TOOLS[draft.kind]);
     this.#state = this.#resting[this.#tool];
     return effects;
   }
