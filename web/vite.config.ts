@@ -1,13 +1,14 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { licences } from './scripts/licences.mjs';
+import { trimmed } from './scripts/trimmed.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
 const { plugins, worker } = licences();
 
 export default defineConfig({
-  plugins,
+  plugins: [trimmed(), ...plugins],
   root: path('.'),
   // Relative, so that the built page works at any address.
   base: './',

@@ -5,6 +5,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './scripts/licences.mjs';
+import { trimmed } from './scripts/trimmed.mjs';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -17,7 +18,7 @@ const output = {
 const { plugins, worker } = licences();
 
 export default defineConfig({
-  plugins,
+  plugins: [trimmed(), ...plugins],
   root: path('.'),
   base: './',
   publicDir: false,

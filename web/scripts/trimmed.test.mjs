@@ -1,0 +1,31 @@
+import { describe, expect, it } from 'vitest';
+import { trimmedShader, trimmedSheets } from './trimmed.mjs';
+
+describe('trimmed', () => {
+  it('takes comments and indentation out of style sheets alone', () => {
+    const code = `/** Stays. */
+const sheet = css\`
+  /* Goes,
+     all of it. */
+  a {
+    content: '   '; /* too */
+    top: \${TOP}px;
+  }
+\`;
+  const indented = 1;`;
+    expect(trimmedSheets(code)).toBe(`/** Stays. */
+const sheet = css\`
+a {
+content: '   ';
+top: \${TOP}px;
+}
+\`;
+  const indented = 1;`);
+  });
+
+  it('takes whole lines of comment and indentation out of shaders', () => {
+    const shader =
+      '#version 300 es\n// What it is.\nvoid main() {\n  // Why.\n  colour = vec4(1.0) / 2.0;\n}\n';
+    expect(trimmedShader(shader)).toBe('#version 300 es\nvoid main() {\ncolour = vec4(1.0) / 2.0;\n}\n');
+  });
+});
