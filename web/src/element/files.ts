@@ -35,8 +35,7 @@ export interface FilesHost {
 const CUT =
   'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
 
-const isWorkedOn = ({ record, drawings }: Work): boolean =>
-  record.past.length > 0 || (drawings ?? []).length > 0;
+const isWorkedOn = ({ record, drawings = [] }: Work): boolean => record.past.length + drawings.length > 0;
 
 export class Files {
   readonly #workbench: Workbench;

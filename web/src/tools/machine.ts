@@ -44,7 +44,7 @@ export class ToolMachine {
 
   /** Unfinished drawings of the other tools. */
   get waiting(): readonly Draft[] {
-    return NAMES.flatMap((name) => (name === this.#tool ? [] : (this.#resting[name].draft ?? [])));
+    return this.drawings.filter(({ kind }) => kind !== this.#tool);
   }
 
   /** All unfinished drawings, for `restore`, without the current press. */

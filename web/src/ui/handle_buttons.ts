@@ -45,10 +45,7 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
             aria-label=${handleLabel(handle, model.turns)}
             aria-pressed=${selected ? 'true' : 'false'}
             .style=${`transform: translate(${x}px, ${y}px)`}
-            @focus=${(event: FocusEvent) => {
-              actions.focused(null);
-              focused(event, handle.id, anchor(handle), model, actions);
-            }}
+            @focus=${(event: FocusEvent) => focused(event, handle.id, null, anchor(handle), model, actions)}
             @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
           ></button>
           ${isLine(handle) ? cornerButtons(handle, selected, model, actions) : nothing}`;
@@ -77,10 +74,7 @@ const cornerButtons = (
       tabindex=${selected ? 0 : -1}
       aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
       .style=${`transform: translate(${x}px, ${y}px)`}
-      @focus=${(event: FocusEvent) => {
-        actions.focused({ id: handle.id, index });
-        focused(event, handle.id, corner, model, actions);
-      }}
+      @focus=${(event: FocusEvent) => focused(event, handle.id, index, corner, model, actions)}
       @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
     ></button>`;
   });
@@ -89,7 +83,15 @@ const isKeyed = (target: Element): boolean =>
   (target.getRootNode() as ShadowRoot).host.classList.contains('keyed');
 
 /** Keyboard focus selects a handle and brings it into view; a pointer selects through the tools. */
-function focused(event: FocusEvent, id: string, at: Vec, model: EditorModel, actions: EditorActions): void {
+function focused(
+  event: FocusEvent,
+  id: string,
+  corner: number | null,
+  at: Vec,
+  model: EditorModel,
+  actions: EditorActions,
+): void {
+  actions.focused(corner === null ? null : { id, index: corner });
   const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
   // A press focuses a handle too, but that one is in view already, and must stay under the finger.
   if (keyboard && isKeyed(event.target)) actions.reveal(at);
