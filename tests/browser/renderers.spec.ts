@@ -113,3 +113,29 @@ for (const [nearer, depths] of [
     if (nearer !== 'neither') expect(found).toBe(nearer);
   });
 }
+
+for (const held of [false, true]) {
+  test(`a part that rings are drawn around, ${held ? 'held at its boundary' : 'which leaves a gap'}`, async ({
+    page,
+  }, info) => {
+    const { webgl, cpu } = await page.evaluate(async (held) => {
+      const file = await harness.drawnPicture();
+      const ring = Array.from({ length: 30 }, (_, k) => {
+        const turn = (2 * Math.PI * k) / 30;
+        return [110 + 70 * Math.cos(turn), 120 + 80 * Math.sin(turn)] as const;
+      });
+      return harness.drawnTwice(
+        {
+          format: 'c2warp/1',
+          image: { src: 'drawn.png', width: 256, height: 256 },
+          domain: { kind: 'polygon', rings: [ring] },
+          fix_boundary: held,
+          handles: [{ id: 'middle', kind: 'point', rest: [130, 130], posed: [118, 146], rotation: 20 }],
+        },
+        file,
+        1.5,
+      );
+    }, held);
+    expectAgreement(await difference(webgl, cpu, info));
+  });
+}

@@ -14,4 +14,5 @@ mod properties;
 mod quality;
 mod rigid;
 mod scenes;
+mod surroundings;
 mod symmetry;

@@ -10,6 +10,8 @@ use wasm_bindgen::prelude::*;
 pub struct Solution {
     positions: Vec<f32>,
     triangles: Vec<u32>,
+    surrounding_positions: Vec<f32>,
+    surrounding_triangles: Vec<u32>,
     offsets: Vec<u32>,
     sites: Vec<u32>,
     weights: Vec<f32>,
@@ -25,6 +27,8 @@ impl Solution {
         Self {
             positions: flat(solution.vertices().iter().map(DVec2::to_array)),
             triangles: solution.triangles().concat(),
+            surrounding_positions: flat(solution.surroundings().vertices().iter().map(DVec2::to_array)),
+            surrounding_triangles: solution.surroundings().triangles().concat(),
             offsets: solution.weights().offsets().to_vec(),
             sites: solution.weights().sites().to_vec(),
             weights: solution.weights().weights().iter().map(|&weight| weight as f32).collect(),
@@ -61,6 +65,18 @@ impl Solution {
     #[wasm_bindgen(getter)]
     pub fn triangles(&self) -> Vec<u32> {
         self.triangles.clone()
+    }
+
+    /// Vertices × 2 of what lies around the domain and stays.
+    #[wasm_bindgen(getter)]
+    pub fn surrounding_positions(&self) -> Vec<f32> {
+        self.surrounding_positions.clone()
+    }
+
+    /// Its triangles × 3 vertex indices.
+    #[wasm_bindgen(getter)]
+    pub fn surrounding_triangles(&self) -> Vec<u32> {
+        self.surrounding_triangles.clone()
     }
 
     /// Vertices + 1: the index of each vertex's first entry in `sites` and `weights`.

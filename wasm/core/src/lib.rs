@@ -59,6 +59,7 @@ mod drawing_order;
 mod inverse;
 pub mod raster;
 mod render_mesh;
+mod surroundings;
 
 // The façade.
 mod report;
@@ -84,6 +85,7 @@ pub use bone::Outside;
 pub use raster::{canvas::Canvas, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
+pub use surroundings::Surroundings;
 
 #[cfg(test)]
 mod tests {

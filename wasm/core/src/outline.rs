@@ -21,6 +21,8 @@ pub(crate) struct Outline {
     pub(crate) picture: Option<(u32, u32)>,
     /// The same, if it fades out beyond the outline.
     pub(crate) fading: Option<DVec2>,
+    /// The same, if it goes on beyond the outline, and stays there.
+    pub(crate) surrounding: Option<DVec2>,
 }
 
 impl Outline {
@@ -29,19 +31,21 @@ impl Outline {
     pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         let domain = Domain::new(spec, picture)?;
         let navigation = Navigation::new(&domain);
-        let soft = match spec {
-            Some(DomainSpec::Alpha { .. }) => true,
-            Some(_) => false,
-            None => picture.has_transparency(),
+        let (soft, drawn) = match spec {
+            Some(DomainSpec::Alpha { .. }) => (true, false),
+            Some(DomainSpec::Polygon { .. }) => (false, true),
+            Some(DomainSpec::Image) => (false, false),
+            None => (picture.has_transparency(), false),
         };
         let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-        Ok(Self { domain, navigation, picture: Some(picture.size()), fading: soft.then_some(size) })
+        let (fading, surrounding) = (soft.then_some(size), drawn.then_some(size));
+        Ok(Self { domain, navigation, picture: Some(picture.size()), fading, surrounding })
     }
 
     /// The outline of a domain with nothing to draw beyond it.
     pub(crate) fn hard(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, picture: None, fading: None }
+        Self { domain, navigation, picture: None, fading: None, surrounding: None }
     }
 }
 

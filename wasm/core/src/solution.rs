@@ -20,6 +20,7 @@ use crate::{
     report::{Fingerprint, Report},
     request::check_picture,
     site::{Site, SiteGraph},
+    surroundings::Surroundings,
     triangulation::NONE,
     weight::{Influence, SparseWeights, WeightFunctions},
 };
@@ -46,6 +47,7 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Solution {
     pub(crate) mesh: RenderMesh,
+    pub(crate) surroundings: Surroundings,
     pub(crate) weights: SparseWeights,
     pub(crate) sites: Vec<Site>,
     pub(crate) graph: SiteGraph,
@@ -78,6 +80,13 @@ impl Solution {
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.mesh.triangles
+    }
+
+    /// What of the picture lies around the rings of a project that draws its domain: it stays, and is drawn before the
+    /// [`triangles`](Self::triangles). Empty for any other domain.
+    #[must_use]
+    pub fn surroundings(&self) -> &Surroundings {
+        &self.surroundings
     }
 
     /// Number of samples, the first of the [`vertices`](Self::vertices): those in the domain.
@@ -250,11 +259,13 @@ impl Solution {
             let size = DVec2::new(f64::from(width), f64::from(height));
             return (p.cmpge(DVec2::ZERO).all() && p.cmple(size).all()).then_some(p);
         }
+        let around = self.surroundings.vertices();
         inverse::rest_at(&self.mesh.vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), p)
+            .or_else(|| inverse::rest_at(around, around, self.surroundings.triangles(), p))
     }
 
-    /// The picture, warped by a pose: what [`raster::warp`] draws of the mesh, or, where there is no handle, of the picture as it is, with
-    /// all that is no part of the domain.
+    /// The picture, warped by a pose: what [`raster::warp`] draws of the [surroundings](Self::surroundings) and the mesh, or, where there
+    /// is no handle, of the picture as it is, with all that is no part of the domain.
     ///
     /// `scale` is pixels of the result for a pixel of the picture: [`raster::warped_size`] tells the size, unless the canvas grows.
     ///
@@ -273,8 +284,14 @@ impl Solution {
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
             return raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], scale, canvas);
         }
-        let posed = self.posed_vertices(pose);
-        raster::warp(picture, &self.mesh.vertices, &posed, &self.drawn_triangles(pose), scale, canvas)
+        let around = self.surroundings.vertices();
+        let rest = [around, &self.mesh.vertices].concat();
+        let posed = [around, &self.posed_vertices(pose)].concat();
+        let first = around.len() as u32;
+        let drawn = self.drawn_triangles(pose);
+        let moved = drawn.iter().map(|triangle| triangle.map(|vertex| first + vertex));
+        let triangles: Vec<_> = self.surroundings.triangles().iter().copied().chain(moved).collect();
+        raster::warp(picture, &rest, &posed, &triangles, scale, canvas)
     }
 
     /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.

@@ -21,6 +21,7 @@ use crate::{
     site::{Obstacles, Regions, Scores, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
     stage::Stage,
+    surroundings::Surroundings,
     weight::{Basis, Swept, WeightFunctions, support_radii},
 };
 
@@ -251,9 +252,11 @@ fn weigh(
     let count = samples.len();
     let leading = leading_parts(&nearest, &sites, &harmonic);
     weights.extend_as(&samples.rim.owners);
+    let surroundings = outline.surrounding.map(|size| Surroundings::new(&samples, size)).unwrap_or_default();
     let mesh = RenderMesh::new(samples, &leading);
     Solution {
         mesh,
+        surroundings,
         weights,
         sites,
         graph,

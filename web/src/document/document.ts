@@ -1,5 +1,6 @@
 /** The edited document: the project, and which of its handles are selected. */
 import { DETAILS } from './bending';
+import { domainOf } from './domain';
 import type { Handle, ImageRef, Project } from './project';
 
 export interface Document {
@@ -19,7 +20,7 @@ export const openDocument = (project: Project): Document => ({ project, selectio
 export const newProject = (image: ImageRef, threshold: number | null): Project => ({
   format: 'c2warp/1',
   image,
-  domain: threshold === null ? { kind: 'image' } : { kind: 'alpha', threshold },
+  domain: domainOf(threshold),
   samples: 10000,
   weighting: { shape_factor: 1, degree: 5, filling: 'line', support: 'smooth' },
   pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },

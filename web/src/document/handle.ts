@@ -82,8 +82,12 @@ export function cornerPut(
   return counted ? { ...next, rotation: rounded(turn) } : next;
 }
 
-/** The least number of corners of a bar or polygon. */
-export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'], number>> = { bar: 2, polygon: 3 };
+/** The least number of corners of a bar or polygon, and of a lasso. */
+export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'] | 'lasso', number>> = {
+  bar: 2,
+  polygon: 3,
+  lasso: 3,
+};
 
 /** The handle with a corner added at the same share of an edge, at rest and posed: the edge stays straight. */
 export function cornerAdded(handle: LineHandle, { edge, share }: LinePlace): LineHandle {

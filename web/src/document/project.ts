@@ -5,7 +5,7 @@
  */
 import type * as file from './generated/project';
 
-export type { ImageRef, PoseMode, Rotation } from './generated/project';
+export type { Domain, ImageRef, PoseMode, Rotation } from './generated/project';
 
 /** A project as a file or a page may give it. */
 export type ProjectFile = file.Project;

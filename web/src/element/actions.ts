@@ -1,4 +1,6 @@
 /** What the controls of the templates do. */
+import { domainOf } from '../document/domain';
+import { alphaThreshold } from '../io/alpha';
 import type { EditorActions } from '../ui/model';
 import type { Autosave } from './autosave';
 import type { CommandRunner } from './command_runner';
@@ -45,6 +47,8 @@ export function actionsOf(host: ActionsHost): EditorActions {
     bend: (mode) => edit((edits) => edits.bend(mode)),
     detail: (detail) => edit((edits) => edits.detail(detail)),
     blend: (blend) => edit((edits) => edits.blend(blend)),
+    unlasso: () =>
+      edit((edits) => workbench.picture && edits.unlasso(domainOf(alphaThreshold(workbench.picture)))),
     holdBoundary: (held) => edit((edits) => edits.holdBoundary(held)),
     guard: (on) => {
       guarding.on = on;

@@ -42,7 +42,7 @@ export class CommandRunner {
     if (permissions.playing || (permissions.readonly && tool !== 'hand')) return;
     editing.apply(editing.machine.choose(tool));
     // Arrow keys move the crosshair of a line tool only while nothing is selected.
-    if (tool === 'bar' || tool === 'polygon') {
+    if (tool === 'bar' || tool === 'polygon' || tool === 'lasso') {
       editing.select([]);
       display.openSettings(false);
     }
@@ -89,6 +89,7 @@ export class CommandRunner {
       point: () => this.#take('point'),
       bar: () => this.#take('bar'),
       polygon: () => this.#take('polygon'),
+      lasso: () => this.#take('lasso'),
       hand: () => this.#take('hand'),
       open: () => !permissions.readonly && void files.choose(),
       save: () => void files.save(),

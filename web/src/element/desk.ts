@@ -6,6 +6,7 @@
  * belongs to the desk, so that `dispose` releases all of it.
  */
 import { handleById, selectedHandles } from '../document/document';
+import { ringsOf } from '../document/domain';
 import { corners, nameOf } from '../document/handle';
 import { panned } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
@@ -17,7 +18,14 @@ import type { CommandRunner } from './command_runner';
 import type { ChangeKind } from './editing';
 import type { Files } from './files';
 import { modelOf } from './model';
-import { NOTHING_TO_HOLD, notOpenedText, outsideText } from './notice_texts';
+import {
+  LASSO_EMPTY,
+  leftOutText,
+  NOT_INSIDE,
+  NOTHING_TO_HOLD,
+  notOpenedText,
+  outsideText,
+} from './notice_texts';
 import type { Notices } from './notices';
 import { type Parts, type PartsHost, partsOf } from './parts';
 import type { Picture } from './picture';
@@ -199,7 +207,23 @@ export class Desk {
       this.autosave.save();
     } else if (effect.type === 'box') display.box = effect.box;
     else if (effect.type === 'pan') viewing.look(panned(viewing.camera, effect.by));
-    else if (effect.type === 'miss') this.notices.notify({ kind: 'info', text: NOTHING_TO_HOLD });
+    else if (effect.type === 'miss') this.notices.notify({ kind: 'info', text: this.#missed });
+    else if (effect.type === 'lassoed') this.#lasso(effect.ring, effect.hole);
+  }
+
+  /** Why nothing was placed. */
+  get #missed(): string {
+    return ringsOf(this.workbench.editing.project).length > 0 ? NOT_INSIDE : NOTHING_TO_HOLD;
+  }
+
+  /** Lets what is inside of a ring bend, and goes on to its handles. */
+  #lasso(ring: readonly Vec[], hole: boolean): void {
+    const { editing, commands } = this.workbench;
+    const left = commands.lasso(ring, hole);
+    const text = left === null ? LASSO_EMPTY : left > 0 ? leftOutText(left) : null;
+    if (text !== null) this.notices.notify({ kind: 'info', text });
+    if (left === null) return;
+    this.commands.choose(editing.project.handles.length > 0 ? 'select' : 'point');
   }
 
   /** Names ignored files. Selects the point tool for a picture without handles, unless the page sets a tool. */

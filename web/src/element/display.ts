@@ -39,6 +39,16 @@ export class Display {
     return this.#bare;
   }
 
+  /** Whether the picture is shown at rest: held to compare, or to be drawn around. */
+  get original(): boolean {
+    return this.#bare === 'compare' || this.lassoing;
+  }
+
+  /** Whether handles and overlays are out of the way of a lasso. */
+  get lassoing(): boolean {
+    return this.#host.workbench.editing.machine.tool === 'lasso';
+  }
+
   /** Whether the settings of the whole picture are open, in layouts without room to show them always. */
   get settings(): boolean {
     return this.#settings;

@@ -1,6 +1,7 @@
 /** The commands that change the document: each is one undo step with its label, announced to screen readers. */
 import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
 import { type Document, handleById, selectedHandles } from '../document/document';
+import { lassoed } from '../document/domain';
 import {
   addCorner,
   changeHandles,
@@ -11,6 +12,7 @@ import {
   removeCorner,
   removeHandles,
   resetHandles,
+  selectHandles,
   turnHandles,
 } from '../document/edits';
 import {
@@ -27,7 +29,7 @@ import {
   scaleOf,
   turnedTo,
 } from '../document/handle';
-import type { Handle, LineHandle, PoseMode, Project } from '../document/project';
+import type { Domain, Handle, LineHandle, PoseMode, Project } from '../document/project';
 import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
 import { add, type Vec } from '../geometry/vec';
@@ -129,6 +131,25 @@ export class EditCommands {
       ...this.#document,
       project,
     });
+  }
+
+  /**
+   * Lets only the inside of a ring bend, or cuts a hole there. Returns how many handles lay outside and were left out,
+   * or null if the ring holds nothing of the picture.
+   */
+  lasso(ring: readonly Vec[], hole: boolean): number | null {
+    const project = lassoed(this.#project, ring, hole);
+    if (!project) return null;
+    const left = this.#project.handles.length - project.handles.length;
+    const document = selectHandles({ ...this.#document, project }, this.#document.selection);
+    this.#editing.step(hole ? 'Cut a hole' : 'Bend what is inside', document);
+    return left;
+  }
+
+  /** Lets all of the picture bend. @param domain that of the picture by itself. */
+  unlasso(domain: Domain): void {
+    const project = { ...this.#project, domain };
+    this.#editing.step('Bend all of the picture', { ...this.#document, project });
   }
 
   holdBoundary(held: boolean): void {

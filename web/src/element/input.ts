@@ -2,7 +2,7 @@
 import { type Camera, toImage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
-import { hit } from '../tools/hit';
+import { type Hit, hit } from '../tools/hit';
 import type { Effect, Press } from '../tools/state';
 import { Pointing, type StagePointer } from '../ui/pointing';
 import type { Crosshair } from './crosshair';
@@ -71,7 +71,7 @@ export class Input {
     if (this.#pans || machine.tool === 'hand') return machine.busy ? 'grabbing' : 'grab';
     if (machine.draft) return machine.draft.finishing ? 'pointer' : 'crosshair';
     const places = machine.tool !== 'select';
-    const under = this.#hovered && this.#shown ? hit(this.#host.areas.scene, this.#hovered, !places) : null;
+    const under = this.#hovered && this.#shown ? this.#hit(this.#hovered, !places) : null;
     if (under?.part === 'ring') return TURN_CURSOR;
     if (under) return machine.busy ? 'grabbing' : 'move';
     return places ? 'crosshair' : 'default';
@@ -116,7 +116,13 @@ export class Input {
   #holds(pointer: StagePointer): boolean {
     const { areas } = this.#host;
     areas.coarse = pointer.coarse;
-    return this.#shown && hit(areas.scene, this.#press(pointer).at) !== null;
+    return this.#shown && this.#hit(this.#press(pointer).at) !== null;
+  }
+
+  /** What of the handles is under a place; nothing while a lasso is in hand. */
+  #hit(at: Vec, bodies = true): Hit | null {
+    const { areas, display } = this.#host;
+    return display.lassoing ? null : hit(areas.scene, at, bodies);
   }
 
   #down(pointer: StagePointer, pans: boolean): void {
@@ -133,7 +139,7 @@ export class Input {
     const { editing } = workbench;
     const press = this.#press(pointer);
     const drawing = editing.machine.draft !== null;
-    const held = drawing ? null : hit(areas.scene, press.at, editing.machine.tool === 'select');
+    const held = drawing ? null : this.#hit(press.at, editing.machine.tool === 'select');
     this.#apply(editing.machine.up(press, areas.scene));
     const { selection } = editing.document;
     // Focusing a handle selects it: not one that a Shift-click has just deselected.

@@ -27,10 +27,10 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Card
   const tools = whole < LOWEST ? 'lowest' : 'low';
   if (width < PHONE) {
     // Too low for room beside the sheet: the sheet may cover the picture.
-    if (whole < LOW) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
+    if (whole < LOW.phone) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
     return { ...even(16), bottom: sheet ? FROM_BOTTOM.aboveSheet : FROM_BOTTOM.aboveTools };
   }
-  if (whole < LOW) return { ...even(16), left: TOOLS[tools], right: PANEL.narrow };
+  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: PANEL.narrow };
   if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: PANEL.narrow };
   return { ...even(28), left: TOOLS.wide, right: PANEL.wide };
 }

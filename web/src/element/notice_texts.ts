@@ -2,6 +2,15 @@
 
 export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle on the picture.';
 
+export const NOT_INSIDE = 'This part of the picture stays: place the handle inside what the lasso holds.';
+export const LASSO_EMPTY = 'The lasso holds nothing: draw it around a part of the picture.';
+
+/** @param count of handles that lie outside of a lasso; at least one. */
+export const leftOutText = (count: number): string =>
+  count === 1
+    ? 'One handle lay outside of the lasso, and is gone. Undo brings it back.'
+    : `${count} handles lay outside of the lasso, and are gone. Undo brings them back.`;
+
 const listed = new Intl.ListFormat('en-GB');
 
 /** @param handles names of handles that lie partly outside the picture; at least one. */

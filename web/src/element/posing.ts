@@ -5,7 +5,7 @@ import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
 import type { History } from '../document/history';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
-import { type Box, boxAround, reachesBeyond } from '../geometry/box';
+import { type Box, boxAround, boxOfBoth, reachesBeyond } from '../geometry/box';
 import { DrawingOrder } from '../geometry/drawing_order';
 import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
 import { type Located, locate, locateNear, locatePosed } from '../geometry/locate';
@@ -110,7 +110,10 @@ export class Posing {
   /** Bounding box of the posed picture without the mesh around its rim, image pixels; null without a solution. */
   bounds(): Box | null {
     const { current } = this.#solving;
-    return current && boxAround(this.#positions(), current.data.report.samples);
+    if (!current) return null;
+    const posed = boxAround(this.#positions(), current.data.report.samples);
+    const still = boxAround(current.data.surroundingPositions, current.data.surroundingPositions.length / 2);
+    return posed && still ? boxOfBoth(posed, still) : posed;
   }
 
   /** Whether part of the posed picture lies outside the picture's own rectangle. */

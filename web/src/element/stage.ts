@@ -113,12 +113,12 @@ export class Stage {
       return new Drawing(canvas, {
         view: () => ({
           ...deviceView(viewing.camera, viewing.stage, devicePixelRatio),
-          compare: display.bare === 'compare',
-          overlays: display.bare ? {} : display.overlays,
+          compare: display.original,
+          overlays: display.bare || display.lassoing ? {} : display.overlays,
         }),
         motions: () => posing.motions(),
         blend: () => blendOf(editing.project),
-        reach: () => (display.overlays.reach && !display.bare ? reaching.reach() : null),
+        reach: () => (display.overlays.reach && !display.bare && !display.lassoing ? reaching.reach() : null),
       });
     } catch (error) {
       notices.report(error);

@@ -4,19 +4,27 @@ import type { Skin } from '../geometry/skin';
 export interface WarpMesh extends Skin {
   /** Sites × 2; only the length matters here. */
   readonly siteRest: ArrayLike<number>;
+  /** Vertices × 2 and triangles × 3 of what is drawn behind and stays. */
+  readonly surroundingPositions?: Float32Array;
+  readonly surroundingTriangles?: Uint32Array;
 }
 
+/** A mesh that nothing moves. */
+export const stillMesh = (positions: Float32Array, triangles: Uint32Array): WarpMesh => ({
+  positions,
+  triangles,
+  offsets: new Uint32Array(positions.length / 2 + 1),
+  sites: new Uint32Array(),
+  weights: new Float32Array(),
+  siteRest: [],
+});
+
 /** The whole picture as two triangles at rest, drawn while there is no solution. */
-export function unwarpedMesh(width: number, height: number): WarpMesh {
-  return {
-    positions: new Float32Array([0, 0, width, 0, 0, height, width, height]),
-    triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
-    offsets: new Uint32Array(5),
-    sites: new Uint32Array(),
-    weights: new Float32Array(),
-    siteRest: [],
-  };
-}
+export const unwarpedMesh = (width: number, height: number): WarpMesh =>
+  stillMesh(
+    new Float32Array([0, 0, width, 0, 0, height, width, height]),
+    new Uint32Array([0, 1, 2, 2, 1, 3]),
+  );
 
 /** Vertices × 2: first entry and number of entries, from the offsets of a mesh. */
 export function weightRows(offsets: Uint32Array): Uint32Array {

@@ -12,7 +12,7 @@ import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import lineFragment from './line.frag.glsl?raw';
-import { meshEdges, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
+import { meshEdges, stillMesh, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
 import { createPictureTexture, setMagnification } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { drawWith, program } from './program';
@@ -38,6 +38,8 @@ export class Scene {
   readonly #lineProgram: twgl.ProgramInfo;
   #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
   #loaded: LoadedMesh | undefined;
+  /** Drawn behind the loaded mesh, if there is any. */
+  #surroundings: LoadedMesh | undefined;
   /** The unwarped picture, for comparison. */
   #whole: LoadedMesh | undefined;
   /** Created at first use. */
@@ -65,14 +67,24 @@ export class Scene {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
+    this.#unload(this.#surroundings);
     this.#reach?.clear();
-    [this.#picture, this.#whole, this.#loaded] = [undefined, undefined, undefined];
+    [this.#picture, this.#whole, this.#loaded, this.#surroundings] = [
+      undefined,
+      undefined,
+      undefined,
+      undefined,
+    ];
   }
 
   /** Replaces the mesh, which is drawn at rest until motions are set. */
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);
+    this.#unload(this.#surroundings);
     this.#loaded = this.#load(mesh);
+    const { surroundingPositions: positions, surroundingTriangles: triangles } = mesh;
+    this.#surroundings =
+      positions && triangles?.length ? this.#load(stillMesh(positions, triangles)) : undefined;
     this.#reach?.clear();
     this.#posed = false;
   }
@@ -153,6 +165,11 @@ export class Scene {
       u_rigid: this.#blend === 'rigid',
       u_colour: MESH_COLOUR,
     };
+    const behind = view.compare ? undefined : this.#surroundings;
+    if (behind) {
+      const still = { ...uniforms, u_at_rest: true };
+      drawWith(gl, this.#pictureProgram, behind.triangles, still, gl.TRIANGLES);
+    }
     if (this.#reach?.isSet && !view.compare)
       this.#reach.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
     else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);

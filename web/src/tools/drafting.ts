@@ -1,9 +1,10 @@
 /**
- * Drawing a bar or polygon: every press sets a corner, which follows the pointer until the release.
+ * Drawing a bar, a polygon or a lasso: every press sets a corner, which follows the pointer until the release. That of a
+ * lasso leaves corners on its way.
  *
  * A press on the last corner finishes the drawing (so does a double click), and a press on the first corner of a
- * polygon. One press, drag and release draws a whole bar. Shift snaps to steps of 45°. Cancelling a press removes
- * only its corner.
+ * polygon or lasso. One press, drag and release draws a whole bar or lasso. Shift snaps to steps of 45°. Cancelling a
+ * press removes only what it has set.
  */
 import { addHandle, freeId } from '../document/edits';
 import { CORNERS_NEEDED, isLine, rounded, roundedVec } from '../document/handle';
@@ -13,6 +14,11 @@ import { distance, type Vec } from '../geometry/vec';
 import { type Draft, type Outcome, outcome, type Press, type Scene, type State } from './state';
 
 export type LineKind = LineHandle['kind'];
+
+export const isClosed = (kind: Draft['kind']): boolean => kind !== 'bar';
+
+/** Distance between the corners that a lasso leaves on its way, in lengths of a click's slop. */
+const SPACING = 2;
 
 /** Direction step with Shift, degrees. */
 export const STEP_DEGREES = 45;
@@ -57,8 +63,8 @@ function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
 }
 
 /** Starts a drawing with its first press. */
-export function begun(kind: LineKind, press: Press, scene: Scene, rest: State): Outcome {
-  const draft: Draft = { kind, corners: [], taken: [], next: null, finishing: false };
+export function begun(of: Pick<Draft, 'kind' | 'hole'>, press: Press, scene: Scene, rest: State): Outcome {
+  const draft: Draft = { ...of, corners: [], taken: [], next: null, finishing: false };
   return outcome(setting(draft, press, drawn(draft, press, scene), rest), { type: 'select', ids: [] });
 }
 
@@ -66,16 +72,22 @@ export function begun(kind: LineKind, press: Press, scene: Scene, rest: State): 
 export const resumed = (draft: Draft, rest: State): State =>
   drafting({ ...draft, next: null, finishing: false }, rest);
 
-/** The new corner follows the pointer until the release. The first corner stays, and a drag from it adds a second. */
+/** The new corner follows the pointer until the release. The first corner stays, and a drag from it adds others. */
 const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   const first = draft.corners.length === 0;
   const anchored: Draft = first ? { ...draft, corners: [at] } : draft;
   const held = (corners: readonly Vec[]): State => {
     const after: Draft = { ...draft, corners, taken: [], next: null, finishing: false };
-    const whole = first && corners.length > 1 && draft.kind === 'bar';
+    const whole = first && corners.length > 1 && draft.kind !== 'polygon' && isDrawable(after);
     return {
       draft: after,
       move: (press, scene) => {
+        if (draft.kind === 'lasso' && !press.shift) {
+          const [last = from.at] = corners.slice(-1);
+          return outcome(
+            held(distance(press.at, last) > SPACING * scene.grips.slop ? [...corners, press.at] : corners),
+          );
+        }
         if (distance(press.at, from.at) > scene.grips.slop) {
           return outcome(held([...anchored.corners, drawn(anchored, press, scene)]));
         }
@@ -109,10 +121,15 @@ function shortened(draft: Draft, rest: State, told = true): Outcome {
 
 function finished(draft: Draft, scene: Scene, rest: State): Outcome {
   const { project } = scene.document;
-  const handle = lineHandle(project, draft, (at) => scene.placeNear(at));
+  const { kind, corners, hole = false } = draft;
+  if (kind === 'lasso') {
+    const lassoed = { type: 'lassoed', ring: corners, hole } as const;
+    return outcome(rest, { type: 'drafted', draft: null }, lassoed);
+  }
+  const handle = lineHandle(project, { kind, corners }, (at) => scene.placeNear(at));
   return outcome(
     rest,
-    { type: 'begin', label: `Add ${draft.kind}` },
+    { type: 'begin', label: `Add ${kind}` },
     { type: 'edit', document: addHandle(scene.document, handle) },
     { type: 'commit' },
     { type: 'drawn', draft, handle },
@@ -122,7 +139,7 @@ function finished(draft: Draft, scene: Scene, rest: State): Outcome {
 /** The handle of a drawing, with the mean scale of the picture under its corners, so that the picture does not jump. */
 export function lineHandle(
   project: Project,
-  { kind, corners }: Draft,
+  { kind, corners }: { readonly kind: LineKind; readonly corners: readonly Vec[] },
   place: Scene['placeNear'],
 ): LineHandle {
   const posed = corners.map(roundedVec);
@@ -148,9 +165,10 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
  * Where the next corner goes: with Shift on a step of direction, else onto another handle's corner within reach, else
  * under the pointer.
  */
-function drawn({ corners }: Draft, press: Press, scene: Scene): Vec {
+function drawn({ kind, corners }: Draft, press: Press, scene: Scene): Vec {
   const last = corners.at(-1);
   if (press.shift && last) return constrained(last, press.at, STEP_DEGREES);
+  if (kind === 'lasso') return press.at;
   const away = (corner: Vec) => distance(corner, press.at);
   const [nearest] = scene.document.project.handles
     .filter(isLine)
@@ -162,7 +180,7 @@ function drawn({ corners }: Draft, press: Press, scene: Scene): Vec {
 function finishes(draft: Draft, at: Vec, scene: Scene): boolean {
   if (!isDrawable(draft)) return false;
   const [first] = draft.corners;
-  const closes = draft.kind === 'polygon' && first && distance(first, at) <= scene.grips.handle;
+  const closes = isClosed(draft.kind) && first && distance(first, at) <= scene.grips.handle;
   return closes || onLast(draft, at, scene);
 }
 

@@ -9,7 +9,7 @@ import { pressed } from './pressing';
 import type { Press, Scene, State } from './state';
 
 function lineTool(kind: LineKind): State {
-  const draws = (press: Press, scene: Scene) => begun(kind, press, scene, tool);
+  const draws = (press: Press, scene: Scene) => begun({ kind }, press, scene, tool);
   const tool: State = {
     down: (press, scene) => {
       const target = hit(scene, press.at, false);

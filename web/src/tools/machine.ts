@@ -1,12 +1,13 @@
 /** The tools by name, and the machine that holds the current tool and the state of each. */
 import { resumed } from './drafting';
 import { hand } from './hand';
+import { lasso } from './lasso';
 import { bar, polygon } from './lines';
 import { point } from './point';
 import { select } from './select';
 import type { Draft, Effect, Outcome, Press, Scene, State } from './state';
 
-export const TOOLS = { select, point, bar, polygon, hand } satisfies Record<string, State>;
+export const TOOLS = { select, point, bar, polygon, lasso, hand } satisfies Record<string, State>;
 
 export type ToolName = keyof typeof TOOLS;
 

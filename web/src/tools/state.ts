@@ -52,9 +52,9 @@ export interface Scene {
   placeNear(at: Vec): Placement;
 }
 
-/** A bar or polygon that is being drawn. */
+/** A bar, a polygon or a lasso that is being drawn. */
 export interface Draft {
-  readonly kind: LineHandle['kind'];
+  readonly kind: LineHandle['kind'] | 'lasso';
   /** Corners on the posed picture, image pixels. */
   readonly corners: readonly Vec[];
   /** Corners to redo, the next one last; emptied when another corner is set. */
@@ -63,6 +63,8 @@ export interface Draft {
   readonly next: Vec | null;
   /** A press there would finish the drawing. */
   readonly finishing: boolean;
+  /** Of a lasso: it cuts a hole. */
+  readonly hole?: boolean;
 }
 
 export type Effect =
@@ -76,6 +78,8 @@ export type Effect =
   | { readonly type: 'miss'; readonly at: Vec }
   /** A corner was set or taken back. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }
+  /** A lasso was closed. */
+  | { readonly type: 'lassoed'; readonly ring: readonly Vec[]; readonly hole: boolean }
   /** The drawing of the handle just committed, to be resumed if the solver refuses the handle. */
   | { readonly type: 'drawn'; readonly draft: Draft; readonly handle: LineHandle };
 

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
+import { ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
@@ -48,10 +49,26 @@ export function bending(
         : nothing
     }
     ${toggle('Keep turns rigid', 'What lies between two turns does not shrink.', blendOf(project) === 'rigid', model, (on) => actions.blend(on ? 'rigid' : 'linear'))}
+    ${ringsOf(project).length > 0 ? lassoed(model, actions) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => actions.holdBoundary(on))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => actions.guard(on))}
   </details>`;
 }
+
+/** What bends is what a lasso holds: the way back to all of the picture. */
+const lassoed = (model: EditorModel, actions: EditorActions): TemplateResult => html`<div class="switch">
+  <span class="text">Lasso<span class="faint">Only what it holds bends.</span></span>
+  <button
+    type="button"
+    class="button toggle"
+    part="button"
+    aria-label="Bend all of it"
+    ?disabled=${model.readonly}
+    @click=${() => actions.unlasso()}
+  >
+    All of it
+  </button>
+</div>`;
 
 const toggle = (
   word: string,

@@ -14,6 +14,7 @@ export const COMMANDS = {
   point: { label: 'Add a point handle', icon: 'point', keys: ['P'] },
   bar: { label: 'Draw a bar', icon: 'bar', keys: ['B'] },
   polygon: { label: 'Draw a polygon', icon: 'polygon', keys: ['G'] },
+  lasso: { label: 'Draw around what bends', icon: 'lasso', keys: ['L'] },
   hand: { label: 'Pan', icon: 'hand', keys: ['H'] },
   open: { label: 'Open a picture or a project', icon: 'open', keys: ['Mod+O'] },
   save: { label: 'Save the project file', icon: 'save', keys: ['Mod+S'] },

@@ -1,9 +1,9 @@
-/** A bar or polygon being drawn: its corners so far, its line on to the pointer, and buttons for it. */
+/** A bar, polygon or lasso being drawn: its corners so far, its line on to the pointer, and buttons for it. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { CORNERS_NEEDED } from '../document/handle';
 import { type Camera, type Size, toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
-import { isDrawable } from '../tools/drafting';
+import { isClosed, isDrawable } from '../tools/drafting';
 import type { Draft } from '../tools/state';
 import { dots, onStage } from './dots';
 import { icon } from './icons';
@@ -19,13 +19,12 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
   const all = next ? [...set, next] : set;
   const [first] = set;
   const last = set.at(-1);
-  const targets =
-    isDrawable(draft) && !waits ? [...(draft.kind === 'polygon' ? [0] : []), set.length - 1] : [];
+  const targets = isDrawable(draft) && !waits ? [...(isClosed(draft.kind) ? [0] : []), set.length - 1] : [];
   const at = draft.next && toStage(camera, draft.next);
   const away = (k: number) => (at && set[k] ? distance(set[k], at) : Number.POSITIVE_INFINITY);
   const hot = draft.finishing ? targets.reduce((best, k) => (away(k) < away(best) ? k : best), -1) : -1;
   return svg`<g class="draft ${waits ? 'waiting' : ''}">
-    ${draft.kind === 'polygon' && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
+    ${isClosed(draft.kind) && all.length > 2 ? svg`<path class="body" d="M${all.join('L')}Z"/>` : nothing}
     <path class="line under" d="M${set.join('L')}"/><path class="line" d="M${set.join('L')}"/>
     ${
       next && last
@@ -33,12 +32,14 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
         : nothing
     }
     ${
-      draft.kind === 'polygon' && first && all.length > 2
+      isClosed(draft.kind) && first && all.length > 2
         ? dots('line closing', onStage([all.at(-1) ?? first, first], false, stage))
         : nothing
     }
     ${set.map(([x, y], k) => {
       const target = targets.includes(k);
+      // A lasso that is drawn freely has hundreds.
+      if (draft.kind === 'lasso' && !target) return nothing;
       return svg`<circle class="corner ${target ? 'target' : ''} ${k === hot ? 'hot' : ''}"
         cx=${x} cy=${y} r=${target ? 6 : 4.5}/>`;
     })}

@@ -6,6 +6,7 @@ const SHAPES = {
   point: svg`<circle cx="8.5" cy="11.5" r="4.6"/><circle cx="8.5" cy="11.5" r="1" fill="currentColor"/><path d="M15.5 2.6v5M13 5.1h5"/>`,
   bar: svg`<circle cx="4.6" cy="15.4" r="2.1"/><circle cx="15.4" cy="4.6" r="2.1"/><path d="m6.2 13.8 7.6-7.6"/>`,
   polygon: svg`<path d="M10 3.4 16.8 8.4 14.2 16.4H5.8L3.2 8.4Z"/><path d="M10 3.4 16.8 8.4 14.2 16.4H5.8L3.2 8.4Z" fill="currentColor" stroke="none" opacity=".22"/>`,
+  lasso: svg`<path d="M6.3 12.6C4.3 11.7 3 10.3 3 8.6c0-2.9 3.2-5 7.2-5s6.8 2.1 6.8 4.9-3 4.9-6.9 4.9c-.8 0-1.5-.1-2.2-.2" stroke-dasharray="2.6 1.9"/><circle cx="6.9" cy="13.2" r="1.5"/><path d="M6.1 14.5c-.5 1.1-.4 2.3.9 2.6"/>`,
   forward: svg`<path d="M8 3.5h7.5c.6 0 1 .4 1 1V12" opacity=".45"/><rect x="3.5" y="6.5" width="10" height="10" rx="1.2" fill="currentColor" fill-opacity=".32"/>`,
   backward: svg`<path d="M12 16.5H4.5c-.6 0-1-.4-1-1V8"/><rect x="6.5" y="3.5" width="10" height="10" rx="1.2" opacity=".45"/>`,
   settings: svg`<path d="M3.2 6h6.3M14.3 6h2.5M3.2 14h2.5M10.5 14h6.3"/><circle cx="11.9" cy="6" r="2.2"/><circle cx="8.1" cy="14" r="2.2"/>`,

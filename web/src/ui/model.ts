@@ -126,6 +126,8 @@ export interface EditorActions {
   automatic(on: boolean): void;
   bend(mode: PoseMode): void;
   detail(detail: Detail): void;
+  /** Lets all of the picture bend again. */
+  unlasso(): void;
   holdBoundary(held: boolean): void;
   /** Sets how motions blend. */
   blend(blend: Blend): void;

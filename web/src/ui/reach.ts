@@ -10,7 +10,7 @@ export function reachHint(model: EditorModel): TemplateResult | typeof nothing {
   if (!overlays.reach || !picture || draft || bare || document.project.handles.length === 0) return nothing;
   if (document.selection.length > 0) return legend;
   // These two tools have their own hint there, and draw something before anything is selected.
-  if (tool === 'bar' || tool === 'polygon') return nothing;
+  if (tool === 'bar' || tool === 'polygon' || tool === 'lasso') return nothing;
   return html`<p class="hint" part="hint">Select a handle to see its reach</p>`;
 }
 

@@ -1,6 +1,7 @@
 /** The stage: the picture with its overlays and handles, for editing, posing or only viewing. */
-import { html, nothing, type TemplateResult } from 'lit';
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { crosshair, selectionBox } from './aims';
+import { domainMarks } from './domain';
 import { draftMarks } from './drawing';
 import { frame } from './frame';
 import { handleButtons } from './handle_buttons';
@@ -12,7 +13,7 @@ import { foldOverlay, siteOverlay } from './overlays';
 const KEYS = 'Arrow keys move the handle that has the focus, comma and full stop turn it.';
 
 export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
-  const { camera, playing } = model;
+  const { playing } = model;
   const handled = !(playing && model.readonly);
   return html`<div
     class="stage ${model.hint ? 'inviting' : ''} ${model.bare ? 'bare' : ''}"
@@ -26,13 +27,17 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
   >
     ${canvas}
     <svg class="marks" aria-hidden="true">
-      ${playing ? nothing : frame(model)} ${siteOverlay(model.sites, camera, model.overlays)}
-      ${foldOverlay(model.folded, camera)} ${handled ? handleMarks(model) : nothing} ${draftMarks(model)}
-      ${selectionBox(model)} ${crosshair(model)}
+      ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
+      ${crosshair(model)}
     </svg>
-    ${handled ? handleButtons(model, actions) : nothing}
+    ${handled && model.tool !== 'lasso' ? handleButtons(model, actions) : nothing}
   </div>`;
 }
+
+/** What is drawn on the posed picture. */
+const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
+  ${model.playing ? nothing : frame(model)} ${siteOverlay(model.sites, model.camera, model.overlays)}
+  ${foldOverlay(model.folded, model.camera)} ${handled ? handleMarks(model) : nothing} ${selectionBox(model)}`;
 
 /** The picture for screen readers while all that belongs to it is inert. */
 export const disabledStage = (model: EditorModel): TemplateResult =>

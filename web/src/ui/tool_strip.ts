@@ -4,7 +4,7 @@ import type { ToolName } from '../tools/machine';
 import { commandButton } from './command_button';
 import type { EditorActions, EditorModel } from './model';
 
-const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'bar', 'polygon', 'hand'];
+const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'bar', 'polygon', 'lasso', 'hand'];
 
 export function toolStrip(model: EditorModel, actions: EditorActions): TemplateResult {
   return html`<div class="tools card" part="tools" role="group" aria-label="Tools">

@@ -23,7 +23,7 @@ pub enum DomainSpec {
         #[schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1))]
         threshold: f64,
     },
-    /// The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole.
+    /// The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole. What lies around stays.
     Polygon {
         /// One or more rings of at least three points `[x, y]`.
         #[serde(serialize_with = "points::rings")]

@@ -35,7 +35,17 @@ impl Triangulation {
     ///
     /// Vertices keep their indices and must be finite. They should be distinct, and segments should not cross: of coinciding
     /// vertices only the first is used, and edges are missing where segments cross.
-    pub(crate) fn constrained_delaunay(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>) -> Self {
+    pub(crate) fn constrained_delaunay(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
+        Self::of_faces(vertices, segments, true)
+    }
+
+    /// The same of the rest of the vertices' convex hull.
+    pub(crate) fn around(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
+        Self::of_faces(vertices, segments, false)
+    }
+
+    /// `inside`: the triangles inside of the segments, or those outside.
+    fn of_faces(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>, inside: bool) -> Self {
         let points: Vec<_> = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
         segments.retain(|&[a, b]| points[a] != points[b]);
         let ends: Vec<[Point2<f64>; 2]> = segments.iter().map(|ends| ends.map(|end| points[end])).collect();
@@ -46,8 +56,8 @@ impl Triangulation {
         // Spade drops vertices that coincide with earlier ones, and renumbers the later ones.
         let known = (cdt.num_vertices() < vertices.len()).then(|| distinct_vertices(&vertices));
         let index = |vertex: usize| known.as_ref().map_or(vertex as u32, |known| known[vertex]);
-        let inside = if crossings == 0 { inside_by_parity(&cdt) } else { inside_by_ray_casting(&cdt, &ends) };
-        let kept: Vec<_> = cdt.inner_faces().filter(|face| inside[face.fix().index()]).collect();
+        let is_inside = if crossings == 0 { inside_by_parity(&cdt) } else { inside_by_ray_casting(&cdt, &ends) };
+        let kept: Vec<_> = cdt.inner_faces().filter(|face| is_inside[face.fix().index()] == inside).collect();
         let mut number = vec![NONE; cdt.num_all_faces()];
         for (face, at) in kept.iter().zip(0..) {
             number[face.fix().index()] = at;
@@ -226,6 +236,14 @@ mod tests {
         let areas: Vec<f64> = (0..mesh.triangles.len()).map(area).collect();
         assert!(areas.iter().all(|&area| area > 0.0));
         assert!((areas.iter().sum::<f64>() - 96.0).abs() < 1e-12);
+        let around = Triangulation::around(mesh.vertices.clone(), (4..8).map(|i| [i, 4 + (i + 1) % 4]).collect());
+        let left: f64 = (0..around.triangles.len())
+            .map(|t| {
+                let [a, b, c] = around.corners(t);
+                (b - a).perp_dot(c - a) / 2.0
+            })
+            .sum();
+        assert!((left - 96.0).abs() < 1e-12);
         for (t, neighbours) in mesh.neighbours.iter().enumerate() {
             for &n in neighbours.iter().filter(|&&n| n != NONE) {
                 assert!(mesh.neighbours[n as usize].contains(&(t as u32)));

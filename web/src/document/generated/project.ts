@@ -45,7 +45,7 @@ export interface AlphaDomain {
   readonly threshold?: number;
 }
 
-/** The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole. */
+/** The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole. What lies around stays. */
 export interface PolygonDomain {
   readonly kind: 'polygon';
   /** One or more rings of at least three points `[x, y]`. */

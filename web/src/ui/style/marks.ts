@@ -37,14 +37,18 @@ export const marksStyle = css`
     stroke-linecap: butt;
     animation: appear var(--_speed) backwards;
   }
-  .frame .pale {
+  :is(.frame, .domain) .pale {
     stroke: #fffb;
     stroke-width: 1.25;
   }
-  .frame .dashes {
+  :is(.frame, .domain) .dashes {
     stroke: #26272bd9;
     stroke-width: 1.25;
     stroke-dasharray: 5 5;
+  }
+  .domain .veil {
+    fill: #0006;
+    stroke: none;
   }
   .ring {
     stroke: var(--_casing);

@@ -130,7 +130,7 @@ export const panelStyle = css`
       max-height: calc(100% - 2 * var(--_edge));
     }
   }
-  @container shell (width < 400px) and (height < ${LOW}px) {
+  @container shell (width < 400px) and (height < ${LOW.phone}px) {
     .panel {
       z-index: ${ORDER.panelOverTools};
       left: var(--_edge);

@@ -3,8 +3,8 @@
 /** The layout changes where the whole element is narrower or lower than this. See `layouts.ts`. */
 export const NARROW = 900;
 export const PHONE = 640;
-export const LOW = 372;
-export const LOWEST = 290;
+export const LOW = { wide: 416, phone: 372 } as const;
+export const LOWEST = 316;
 
 /** Height of an element whose page sets none, unless the picture says otherwise. */
 export const LEAST_HEIGHT = 240;
@@ -25,7 +25,7 @@ export const TOOLS = {
   low: 134,
   lowest: 182,
   lowPhone: { fine: 108, coarse: 124 },
-  lowestPhone: { fine: 108, coarse: 174 },
+  lowestPhone: { fine: 150, coarse: 174 },
 } as const;
 
 /** What the panel takes of the width, with the space around it. */

@@ -10,6 +10,8 @@ export const switchesStyle = css`
     margin-top: 10px;
     padding-top: 10px;
     border-top: 1px solid var(--_line);
+  }
+  label.switch {
     cursor: pointer;
   }
   .switch + .switch {

@@ -1,6 +1,6 @@
 /** The card of tools at the left; on a phone below, within the thumb's reach. */
 import { css } from 'lit';
-import { low, lowest, lowPhone, phone, strip } from './layouts';
+import { low, lowest, lowestPhone, lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
 
 export const toolStripStyle = css`
@@ -68,6 +68,11 @@ export const toolStripStyle = css`
       margin: 0;
       padding: 0;
       border: 0;
+    }
+  }
+  @container ${lowestPhone} {
+    .tools {
+      grid-template-columns: auto auto auto;
     }
   }
   /* A keyboard on the glass leaves a strip: all of it is for what is typed. */

@@ -61,8 +61,9 @@ export const touchStyle = css`
       .middle {
         --_left: ${TOOLS.lowestPhone.coarse}px;
       }
-      .tools {
-        grid-template-columns: auto auto auto;
+      /* Two rows have room: two fingers pan. */
+      .tools [data-command='hand'] {
+        display: none;
       }
     }
   }

@@ -1,0 +1,149 @@
+/** The lasso: what it holds bends, and all else of the picture stays. */
+import { apart, Editor, type Place } from './editor';
+import { expect, test } from './fixtures';
+
+/** Around head and arms of the sample, image pixels: of its five handles only that of the head lies within. */
+const [CENTRE, RADIUS] = [[512, 400] as const, 340];
+
+function around(at: (x: number, y: number) => Place, corners = 24): readonly Place[] {
+  return Array.from({ length: corners }, (_, k) => {
+    const turn = (2 * Math.PI * k) / corners;
+    return at(CENTRE[0] + RADIUS * Math.cos(turn), CENTRE[1] + RADIUS * Math.sin(turn));
+  });
+}
+
+/** Draws by one press. */
+async function draw({ page }: Editor, path: readonly Place[]): Promise<void> {
+  const [first] = path;
+  if (!first) return;
+  await page.mouse.move(first.x, first.y);
+  await page.mouse.down();
+  for (const { x, y } of path.slice(1)) await page.mouse.move(x, y);
+  await page.mouse.up();
+}
+
+const ids = ({ page }: Editor): Promise<readonly string[]> =>
+  page.evaluate(() => document.querySelector('c2-warp')?.project.handles.map(({ id }) => id) ?? []);
+
+const domain = ({ page }: Editor): Promise<{ kind: string; rings?: readonly (readonly unknown[])[] }> =>
+  page.evaluate(() => document.querySelector('c2-warp')?.project.domain ?? { kind: 'none' });
+
+test('what a lasso holds bends, what lies around stays, and undo brings the handles back that lay there', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  // Bent, so that it shows that the lasso is drawn on the original.
+  await editor.dragHandle('head', { x: 30, y: 20 });
+  const bent = await editor.look(at(512, 260));
+  await page.keyboard.press('l');
+  await expect(editor.button('Draw around what bends')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('head')).toBeHidden();
+  await expect.poll(async () => apart(bent, await editor.look(at(512, 260)))).toBeGreaterThan(3);
+
+  await draw(editor, around(at));
+  await expect(page.getByText('4 handles lay outside of the lasso, and are gone.')).toBeVisible();
+  expect(await ids(editor)).toEqual(['head']);
+  const { kind, rings } = await domain(editor);
+  expect(kind).toBe('polygon');
+  expect(rings?.map((ring) => ring.length)).toEqual([24]);
+  await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
+  // Solved: what lies around goes nowhere.
+  await expect.poll(() => editor.mapped(312, 1126)).toBeNull();
+
+  const foot = await editor.look(at(312, 1126));
+  const neck = await editor.look(at(512, 500));
+  await editor.dragHandle('head', { x: 40, y: 30 });
+  await expect.poll(async () => apart(neck, await editor.look(at(512, 500)))).toBeGreaterThan(3);
+  expect(apart(foot, await editor.look(at(312, 1126)))).toBe(0);
+
+  // The lasso shows what it holds when it is taken in hand again.
+  await page.keyboard.press('l');
+  await expect(page.locator('c2-warp .domain .dashes')).toBeAttached();
+  await page.keyboard.press('v');
+  await expect(page.locator('c2-warp .domain')).not.toBeAttached();
+
+  await editor.button('Undo: move head').click();
+  await editor.button('Undo: bend what is inside').click();
+  expect(await ids(editor)).toHaveLength(5);
+  expect((await domain(editor)).kind).toBe('alpha');
+  await expect.poll(() => editor.mapped(312, 1126)).not.toBeNull();
+});
+
+test('the panel leads back to all of the picture', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('l');
+  await draw(editor, around(at));
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await editor.button('Bend all of it').click();
+  expect(await domain(editor)).toEqual({ kind: 'alpha', threshold: 0.5 });
+  await expect(editor.button('Bend all of it')).toBeHidden();
+  await expect.poll(() => editor.mapped(312, 1126)).not.toBeNull();
+});
+
+test('a lasso holds the picture alone: beside it nothing, and a handle outside of it is refused in words', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('l');
+  await draw(editor, [at(-300, 500), at(-200, 500), at(-200, 600), at(-300, 600)]);
+  await expect(page.getByText('The lasso holds nothing')).toBeVisible();
+  expect((await domain(editor)).kind).toBe('alpha');
+  await expect(editor.button('Draw around what bends')).toHaveAttribute('aria-pressed', 'true');
+
+  await draw(editor, around(at));
+  await expect.poll(() => ids(editor)).toEqual(['head']);
+  await expect.poll(() => editor.mapped(312, 1126)).toBeNull();
+  await page.keyboard.press('p');
+  const foot = at(312, 1126);
+  await page.mouse.click(foot.x, foot.y);
+  await expect(page.getByText('This part of the picture stays')).toBeVisible();
+  expect(await ids(editor)).toEqual(['head']);
+});
+
+test('a lasso is drawn by keys, and half of it survives a reload', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('l');
+  await page.locator('c2-warp .stage').focus();
+  const corner = async (key: string, times: number) => {
+    for (let k = 0; k < times; k++) await page.keyboard.press(`Shift+${key}`);
+    await page.keyboard.press('Enter');
+  };
+  await corner('ArrowUp', 3);
+  await corner('ArrowRight', 3);
+  await expect.poll(async () => (await editor.kept()).drawings?.[0]).toMatchObject({ kind: 'lasso' });
+  await page.reload();
+  await expect(page.locator('c2-warp .draft')).toBeAttached();
+  await expect(page.locator('c2-warp .solved')).toContainText('sample');
+  await page.keyboard.press('l');
+  await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
+  await page.locator('c2-warp .stage').focus();
+  await corner('ArrowDown', 6);
+  await page.keyboard.press('Enter');
+  await expect.poll(async () => (await domain(editor)).rings?.map((ring) => ring.length)).toEqual([3]);
+});
+
+test('with Alt at its beginning a lasso cuts a hole, and one elsewhere is another part', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  const square = (x: number, y: number, side: number) => [
+    at(x, y),
+    at(x + side, y),
+    at(x + side, y + side),
+    at(x, y + side),
+  ];
+  await page.keyboard.press('l');
+  await draw(editor, around(at));
+  await page.keyboard.press('l');
+  await page.keyboard.down('Alt');
+  await draw(editor, square(480, 400, 60));
+  await page.keyboard.up('Alt');
+  await page.keyboard.press('l');
+  await draw(editor, square(200, 950, 200));
+  expect((await domain(editor)).rings?.map((ring) => ring.length)).toEqual([24, 4, 4]);
+  await expect.poll(() => editor.mapped(510, 430)).toBeNull();
+  await expect.poll(() => editor.mapped(300, 1050)).not.toBeNull();
+});

@@ -1,0 +1,96 @@
+import { describe, expect, it } from 'vitest';
+import type { Vec } from '../geometry/vec';
+import { newProject } from './document';
+import { lassoed, ringsOf } from './domain';
+import type { Handle, Project } from './project';
+
+const square = (left: number, top: number, side: number): readonly Vec[] => [
+  [left, top],
+  [left + side, top],
+  [left + side, top + side],
+  [left, top + side],
+];
+const point = (id: string, x: number, y: number): Handle => ({
+  id,
+  kind: 'point',
+  rest: [x, y],
+  posed: [0, 0],
+});
+const project = (...handles: readonly Handle[]): Project => ({
+  ...newProject({ src: 'a.jpg', width: 400, height: 300 }, null),
+  handles,
+});
+const drawn = (from: Project, ring: readonly Vec[], hole = false): Project => {
+  const after = lassoed(from, ring, hole);
+  if (!after) throw new Error('nothing in it');
+  return after;
+};
+const ids = ({ handles }: Project) => handles.map(({ id }) => id);
+
+describe('a lasso', () => {
+  it('makes the inside of its ring bend, and nothing else', () => {
+    const after = drawn(project(point('in', 60, 60), point('out', 5, 5)), square(50, 50, 100));
+    expect(after.domain).toEqual({ kind: 'polygon', rings: [square(50, 50, 100)] });
+    expect(ids(after)).toEqual(['in']);
+    expect(ringsOf(project())).toEqual([]);
+  });
+  it('keeps to the picture, and to hundredths of a pixel', () => {
+    const [ring] = ringsOf(drawn(project(), square(-50, -50, 100.1234)));
+    expect(ring).toHaveLength(4);
+    expect(ring).toEqual(
+      expect.arrayContaining([
+        [0, 0],
+        [50.12, 50.12],
+      ]),
+    );
+  });
+  it('is nothing beside the picture, or where it holds next to none', () => {
+    expect(lassoed(project(), square(500, 0, 90), false)).toBeNull();
+    expect(lassoed(project(), square(50, 50, 3), false)).toBeNull();
+    expect(lassoed(project(), [[10, 10]], false)).toBeNull();
+  });
+  it('leaves out corners on one spot', () => {
+    const [ring] = ringsOf(drawn(project(), [[50, 50], [50, 50.2], ...square(50, 50, 90), [50, 50.1]]));
+    expect(ring).toHaveLength(4);
+  });
+  it('keeps bars that lead through it', () => {
+    const line = [
+      [20, 100],
+      [300, 100],
+    ] as const;
+    const bar: Handle = { id: 'arm', kind: 'bar', rest: line, posed: line };
+    expect(ids(drawn(project(bar), square(100, 80, 40)))).toEqual(['arm']);
+    expect(ids(drawn(project(bar), square(100, 120, 40)))).toEqual([]);
+  });
+});
+
+describe('a second lasso', () => {
+  const first = drawn(project(), square(50, 50, 100));
+  it('elsewhere is another part', () => {
+    expect(ringsOf(drawn(first, square(200, 50, 80)))).toHaveLength(2);
+  });
+  it('takes the place of what it crosses, holds or lies in', () => {
+    for (const [left, side] of [
+      [100, 100],
+      [30, 200],
+      [70, 40],
+    ] as const) {
+      expect(ringsOf(drawn(first, square(left, left, side)))).toHaveLength(1);
+    }
+  });
+  it('cuts a hole, on demand, where it lies within', () => {
+    const holed = drawn(first, square(70, 70, 40), true);
+    expect(ringsOf(holed)).toHaveLength(2);
+    const after = drawn(
+      { ...first, handles: [point('in hole', 80, 80), point('in', 60, 60)] },
+      square(70, 70, 40),
+      true,
+    );
+    expect(ids(after)).toEqual(['in']);
+    // A hole around a hole takes its place; one that sticks out is none.
+    expect(ringsOf(drawn(holed, square(60, 60, 80), true))).toHaveLength(2);
+    expect(ringsOf(drawn(holed, square(60, 60, 200), true))).toHaveLength(1);
+    // What it takes the place of goes with its holes.
+    expect(ringsOf(drawn(holed, square(120, 120, 90)))).toHaveLength(1);
+  });
+});
