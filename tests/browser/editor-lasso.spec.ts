@@ -114,7 +114,8 @@ test('a lasso is drawn by keys, and half of it survives a reload', async ({ page
   };
   await corner('ArrowUp', 3);
   await corner('ArrowRight', 3);
-  await expect.poll(async () => (await editor.kept()).drawings?.[0]).toMatchObject({ kind: 'lasso' });
+  const kept = async () => (await editor.kept()).drawings?.map(({ kind, corners }) => [kind, corners.length]);
+  await expect.poll(kept).toEqual([['lasso', 2]]);
   await page.reload();
   await expect(page.locator('c2-warp .draft')).toBeAttached();
   await expect(page.locator('c2-warp .solved')).toContainText('sample');
@@ -124,6 +125,26 @@ test('a lasso is drawn by keys, and half of it survives a reload', async ({ page
   await corner('ArrowDown', 6);
   await page.keyboard.press('Enter');
   await expect.poll(async () => (await domain(editor)).rings?.map((ring) => ring.length)).toEqual([3]);
+});
+
+test('a line that crosses itself makes a lasso all the same, and a handle taken from the list takes the arrow tool', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('l');
+  // Once and a half around.
+  const [once, more] = [around(at), around((x, y) => at(x - 20, y + 10)).slice(0, 12)];
+  await draw(editor, [...once, ...more]);
+  await expect.poll(() => ids(editor)).toEqual(['head']);
+  await expect.poll(() => editor.mapped(312, 1126)).toBeNull();
+  expect((await domain(editor)).rings).toHaveLength(1);
+
+  await page.keyboard.press('l');
+  await expect(editor.handle('head')).toBeHidden();
+  await page.getByRole('listitem').filter({ hasText: 'Head' }).getByRole('button').click();
+  await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
 test('with Alt at its beginning a lasso cuts a hole, and one elsewhere is another part', async ({ page }) => {

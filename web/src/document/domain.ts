@@ -1,14 +1,12 @@
 /** The part of the picture that bends: all of it, its opaque part, or what the person has drawn rings around. */
 import { isInside } from '../geometry/polyline';
-import { areaOf, clipped, crosses, isWithin, meet, type Ring, withoutLoops } from '../geometry/ring';
-import { distance, type Vec } from '../geometry/vec';
+import { areaOf, clipped, isWithin, meet, type Ring, simple, touches } from '../geometry/ring';
+import type { Vec } from '../geometry/vec';
 import { corners, isLine, roundedVec } from './handle';
 import type { Domain, Handle, Project } from './project';
 
 /** Rings smaller than this were not meant: square pixels. */
 const LEAST_AREA = 16;
-/** Corners nearer than this to the one before are left out: image pixels. */
-const LEAST_EDGE = 0.5;
 
 /** The domain of a picture by itself. @param threshold of its alpha; `null` for an opaque picture. */
 export const domainOf = (threshold: number | null): Domain =>
@@ -24,8 +22,7 @@ export const ringsOf = ({ domain }: Project): readonly Ring[] =>
  */
 export function lassoed(project: Project, drawn: Ring, hole: boolean): Project | null {
   const { width, height } = project.image;
-  const inPicture = clipped(withoutLoops(drawn), { min: [0, 0], max: [width, height] });
-  const ring = inPicture.map(roundedVec).filter((p, k, all) => distance(p, all.at(k - 1) ?? p) > LEAST_EDGE);
+  const ring = simple(clipped(drawn, { min: [0, 0], max: [width, height] })).map(roundedVec);
   if (areaOf(ring) < LEAST_AREA) return null;
   const before = ringsOf(project);
   const rings = (hole && withHole(before, ring)) || [...elsewhere(before, ring), ring];
@@ -36,7 +33,7 @@ export function lassoed(project: Project, drawn: Ring, hole: boolean): Project |
 /** Null where the ring does not lie within what is there. */
 function withHole(rings: readonly Ring[], hole: Ring): readonly Ring[] | null {
   const left = rings.filter((ring) => !isWithin(ring, hole));
-  const fits = hole.every((p) => isInsideOf(left, p)) && !left.some((ring) => crosses(hole, true, ring));
+  const fits = hole.every((p) => isInsideOf(left, p)) && !left.some((ring) => touches(hole, true, ring));
   return fits ? [...left, hole] : null;
 }
 
@@ -56,6 +53,6 @@ const isOn = (rings: readonly Ring[], handle: Handle): boolean => {
   const closed = handle.kind === 'polygon';
   return (
     rest.some((p) => isInsideOf(rings, p)) ||
-    (isLine(handle) && rings.some((ring) => crosses(rest, closed, ring)))
+    (isLine(handle) && rings.some((ring) => touches(rest, closed, ring)))
   );
 };

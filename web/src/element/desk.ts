@@ -177,6 +177,8 @@ export class Desk {
     this.#listed = selection;
     if (kind === 'selection') {
       display.openSettings(false);
+      // What is selected in the list is hidden by the lasso.
+      if (display.lassoing && selection.length > 0) this.commands.choose('select');
       if (display.overlays.reach) this.#stage?.drawing?.look();
     } else {
       this.#stage?.drawing?.pose();

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf, clipped, crosses, isWithin, meet, type Ring, withoutLoops } from './ring';
+import { areaOf, clipped, isWithin, meet, type Ring, simple } from './ring';
 
 const square = (left: number, top: number, side: number): Ring => [
   [left, top],
@@ -25,10 +25,13 @@ describe('clipping to a box', () => {
   });
 });
 
+/** Whether no two edges but neighbours touch. */
+const isSimple = (ring: Ring): boolean => simple(ring) === ring;
+
 describe('loops', () => {
   it('are none in a ring that does not cross itself', () => {
     const ring = square(0, 0, 10);
-    expect(withoutLoops(ring)).toBe(ring);
+    expect(simple(ring)).toBe(ring);
   });
   it('go where a hand drew beyond the start', () => {
     // From (0, 5) around, and over the first edge to its other side.
@@ -40,17 +43,48 @@ describe('loops', () => {
       [5, 0],
       [2, 0],
     ];
-    const left = withoutLoops(ring);
-    expect(crosses(left, true, left)).toBe(false);
+    const left = simple(ring);
+    expect(isSimple(left)).toBe(true);
     expect(areaOf(left)).toBeCloseTo(15 * 25, 9);
+  });
+  it('go where lines touch, run along one another or back', () => {
+    const along: Ring = [
+      [0, 0],
+      [20, 0],
+      [20, 20],
+      [12, 20],
+      [12, 0],
+      [10, 0],
+      [10, 20],
+      [0, 20],
+    ];
+    const pinched: Ring = [...square(0, 0, 20), [0, 0.01], [-5, 9], [-5, 0]];
+    const spiked: Ring = [
+      [0, 0],
+      [20, 0],
+      [20, 20],
+      [20, 50],
+      [20, 20.01],
+      [0, 20],
+    ];
+    for (const [ring, area] of [
+      [along, 200],
+      [pinched, 400],
+      [spiked, 400],
+    ] as const) {
+      const left = simple(ring);
+      expect(isSimple(left)).toBe(true);
+      expect(areaOf(left)).toBeCloseTo(area, 0);
+    }
+    expect(simple([...square(0, 0, 1)].slice(0, 2))).toEqual([]);
   });
   it('go however many there are', () => {
     const star: Ring = Array.from({ length: 7 }, (_, k) => {
       const turn = (2 * Math.PI * 3 * k) / 7;
       return [50 * Math.cos(turn), 50 * Math.sin(turn)];
     });
-    const left = withoutLoops(star);
-    expect(crosses(left, true, left)).toBe(false);
+    const left = simple(star);
+    expect(isSimple(left)).toBe(true);
     expect(areaOf(left)).toBeGreaterThan(100);
   });
 });

@@ -1,9 +1,12 @@
-/** Rings, as closed lines are where they bound something: clipped to a box, rid of loops, and whether two of them meet. */
+/** Rings, as closed lines are where they bound something: clipped to a box, made simple, and whether two of them meet. */
 import type { Box } from './box';
-import { edgesOf, isInside } from './polyline';
+import { distanceToLine, edgesOf, isInside } from './polyline';
 import { between, cross, subtract, type Vec } from './vec';
 
 export type Ring = readonly Vec[];
+
+/** What is nearer than this touches: image pixels, more than rounding to hundredths moves. */
+const TOUCH = 0.05;
 
 /** The area inside, by the shoelace formula: square pixels. */
 export const areaOf = (ring: Ring): number =>
@@ -27,42 +30,78 @@ export function clipped(ring: Ring, { min, max }: Box): Ring {
 }
 
 /**
- * The ring without crossing itself: where it does, the smaller of the two parts goes, such as what a hand draws beyond
- * the start. Cost: quadratic in the corners for each crossing.
+ * The ring without touching itself: where it does, the smaller of the two parts goes, such as what a hand draws beyond
+ * the start. Cost: quadratic in the corners for each such place.
  */
-export function withoutLoops(ring: Ring): Ring {
-  const edges = edgesOf(ring, true);
-  for (const [i, edge] of edges.entries()) {
-    for (let j = i + 2; j < edges.length; j++) {
-      const at = crossing(edge, edges[j] ?? edge);
-      if (!at) continue;
-      const loop = [at, ...ring.slice(i + 1, j + 1)];
-      const rest = [...ring.slice(0, i + 1), at, ...ring.slice(j + 1)];
-      return withoutLoops(areaOf(loop) > areaOf(rest) ? loop : rest);
-    }
+export function simple(drawn: Ring): Ring {
+  let ring = drawn;
+  for (;;) {
+    const shorter = withoutSpike(ring) ?? withoutLoop(ring);
+    if (!shorter) return ring;
+    ring = shorter;
   }
-  return ring;
 }
 
-/** Whether a line crosses a ring. */
-export const crosses = (corners: readonly Vec[], closed: boolean, ring: Ring): boolean => {
+/** The ring without the first corner that is one with the last, or from where it goes back; null where there is none. */
+function withoutSpike(ring: Ring): Ring | null {
+  const spike = ring.findIndex((at, k) => {
+    const [before, after] = [ring.at(k - 1) ?? at, ring[(k + 1) % ring.length] ?? at];
+    return isNear(before, before, at) || isNear(before, at, after) || isNear(after, at, before);
+  });
+  return spike < 0 ? null : ring.filter((_, k) => k !== spike);
+}
+
+/** The ring without the first loop; null where there is none. */
+function withoutLoop(ring: Ring): Ring | null {
   const edges = edgesOf(ring, true);
-  return edgesOf(corners, closed).some((edge) => edges.some((other) => crossing(edge, other) !== null));
+  for (const [i, edge] of edges.entries()) {
+    // Edges next to one another meet at their corner.
+    for (const [k, other] of edges.slice(i + 2, i === 0 ? -1 : undefined).entries()) {
+      const at = contact(edge, other);
+      if (!at) continue;
+      const j = i + 2 + k;
+      const [loop, rest] = [
+        [at, ...ring.slice(i + 1, j + 1)],
+        [...ring.slice(0, i + 1), at, ...ring.slice(j + 1)],
+      ];
+      return areaOf(loop) > areaOf(rest) ? loop : rest;
+    }
+  }
+  return null;
+}
+
+/** Whether a line crosses or touches a ring. */
+export const touches = (corners: readonly Vec[], closed: boolean, ring: Ring): boolean => {
+  const edges = edgesOf(ring, true);
+  return edgesOf(corners, closed).some((edge) => edges.some((other) => contact(edge, other) !== null));
 };
 
-/** Whether one ring lies inside the other, or they cross. */
-export const meet = (a: Ring, b: Ring): boolean => isWithin(a, b) || isWithin(b, a) || crosses(a, true, b);
+/** Whether one ring lies inside the other, or they touch. */
+export const meet = (a: Ring, b: Ring): boolean => isWithin(a, b) || isWithin(b, a) || touches(a, true, b);
 
-/** Whether a ring that does not cross another lies inside it. */
+/** Whether a ring that does not touch another lies inside it. */
 export const isWithin = ([first]: Ring, around: Ring): boolean =>
   first !== undefined && isInside(around, first);
 
 type Edge = readonly [Vec, Vec];
 
-/** Where two edges cross, not at an end of either; null where they do not. */
-function crossing([a, b]: Edge, [c, d]: Edge): Vec | null {
+/** Where two edges cross or touch; null where they do neither. */
+function contact([a, b]: Edge, [c, d]: Edge): Vec | null {
+  if (areBeside(a, b, c, d, 0) || areBeside(a, b, c, d, 1)) return null;
+  if (isNear(c, d, a)) return a;
+  if (isNear(c, d, b)) return b;
+  if (isNear(a, b, c)) return c;
+  if (isNear(a, b, d)) return d;
   const [one, other, gap] = [subtract(b, a), subtract(d, c), subtract(c, a)];
   const area = cross(one, other);
   const [s, t] = [cross(gap, other) / area, cross(gap, one) / area];
   return s > 0 && s < 1 && t > 0 && t < 1 ? between(a, b, s) : null;
 }
+
+/** Whether a point touches an edge. */
+const isNear = (a: Vec, b: Vec, p: Vec): boolean => distanceToLine([a, b], false, p) < TOUCH;
+
+/** Whether all of one edge lies before all of the other: rules out nearly every pair. */
+const areBeside = (a: Vec, b: Vec, c: Vec, d: Vec, axis: 0 | 1): boolean =>
+  Math.max(a[axis], b[axis]) + TOUCH < Math.min(c[axis], d[axis]) ||
+  Math.max(c[axis], d[axis]) + TOUCH < Math.min(a[axis], b[axis]);
