@@ -147,6 +147,19 @@ test('a line that crosses itself makes a lasso all the same, and a handle taken 
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
+test('a lasso offers to hold its boundary', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('head', [512, 260]);
+  await page.keyboard.press('l');
+  // All handles are in it.
+  await draw(editor, [at(10, 10), at(1014, 10), at(1014, 1270), at(10, 1270)]);
+  await expect(page.getByText('Where it moves away, it leaves a gap.')).toBeVisible();
+  expect(await ids(editor)).toHaveLength(5);
+  await editor.button('Hold its boundary').click();
+  await expect(editor.switch('Hold the boundary')).toBeChecked();
+  await expect(page.getByText('Where it moves away, it leaves a gap.')).toBeHidden();
+});
+
 test('with Alt at its beginning a lasso cuts a hole, and one elsewhere is another part', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);

@@ -20,6 +20,7 @@ import type { Files } from './files';
 import { modelOf } from './model';
 import {
   LASSO_EMPTY,
+  LASSO_LOOSE,
   leftOutText,
   NOT_INSIDE,
   NOTHING_TO_HOLD,
@@ -222,9 +223,15 @@ export class Desk {
   #lasso(ring: readonly Vec[], hole: boolean): void {
     const { editing, commands } = this.workbench;
     const left = commands.lasso(ring, hole);
-    const text = left === null ? LASSO_EMPTY : left > 0 ? leftOutText(left) : null;
-    if (text !== null) this.notices.notify({ kind: 'info', text });
-    if (left === null) return;
+    if (left === null) {
+      this.notices.notify({ kind: 'info', text: LASSO_EMPTY });
+      return;
+    }
+    if (left > 0) this.notices.notify({ kind: 'info', text: leftOutText(left) });
+    else if (!editing.project.fix_boundary) {
+      const action = { label: 'Hold its boundary', run: () => commands.holdBoundary(true) };
+      this.notices.notify({ kind: 'info', text: LASSO_LOOSE, action, passes: true });
+    }
     this.commands.choose(editing.project.handles.length > 0 ? 'select' : 'point');
   }
 

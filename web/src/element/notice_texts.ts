@@ -4,6 +4,7 @@ export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle 
 
 export const NOT_INSIDE = 'This part of the picture stays: place the handle inside what the lasso holds.';
 export const LASSO_EMPTY = 'The lasso holds nothing: draw it around a part of the picture.';
+export const LASSO_LOOSE = 'Only this part bends now. Where it moves away, it leaves a gap.';
 
 /** @param count of handles that lie outside of a lasso; at least one. */
 export const leftOutText = (count: number): string =>
