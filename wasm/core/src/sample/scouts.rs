@@ -2,7 +2,8 @@
 //!
 //! The places of virtual sites must not depend on how finely the picture is drawn, and do not: farthest points are exact,
 //! however few scouts there are. So the number of scouts is the one that makes the search fast, however many samples are
-//! requested.
+//! requested. With fewer samples than that there are as few scouts: then contacts, the sites that a density asks for between
+//! handles, are elsewhere along their borders.
 
 use std::sync::Arc;
 

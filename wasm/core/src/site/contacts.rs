@@ -4,7 +4,9 @@
 //! halfway shares the way out, and its motion is free. Algorithm 1 looks at the farthest point of a cell, which is on its open side: a
 //! narrow gap between two bars would be the last to be divided.
 //!
-//! Each is found between two scouts, and where it is does not depend on them: on the border itself.
+//! Each is found between two scouts and lies on the border itself. Where along the border, they decide: it is where the edge between
+//! them leads across it. So these sites change where the lattice of scouts does: where the picture is turned, or its outline has one more
+//! corner.
 //!
 //! Cost: each time that real sites are new, a look at every triangle of scouts, and for each scout on the border of a cell at the real sites
 //! that are about as near as its own; for each pair of them that two handles meet between, at all sites. Afterwards a look at the contacts

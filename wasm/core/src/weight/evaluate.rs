@@ -193,4 +193,31 @@ mod tests {
         (solution.phi_sums, solution.nearest) = (sums, nearest);
         assert_eq!(solution.report(&pose).min_phi_sum, 0.0);
     }
+
+    /// Where paths begin to bend around a corner the level lines of the distance have another centre.
+    #[test]
+    fn behind_a_corner_gradients_go_on_and_second_derivatives_jump() {
+        let json = r#"{
+            "format": "c2warp/1", "image": { "src": "", "width": 400, "height": 400 }, "samples": 500,
+            "domain": { "kind": "polygon", "rings": [[[0, 0], [400, 0], [400, 400], [200, 400], [200, 200], [0, 200]]] },
+            "handles": [
+                { "id": "a", "kind": "point", "rest": [100, 150] }, { "id": "b", "kind": "point", "rest": [350, 50] }
+            ]
+        }"#;
+        let project = Project::from_json(json).unwrap();
+        let solution = solve(&project, &Picture::new(400, 400, &[255; 640_000]).unwrap()).unwrap();
+        let site = solution.sites().iter().position(|site| site.rest.x == 100.0).unwrap();
+        let corner = DVec2::new(200.0, 200.0);
+        let along = (corner - solution.sites()[site].rest).normalize();
+        let slope = |off: f64, behind: f64| {
+            let influences = solution.influences_at(corner + behind * along + off * along.perp()).unwrap();
+            influences.iter().find(|one| one.site == site).unwrap().gradient.dot(along.perp())
+        };
+        let second = |side: f64, behind: f64| (slope(2e-3 * side, behind) - slope(1e-3 * side, behind)) / (1e-3 * side);
+        for behind in [40.0, 10.0] {
+            assert!((slope(1e-9, behind) - slope(-1e-9, behind)).abs() < 1e-12);
+            assert!(second(1.0, behind) < 2.0 * second(-1.0, behind), "{behind} px behind the corner");
+        }
+        assert!(second(1.0, 10.0) < 1.5 * second(1.0, 40.0));
+    }
 }

@@ -3,7 +3,9 @@
 //! the division among connected bones (`sharing`).
 //!
 //! Cost: at one point, the windows of the supports that reach its triangle; for all samples, some 10 ns for each sample and
-//! such support. Limits: weights are C² except where two paths to a site are equally short, and at joints of bones.
+//! such support. Limits: weights are C² except at joints of bones and where distances are not, behind corners: where two paths to a
+//! site are equally short weights have a crease, and along the line at which paths begin to bend around a corner they are C¹. Their
+//! second derivative jumps there, the more the nearer the corner.
 
 mod basis;
 mod evaluate;

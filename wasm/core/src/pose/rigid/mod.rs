@@ -2,13 +2,16 @@
 //!
 //! First the cell graph [bends](bending) as rigidly as possible, on the sites alone. From there the picture itself is
 //! [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], and lowered over everything that the handles
-//! leave free. So it needs no rotations from the person, bends as a limb bends, and folds only where it must. A point cloud has no
+//! leave free. So it needs no rotations from the person, bends as a limb bends, and seldom folds. A point cloud has no
 //! picture between its sites, so a cloud keeps the result of the graph.
 //!
 //! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the way they were dragged there.
 //!
-//! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima; the
-//! descent from the harmonic pose finds one of them.
+//! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima, and the
+//! descent from the harmonic pose leads to one of them. A pose without folds ends within a few thousandths of the picture's size
+//! from it. Where handles are taken past one another the descent ends earlier, with folds that more iterations would undo, a
+//! fourth to a seventh of those in the harmonic pose. The quadrature is one of samples, so poses differ by some thousandths of
+//! that size with their number, and by up to two hundredths where the picture is turned.
 
 mod bending;
 mod distortion;
