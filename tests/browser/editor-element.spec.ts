@@ -228,7 +228,7 @@ test('removed while it opens another picture, it keeps neither', async ({ page }
   await expect.poll(open).toBe(0);
 });
 
-test('of many on a page each is drawn where it is in sight', async ({ page }) => {
+test('of many on a page each in sight is drawn, and posed', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const project = (document.querySelector('c2-warp') as C2Warp).project;
@@ -252,6 +252,25 @@ test('of many on a page each is drawn where it is in sight', async ({ page }) =>
     // What is baked is brown; without a context its place is grey.
     await expect.poll(async () => warmth(await editor.look(middle, 4))).toBeGreaterThan(40);
   }
+  // All in sight at once, and one of the last posed.
+  await page.evaluate(() => {
+    for (const warp of document.querySelectorAll<C2Warp>('c2-warp')) {
+      Object.assign(warp, { readonly: false, play: true });
+      Object.assign(warp.style, { float: 'left', width: '150px', height: '150px' });
+    }
+  });
+  const hand = all.nth(17).getByRole('button', { name: 'Handle right hand' });
+  const before = await editor.middle(hand);
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.down();
+  await page.mouse.move(before.x, before.y - 40, { steps: 4 });
+  await page.mouse.up();
+  for (const warp of await all.all()) {
+    const middle = await editor.middle(warp);
+    await expect.poll(async () => warmth(await editor.look(middle, 4))).toBeGreaterThan(40);
+  }
+  const raised = { x: before.x, y: before.y - 40 };
+  await expect.poll(async () => warmth(await editor.look(raised, 3))).toBeGreaterThan(40);
 });
 
 test('a page may remove it when it tells of a change', async ({ page }) => {

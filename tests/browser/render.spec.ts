@@ -153,6 +153,65 @@ test('draws the same again after the browser took the context away', async ({ pa
   expect(result).toEqual({ whileLost: true, afterwards: false, blank: false, differing: 0 });
 });
 
+test('of many each is shown, in few contexts, also asleep and after the browser took the context away', async ({
+  page,
+}) => {
+  const { contexts, drawn, asleep, woken, restored } = await page.evaluate(async () => {
+    const contexts: WebGL2RenderingContext[] = [];
+    const { getContext } = HTMLCanvasElement.prototype;
+    Object.assign(HTMLCanvasElement.prototype, {
+      getContext(this: HTMLCanvasElement, ...given: Parameters<typeof getContext>) {
+        const context = getContext.apply(this, given);
+        if (context instanceof WebGL2RenderingContext) contexts.push(context);
+        return context;
+      },
+    });
+    const view = { scale: 1, x: 0, y: 0, width: 8, height: 8 };
+    const made = Array.from({ length: 20 }, async (_, shade) => {
+      const rgba = Uint8Array.from({ length: 256 }, (_, i) => (i % 4 === 3 ? 255 : 10 * shade));
+      const { bitmap } = await harness.decodePicture(await harness.encodePng(8, 8, rgba));
+      const canvas = document.createElement('canvas');
+      const renderer = new harness.Renderer(canvas);
+      renderer.setPicture(bitmap);
+      return { canvas, renderer };
+    });
+    const all = await Promise.all(made);
+    const shades = () =>
+      all.map(({ canvas }) => {
+        const copy = new OffscreenCanvas(8, 8).getContext('2d');
+        copy?.drawImage(canvas, 0, 0);
+        return (copy?.getImageData(4, 4, 1, 1).data[0] ?? 0) / 10;
+      });
+    const draw = () => {
+      for (const { renderer } of all) renderer.draw(view);
+    };
+    draw();
+    const drawn = shades();
+    for (const { renderer } of all) renderer.sleep();
+    const asleep = shades();
+    for (const { renderer } of all) renderer.wake();
+    draw();
+    const woken = shades();
+    const control = contexts.map((gl) => gl.getExtension('WEBGL_lose_context'));
+    for (const one of control) one?.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    const restoring = all.map(
+      ({ renderer }) =>
+        new Promise<void>((resolve) => {
+          renderer.onrestore = resolve;
+        }),
+    );
+    for (const one of control) one?.restoreContext();
+    await Promise.all(restoring);
+    draw();
+    return { contexts: contexts.length, drawn, asleep, woken, restored: shades() };
+  });
+  const each = Array.from({ length: 20 }, (_, shade) => shade);
+  // One of them reads pictures.
+  expect(contexts).toBeLessThanOrEqual(6);
+  for (const shown of [drawn, asleep, woken, restored]) expect(shown).toEqual(each);
+});
+
 test('draws a reach from none to yellow, with a line at every tenth and a bold one at the half', async ({
   page,
 }) => {

@@ -2,7 +2,6 @@
 import type { SolutionData } from '../compute/solution';
 import type { Blend } from '../geometry/blend';
 import type { View } from '../geometry/view';
-import { contexts } from '../render/contexts';
 import { Renderer } from '../render/renderer';
 
 export interface DrawingHost {
@@ -13,7 +12,7 @@ export interface DrawingHost {
   reach(): Float32Array | null;
 }
 
-/** Margin around the viewport within which a canvas has its context, so that it is drawn before it is visible. */
+/** Margin around the viewport within which a canvas is drawn, so that it is before it is visible. */
 const AROUND = '25%';
 
 export class Drawing {
@@ -30,11 +29,10 @@ export class Drawing {
     this.#host = host;
     this.#renderer = new Renderer(canvas);
     this.#renderer.onrestore = () => this.pose();
-    contexts.add(this.#renderer);
     const tell = (entries: readonly IntersectionObserverEntry[]) => {
       this.#seen = entries.at(-1)?.isIntersecting ?? false;
-      if (this.#seen) contexts.see(this.#renderer);
-      else contexts.lose(this.#renderer);
+      if (this.#seen) this.#renderer.wake();
+      else this.#renderer.sleep();
       if (this.#seen && !this.#posed) this.look();
     };
     this.#watching = new IntersectionObserver(tell, { rootMargin: AROUND });
@@ -67,7 +65,6 @@ export class Drawing {
     cancelAnimationFrame(this.#frame);
     this.#frame = -1;
     this.#watching.disconnect();
-    contexts.remove(this.#renderer);
     this.#renderer.dispose();
   }
 

@@ -6,6 +6,12 @@ import { PictureError } from './picture_error';
 
 const TILE = 2048;
 
+/** How long the context waits for the next picture. Making one for each would slow down pages of many pictures. */
+const KEPT_MS = 1000;
+
+let context: WebGL2RenderingContext | null = null;
+let letGo: ReturnType<typeof setTimeout> | undefined;
+
 /**
  * @param picture Decoded without premultiplying, of this width and height.
  * @returns RGBA, rows from the top.
@@ -16,12 +22,11 @@ export function straightPixels(
   width: number,
   height: number,
 ): Uint8Array<ArrayBuffer> {
-  // Not an OffscreenCanvas: WebKitGTK and older Safaris give those no WebGL.
-  const gl = document.createElement('canvas').getContext('webgl2');
-  if (!gl) throw new PictureError('This browser has no WebGL2 to read a picture with.');
+  context = ready(context) ?? created();
+  const gl = context;
+  clearTimeout(letGo);
+  letGo = setTimeout(() => gl.getExtension('WEBGL_lose_context')?.loseContext(), KEPT_MS);
   const pixels = new Uint8Array(width * height * 4);
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   gl.pixelStorei(gl.PACK_ROW_LENGTH, width);
   // In tiles, since a picture may be larger than the largest texture.
   for (let y = 0; y < height; y += TILE) {
@@ -33,8 +38,18 @@ export function straightPixels(
   if (gl.isContextLost()) {
     throw new PictureError('The browser has lost its graphics while it read the picture: open it once more.');
   }
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
   return pixels;
+}
+
+const ready = (gl: WebGL2RenderingContext | null) => (gl?.isContextLost() ? null : gl);
+
+function created(): WebGL2RenderingContext {
+  // Not an OffscreenCanvas: WebKitGTK and older Safaris give those no WebGL.
+  const gl = document.createElement('canvas').getContext('webgl2', { antialias: false, depth: false });
+  if (!gl) throw new PictureError('This browser has no WebGL2 to read a picture with.');
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  return gl;
 }
 
 function readTile(

@@ -2,11 +2,26 @@
 import * as twgl from 'twgl.js';
 import warpVertex from './warp.vert.glsl?raw';
 
+const compiled = new WeakMap<WebGL2RenderingContext, Map<string, twgl.ProgramInfo>>();
+
 /**
+ * Compiled once for all drawings of a context.
+ *
  * @param define A macro that the vertex shader tests with `#ifdef`.
  * @throws Error where a shader does not compile, with the reason.
  */
 export function program(gl: WebGL2RenderingContext, fragment: string, define = ''): twgl.ProgramInfo {
+  const programs = compiled.get(gl) ?? new Map<string, twgl.ProgramInfo>();
+  compiled.set(gl, programs);
+  const known = programs.get(fragment);
+  // Those from before a context was lost are none of it any more.
+  if (known && gl.isProgram(known.program)) return known;
+  const info = compile(gl, fragment, define);
+  programs.set(fragment, info);
+  return info;
+}
+
+function compile(gl: WebGL2RenderingContext, fragment: string, define: string): twgl.ProgramInfo {
   let reason = 'unknown';
   // `#version` has to stay the first line.
   const vertex = define ? warpVertex.replace('\n', `\n#define ${define}\n`) : warpVertex;

@@ -9,15 +9,12 @@ import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
 import { Scene } from './scene';
+import { resize, type Surface, surfaceOf } from './surface';
 
 export class Renderer {
-  readonly #canvas: HTMLCanvasElement;
-  readonly #gl: WebGL2RenderingContext;
-  readonly #lending: WEBGL_lose_context | null;
+  readonly #surface: Surface;
   readonly #listening = new AbortController();
   #asleep = false;
-  /** Who holds the context. Only the browser's can be restored: once `webglcontextlost` has been handled. */
-  #context: 'ours' | 'given back' | "the browser's" = 'ours';
   #scene: Scene | undefined;
   #picture: ImageBitmap | null = null;
   #mesh: WarpMesh | null = null;
@@ -25,30 +22,24 @@ export class Renderer {
   #reach: Float32Array | null = null;
   #blend: Blend = 'linear';
 
-  /** Called when a lost context is restored and the picture must be drawn again. */
+  /** Called when the picture must be drawn again, on a context that was restored or after sleep. */
   onrestore: (() => void) | null = null;
 
   /** @throws Error with the code `webgl` where the browser has no WebGL2. */
   constructor(canvas: HTMLCanvasElement) {
-    const gl = canvas.getContext('webgl2', { antialias: true, alpha: true, depth: false, stencil: false });
-    if (!gl) {
-      const message =
-        'This browser cannot draw by WebGL2: switch hardware acceleration on, or use another browser.';
-      throw Object.assign(new Error(message), { code: 'webgl' });
-    }
-    this.#canvas = canvas;
-    this.#gl = gl;
-    // Requested now, as a lost context has no extensions.
-    this.#lending = gl.getExtension('WEBGL_lose_context');
+    this.#surface = surfaceOf(canvas);
+    const { gl } = this.#surface;
     const { signal } = this.#listening;
-    canvas.addEventListener('webglcontextlost', (event) => this.#lose(event), { signal });
-    canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal });
+    gl.canvas.addEventListener('webglcontextlost', (event) => this.#lose(event), { signal });
+    gl.canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal });
+    // Where the browser drops the copy of what was drawn in a shared context.
+    canvas.addEventListener('contextrestored', () => this.onrestore?.(), { signal });
     if (!gl.isContextLost()) this.#scene = new Scene(gl);
   }
 
-  /** Whether the context is lost; drawing does nothing until it is restored. */
+  /** Whether there is no context to draw on now; drawing does nothing until `onrestore`. */
   get lost(): boolean {
-    return this.#scene === undefined || this.#gl.isContextLost();
+    return this.#scene === undefined || this.#surface.gl.isContextLost();
   }
 
   /** Shows another picture, unwarped, or none. The bitmap must be premultiplied, and open while it is shown. */
@@ -99,62 +90,53 @@ export class Renderer {
 
   draw(view: View): void {
     if (this.lost) return;
-    // Assigning a size clears the canvas, even if the size stays the same.
-    if (this.#canvas.width !== view.width) this.#canvas.width = view.width;
-    if (this.#canvas.height !== view.height) this.#canvas.height = view.height;
+    resize(this.#surface.gl.canvas, view);
     this.#scene?.draw(view);
+    this.#surface.show();
   }
 
   /** Draws, and returns the pixels: premultiplied RGBA, rows from the top. */
   readPixels(view: View): Uint8Array {
     this.draw(view);
     const { width, height } = view;
+    const { gl } = this.#surface;
     const pixels = new Uint8Array(width * height * 4);
-    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, pixels);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return flipped(pixels, width * 4);
   }
 
-  /** Releases the context until `wake`. The canvas is empty meanwhile; picture, mesh and motions are kept. */
+  /** Frees the graphics memory of a shared context until `wake`. The canvas keeps its last drawing. */
   sleep(): void {
+    if (!this.#surface.shared) return;
     this.#asleep = true;
-    if (this.lost) return;
-    this.#context = 'given back';
-    this.#lending?.loseContext();
+    this.#scene?.clear();
+    this.#scene = undefined;
   }
 
   wake(): void {
+    if (!this.#asleep) return;
     this.#asleep = false;
-    if (this.#context !== "the browser's") return;
-    this.#context = 'ours';
-    this.#lending?.restoreContext();
+    this.#restore();
   }
 
-  /** Releases the context for good: the canvas cannot be drawn on again. */
+  /** Releases everything for good: the canvas cannot be drawn on again. */
   dispose(): void {
     this.#listening.abort();
-    this.sleep();
+    this.#scene?.clear();
     this.#scene = undefined;
+    this.#surface.release();
   }
 
   #lose(event: Event): void {
     // Without this the browser never restores the context.
     event.preventDefault();
     this.#scene = undefined;
-    if (this.#context === 'given back') setTimeout(() => this.#giveBack());
-  }
-
-  /** The browser has the context now; `wake` may have been called meanwhile. */
-  #giveBack(): void {
-    this.#context = "the browser's";
-    if (!this.#asleep) this.wake();
   }
 
   #restore(): void {
-    this.#scene = new Scene(this.#gl);
-    if (this.#asleep) {
-      this.sleep();
-      return;
-    }
+    const { gl } = this.#surface;
+    if (this.#asleep || gl.isContextLost()) return;
+    this.#scene = new Scene(gl);
     this.#fill();
     this.#scene.setMotions(this.#motions, this.#blend);
     this.#scene.setReach(this.#reach);

@@ -62,7 +62,7 @@ export class Scene {
     this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
-  /** Removes picture and mesh: nothing is drawn until the next picture. */
+  /** Frees picture and mesh: nothing is drawn until the next picture. */
   clear(): void {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     this.#unload(this.#whole);
