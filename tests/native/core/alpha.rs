@@ -5,7 +5,8 @@ use glam::DVec2;
 
 use crate::noise::Random;
 
-const SIZE: u32 = 120;
+/// Larger than a sprite, whose specks are islands.
+const SIZE: u32 = 136;
 
 /// The domain of a picture by the alpha of each of its pixels.
 fn domain_of(alpha: impl Fn(u32, u32) -> u8) -> Result<Domain, Error> {
@@ -91,6 +92,17 @@ fn holes_and_islands_are_kept_and_specks_counted() {
         (disc(DVec2::new(90.0, 80.0), 18.0), disc(DVec2::new(90.0, 20.0), 0.9), disc(DVec2::new(20.0, 100.0), 0.8));
     let domain = domain(|p| ring(p).max(island(p)).max(dust(p)).max(grain(p))).expect("a ring");
     assert_eq!((domain.islands(), domain.holes(), domain.specks()), (2, 1, 2));
+}
+
+#[test]
+fn in_a_sprite_one_pixel_is_an_island() {
+    let mut rgba = vec![0; 16 * 16 * 4];
+    for at in [0, 1, 16, 17, 18, 120, 255] {
+        rgba[4 * at + 3] = 255;
+    }
+    let domain =
+        Domain::from_alpha(&Picture::new(16, 16, &rgba).expect("a valid picture"), 0.5).expect("opaque pixels");
+    assert_eq!((domain.islands(), domain.holes(), domain.specks()), (3, 0, 0));
 }
 
 /// Drawings with edges of every slope, soft and hard, and noise: in a mirror each corner is the mirrored one, to the last bit.

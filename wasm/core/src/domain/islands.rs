@@ -11,6 +11,10 @@ const SPECK_AREA: f64 = 4.0;
 /// In large pictures specks may be larger: this share of the picture's area (a 10 × 10 px spot in 10 megapixels).
 const SPECK_SHARE: f64 = 1e-5;
 
+/// Islands of a picture no larger than this, in square pixels, are no specks: each pixel of a sprite is meant. Even where every
+/// second pixel is an island, four corners each are fewer than [`MAX_CORNERS`](crate::limits::MAX_CORNERS).
+const SPRITE_AREA: f64 = 128.0 * 128.0;
+
 /// The rings that are kept, and the number of those dropped.
 pub(super) struct Kept {
     pub(super) rings: Vec<Ring>,
@@ -21,11 +25,13 @@ pub(super) struct Kept {
 ///
 /// `contours` are oriented: outer ones with positive area. `picture_area` is in square pixels.
 pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area: f64) -> Kept {
-    let least = SPECK_AREA.max(SPECK_SHARE * picture_area);
+    let least_hole = SPECK_AREA.max(SPECK_SHARE * picture_area);
+    let least_island = if picture_area <= SPRITE_AREA { 0.0 } else { least_hole };
     let mut specks = 0;
     let is_kept = |ring: &Ring| {
         // A hole is larger than a speck only if the island around it is, so no hole remains without its island.
-        let is_kept = signed_area(ring).abs() >= least;
+        let area = signed_area(ring);
+        let is_kept = if area > 0.0 { area >= least_island } else { -area >= least_hole };
         specks += usize::from(!is_kept);
         is_kept
     };

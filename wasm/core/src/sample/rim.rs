@@ -9,7 +9,7 @@
 
 use glam::DVec2;
 
-use crate::{segment::segment_distance, triangulation::Triangulation};
+use crate::triangulation::Triangulation;
 
 /// Width of the rim, in pixels: an antialiased edge fades within one, a softly drawn one within three.
 const WIDTH: f64 = 3.0;
@@ -39,8 +39,8 @@ impl Rim {
                 let around = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]];
                 let [prev, at, next] = around.map(|v| mesh.vertices[v as usize]);
                 let out = mitre(prev, at, next);
-                let reach = (segments.gap(at, around, out) / 2.0).min(WIDTH);
-                rim.vertices.push((at + out * reach).clamp(DVec2::ZERO, size));
+                let reach = segments.free_radius(at, around, out.normalize()).min(WIDTH * out.length());
+                rim.vertices.push((at + out.normalize() * reach).clamp(DVec2::ZERO, size));
                 rim.owners.push(ring[i]);
             }
             for i in 0..n {
@@ -95,18 +95,66 @@ impl<'a> Segments<'a> {
         Self { mesh, cells }
     }
 
-    /// Distance from a sample to the nearest segment of the outline on its outer side.
-    fn gap(&self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
+    /// Radius of the largest circle that touches the outline at a sample, on the side of the unit vector `out`, and has none of
+    /// the outline inside: its centre is as far from any other part as from this one.
+    fn free_radius(&self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
         let cell = (at / CELL).floor();
         let (x, y) = (cell.x as i32, cell.y as i32);
         let before = |cell: [i32; 2]| self.cells.partition_point(|&(known, _)| known < cell);
         let rows = (y - 1..=y + 1).map(|y| &self.cells[before([y, x - 1])..before([y, x + 2])]);
-        let gaps = rows.flatten().filter_map(|&(_, [a, b])| {
-            let beside = [a, b].iter().any(|v| [prev, own, next].contains(v));
-            let [p, q] = [a, b].map(|v| self.mesh.vertices[v as usize]);
-            let outward = (p - at).dot(out) > 0.0 || (q - at).dot(out) > 0.0;
-            (!beside && outward).then(|| segment_distance(at, p, q))
+        let radii = rows.flatten().filter_map(|&(_, ends)| {
+            let beside = ends.iter().any(|v| [prev, own, next].contains(v));
+            (!beside).then(|| touching_radius(out, ends.map(|v| self.mesh.vertices[v as usize] - at)))
         });
-        gaps.fold(f64::INFINITY, f64::min)
+        radii.fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Radius of the smallest circle through the origin, with its centre in the direction of `out`, that touches a segment: infinite
+/// if none does.
+fn touching_radius(out: DVec2, ends @ [p, q]: [DVec2; 2]) -> f64 {
+    let through = |p: DVec2| {
+        let ahead = p.dot(out);
+        if ahead > 0.0 { p.length_squared() / (2.0 * ahead) } else { f64::INFINITY }
+    };
+    let along = (q - p).normalize();
+    // The normal that points from the origin to the segment's line.
+    let normal = if along.perp_dot(p) < 0.0 { -along.perp() } else { along.perp() };
+    let radius = p.dot(normal) / (1.0 + out.dot(normal));
+    let touched = radius * (out + normal);
+    // Of a line that lies behind, rounding may leave any number.
+    let is_ahead = (0.0..=CELL).contains(&radius);
+    let is_between = is_ahead && (touched - p).dot(along) > 0.0 && (touched - q).dot(along) < 0.0;
+    if is_between { radius } else { ends.map(through).into_iter().fold(f64::INFINITY, f64::min) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn radius(out: (f64, f64), p: (f64, f64), q: (f64, f64)) -> f64 {
+        touching_radius(DVec2::from(out), [p, q].map(DVec2::from))
+    }
+
+    #[test]
+    fn a_circle_touches_a_segment_ahead_beside_or_by_its_end() {
+        let up = (0.0, 1.0);
+        assert_eq!(radius(up, (-5.0, 4.0), (5.0, 4.0)), 2.0);
+        // The other side of a right angle, one away.
+        assert!((radius(up, (1.0, -3.0), (1.0, 3.0)) - 1.0).abs() < 1e-15);
+        assert_eq!(radius(up, (3.0, 1.0), (3.0, 0.0)), 5.0);
+    }
+
+    #[test]
+    fn what_lies_behind_or_on_the_same_line_is_not_met() {
+        let up = (0.0, 1.0);
+        assert_eq!(radius(up, (-5.0, -4.0), (5.0, -4.0)), f64::INFINITY);
+        let askew = DVec2::from((0.3, -0.7)).normalize();
+        let behind = [-5.0, 5.0].map(|along| along * askew.perp() - 4.0 * askew);
+        assert_eq!(touching_radius(askew, behind), f64::INFINITY);
+        for rounding in [0.0, 1e-16, -1e-16] {
+            assert!(radius(up, (0.2, rounding), (0.4, 0.0)) > 1e9, "{rounding}");
+            assert!(radius(up, (0.4, 0.0), (0.2, rounding)) > 1e9, "{rounding}");
+        }
     }
 }
