@@ -99,16 +99,25 @@ test('leaves no seam between triangles', async ({ page }) => {
   expect(holes).toBe(0);
 });
 
-test('shows single pixels as squares above 400 %', async ({ page }) => {
-  const row = await page.evaluate(async () => {
+test('shows single pixels as squares above 400 %, or where a page asks for it', async ({ page }) => {
+  const { row, soft, pixelated } = await page.evaluate(async () => {
     const rgba = Uint8Array.from({ length: 64 }, (_, i) => (i % 4 === 3 || (i >> 2) % 2 ? 255 : 0));
     const { bitmap } = await harness.decodePicture(await harness.encodePng(4, 4, rgba));
     const renderer = new harness.Renderer(document.createElement('canvas'));
     renderer.setPicture(bitmap);
-    const pixels = renderer.readPixels({ scale: 5, x: 0, y: 0, width: 20, height: 20 });
-    return Array.from({ length: 20 }, (_, x) => pixels[x * 4]);
+    const drawn = (scale: number, pixelated?: boolean) => {
+      const size = 4 * scale;
+      const view = { scale, x: 0, y: 0, width: size, height: size, ...(pixelated && { pixelated }) };
+      const pixels = renderer.readPixels(view);
+      return Array.from({ length: size }, (_, x) => pixels[x * 4]);
+    };
+    return { row: drawn(5), soft: drawn(3), pixelated: drawn(3, true) };
   });
-  expect(row).toEqual([0, 255, 0, 255].flatMap((value) => Array.from({ length: 5 }, () => value)));
+  const squares = (side: number) =>
+    [0, 255, 0, 255].flatMap((value) => Array.from({ length: side }, () => value));
+  expect(row).toEqual(squares(5));
+  expect(pixelated).toEqual(squares(3));
+  expect(soft).not.toEqual(pixelated);
 });
 
 test('draws the same again after the browser took the context away', async ({ page }) => {

@@ -115,6 +115,7 @@ export class Stage {
           ...deviceView(viewing.camera, viewing.stage, devicePixelRatio),
           compare: display.original,
           overlays: display.bare || display.lassoing ? {} : display.overlays,
+          pixelated: getComputedStyle(canvas).imageRendering === 'pixelated',
         }),
         motions: () => posing.motions(),
         blend: () => blendOf(editing.project),

@@ -21,12 +21,14 @@ describe('camera', () => {
     expect(scaledAt(camera, 0, [0, 0]).scale).toBe(SCALE_LIMITS[0]);
   });
 
-  it('fits the image between the insets, centred, and lets a small one grow a little', () => {
+  it('fits the image between the insets, centred, and lets a small one grow to fill the room', () => {
     const insets = { top: 50, right: 0, bottom: 0, left: 100 };
     const image = { min: [0, 0], max: [1000, 500] } as const;
     expect(fitted(image, { width: 600, height: 1050 }, insets)).toEqual({ scale: 0.5, x: 100, y: 425 });
-    const small = { min: [0, 0], max: [10, 10] } as const;
-    expect(fitted(small, { width: 600, height: 600 }, insets).scale).toBe(2);
+    const small = { min: [0, 0], max: [16, 11] } as const;
+    expect(fitted(small, { width: 900, height: 600 }, insets).scale).toBe(50);
+    const least = { min: [0, 0], max: [2, 2] } as const;
+    expect(fitted(least, { width: 900, height: 600 }, insets).scale).toBe(SCALE_LIMITS[1]);
   });
 
   it('fits what lies beyond the image as well', () => {

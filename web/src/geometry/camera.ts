@@ -60,11 +60,11 @@ export function scaledAt(camera: Camera, scale: number, anchor: Vec): Camera {
   };
 }
 
-/** The camera that centres a box of the image in the stage without its insets, at a scale of `largest` at most. */
-export function fitted({ min, max }: Box, stage: Size, insets: Insets, largest = 2): Camera {
+/** The camera that centres a box of the image in the stage without its insets, as large as it fits. */
+export function fitted({ min, max }: Box, stage: Size, insets: Insets): Camera {
   const width = Math.max(1, stage.width - insets.left - insets.right);
   const height = Math.max(1, stage.height - insets.top - insets.bottom);
-  const scale = clampScale(Math.min(width / (max[0] - min[0]), height / (max[1] - min[1]), largest));
+  const scale = clampScale(Math.min(width / (max[0] - min[0]), height / (max[1] - min[1])));
   return {
     scale,
     x: insets.left + (width - (min[0] + max[0]) * scale) / 2,

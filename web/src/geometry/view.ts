@@ -13,6 +13,8 @@ export interface View {
   /** Draw the unwarped picture, for comparison. */
   readonly compare?: boolean;
   readonly overlays?: Overlays;
+  /** Enlarged pixels of the picture are squares. Above 400 % they always are. */
+  readonly pixelated?: boolean;
 }
 
 /** Optional drawings over the picture. */

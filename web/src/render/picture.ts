@@ -3,6 +3,7 @@
  * pixels; with mipmaps; without anisotropy, so that every GPU filters alike.
  */
 import * as twgl from 'twgl.js';
+import type { View } from '../geometry/view';
 
 /** Above this many device pixels per image pixel, image pixels are drawn as squares. */
 const CRISP_ABOVE = 4;
@@ -26,10 +27,15 @@ export function createPictureTexture(gl: WebGL2RenderingContext, source: ImageBi
   });
 }
 
-/** Sets the magnification filter for a scale, in device pixels per image pixel. */
-export function setMagnification(gl: WebGL2RenderingContext, texture: WebGLTexture, scale: number): void {
+/** Sets the magnification filter for a view. */
+export function setMagnification(
+  gl: WebGL2RenderingContext,
+  texture: WebGLTexture,
+  { scale, pixelated = false }: View,
+): void {
   gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, scale > CRISP_ABOVE ? gl.NEAREST : gl.LINEAR);
+  const crisp = pixelated || scale > CRISP_ABOVE;
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, crisp ? gl.NEAREST : gl.LINEAR);
 }
 
 function shrunk(source: ImageBitmap, ratio: number): HTMLCanvasElement {

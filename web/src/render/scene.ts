@@ -153,7 +153,7 @@ export class Scene {
 
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    setMagnification(gl, picture.texture, view.scale);
+    setMagnification(gl, picture.texture, view);
     const uniforms = {
       u_weights: loaded.weights.texture,
       u_motions: loaded.motions.texture,
