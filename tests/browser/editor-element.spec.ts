@@ -177,7 +177,8 @@ test('removed, it gives back its context; put back, it has its document', async 
 
 test('created and removed again and again, nothing of it is left', async ({ page }) => {
   await Editor.open(page);
-  const workers = page.workers().length;
+  // One solves, and one writes PNGs for the whole page.
+  await expect.poll(() => page.workers().length).toBe(2);
   await page.evaluate(async () => {
     const gone: WeakRef<Element>[] = [];
     for (let k = 0; k < 5; k++) {
@@ -196,7 +197,7 @@ test('created and removed again and again, nothing of it is left', async ({ page
     );
   };
   await expect.poll(left).toBe(0);
-  await expect.poll(() => page.workers().length).toBe(workers);
+  await expect.poll(() => page.workers().length).toBe(2);
 });
 
 test('removed while it opens another picture, it keeps neither', async ({ page }) => {

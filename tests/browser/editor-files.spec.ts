@@ -140,7 +140,7 @@ test('a word in passing does not take away the way back to what was open before'
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -10, y: -40 });
   await page.locator('c2-warp').evaluate(async (element) => {
-    const canvas = new OffscreenCanvas(64, 64);
+    const canvas = new OffscreenCanvas(64, 8);
     canvas.getContext('2d')?.fillRect(0, 0, 64, 64);
     const file = new File([await canvas.convertToBlob()], 'other.png', { type: 'image/png' });
     const transfer = new DataTransfer();
@@ -167,7 +167,7 @@ test('a word in passing does not take away the way back to what was open before'
       }),
   );
   await editor.button('Add a point handle').click();
-  await page.mouse.click(100, 400);
+  await page.mouse.click(100, 600);
   expect(await said).not.toContain('Back to');
   await expect(page.getByText('There is nothing to hold here')).toBeHidden();
   await expect(back).toBeVisible();
