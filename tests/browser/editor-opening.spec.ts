@@ -121,6 +121,71 @@ test('while the solver is slow to come, nothing looks lost', async ({ page }) =>
   await expect(page.getByText('Opening…')).toBeHidden();
 });
 
+/** A network that answers everything by a page of its own, such as that of a hotel, until it is told to let files through. */
+async function captive(page: Page, files: string): Promise<() => Promise<void>> {
+  await page.route(files, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }));
+  return () => page.unroute(files);
+}
+
+for (const [what, files] of [
+  ['the solver', '**/*.wasm'],
+  ['the worker', '**/worker-*.js'],
+] as const) {
+  test(`where ${what} does not come it can be tried again, and the sample opens`, async ({ page }) => {
+    const free = await captive(page, files);
+    await page.goto('/');
+    const editor = new Editor(page);
+    await editor.button('Try again').click();
+    // The network is as it was.
+    await expect(editor.button('Try again')).toBeVisible();
+    await free();
+    await editor.button('Try again').click();
+    await editor.ready();
+    await expect(editor.notice).toBeHidden();
+  });
+
+  test(`where ${what} does not come the kept work is shown, and what is done meanwhile stays`, async ({
+    page,
+  }) => {
+    const editor = await Editor.open(page);
+    await editor.dragHandle('left hand', { x: 0, y: -40 });
+    await expect.poll(async () => (await editor.kept()).step).toBe('Move left hand');
+    const first = await editor.told('left hand');
+    const free = await captive(page, files);
+    await page.reload();
+    await expect(editor.notice).toContainText('The solver');
+    await editor.dragHandle('right hand', { x: 0, y: -40 });
+    const second = await editor.told('right hand');
+    await free();
+    await editor.button('Try again').click();
+    await editor.ready();
+    await expect(editor.notice).toBeHidden();
+    expect([(await editor.told('left hand')).y, (await editor.told('right hand')).y]).toEqual([
+      first.y,
+      second.y,
+    ]);
+    await page.reload();
+    await editor.ready();
+    expect((await editor.told('right hand')).y).toBe(second.y);
+  });
+}
+
+test('a project that the page set waits for the solver', async ({ page }) => {
+  const free = await captive(page, '**/*.wasm');
+  await open(page, '<c2-warp></c2-warp>');
+  await warp(page).evaluate((element, project) => {
+    (element as C2Warp).project = project;
+    element.setAttribute('src', '/fast.png');
+  }, PROJECT);
+  await expect(page.getByRole('alert')).toContainText('The solver could not be loaded');
+  await free();
+  await page.getByRole('button', { name: 'Try again' }).click();
+  await expect(page.getByRole('button', { name: 'Handle middle, ' })).toBeVisible();
+  await expect
+    .poll(async () => (await heard(page)).filter((type) => type !== 'error'))
+    .toEqual(['ready', 'load']);
+});
+
 test('a picture without handles says what to do, and the one that a person brings has the point tool in hand', async ({
   page,
 }) => {

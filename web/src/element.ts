@@ -338,6 +338,7 @@ export class C2Warp extends TypedElement {
       aside: this.#initial.aside,
       changed: () => this.requestUpdate(),
       opened: () => this.#desk && this.#initial.settle(this.#desk),
+      again: () => this.#desk && void this.#initial.again(this.#desk),
       edited: (kind) => this.#edited(kind),
       emit: this.#emit,
       switchTheme: () => {

@@ -17,6 +17,10 @@ export class EngineError extends Error {
   }
 }
 
+/** Whether the solver itself has failed, such as for want of its files. */
+export const isEngineFailure = (error: unknown): boolean =>
+  error instanceof EngineError && error.code === ENGINE;
+
 /** The error that rejects a request which a newer one has made pointless. */
 export function superseded(): DOMException {
   return new DOMException('superseded', 'AbortError');

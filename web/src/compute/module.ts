@@ -21,7 +21,7 @@ export function loadModule(): Promise<WebAssembly.Module> {
     // A later call tries again: the network may be back.
     loading = undefined;
     throw new EngineError(
-      { code: ENGINE, message: `The solver could not be loaded: ${error}` },
+      { code: ENGINE, message: `The solver could not be loaded: ${reason(error)}` },
       { cause: error },
     );
   });
@@ -36,6 +36,14 @@ export function createPoser(bytes: Uint8Array): Poser {
 /** The project file with every key written out. Requires the module to be loaded. */
 export function checkedProject(text: string): string {
   return project_check(text);
+}
+
+/** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */
+function reason(error: unknown): string {
+  if (error instanceof TypeError) return 'is the network there, and does the page allow it?';
+  if (error instanceof WebAssembly.CompileError)
+    return `it came incomplete, or cannot run here (${error.message}).`;
+  return error instanceof Error ? error.message : String(error);
 }
 
 async function load(): Promise<WebAssembly.Module> {

@@ -1,5 +1,5 @@
 /** Saves the open work under a key, so that it survives a reload or a crash, and opens it again. */
-import { ENGINE } from '../compute/errors';
+import { isEngineFailure } from '../compute/errors';
 import { StoredWork } from './stored_work';
 import type { Kept, Workbench } from './workbench';
 
@@ -41,7 +41,7 @@ export class Autosave {
       await reopen(kept);
     } catch (error) {
       // Without a solver nothing can be opened. Any other error means a document that this version does not accept.
-      if (error instanceof Error && 'code' in error && error.code === ENGINE) throw error;
+      if (isEngineFailure(error)) throw error;
       return null;
     } finally {
       this.#restoring = false;

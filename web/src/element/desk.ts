@@ -162,6 +162,7 @@ export class Desk {
   }
 
   #solved({ data }: Solved, first: boolean): void {
+    this.notices.solved();
     this.#stage?.drawing?.setSolution(data);
     this.#parts.checks.solved(data.report);
     // The bounds of the posed picture are known only now.

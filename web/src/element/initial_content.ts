@@ -3,6 +3,7 @@
  *
  * Outlives the desk, so that nothing is lost when the element is moved, or set up before it is connected.
  */
+import { isEngineFailure } from '../compute/errors';
 import type { ProjectFile } from '../document/project';
 import type { Desk } from './desk';
 import type { Emit } from './events';
@@ -80,6 +81,17 @@ export class InitialContent {
     await this.#open(desk, () => this.#attributes(desk, signal));
   }
 
+  /** Opens again what the solver has failed at: the shown picture with the work on it, or what the attributes name. */
+  async again(desk: Desk): Promise<void> {
+    const signal = desk.files.overtake();
+    const { kept } = desk.workbench;
+    await this.#open(desk, async () => {
+      if (!kept) return this.#attributes(desk, signal);
+      await desk.reopen(kept, signal);
+      return true;
+    });
+  }
+
   /** Applies to the open picture what the page set before. */
   settle({ workbench, notices }: Desk): void {
     const [project, selection] = [this.taken(), this.selection];
@@ -116,8 +128,8 @@ export class InitialContent {
     try {
       await desk.files.load(src, project ?? projectSource ?? undefined, signal);
     } catch (error) {
-      // After a disconnection the project is still needed, unless the page has set a newer one.
-      if (desk !== this.#host.desk) this.project ??= project ?? null;
+      // After a disconnection, or without a solver, the project is still needed, unless the page has set a newer one.
+      if (desk !== this.#host.desk || isEngineFailure(error)) this.project ??= project ?? null;
       throw error;
     } finally {
       if (desk === this.#host.desk && asked === this.#asked) this.#asked = null;

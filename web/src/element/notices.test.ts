@@ -1,10 +1,12 @@
 import { describe, expect, it, vi } from 'vitest';
+import { ENGINE, EngineError } from '../compute/errors';
 import { Notices } from './notices';
 
 function notices() {
   const told: unknown[] = [];
   const emit = (type: string, detail: unknown) => type === 'progress' && told.push(detail);
-  return { told, notices: new Notices({ changed: () => {}, emit, answerable: true, playing: false }) };
+  const host = { changed: () => {}, emit, answerable: true, playing: false, again: () => told.push('again') };
+  return { told, notices: new Notices(host) };
 }
 
 describe('a notice that disappears by itself', () => {
@@ -19,6 +21,28 @@ describe('a notice that disappears by itself', () => {
     vi.runAllTimers();
     expect(it.notice).toBeNull();
     vi.useRealTimers();
+  });
+});
+
+describe('an error', () => {
+  const error = new EngineError({ code: ENGINE, message: 'The solver could not be loaded' });
+
+  it('of the solver can be tried again, and goes once the solver works', () => {
+    const { notices: it, told } = notices();
+    it.report(error);
+    it.notice?.action?.run();
+    expect(told).toEqual(['again']);
+    expect(it.notice).toBeNull();
+    it.report(error);
+    it.solved();
+    expect(it.notice).toBeNull();
+  });
+
+  it('of anything else stays', () => {
+    const { notices: it } = notices();
+    it.report(new Error('no picture'));
+    it.solved();
+    expect(it.notice).toEqual({ kind: 'error', text: 'no picture' });
   });
 });
 

@@ -2,6 +2,7 @@
  * What the editor says: notices, texts for screen readers, progress. A notice that disappears by itself covers a notice
  * that waits for an answer, and does not replace it.
  */
+import { isEngineFailure } from '../compute/errors';
 import type { Notice, Progress } from '../ui/model';
 import type { Emit } from './events';
 import { refusalWords } from './wording';
@@ -13,6 +14,8 @@ export interface NoticesHost {
   readonly answerable: boolean;
   /** Only errors are shown. */
   readonly playing: boolean;
+  /** Solves what the solver has failed at; null if there is nothing. */
+  readonly again: (() => void) | null;
 }
 
 /** Long enough to read a sentence twice. */
@@ -90,16 +93,26 @@ export class Notices {
     this.#host.changed();
   }
 
+  /** The solver works: closes the error that can be tried again. */
+  solved(): void {
+    if (this.#error?.action) this.#error = null;
+  }
+
   #pass(): void {
     clearTimeout(this.#timer);
     this.#passing = null;
   }
 
-  /** Shows an error as a notice, in words of the editor, and emits it as it is. Ignores AbortErrors: overtaken work is no error. */
+  /**
+   * Shows an error as a notice, in words of the editor, and emits it as it is. One of the solver itself can be tried again.
+   * Ignores AbortErrors: overtaken work is no error.
+   */
   report(thrown: unknown): void {
     const error = thrown instanceof Error ? thrown : new Error(String(thrown));
     if (error.name === 'AbortError') return;
-    this.notify({ kind: 'error', text: refusalWords(error) });
+    const run = isEngineFailure(error) ? this.#host.again : null;
+    const action = run && ({ action: { label: 'Try again', run }, passes: true } as const);
+    this.notify({ kind: 'error', text: refusalWords(error), ...action });
     this.#host.emit('error', error);
   }
 

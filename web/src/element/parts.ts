@@ -27,6 +27,8 @@ export interface PartsHost extends Attributes {
   changed(): void;
   /** A picture is open, whether the page or a person opened it. */
   opened(): void;
+  /** Opens again what the solver has failed at. */
+  again(): void;
   readonly emit: Emit;
   switchTheme(): void;
 }
@@ -71,6 +73,11 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     },
     get playing() {
       return permissions.playing;
+    },
+    get again() {
+      if (!workbench.isUnsolved) return null;
+      const { solving, editing } = workbench;
+      return () => (solving.current ? solving.want(editing.project) : host.again());
     },
   });
   const viewing: Viewing = new Viewing({

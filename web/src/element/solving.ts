@@ -121,6 +121,10 @@ export class Solving {
   dispose(): void {
     this.#disposed = true;
     this.#forget();
+    this.#stop();
+  }
+
+  #stop(): void {
     this.#engine?.then(
       (engine) => engine.dispose(),
       () => {},
@@ -161,7 +165,11 @@ export class Solving {
     this.#done();
     this.#wanted = this.#current?.key ?? null;
     if ('code' in error && error.code !== ENGINE) this.#host.refused(key, error);
-    else this.#host.failed(error);
+    else {
+      // It may have given up the picture: the next solve starts another, which gets the picture anew.
+      this.#stop();
+      this.#host.failed(error);
+    }
   }
 
   #show(solved: Solved): void {

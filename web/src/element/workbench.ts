@@ -12,6 +12,7 @@ import { checkedHandle } from '../document/handle';
 import { History, type HistoryRecord } from '../document/history';
 import type { Project, ProjectFile } from '../document/project';
 import { projectText } from '../document/project_text';
+import { solveKey } from '../document/solved';
 import { alphaThreshold } from '../io/alpha';
 import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
@@ -116,8 +117,10 @@ export class Workbench {
    */
   open(picture: Picture, work?: Work): Promise<void> {
     this.#opening?.reject(new DOMException('another picture was opened', 'AbortError'));
-    const before =
-      this.#picture && !this.#opening ? this.#snapshot(this.#picture) : (this.#opening?.before ?? null);
+    // What is opened once more, as it could not be solved, is no way back from itself.
+    const again = this.#picture?.file === picture.file && !this.solving.current;
+    const last = again ? null : this.#picture;
+    const before = last && !this.#opening ? this.#snapshot(last) : (this.#opening?.before ?? null);
     return new Promise((resolve, reject) => {
       this.#opening = { before, fresh: work ? null : picture, resolve, reject };
       this.#put(picture, work ?? this.#fresh(picture));
@@ -133,6 +136,11 @@ export class Workbench {
   /** Replaces the project of the open picture, as an undoable step. */
   adopt(project: Project, label: string): void {
     this.editing.step(label, openDocument(project));
+  }
+
+  /** Whether the shown solution, if any, is not that of the present project. */
+  get isUnsolved(): boolean {
+    return this.solving.current?.key !== solveKey(this.editing.project);
   }
 
   /** Whether a project can be set: a picture is open and the solver has started. */

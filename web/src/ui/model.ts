@@ -100,7 +100,7 @@ export interface Notice {
   readonly kind: 'error' | 'info';
   readonly text: string;
   readonly action?: { readonly label: string; run(): void };
-  /** Disappears by itself though it has an action, which can be had again. */
+  /** With an action that can be had again, or is no edit: gives way as if it had none. */
   readonly passes?: true;
 }
 
