@@ -227,6 +227,39 @@ test('a reload brings everything back: picture, pose, history', async ({ page })
   await expect(editor.handles).toHaveCount(1);
 });
 
+test('where the browser has no room to keep the work, that is told once, and again after it had some', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const { put } = IDBObjectStore.prototype;
+    IDBObjectStore.prototype.put = function (...given) {
+      if (Reflect.get(globalThis, 'full')) throw new DOMException('no room', 'QuotaExceededError');
+      return put.apply(this, given);
+    };
+  });
+  const full = (is: boolean) => page.evaluate((is) => Object.assign(globalThis, { full: is }), is);
+  const editor = await Editor.open(page);
+  const dismiss = editor.button('Dismiss');
+  await full(true);
+  // A picture that is only opened is no loss.
+  await editor.choose(png('disc.png', disc(96)));
+  await expect(editor.status).toContainText('96 × 96 px');
+  await page.keyboard.press('p');
+  await expect(editor.notice).toBeHidden();
+  await page.keyboard.press('Enter');
+  await expect(editor.notice).toContainText('Your work is not kept in this browser');
+  await dismiss.click();
+  await page.keyboard.press('ArrowRight');
+  await editor.drawn();
+  await expect(editor.notice).toBeHidden();
+  await full(false);
+  await page.keyboard.press('ArrowRight');
+  await expect.poll(() => editor.kept()).toMatchObject({ picture: 'disc.png', step: 'Move handle 1' });
+  await full(true);
+  await page.keyboard.press('ArrowRight');
+  await expect(editor.notice).toContainText('Save the project before you leave');
+});
+
 test('the guard against folds stays on over a reload and a move', async ({ page }) => {
   const editor = await Editor.open(page);
   const guard = editor.switch('Stop at folds');

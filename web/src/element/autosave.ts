@@ -1,26 +1,41 @@
 /** Saves the open work under a key, so that it survives a reload or a crash, and opens it again. */
 import { isEngineFailure } from '../compute/errors';
 import { StoredWork } from './stored_work';
-import type { Kept, Workbench } from './workbench';
+import { isWorkedOn, type Kept, type Workbench } from './workbench';
 
 export class Autosave {
   readonly #workbench: Workbench;
   #stored: StoredWork | null = null;
   #restoring = false;
+  readonly #lost: () => void;
+  /** Whether the last attempt to store work has failed. */
+  #failing = false;
 
-  constructor(workbench: Workbench) {
+  /** @param lost called when work is not stored any more: the browser refuses storage, or has no more of it. */
+  constructor(workbench: Workbench, lost: () => void) {
     this.#workbench = workbench;
+    this.#lost = lost;
   }
 
   /** Saves under this key from now on; null stops that. */
   use(key: string | null): void {
-    this.#stored = key ? new StoredWork(key) : null;
+    this.#stored = key ? new StoredWork(key, (stored) => this.#tell(stored)) : null;
     this.save();
   }
 
   save(): void {
     const { kept } = this.#workbench;
     if (kept) this.#stored?.write(kept);
+  }
+
+  /** A picture that was opened and not touched is no loss. */
+  #tell(stored: boolean): void {
+    const { kept } = this.#workbench;
+    if (stored) this.#failing = false;
+    else if (kept && isWorkedOn(kept) && !this.#failing) {
+      this.#failing = true;
+      this.#lost();
+    }
   }
 
   /** Saves what has just been opened. Restored work is stored already, or has been replaced by newer work of another tab. */

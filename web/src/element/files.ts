@@ -6,7 +6,7 @@ import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
 import { LatestRequest, unlessAborted } from './latest';
 import { fits, misfit, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
-import type { Kept, Work, Workbench } from './workbench';
+import { isWorkedOn, type Kept, type Work, type Workbench } from './workbench';
 
 /** Projects and pictures of a person that are not open now. Kept when the element is moved. */
 export interface Aside {
@@ -34,8 +34,6 @@ export interface FilesHost {
 
 const CUT =
   'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
-
-const isWorkedOn = ({ record, drawings = [] }: Work): boolean => record.past.length + drawings.length > 0;
 
 export class Files {
   readonly #workbench: Workbench;

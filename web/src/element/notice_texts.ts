@@ -12,6 +12,9 @@ export const leftOutText = (count: number): string =>
     ? 'One handle lay outside of the lasso, and is gone. Undo brings it back.'
     : `${count} handles lay outside of the lasso, and are gone. Undo brings them back.`;
 
+export const NOT_KEPT =
+  'Your work is not kept in this browser: it grants no storage, or has no more of it. Save the project before you leave.';
+
 const listed = new Intl.ListFormat('en-GB');
 
 /** @param handles names of handles that lie partly outside the picture; at least one. */

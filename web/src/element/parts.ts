@@ -10,6 +10,7 @@ import { FirstHint, type PageHint } from './first_hint';
 import { Focus } from './focus';
 import { HitAreas } from './hit_areas';
 import { LineCommands } from './line_commands';
+import { NOT_KEPT } from './notice_texts';
 import { Notices } from './notices';
 import { type Attributes, Permissions } from './permissions';
 import { PoseChecks } from './pose_checks';
@@ -112,7 +113,9 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     cuts: () => workbench.posing.beyond(),
     received: (ignored) => reactions.received(ignored),
   });
-  const autosave = new Autosave(workbench);
+  const autosave = new Autosave(workbench, () => {
+    if (!permissions.playing) notices.notify({ kind: 'error', text: NOT_KEPT });
+  });
   const hint = new FirstHint({
     workbench,
     viewing,

@@ -3,7 +3,8 @@
  * unfinished drawings, and whether the guard against folds is on. Tabs share the key: the last change of any of them is read, picture and
  * document together.
  *
- * If the browser refuses storage, as in some private windows, nothing is stored and nothing fails.
+ * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing fails:
+ * the owner is told.
  */
 import { readKept, writeKept } from '../io/storage';
 import type { Kept } from './workbench';
@@ -24,9 +25,12 @@ export class StoredWork {
   #mark = '';
   #writing: Promise<void> = Promise.resolve();
   #next: Kept | null = null;
+  readonly #told: (stored: boolean) => void;
 
-  constructor(key: string) {
+  /** @param told called after each attempt to store a state. */
+  constructor(key: string, told: (stored: boolean) => void) {
     this.#key = key;
+    this.#told = told;
   }
 
   async read(): Promise<Kept | null> {
@@ -68,8 +72,10 @@ export class StoredWork {
         { [`${this.#key}/document`]: document },
         { name: markName, is: mark, values: { [`${this.#key}/picture`]: picture, [markName]: mark } },
       );
+      this.#told(true);
     } catch {
       // Storage full or refused: editing goes on.
+      this.#told(false);
     }
   }
 }

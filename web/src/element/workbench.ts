@@ -46,6 +46,9 @@ export interface Work {
   readonly look?: Look;
 }
 
+export const isWorkedOn = ({ record, drawings = [] }: Work): boolean =>
+  record.past.length + drawings.length > 0;
+
 /** Everything needed to open a closed picture again. */
 export interface Kept extends Work {
   readonly file: Blob;
