@@ -104,6 +104,23 @@ test('an empty stage asks for a picture, and not while one is on its way', async
   await expect(waits).toBeHidden();
 });
 
+test('while the script is slow to come, the page says so', async ({ page }) => {
+  let comes = () => {};
+  const come = new Promise<void>((done) => {
+    comes = done;
+  });
+  await page.route('**/index-*.js', async (route) => {
+    await come;
+    await route.continue();
+  });
+  await page.goto('/', { waitUntil: 'commit' });
+  const waits = page.getByText('The editor is loading');
+  await expect(waits).toBeVisible();
+  comes();
+  await new Editor(page).ready();
+  await expect(waits).toBeHidden();
+});
+
 test('while the solver is slow to come, nothing looks lost', async ({ page }) => {
   let comes = () => {};
   const come = new Promise<void>((done) => {
