@@ -187,6 +187,17 @@ for (const [what, files] of [
   });
 }
 
+test('the next edit asks a solver again that has failed', async ({ page }) => {
+  const free = await captive(page, '**/worker-*.js');
+  await page.goto('/');
+  const editor = new Editor(page);
+  await expect(editor.notice).toContainText('The solver failed');
+  await free();
+  await editor.dragHandle('left hand', { x: 0, y: -40 });
+  await editor.ready();
+  await expect(editor.notice).toBeHidden();
+});
+
 test('a project that the page set waits for the solver', async ({ page }) => {
   const free = await captive(page, '**/*.wasm');
   await open(page, '<c2-warp></c2-warp>');
