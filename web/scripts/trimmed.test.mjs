@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { trimmedShader, trimmedSheets } from './trimmed.mjs';
+import { trimmedMarkup, trimmedShader, trimmedSheets } from './trimmed.mjs';
 
 describe('trimmed', () => {
   it('takes comments and indentation out of style sheets alone', () => {
@@ -21,6 +21,11 @@ top: \${TOP}px;
 }
 \`;
   const indented = 1;`);
+  });
+
+  it('takes indentation out of markup, and keeps its words apart', () => {
+    const code = "const words = html`<p>\n    Two\n    <b>words</b>\n  </p>`;\n  const a = ' b ';";
+    expect(trimmedMarkup(code)).toBe("const words = html`<p>\nTwo\n<b>words</b>\n</p>`;\nconst a = ' b ';");
   });
 
   it('takes whole lines of comment and indentation out of shaders', () => {
