@@ -111,7 +111,9 @@ fn the_way_back_leads_to_where_a_point_came_from() {
         let back = solution.rest_at(&pose, mapped.posed).expect("inside what is drawn");
         assert!(back.distance(p) < 0.1, "{p} came back as {back}");
     }
-    assert_eq!(solution.rest_at(&pose, DVec2::ZERO), None);
+    // What lies around the ring stays, and around the picture there is nothing.
+    assert_eq!(solution.rest_at(&pose, DVec2::ZERO), Some(DVec2::ZERO));
+    assert_eq!(solution.rest_at(&pose, DVec2::NEG_ONE), None);
 }
 
 #[test]

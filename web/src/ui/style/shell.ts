@@ -1,6 +1,6 @@
 /** The shell: bars above and below, the picture between them, and the room that the cards at its sides take. */
 import { css } from 'lit';
-import { low, lowest, lowestPhone, lowPhone, narrow, phone } from './layouts';
+import { low, lowest, lowPhone, narrow, phone } from './layouts';
 import { PANEL, TOOLS } from './sizes';
 
 export const shellStyle = css`
@@ -61,11 +61,6 @@ export const shellStyle = css`
   @container ${lowPhone} {
     .middle {
       --_left: ${TOOLS.lowPhone.fine}px;
-    }
-  }
-  @container ${lowestPhone} {
-    .middle {
-      --_left: ${TOOLS.lowestPhone.fine}px;
     }
   }
 `;

@@ -25,7 +25,7 @@ export const TOOLS = {
   low: 134,
   lowest: 182,
   lowPhone: { fine: 108, coarse: 124 },
-  lowestPhone: { fine: 150, coarse: 174 },
+  lowestPhone: { fine: 108, coarse: 174 },
 } as const;
 
 /** What the panel takes of the width, with the space around it. */

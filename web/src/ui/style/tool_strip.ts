@@ -70,9 +70,10 @@ export const toolStripStyle = css`
       border: 0;
     }
   }
+  /* No room for a seventh: two fingers, the middle button and the space bar pan too. */
   @container ${lowestPhone} {
-    .tools {
-      grid-template-columns: auto auto auto;
+    .tools [data-command='hand'] {
+      display: none;
     }
   }
   /* A keyboard on the glass leaves a strip: all of it is for what is typed. */

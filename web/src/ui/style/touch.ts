@@ -61,9 +61,8 @@ export const touchStyle = css`
       .middle {
         --_left: ${TOOLS.lowestPhone.coarse}px;
       }
-      /* Two rows have room: two fingers pan. */
-      .tools [data-command='hand'] {
-        display: none;
+      .tools {
+        grid-template-columns: auto auto auto;
       }
     }
   }
