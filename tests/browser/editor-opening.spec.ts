@@ -104,15 +104,21 @@ test('an empty stage asks for a picture, and not while one is on its way', async
   await expect(waits).toBeHidden();
 });
 
-test('while the script is slow to come, the page says so', async ({ page }) => {
+/** A network that lets files through only once it is told to. */
+async function late(page: Page, files: string): Promise<() => void> {
   let comes = () => {};
   const come = new Promise<void>((done) => {
     comes = done;
   });
-  await page.route('**/index-*.js', async (route) => {
+  await page.route(files, async (route) => {
     await come;
     await route.continue();
   });
+  return comes;
+}
+
+test('while the script is slow to come, the page says so', async ({ page }) => {
+  const comes = await late(page, '**/index-*.js');
   await page.goto('/', { waitUntil: 'commit' });
   const waits = page.getByText('The editor is loading');
   await expect(waits).toBeVisible();
@@ -122,14 +128,7 @@ test('while the script is slow to come, the page says so', async ({ page }) => {
 });
 
 test('while the solver is slow to come, nothing looks lost', async ({ page }) => {
-  let comes = () => {};
-  const come = new Promise<void>((done) => {
-    comes = done;
-  });
-  await page.route('**/*.wasm', async (route) => {
-    await come;
-    await route.continue();
-  });
+  const comes = await late(page, '**/*.wasm');
   await page.goto('/');
   await expect(page.getByText('Opening…')).toBeVisible();
   await expect(page.getByText('Drop a picture here')).toBeHidden();

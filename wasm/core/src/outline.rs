@@ -31,12 +31,12 @@ impl Outline {
     pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         let domain = Domain::new(spec, picture)?;
         let navigation = Navigation::new(&domain);
-        let (soft, drawn) = match spec {
-            Some(DomainSpec::Alpha { .. }) => (true, false),
-            Some(DomainSpec::Polygon { .. }) => (false, true),
-            Some(DomainSpec::Image) => (false, false),
-            None => (picture.has_transparency(), false),
+        let soft = match spec {
+            Some(DomainSpec::Alpha { .. }) => true,
+            Some(_) => false,
+            None => picture.has_transparency(),
         };
+        let drawn = matches!(spec, Some(DomainSpec::Polygon { .. }));
         let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
         let (fading, surrounding) = (soft.then_some(size), drawn.then_some(size));
         Ok(Self { domain, navigation, picture: Some(picture.size()), fading, surrounding })

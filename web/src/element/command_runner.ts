@@ -1,5 +1,5 @@
 /** Runs the commands of buttons and keys, as far as the state of the editor allows. */
-import type { ToolName } from '../tools/machine';
+import { draws, type ToolName } from '../tools/machine';
 import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
@@ -41,8 +41,8 @@ export class CommandRunner {
     const { editing } = workbench;
     if (permissions.playing || (permissions.readonly && tool !== 'hand')) return;
     editing.apply(editing.machine.choose(tool));
-    // Arrow keys move the crosshair of a line tool only while nothing is selected.
-    if (tool === 'bar' || tool === 'polygon' || tool === 'lasso') {
+    // Arrow keys move the crosshair of such a tool only while nothing is selected.
+    if (draws(tool)) {
       editing.select([]);
       display.openSettings(false);
     }

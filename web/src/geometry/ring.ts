@@ -1,7 +1,7 @@
 /** Rings, as closed lines are where they bound something: clipped to a box, made simple, and whether two of them meet. */
 import type { Box } from './box';
 import { distanceToLine, edgesOf, isInside } from './polyline';
-import { between, cross, subtract, type Vec } from './vec';
+import { between, cross, distance, subtract, type Vec } from './vec';
 
 export type Ring = readonly Vec[];
 
@@ -46,7 +46,7 @@ export function simple(drawn: Ring): Ring {
 function withoutSpike(ring: Ring): Ring | null {
   const spike = ring.findIndex((at, k) => {
     const [before, after] = [ring.at(k - 1) ?? at, ring[(k + 1) % ring.length] ?? at];
-    return isNear(before, before, at) || isNear(before, at, after) || isNear(after, at, before);
+    return distance(before, at) < TOUCH || isNear(before, at, after) || isNear(after, at, before);
   });
   return spike < 0 ? null : ring.filter((_, k) => k !== spike);
 }

@@ -1,4 +1,5 @@
 /** The tools by name, and the machine that holds the current tool and the state of each. */
+import { CORNERS_NEEDED } from '../document/handle';
 import { resumed } from './drafting';
 import { hand } from './hand';
 import { lasso } from './lasso';
@@ -17,6 +18,9 @@ const NAMES = Object.keys(TOOLS) as ToolName[];
 export type Drawings = readonly Draft[];
 
 export const isToolName = (name: unknown): name is ToolName => typeof name === 'string' && name in TOOLS;
+
+/** Whether a tool draws something from press to press. */
+export const draws = (tool: ToolName): tool is Draft['kind'] => tool in CORNERS_NEEDED;
 
 export class ToolMachine {
   #tool: ToolName = 'select';

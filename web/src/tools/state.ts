@@ -6,7 +6,7 @@
  */
 
 import type { Document } from '../document/document';
-import type { Turns } from '../document/handle';
+import type { CORNERS_NEEDED, Turns } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Vec } from '../geometry/vec';
@@ -54,8 +54,8 @@ export interface Scene {
 
 /** A bar, a polygon or a lasso that is being drawn. */
 export interface Draft {
-  readonly kind: LineHandle['kind'] | 'lasso';
-  /** Corners on the posed picture, image pixels. */
+  readonly kind: keyof typeof CORNERS_NEEDED;
+  /** Corners on the posed picture, those of a lasso on the original: image pixels. */
   readonly corners: readonly Vec[];
   /** Corners to redo, the next one last; emptied when another corner is set. */
   readonly taken: readonly Vec[];
