@@ -41,12 +41,12 @@ impl Cells {
         }
     }
 
-    /// Inserts a site: its cell consists of the scouts nearer to it than to all sites before. `start` are the scouts around
-    /// the site, `path_end` gives the path from the site to a scout.
+    /// Inserts a site at `rest`: its cell consists of the scouts nearer to it than to all sites before. `start` are the scouts
+    /// around the site, `path_end` gives the path from the site to a scout.
     pub(crate) fn insert(
         &mut self,
         scouts: &Scouts,
-        start: [u32; 3],
+        (rest, start): (DVec2, [u32; 3]),
         mut path_end: impl FnMut(usize) -> Option<PathEnd>,
     ) {
         let site = self.first.len() as u32;
@@ -61,10 +61,15 @@ impl Cells {
             if !self.seen.mark(sample) {
                 continue;
             }
-            let Some(PathEnd { distance: d, pseudo_source, .. }) = path_end(at) else { continue };
-            let known = self.distance[at];
             // The path to a scout of the cell crosses triangles whose corners are at most an edge away from the path.
-            if d < known + 2.0 * scouts.reach[at] {
+            let known = self.distance[at];
+            let margin = known + 2.0 * scouts.reach[at];
+            // No path is shorter than the straight line.
+            if rest.distance_squared(scouts.mesh.vertices[at]) > margin * margin {
+                continue;
+            }
+            let Some(PathEnd { distance: d, pseudo_source, .. }) = path_end(at) else { continue };
+            if d < margin {
                 self.stack.extend(scouts.graph.of(at));
             }
             if d < known {

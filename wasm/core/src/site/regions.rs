@@ -76,7 +76,7 @@ impl<'a> Regions<'a> {
         let home = scouts.triangle_at(rest);
         let mut lookup = field.cached_lookup();
         let path_end = |at: usize| lookup.path_end(scouts.outline_triangles[at], scouts.mesh.vertices[at]);
-        self.cells.insert(scouts, scouts.mesh.triangles[home], path_end);
+        self.cells.insert(scouts, (rest, scouts.mesh.triangles[home]), path_end);
         self.sites.push(Site {
             rest,
             kind,

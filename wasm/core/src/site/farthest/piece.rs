@@ -142,7 +142,8 @@ impl Piece {
         let from_corner = (0..3).map(|k| nearest[k] + lengths[k].max(lengths[(k + 2) % 3]));
         // A cone is convex, so it is greatest at a corner.
         let at_corner = cones.map(|paths| (0..3).map(|k| paths.distance(k)).fold(0.0, f64::max));
-        self.upper_bound = from_corner.chain(at_corner).fold(f64::INFINITY, f64::min);
+        let lipschitz = lipschitz_bound(&nearest, longest);
+        self.upper_bound = from_corner.chain(at_corner).fold(lipschitz, f64::min);
     }
 
     fn is_divisible(&self) -> bool {
@@ -280,6 +281,16 @@ fn clipped(polygon: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     part
 }
 
+/// Upper bound of a 1-Lipschitz function in a triangle with edges no longer than `longest`, from its values at the corners.
+pub(super) fn lipschitz_bound(values: &[f64; 3], longest: f64) -> f64 {
+    // A point's value is at most Σ λᵢ (valueᵢ + distance to cornerᵢ) with its barycentric coordinates λ. There Σ λᵢ distanceᵢ is
+    // at most √Σ λᵢ distanceᵢ², by Jensen's inequality, which is at most longest · √Σ λᵢ λⱼ over the pairs. The greatest of
+    // these sums for any λ:
+    let mean = values.iter().sum::<f64>() / 3.0;
+    let spread: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
+    mean + ((2.0 * spread + longest * longest) / 3.0).sqrt()
+}
+
 /// Greatest depth of a cone below the plane through three of its points with edges no longer than `longest`, none of them
 /// nearer to the apex than `distance`.
 pub(super) fn cone_sag(longest: f64, distance: f64) -> f64 {
@@ -338,5 +349,22 @@ mod tests {
                 assert!(plane - value(p) <= cone_sag(1.0, nearest), "{} at {p}", plane - value(p));
             }
         }
+    }
+    #[test]
+    fn distances_to_sites_beyond_the_corners_stay_below_their_bound_and_reach_it_midway() {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (0.5, 0.75_f64.sqrt())].map(DVec2::from);
+        let middle = corners.iter().sum::<DVec2>() / 3.0;
+        // The steepest distances: of sites straight beyond the corners. They rise at 1 from each of them towards the others.
+        let steps =
+            (0..=40).flat_map(|s| (0..=40 - s).map(move |t| [s, t, 40 - s - t].map(|share| f64::from(share) / 40.0)));
+        for values in [[0.0; 3], [3.0; 3], [0.0, 0.3, 0.6], [0.0, 0.9, 0.4], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]] {
+            let value = |p: DVec2| (0..3).map(|k| values[k] + corners[k].distance(p)).fold(f64::INFINITY, f64::min);
+            let bound = lipschitz_bound(&values, 1.0);
+            let greatest =
+                steps.clone().map(|shares| value((0..3).map(|k| shares[k] * corners[k]).sum())).fold(0.0, f64::max);
+            assert!(greatest <= bound + 1e-12, "{greatest} of {bound} with {values:?}");
+        }
+        // Rounding of a few operations on numbers around 1.
+        assert!((lipschitz_bound(&[3.0; 3], 1.0) - (3.0 + corners[0].distance(middle))).abs() < 1e-12);
     }
 }

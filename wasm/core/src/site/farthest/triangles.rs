@@ -8,7 +8,7 @@
 use super::{
     super::{Regions, Site, TIE},
     corner_paths::CornerPaths,
-    piece::cone_sag,
+    piece::{cone_sag, lipschitz_bound},
 };
 use crate::{distance::PathEnd, triangulation::NONE};
 
@@ -97,13 +97,18 @@ impl Regions<'_> {
         let Self { scouts, cells, .. } = self;
         let corners = scouts.mesh.triangles[triangle as usize].map(|v| v as usize);
         let distances = corners.map(|at| cells.distance[at]);
-        let upper_bound = (0..3).map(|k| distances[k] + scouts.reach[corners[k]]).fold(f64::INFINITY, f64::min);
+        let reach = corners.map(|at| scouts.reach[at]);
+        let upper_bound = (0..3).map(|k| distances[k] + reach[k]).fold(f64::INFINITY, f64::min);
+        if upper_bound < least {
+            return upper_bound;
+        }
         // A cone is convex, so it is greatest at a corner.
-        if upper_bound >= least && self.is_of_one_cone(corners) {
+        let better = if self.is_of_one_cone(corners) {
             distances.into_iter().fold(0.0, f64::max)
         } else {
-            upper_bound
-        }
+            lipschitz_bound(&distances, reach.into_iter().fold(0.0, f64::max))
+        };
+        better.min(upper_bound)
     }
 
     /// Whether three scouts have the same nearest site and the same pseudo-source.
