@@ -1,5 +1,5 @@
 /** One handle: reading it, and the pure changes that a person makes to it. */
-import { bestTurn, centre, edgesOf, type LinePlace, nearestTurn } from '../geometry/polyline';
+import { bestTurn, centre, edgesOf, type LinePlace, nearestPlace, nearestTurn } from '../geometry/polyline';
 import { add, between, rotated, scaled, subtract, type Vec, wrapDegrees } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
@@ -22,6 +22,10 @@ export const corners = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonl
 
 /** Where a handle is grabbed: the mean of its corners. */
 export const anchor = (handle: Handle, of: 'rest' | 'posed' = 'posed'): Vec => centre(corners(handle, of));
+
+/** The handle's edges; those of a point are one, from its place to itself. */
+export const edges = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonly (readonly [Vec, Vec])[] =>
+  edgesOf(corners(handle, of), handle.kind !== 'bar');
 
 export const isLine = (handle: Handle): handle is LineHandle => handle.kind !== 'point';
 
@@ -160,6 +164,31 @@ export const atRest = (handle: Handle, rotation: Rotation): Handle =>
   isLine(handle)
     ? { ...handle, posed: handle.rest, rotation: 'auto', scale: 1 }
     : { ...handle, posed: handle.rest, rotation, scale: 1 };
+
+/**
+ * The handle moved from its rest place as `like`, of the same kind, is from its own: by as much, turned and scaled about
+ * its own middle, bent at the same places. It takes the depth, too.
+ */
+export function posedLike(handle: Handle, like: Handle): Handle {
+  const { rotation, scale, depth } = like;
+  const apart = subtract(anchor(handle, 'rest'), anchor(like, 'rest'));
+  const along = (rest: Vec) => roundedVec(add(followed(like, subtract(rest, apart)), apart));
+  return {
+    ...replaced({ ...handle, posed: handle.rest } as Handle, along),
+    rotation,
+    scale,
+    depth,
+  } as Handle;
+}
+
+/** Where a place at rest goes with the nearest place of a handle. */
+function followed(handle: Handle, at: Vec): Vec {
+  const { edge, share } = nearestPlace(corners(handle, 'rest'), handle.kind !== 'bar', at);
+  const [from, to] = [edges(handle, 'rest')[edge], edges(handle)[edge]];
+  if (!from || !to) return at;
+  const beside = scaled(subtract(at, between(...from, share)), scaleOf(handle));
+  return add(between(...to, share), rotated(beside, rotationOf(handle)));
+}
 
 /** Whether every corner is at its rest place; rotation and scale do not count. */
 export function isInPlace(handle: Handle): boolean {

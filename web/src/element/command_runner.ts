@@ -99,6 +99,7 @@ export class CommandRunner {
       redo: () => edit(() => (drawing() || machine.takenBack ? look(again) : editing.redo())),
       reset: () => edit(() => commands.reset(false)),
       'reset-all': () => edit(() => commands.reset(true)),
+      mirror: () => edit(() => this.#mirror()),
       remove: () => edit(() => (drawing() ? look(back) : commands.remove())),
       'add-corner': () => edit(() => lines.addCorner()),
       'remove-corner': () => edit(() => lines.removeCorner()),
@@ -118,6 +119,16 @@ export class CommandRunner {
       'zoom-out': () => look(() => viewing.zoom(-1)),
       bail: () => this.bail(),
     };
+  }
+
+  /** Mirrors what is selected, and goes on to what was posed by that. */
+  #mirror(): void {
+    const { workbench, notices, focus } = this.#host;
+    const { editing, commands } = workbench;
+    const told = commands.mirror();
+    if (told !== null) notices.notify({ kind: 'info', text: told });
+    // Keys act on what has the focus.
+    if (focus.isOnHandles) focus.hold(editing.document.selection[0]);
   }
 
   /** Chooses a tool, and announces it if that was possible. */

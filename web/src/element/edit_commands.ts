@@ -1,6 +1,6 @@
 /** The commands that change the document: each is one undo step with its label, announced to screen readers. */
 import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
-import { type Document, handleById, selectedHandles } from '../document/document';
+import { type Document, handleById, isSameWork, selectedHandles } from '../document/document';
 import { lassoed } from '../document/domain';
 import {
   addCorner,
@@ -29,6 +29,7 @@ import {
   scaleOf,
   turnedTo,
 } from '../document/handle';
+import { mirrored } from '../document/mirror';
 import type { Domain, Handle, LineHandle, PoseMode, Project } from '../document/project';
 import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
@@ -36,6 +37,7 @@ import { add, type Vec } from '../geometry/vec';
 import type { Corner, Field } from '../ui/model';
 import type { Editing } from './editing';
 import type { Guarding } from './guarding';
+import { noOtherSideText, SAME_THERE } from './notice_texts';
 import type { Posing } from './posing';
 import { cornerWords, depthWords, placeWords, selectionName } from './wording';
 
@@ -65,6 +67,26 @@ export class EditCommands {
     if (!all && ids.length === 0) return;
     const label = all ? 'Reset all handles' : `Reset ${selectionName(this.#document)}`;
     this.#editing.step(label, resetHandles(this.#document, ids));
+  }
+
+  /**
+   * Mirrors what is selected to the other side, which is selected then. Returns what is to be told where that was not
+   * possible or has changed nothing, else null.
+   */
+  mirror(): string | null {
+    const bounds = this.#posing.restBounds();
+    const before = this.#document;
+    if (!bounds || before.selection.length === 0) return null;
+    const { document, left } = mirrored(before, bounds, (rest) => this.#posing.map(rest) !== null);
+    const goes = document.selection.some((id) => !before.selection.includes(id));
+    if (goes || !isSameWork(before, document)) {
+      const label = `Mirror ${selectionName(before)}`;
+      this.#editing.step(label, document);
+      // Counterparts that were posed so already: no step, but selected.
+      this.#editing.select(document.selection);
+      this.#say(`${label}. ${this.#placeWords}`);
+    } else if (left.length === 0) return SAME_THERE;
+    return left.length > 0 ? noOtherSideText(left.map(nameOf)) : null;
   }
 
   nudge(by: Vec): void {

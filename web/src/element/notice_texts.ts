@@ -24,6 +24,12 @@ export function outsideText(handles: readonly string[]): string {
     : `Only the parts on the picture bend it of ${listed.format(handles)}.`;
 }
 
+export const SAME_THERE = 'The other side is the same: there is nothing to mirror.';
+
+/** @param handles names of handles that have no place on the other side; at least one. */
+export const noOtherSideText = (handles: readonly string[]): string =>
+  `There is nothing to hold on the other side of ${listed.format(handles)}.`;
+
 /** @param files names of files that were not opened; at least one. */
 export function notOpenedText([first, ...more]: readonly string[]): string {
   const others = more.length === 0 ? `${first} was` : `${first} and ${more.length} more were`;

@@ -116,6 +116,12 @@ export class Posing {
     return posed && still ? boxOfBoth(posed, still) : posed;
   }
 
+  /** Bounding box of what bends, at rest, image pixels; null without a solution. */
+  restBounds(): Box | null {
+    const data = this.#solving.current?.data;
+    return data ? boxAround(data.positions, data.report.samples) : null;
+  }
+
   /** Whether part of the posed picture lies outside the picture's own rectangle. */
   beyond(): boolean {
     const { picture } = this.#solving;

@@ -50,6 +50,7 @@ describe('commandOfKey', () => {
       'h',
       'c',
       'x',
+      'm',
       '[',
       ']',
       '0',

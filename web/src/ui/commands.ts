@@ -24,6 +24,7 @@ export const COMMANDS = {
   redo: { label: 'Redo', icon: 'redo', keys: ['Mod+Shift+Z', 'Mod+Y'] },
   'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },
   reset: { label: 'Reset', icon: 'reset', keys: ['R'] },
+  mirror: { label: 'Mirror to the other side', icon: 'mirror', keys: ['M'] },
   remove: { label: 'Delete', icon: 'remove', keys: ['Delete', 'Backspace'] },
   'add-corner': { label: 'Add a corner', icon: 'add-corner', keys: ['C'] },
   'remove-corner': { label: 'Delete the corner', icon: 'remove-corner', keys: ['X'] },

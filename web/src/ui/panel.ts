@@ -57,7 +57,7 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
     ${fields(selected, model, actions)}
     ${selected.length === 1 && isLine(first) ? cornerFields(first, model, actions) : nothing}
     <div class="row">
-      <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(', ')}` : ''}</span>
+      <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(',\u00a0')}` : ''}</span>
       <button
         type="button"
         class="button unfold"
@@ -68,6 +68,7 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
       >
         ${icon('unfold')}
       </button>
+      ${commandButton('mirror', model, actions, { enabled: !model.readonly })}
       ${commandButton('reset', model, actions, { enabled: !model.readonly && moved, label: 'Reset to rest' })}
       ${commandButton('remove', model, actions, { enabled: !model.readonly })}
     </div>

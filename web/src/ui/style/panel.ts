@@ -122,6 +122,12 @@ export const panelStyle = css`
       display: block;
     }
   }
+  /* Beside five buttons a word of the name fits in small letters alone. */
+  @container shell (width < 360px) {
+    .numbers .properties:has(.corners) h2 {
+      font-size: 12px;
+    }
+  }
   /* Low: beside the tools. */
   @container ${lowPhone} {
     .panel {

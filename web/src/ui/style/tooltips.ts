@@ -80,6 +80,9 @@ export const tooltipsStyle = css`
     .panel [data-tip]:is(:hover, :focus-visible)::after {
       max-width: 190px;
     }
+    .panel [data-command='mirror']:is(:hover, :focus-visible)::after {
+      right: -72px;
+    }
     @container ${phone} {
       .group ~ .group ~ .group [data-tip]:is(:hover, :focus-visible)::after {
         left: auto;

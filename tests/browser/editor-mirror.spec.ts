@@ -1,0 +1,121 @@
+/** Mirroring handles to the other side of what bends. */
+import { corners } from '../../web/src/document/handle';
+import type { Handle } from '../../web/src/document/project';
+import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+/** Where a handle's mirror image is, corner by corner. */
+const flipped = (handle: Handle | undefined, of: 'rest' | 'posed') =>
+  handle ? corners(handle, of).map(([x, y]) => [expect.closeTo(1024 - x, 1), expect.closeTo(y, 1)]) : [];
+const places = (handle: Handle | undefined, of: 'rest' | 'posed') => (handle ? corners(handle, of) : []);
+
+test('M poses the hand on the other side, and arrow keys go on there', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  const left = await editor.inProject('left-hand');
+  await page.keyboard.press('m');
+  await expect(editor.handle('right hand')).toBeFocused();
+  await expect(editor.handle('right hand')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'false');
+  await expect(page.getByText(/^Mirror left hand\. right hand: x \d+, y \d+, rotation/)).toBeAttached();
+  const right = await editor.inProject('right-hand');
+  expect(places(right, 'posed')).toEqual(flipped(left, 'posed'));
+  expect(await editor.inProject('left-hand')).toEqual(left);
+  // The picture follows on both sides alike.
+  const one = await editor.still(() => editor.mapped(200, 540));
+  const other = await editor.mapped(824, 540);
+  expect(
+    Math.hypot(1024 - (one?.[0] ?? 0) - (other?.[0] ?? 0), (one?.[1] ?? 0) - (other?.[1] ?? 0)),
+  ).toBeLessThan(3);
+
+  await page.keyboard.press('ArrowUp');
+  const [[x, y] = [0, 0]] = places(right, 'posed');
+  expect((await editor.inProject('right-hand'))?.posed).toEqual([x, y - 1]);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await expect(page.getByText('Undone: Mirror left hand')).toBeAttached();
+  expect((await editor.inProject('right-hand'))?.posed).toEqual([900, 516]);
+  expect(await editor.inProject('left-hand')).toEqual(left);
+});
+
+test('the button adds what is missing on the other side, a bar too', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const at = await editor.fromImage('left hand', [124, 516]);
+  await editor.handle('right foot').focus();
+  await editor.solves(() => page.keyboard.press('Delete'));
+  await page.keyboard.press('b');
+  const [hip, knee] = [at(400, 850), at(370, 990)];
+  await editor.solves(() => editor.drag(hip, { x: knee.x - hip.x, y: knee.y - hip.y }));
+  await expect(editor.corner(2, 'bar 1')).toBeVisible();
+  await page.keyboard.press('v');
+  await page.keyboard.down('Shift');
+  const foot = await editor.place('left foot');
+  await page.mouse.click(foot.x, foot.y);
+  await page.keyboard.up('Shift');
+  await expect(page.getByRole('heading', { name: '2 handles' })).toBeVisible();
+  await editor.solves(() => editor.button('Mirror to the other side').click());
+  await expect(editor.handle('right foot')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('bar 2')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handle('bar 1')).toHaveAttribute('aria-pressed', 'false');
+  expect(await editor.inProject('right-foot')).toMatchObject({
+    rest: [expect.closeTo(712, 0), 1126],
+    rotation: 'auto',
+  });
+  const [bar, image] = [await editor.inProject('bar-1'), await editor.inProject('bar-2')];
+  expect(places(image, 'rest')).toEqual(flipped(bar, 'rest'));
+  await page.keyboard.press('Control+z');
+  await expect(editor.handles).toHaveCount(7);
+});
+
+test('all at once are flipped, and what has no other side is told', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  await page.keyboard.press('m');
+  await expect(page.getByText('The other side is the same')).toBeVisible();
+  await expect(editor.button(/^Undo/)).toBeDisabled();
+
+  await editor.dragHandle('head', { x: 40, y: 0 });
+  await editor.dragHandle('left hand', { x: 0, y: -60 });
+  const [head, hand] = [await editor.inProject('head'), await editor.inProject('left-hand')];
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('m');
+  expect(places(await editor.inProject('head'), 'posed')).toEqual(flipped(head, 'posed'));
+  expect(places(await editor.inProject('right-hand'), 'posed')).toEqual(flipped(hand, 'posed'));
+  expect((await editor.inProject('left-hand'))?.posed).toEqual([124, 516]);
+
+  // Beside the figure's middle there is nothing of a lasso that holds one arm alone.
+  const hold = () =>
+    page.locator('c2-warp').evaluate((element) => {
+      const editor = element as C2Warp;
+      const { project } = editor;
+      const ring = [
+        [0, 380],
+        [330, 380],
+        [330, 460],
+        [160, 460],
+        [160, 660],
+        [0, 660],
+      ] as const;
+      const handles = project.handles.filter(({ id }) => id === 'left-hand');
+      editor.project = { ...project, domain: { kind: 'polygon', rings: [ring] }, handles };
+    });
+  await editor.solves(hold);
+  await expect(editor.handles).toHaveCount(1);
+  await editor.handle('left hand').focus();
+  await page.keyboard.press('m');
+  await expect(page.getByText('There is nothing to hold on the other side of left hand.')).toBeVisible();
+  await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.handles).toHaveCount(1);
+});
+
+test('a readonly editor mirrors nothing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
+  await expect(editor.button('Mirror to the other side')).toBeDisabled();
+  await editor.handle('left hand').focus();
+  await page.keyboard.press('m');
+  await editor.drawn();
+  expect((await editor.inProject('right-hand'))?.posed).toEqual([900, 516]);
+});
