@@ -53,6 +53,7 @@ import {
   type ProjectFile,
   posedHandle,
 } from './document/project';
+import { Clipboard } from './element/clipboard';
 import { Desk } from './element/desk';
 import type { ChangeKind } from './element/editing';
 import { type C2WarpEventMap, emitter, TypedElement } from './element/events';
@@ -122,6 +123,7 @@ export class C2Warp extends TypedElement {
   /** For the initial content. Taken on connection, so that every later request overtakes it. */
   #signal: AbortSignal | null = null;
   #receiving: Receiving | null = null;
+  #clipboard: Clipboard | null = null;
   #focusKeeper: FocusKeeper | null = null;
   /** One query, kept: every frame of an animation asks it. */
   readonly #darkness = matchMedia('(prefers-color-scheme: dark)');
@@ -346,11 +348,17 @@ export class C2Warp extends TypedElement {
       },
     });
     this.#signal = this.#desk.files.overtake();
-    this.#receiving = new Receiving(
-      this,
-      () => !this.readonly && !this.disabled && !this.play,
-      (files) => void this.#desk?.files.receive(files),
-    );
+    const willing = () => !this.readonly && !this.disabled && !this.play;
+    const receive = (files: readonly File[]) => void this.#desk?.files.receive(files);
+    this.#receiving = new Receiving(this, willing, receive);
+    this.#clipboard = new Clipboard(this, {
+      get willing() {
+        return willing();
+      },
+      receive,
+      copied: () => this.#desk?.commands.copied() ?? null,
+      pasted: (text) => this.#desk?.commands.paste(text) ?? false,
+    });
     this.#focusKeeper = new FocusKeeper(this);
     this.requestUpdate();
   }
@@ -363,6 +371,7 @@ export class C2Warp extends TypedElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#receiving?.release();
+    this.#clipboard?.release();
     this.#focusKeeper?.release();
     const desk = this.#desk;
     this.#desk = null;

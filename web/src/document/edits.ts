@@ -2,7 +2,7 @@
 import type { LinePlace } from '../geometry/polyline';
 import type { Vec } from '../geometry/vec';
 import { restingRotation } from './bending';
-import type { Document } from './document';
+import { type Document, handleById, selectedHandles } from './document';
 import {
   atDepth,
   atRest,
@@ -12,6 +12,7 @@ import {
   depthOf,
   isLine,
   moved,
+  posedLike,
   turnedTo,
 } from './handle';
 import type { Handle, LineHandle, Project } from './project';
@@ -39,6 +40,34 @@ export function putHandles(document: Document, handles: readonly Handle[]): Docu
     document,
     document.project.handles.map((handle) => put.get(handle.id) ?? handle),
   );
+}
+
+export interface Pasted {
+  readonly document: Document;
+  /** Copied handles that no handle is posed like. */
+  readonly left: readonly Handle[];
+}
+
+/**
+ * The document with handles posed like the copied ones of the same id and kind, or the selected ones like the only one
+ * copied, if they are of its kind. Handles keep their rest places: a pose is how far they are from there.
+ */
+export function pastePose(document: Document, copied: readonly Handle[]): Pasted {
+  const [only, ...others] = copied;
+  const chosen = selectedHandles(document).filter(({ kind }) => kind === only?.kind);
+  if (only && others.length === 0 && chosen.length > 0) {
+    const posed = chosen.map((handle) => posedLike(handle, only));
+    return { document: putHandles(document, posed), left: [] };
+  }
+  const fellow = ({ id, kind }: Handle) => {
+    const handle = handleById(document, id);
+    return handle?.kind === kind ? handle : undefined;
+  };
+  const posed = copied.flatMap((like) => {
+    const handle = fellow(like);
+    return handle ? posedLike(handle, like) : [];
+  });
+  return { document: putHandles(document, posed), left: copied.filter((like) => !fellow(like)) };
 }
 
 const changeLine = (document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document =>

@@ -1,7 +1,14 @@
-/** The text of a project file: one line per key of the project and per handle, so that diffs by line are readable. */
-import type { Project } from './project';
+/**
+ * The text of a project file, or of a pose: one line per key and per handle, so that diffs by line are readable.
+ */
+import type { Handle, Project } from './project';
 
-export function projectText(project: Project): string {
+export interface Pose {
+  readonly format: string;
+  readonly handles: readonly Handle[];
+}
+
+export function projectText(project: Project | Pose): string {
   const lines = Object.entries(project).map(
     ([key, value]) => `  ${JSON.stringify(key)}: ${valueText(value)}`,
   );

@@ -1,4 +1,6 @@
 /** Runs the commands of buttons and keys, as far as the state of the editor allows. */
+import { selectedHandles } from '../document/document';
+import { posedHandles, poseText } from '../document/pose_text';
 import { draws, type ToolName } from '../tools/machine';
 import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Crosshair } from './crosshair';
@@ -9,6 +11,7 @@ import type { LineCommands } from './line_commands';
 import type { Notices } from './notices';
 import type { Permissions } from './permissions';
 import type { Viewing } from './viewing';
+import { handleWords } from './wording';
 import type { Workbench } from './workbench';
 
 export interface CommandRunnerHost {
@@ -68,6 +71,32 @@ export class CommandRunner {
     else if (editing.document.selection.length > 0) editing.select([]);
     else if (notice) notices.dismiss();
     else return false;
+    return true;
+  }
+
+  /** The pose of what is selected as text, or else that of all handles; null where there is none, or text is copied. */
+  copied(): string | null {
+    const { workbench, notices, permissions, focus } = this.#host;
+    const { document } = workbench.editing;
+    const selected = selectedHandles(document);
+    const handles = selected.length > 0 ? selected : document.project.handles;
+    if (!permissions.editable || focus.isOnText || handles.length === 0) return null;
+    notices.say(`Copied the pose of ${handleWords(handles)}`);
+    return poseText(handles);
+  }
+
+  /** Poses handles as a copied text says. Returns whether the text is a pose. */
+  paste(text: string): boolean {
+    const { workbench, notices, permissions, focus } = this.#host;
+    if (!permissions.editable || focus.isInField) return false;
+    try {
+      const copied = posedHandles(text);
+      if (!copied) return false;
+      const told = workbench.commands.paste(copied);
+      if (told !== null) notices.notify({ kind: 'info', text: told });
+    } catch (error) {
+      notices.notify({ kind: 'error', text: `This pose cannot be pasted: ${(error as Error).message}.` });
+    }
     return true;
   }
 

@@ -7,6 +7,7 @@ import {
   changeHandles,
   holdBoundary,
   moveHandles,
+  pastePose,
   putCorner,
   raiseHandles,
   removeCorner,
@@ -37,9 +38,9 @@ import { add, type Vec } from '../geometry/vec';
 import type { Corner, Field } from '../ui/model';
 import type { Editing } from './editing';
 import type { Guarding } from './guarding';
-import { noOtherSideText, SAME_THERE } from './notice_texts';
+import { noFellowText, noOtherSideText, SAME_THERE } from './notice_texts';
 import type { Posing } from './posing';
-import { cornerWords, depthWords, placeWords, selectionName } from './wording';
+import { cornerWords, depthWords, handleWords, placeWords, selectionName } from './wording';
 
 export class EditCommands {
   readonly #editing: Editing;
@@ -87,6 +88,14 @@ export class EditCommands {
       this.#say(`${label}. ${this.#placeWords}`);
     } else if (left.length === 0) return SAME_THERE;
     return left.length > 0 ? noOtherSideText(left.map(nameOf)) : null;
+  }
+
+  /** Poses handles like copied ones. Returns what is to be told of those that no handle is posed like, else null. */
+  paste(copied: readonly Handle[]): string | null {
+    const { document, left } = pastePose(this.#document, copied);
+    const posed = copied.filter((handle) => !left.includes(handle));
+    if (posed.length > 0) this.#editing.step(`Paste the pose of ${handleWords(posed)}`, document);
+    return left.length > 0 ? noFellowText(left.map(nameOf)) : null;
   }
 
   nudge(by: Vec): void {

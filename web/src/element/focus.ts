@@ -33,6 +33,15 @@ export class Focus {
     return this.#root.activeElement instanceof HTMLInputElement;
   }
 
+  /** Whether what is copied is text: in a field, or selected beside the stage. */
+  get isOnText(): boolean {
+    return this.isInField || (!this.#isOnStage && String(getSelection()).trim() !== '');
+  }
+
+  get #isOnStage(): boolean {
+    return Boolean(this.#root.activeElement?.closest('.stage'));
+  }
+
   /** Commits a number being typed before a press changes the selection, since it belongs to the current one. */
   leaveField(): void {
     const active = this.#root.activeElement;

@@ -30,6 +30,12 @@ export const SAME_THERE = 'The other side is the same: there is nothing to mirro
 export const noOtherSideText = (handles: readonly string[]): string =>
   `There is nothing to hold on the other side of ${listed.format(handles)}.`;
 
+/** @param handles names of copied handles that none is like; at least one. */
+export const noFellowText = (handles: readonly string[]): string =>
+  handles.length === 1
+    ? `There is no handle here for the pose of ${handles[0]}.`
+    : `There are no handles here for the poses of ${listed.format(handles)}.`;
+
 /** @param files names of files that were not opened; at least one. */
 export function notOpenedText([first, ...more]: readonly string[]): string {
   const others = more.length === 0 ? `${first} was` : `${first} and ${more.length} more were`;

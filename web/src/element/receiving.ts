@@ -1,4 +1,4 @@
-/** Files that are dropped on the element or pasted while it has the focus. */
+/** Files that are dropped on the element. */
 export class Receiving {
   readonly #listening = new AbortController();
 
@@ -6,11 +6,6 @@ export class Receiving {
   constructor(element: HTMLElement, willing: () => boolean, receive: (files: readonly File[]) => void) {
     const { signal } = this.#listening;
     const mark = (dropping: boolean) => element.classList.toggle('dropping', dropping);
-    const take = (event: Event, files: FileList | undefined) => {
-      if (!willing() || !files?.length) return;
-      event.preventDefault();
-      receive([...files]);
-    };
     element.addEventListener(
       'dragover',
       (event) => {
@@ -31,11 +26,13 @@ export class Receiving {
       'drop',
       (event) => {
         mark(false);
-        take(event, event.dataTransfer?.files);
+        const files = event.dataTransfer?.files;
+        if (!willing() || !files?.length) return;
+        event.preventDefault();
+        receive([...files]);
       },
       { signal },
     );
-    element.addEventListener('paste', (event) => take(event, event.clipboardData?.files), { signal });
   }
 
   release(): void {

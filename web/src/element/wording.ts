@@ -1,16 +1,20 @@
 /** What people read and hear of the selection, its place and depth, of a drawing, and of what the solver refuses. */
 import type { EngineError } from '../compute/errors';
-import { type Document, handleById, selectedHandles } from '../document/document';
+import { type Document, selectedHandles } from '../document/document';
 import { anchor, DEPTHS, depthOf, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
-import type { LineHandle } from '../document/project';
+import type { Handle, LineHandle } from '../document/project';
 import type { Draft } from '../tools/state';
 
 export function selectionName(document: Document): string {
-  const [id, ...more] = document.selection;
-  if (id === undefined) return 'nothing';
-  const handle = handleById(document, id);
-  return more.length > 0 ? `${more.length + 1} handles` : handle ? nameOf(handle) : id;
+  const selected = selectedHandles(document);
+  return selected.length === 0 ? 'nothing' : handleWords(selected);
 }
+
+/** Handles by name or, if there are more, by number. */
+export const handleWords = (handles: readonly Handle[]): string => {
+  const [only, ...more] = handles;
+  return only && more.length === 0 ? nameOf(only) : `${handles.length} handles`;
+};
 
 /** The pose of the first selected handle; empty without one. */
 export function placeWords(document: Document, turns: Turns): string {

@@ -1,0 +1,162 @@
+/** Poses, pictures and text through the clipboard, by real keys. */
+import type { Page } from '@playwright/test';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+const clipped = (page: Page) => page.evaluate(() => navigator.clipboard.readText());
+const clip = (page: Page, text: string) => page.evaluate((text) => navigator.clipboard.writeText(text), text);
+const copy = (page: Page) => page.keyboard.press('Control+c');
+const paste = (page: Page) => page.keyboard.press('Control+v');
+const posed = async (editor: Editor, id: string) => (await editor.inProject(id))?.posed;
+
+test('the pose of all is copied where none is selected, and pasted as one step', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  await editor.dragHandle('right foot', { x: 20, y: -10 });
+  const pose = await Promise.all([posed(editor, 'left-hand'), posed(editor, 'right-foot')]);
+  await page.keyboard.press('Escape');
+  await copy(page);
+  await expect(page.getByText('Copied the pose of 5 handles')).toBeAttached();
+  expect(JSON.parse(await clipped(page))).toMatchObject({ format: 'c2warp-pose/1', handles: { length: 5 } });
+  await editor.button('Reset all handles').click();
+  await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
+  await paste(page);
+  await expect(page.getByText('Paste the pose of 5 handles')).toBeAttached();
+  expect(await Promise.all([posed(editor, 'left-hand'), posed(editor, 'right-foot')])).toEqual(pose);
+  await page.keyboard.press('Control+z');
+  expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
+  expect(await posed(editor, 'right-foot')).toEqual([712, 1126]);
+});
+
+test('the pose of one goes to its handle, or to those that are selected', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  const [x = 0, y = 0] = (await posed(editor, 'left-hand')) as [number, number];
+  await copy(page);
+  await page.keyboard.press('r');
+  await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
+  await page.keyboard.press('Escape');
+  await paste(page);
+  expect(await posed(editor, 'left-hand')).toEqual([x, y]);
+
+  const [head, foot] = [await editor.place('head'), await editor.place('left foot')];
+  await page.mouse.click(head.x, head.y);
+  await page.keyboard.down('Shift');
+  await page.mouse.click(foot.x, foot.y);
+  await page.keyboard.up('Shift');
+  await paste(page);
+  expect(await posed(editor, 'head')).toEqual([expect.closeTo(512 + x - 124), expect.closeTo(260 + y - 516)]);
+  expect(await posed(editor, 'left-foot')).toEqual([
+    expect.closeTo(312 + x - 124),
+    expect.closeTo(1126 + y - 516),
+  ]);
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
+
+  // Where its handle is gone a word says so.
+  await page.keyboard.press('Escape');
+  await editor.handle('left hand').focus();
+  await editor.solves(() => page.keyboard.press('Delete'));
+  await paste(page);
+  await expect(page.getByText('There is no handle here for the pose of left hand.')).toBeVisible();
+});
+
+test('what says that it is a pose and is none is refused, other texts are left alone', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').focus();
+  for (const text of ['hello', '{"format": "c2warp/1"}']) {
+    await clip(page, text);
+    await paste(page);
+  }
+  await editor.drawn();
+  await expect(page.locator('c2-warp .notice')).toHaveCount(0);
+  await clip(
+    page,
+    '{"format": "c2warp-pose/1", "handles": [{"id": "head", "kind": "point", "rest": "here"}]}',
+  );
+  await paste(page);
+  await expect(editor.notice).toContainText(
+    'This pose cannot be pasted: handle "head", rest: expected a point',
+  );
+  await expect(editor.button('Undo')).toBeDisabled();
+});
+
+test('text in fields and beside the stage is copied and pasted as text', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  await copy(page);
+  const pose = await clipped(page);
+  await editor.field('x').fill('300');
+  await editor.field('x').press('Enter');
+  await editor.field('x').selectText();
+  await copy(page);
+  expect(await clipped(page)).toBe('300');
+  await editor.field('y').selectText();
+  await paste(page);
+  await editor.field('y').press('Enter');
+  await expect.poll(() => posed(editor, 'left-hand')).toEqual([300, 300]);
+  await clip(page, pose);
+  await editor.field('y').selectText();
+  await paste(page);
+  await page.keyboard.press('Escape');
+  expect(await posed(editor, 'left-hand')).toEqual([300, 300]);
+
+  await page.locator('c2-warp .shell').focus();
+  await page.getByRole('heading', { name: 'left hand' }).selectText();
+  await copy(page);
+  expect((await clipped(page)).trim()).toBe('left hand');
+  // With the focus on the stage it is the pose, whatever is selected elsewhere.
+  await editor.handle('left hand').focus();
+  await copy(page);
+  expect(await clipped(page)).toContain('c2warp-pose/1');
+});
+
+test('in a page of somebody else the clipboard is the element’s while that has the focus', async ({
+  page,
+}) => {
+  await page.goto('/plain/');
+  const editor = new Editor(page);
+  await editor.ready();
+  await page.evaluate(() => {
+    const words = Object.assign(document.createElement('p'), { textContent: 'words', tabIndex: 0 });
+    document.body.prepend(words);
+  });
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  const moved = await posed(editor, 'left-hand');
+  await copy(page);
+  await page.keyboard.press('Control+z');
+  await page.getByText('words', { exact: true }).focus();
+  await paste(page);
+  await editor.drawn();
+  expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
+  await page.getByText('words', { exact: true }).selectText();
+  await editor.handle('left hand').focus();
+  await paste(page);
+  expect(await posed(editor, 'left-hand')).toEqual(moved);
+  await page.getByText('words', { exact: true }).focus();
+  await page.getByText('words', { exact: true }).selectText();
+  await copy(page);
+  expect(await clipped(page)).toBe('words');
+
+  // A readonly editor changes nothing, and leaves what is copied to the page.
+  await editor.handle('left hand').focus();
+  await copy(page);
+  expect(await clipped(page)).toContain('c2warp-pose/1');
+  await page.keyboard.press('Control+z');
+  await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
+  await paste(page);
+  await editor.drawn();
+  expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
+  await page.locator('c2-warp').evaluate((element) => element.removeAttribute('readonly'));
+
+  await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(40, 30);
+    canvas.getContext('2d')?.fillRect(0, 0, 40, 30);
+    const blob = await canvas.convertToBlob({ type: 'image/png' });
+    await navigator.clipboard.write([new ClipboardItem({ 'image/png': blob })]);
+  });
+  await editor.handle('left hand').focus();
+  await paste(page);
+  await expect(page.getByText('40 × 30 px')).toBeAttached();
+});

@@ -1,0 +1,32 @@
+/** A pose as text, for the clipboard: handles in the words of the project file. */
+import { checkedHandle } from './handle';
+import { type Handle, posedHandle } from './project';
+import { projectText } from './project_text';
+
+const FORMAT = 'c2warp-pose/1';
+/** Also of a text that is cut off. */
+const SAYS_SO = /^\s*\{.*"format"\s*:\s*"c2warp-pose\//s;
+
+/** Rest places go along: a pose is how far handles are from there. */
+export const poseText = (handles: readonly Handle[]): string => projectText({ format: FORMAT, handles });
+
+/**
+ * The handles of a pose, or null where a text does not say that it is one.
+ * @throws RangeError that names what is wrong with a pose.
+ */
+export function posedHandles(text: string): readonly Handle[] | null {
+  if (!SAYS_SO.test(text)) return null;
+  const { format, handles } = parsed(text);
+  if (format !== FORMAT) throw new RangeError(`format: expected "${FORMAT}"`);
+  if (!Array.isArray(handles) || handles.length === 0)
+    throw new RangeError('handles: expected a list of them');
+  return handles.map((handle) => checkedHandle(posedHandle(Object(handle))));
+}
+
+function parsed(text: string): { readonly format?: unknown; readonly handles?: unknown } {
+  try {
+    return JSON.parse(text);
+  } catch (cause) {
+    throw new RangeError('its text is not whole', { cause });
+  }
+}
