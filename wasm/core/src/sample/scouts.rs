@@ -17,9 +17,9 @@ use crate::{
     triangulation::{Locator, Triangulation},
 };
 
-/// Upper limit of scouts, unless close sites need finer ones. With 1,000, more triangles must be searched than the saved
-/// distances are worth; with 10,000, a benchmark solve takes half as long again.
-const MAX_SCOUTS: usize = 2_500;
+/// Upper limit of scouts, unless close sites need finer ones. With 2,500, the regions of a benchmark solve take a tenth longer;
+/// with 1,500 as long, as what is saved in distances goes into the triangles that must be searched.
+const MAX_SCOUTS: usize = 1_800;
 /// Scouts for each requested virtual site: a few across each cell.
 const SCOUTS_PER_SITE: usize = 16;
 
