@@ -32,12 +32,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let output = Output::create(&arguments.output)?;
     let distances = c2warp::distances(&scene.project, &scene.picture()?, arguments.from, &points)
         .map_err(|reason| scene.refused(reason))?;
-    output.finish(|writer| {
-        let mut table = csv::Writer::from_writer(writer);
+    output.finish_table(|table| {
         table.write_record(["x", "y", "distance"])?;
         for (place, distance) in points.iter().zip(distances) {
             table.write_record([text(place.x), text(place.y), distance.map(text).unwrap_or_default()])?;
         }
-        table.flush()
+        Ok(())
     })
 }

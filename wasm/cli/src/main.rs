@@ -51,7 +51,9 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         // The reader of the output has closed it, as `head` does.
-        Err(CliError::Print(reason)) if reason.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(CliError::Print(reason) | CliError::Write { reason, .. }) if reason.kind() == io::ErrorKind::BrokenPipe => {
+            ExitCode::SUCCESS
+        }
         Err(error) => {
             let line = one_line(&error.to_string());
             // Standard error may be closed as well, and then there is nowhere to report.

@@ -27,8 +27,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let output = Output::create(&arguments.output)?;
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
-    output.finish(|writer| {
-        let mut table = csv::Writer::from_writer(writer);
+    output.finish_table(|table| {
         table.write_record(["x", "y", "posed_x", "posed_y", "det"])?;
         for &place in &points {
             let cells = solution
@@ -37,6 +36,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
                 .unwrap_or_default();
             table.write_record([text(place.x), text(place.y)].iter().chain(&cells))?;
         }
-        table.flush()
+        Ok(())
     })
 }

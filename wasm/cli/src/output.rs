@@ -1,70 +1,123 @@
-//! An output file that appears complete or not at all.
+//! An output file that appears complete or not at all, or a stream.
 
-use std::ffi::OsString;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use tempfile::TempPath;
+
 use crate::error::CliError;
 
-/// An output file, under a temporary name beside its path until it is [`finish`](Output::finish)ed.
-///
-/// Created before the work whose result it takes, so that a path that cannot be written is reported at once.
-#[derive(Debug)]
+/// The names of standard output. A file that it leads to is never replaced, as others write there, too.
+const STANDARD_OUTPUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+
+/// An output, opened or checked before the work whose result it takes, so that a path that cannot be written is reported at once.
 pub(crate) struct Output {
-    writer: BufWriter<File>,
     path: PathBuf,
-    /// The temporary name; `None` for a path that is no regular file, such as `/dev/stdout`, and after finishing.
-    temporary: Option<PathBuf>,
+    target: Target,
+}
+
+enum Target {
+    Stream(Box<dyn Write>),
+    File(Replacement),
 }
 
 impl Output {
-    /// Checks that the path can be written, and opens the temporary file.
+    /// Checks that the path can be written.
     pub(crate) fn create(path: &Path) -> Result<Self, CliError> {
-        Self::open(path).map_err(CliError::write(path))
+        let target = Target::open(path).map_err(CliError::write(path))?;
+        Ok(Self { path: path.to_owned(), target })
     }
 
-    fn open(path: &Path) -> io::Result<Self> {
-        // A symbolic link is kept and its target written, whether that exists or not.
-        let named = |_| fs::read_link(path).map(|to| path.with_file_name("").join(to));
-        let path = fs::canonicalize(path).or_else(named).unwrap_or_else(|_| path.to_owned());
-        let (file, temporary) = match fs::metadata(&path) {
-            Ok(place) if place.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            Ok(place) if !place.is_file() => (OpenOptions::new().write(true).open(&path)?, None),
-            Ok(place) if place.permissions().readonly() => return Err(io::ErrorKind::PermissionDenied.into()),
-            _ => {
-                let temporary = temporary_beside(&path)?;
-                (OpenOptions::new().write(true).create_new(true).open(&temporary)?, Some(temporary))
-            }
-        };
-        Ok(Self { writer: BufWriter::new(file), path, temporary })
-    }
-
-    /// Calls `write` and renames the file to its path.
-    pub(crate) fn finish(mut self, write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>) -> Result<(), CliError> {
-        write(&mut self.writer)
-            .and_then(|()| self.writer.flush())
-            .and_then(|()| match self.temporary.take() {
-                Some(temporary) => fs::rename(&temporary, &self.path).inspect_err(|_| self.temporary = Some(temporary)),
-                None => Ok(()),
-            })
-            .map_err(CliError::write(&self.path))
-    }
-}
-
-impl Drop for Output {
-    fn drop(&mut self) {
-        if let Some(temporary) = &self.temporary {
-            // A file left behind does no harm, and the error has been reported already.
-            let _ = fs::remove_file(temporary);
+    /// Writes what `write` does; a file stays as it was if that fails.
+    pub(crate) fn finish(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
+        match self.target {
+            Target::Stream(stream) => written(stream, write),
+            Target::File(file) => file.written(write),
         }
+        .map_err(CliError::write(self.path))
+    }
+
+    /// Writes a CSV table, as [`finish`](Self::finish).
+    pub(crate) fn finish_table(
+        self,
+        write: impl FnOnce(&mut csv::Writer<&mut dyn Write>) -> csv::Result<()>,
+    ) -> Result<(), CliError> {
+        self.finish(|writer| {
+            let mut table = csv::Writer::from_writer(writer);
+            write(&mut table).map_err(|reason| match reason.into_kind() {
+                // Otherwise its kind is lost.
+                csv::ErrorKind::Io(reason) => reason,
+                reason => io::Error::other(format!("{reason:?}")),
+            })?;
+            table.flush()
+        })
     }
 }
 
-fn temporary_beside(path: &Path) -> io::Result<PathBuf> {
-    let name = path.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
-    let mut temporary = OsString::from(".");
-    temporary.push(name);
-    temporary.push(format!(".{}.part", std::process::id()));
-    Ok(path.with_file_name(temporary))
+impl Target {
+    fn open(path: &Path) -> io::Result<Self> {
+        if is_standard_output(path) {
+            return Ok(Self::Stream(Box::new(io::stdout())));
+        }
+        let earlier = match fs::metadata(path) {
+            Ok(place) if place.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            // Such as a pipe.
+            Ok(place) if !place.is_file() => {
+                return Ok(Self::Stream(Box::new(OpenOptions::new().write(true).open(path)?)));
+            }
+            Ok(place) if place.permissions().readonly() => return Err(io::ErrorKind::PermissionDenied.into()),
+            Ok(place) => Some(place.permissions()),
+            Err(reason) if reason.kind() == io::ErrorKind::NotFound => None,
+            Err(reason) => return Err(reason),
+        };
+        let mut path = path.to_owned();
+        // Symbolic links are kept and their target written, whether that exists or not.
+        while let Ok(to) = fs::read_link(&path) {
+            path = path.with_file_name("").join(to);
+        }
+        let file = Replacement { path, earlier };
+        // One that stood here during the work would be left behind by whatever ends the process.
+        file.create()?;
+        Ok(Self::File(file))
+    }
+}
+
+/// A file that is written beside its path, under a name that no other process has, and renamed.
+struct Replacement {
+    path: PathBuf,
+    /// The permissions of the file that is replaced.
+    earlier: Option<Permissions>,
+}
+
+impl Replacement {
+    fn create(&self) -> io::Result<(File, TempPath)> {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        let mut names = tempfile::Builder::new();
+        names.prefix(".c2warp-").suffix(".part");
+        let (file, name) = names.make_in(folder, |name| File::create_new(name))?.into_parts();
+        if let Some(earlier) = &self.earlier
+            && file.metadata()?.permissions() != *earlier
+        {
+            file.set_permissions(earlier.clone())?;
+        }
+        Ok((file, name))
+    }
+
+    fn written(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+        let (file, name) = self.create()?;
+        written(file, write)?;
+        name.persist(self.path).map_err(|refusal| refusal.error)
+    }
+}
+
+fn written(to: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut writer = BufWriter::new(to);
+    write(&mut writer)?;
+    writer.flush()
+}
+
+/// Whether the path is a name of standard output.
+pub(crate) fn is_standard_output(path: &Path) -> bool {
+    STANDARD_OUTPUT.iter().any(|name| path == Path::new(name))
 }

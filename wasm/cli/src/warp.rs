@@ -3,12 +3,12 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use c2warp::{Canvas, raster};
+use c2warp::{Canvas, Warped, raster};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder, ImageError};
+use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
 
 use crate::error::CliError;
-use crate::output::Output;
+use crate::output::{self, Output};
 use crate::scene::{Files, Scene};
 
 /// Warps the picture at full quality
@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
     scale: f64,
     /// Grow the result to hold what is bent beyond the picture's own rectangle, and print where that rectangle's upper left
-    /// corner lies in it: X,Y in pixels
+    /// corner lies in it: X,Y in pixels; on standard error if the picture goes to standard output
     #[arg(long)]
     grow: bool,
 }
@@ -39,22 +39,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let pose = scene.pose(&solution)?;
     let canvas = if arguments.grow { Canvas::Grown } else { Canvas::Picture };
     let warped = solution.warped(&picture, &pose, arguments.scale, canvas).map_err(|reason| scene.refused(reason))?;
-    output.finish(|writer| {
-        // A quarter more bytes than with the default, in a third of its time.
-        let mut encoder = PngEncoder::new_with_quality(writer, CompressionType::Fast, FilterType::Adaptive);
-        if let Some(profile) = scene.profile() {
-            encoder.set_icc_profile(profile.to_owned()).map_err(io::Error::other)?;
-        }
-        encoder.write_image(&warped.rgba, warped.width, warped.height, ExtendedColorType::Rgba8).map_err(|reason| {
-            match reason {
-                ImageError::IoError(reason) => reason,
-                reason => io::Error::other(reason),
-            }
-        })
-    })?;
+    output.finish(|writer| writer.write_all(&png(&warped, scene.profile()).map_err(io::Error::other)?))?;
     if arguments.grow {
         let [left, top] = warped.origin;
-        writeln!(io::stdout().lock(), "{left},{top}").map_err(CliError::Print)?;
+        let origin = format!("{left},{top}\n");
+        let printed = if output::is_standard_output(&arguments.output) {
+            io::stderr().write_all(origin.as_bytes())
+        } else {
+            io::stdout().write_all(origin.as_bytes())
+        };
+        printed.map_err(CliError::Print)?;
     }
     Ok(())
+}
+
+fn png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
+    let mut png = Vec::new();
+    // A quarter more bytes than with the default, in a third of its time.
+    let mut encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Adaptive);
+    if let Some(profile) = profile {
+        encoder.set_icc_profile(profile.to_owned()).map_err(ImageError::Unsupported)?;
+    }
+    encoder.write_image(&warped.rgba, warped.width, warped.height, ExtendedColorType::Rgba8)?;
+    Ok(png)
 }

@@ -26,8 +26,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let scene = Scene::open(&arguments.files)?;
     let output = Output::create(&arguments.output)?;
     let solution = scene.solve()?;
-    output.finish(|writer| {
-        let mut table = csv::Writer::from_writer(writer);
+    output.finish_table(|table| {
         table.write_record(["point", "site", "kind", "handle", "site_x", "site_y", "weight"])?;
         for (point, &place) in points.iter().enumerate() {
             for (index, weight) in solution.weights_at(place).unwrap_or_default().into_iter().filter(|&(_, w)| w > 0.0)
@@ -47,6 +46,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
                 ])?;
             }
         }
-        table.flush()
+        Ok(())
     })
 }
