@@ -1,4 +1,4 @@
-//! Standard output, and output files that others look at meanwhile.
+//! Standard input and output, and output files that others look at meanwhile.
 
 use std::fs::{self, File};
 use std::process::Stdio;
@@ -31,6 +31,26 @@ fn standard_output_takes_pictures_and_tables() {
     assert!(image::load_from_memory(&run.stdout).is_ok() && run.stdout.ends_with(b"IEND\xaeB`\x82"));
     assert_eq!(run.stderr, succeed(place.folder(), "warp scene.c2warp.json --grow -o out.png"));
     assert!(!place.file("-").exists());
+}
+
+#[test]
+fn standard_input_gives_projects_pictures_and_points() {
+    let place = with_points();
+    place.write("photo", fs::read(place.file("strip.png")).unwrap());
+    let photo = place.picture("strip.png");
+    image::DynamicImage::from(photo).into_rgb8().save(place.file("photo.jpg")).unwrap();
+    for (file, arguments) in [
+        ("scene.c2warp.json", "warp - -o"),
+        ("photo", "warp scene.c2warp.json --image - -o"),
+        ("photo.jpg", "warp scene.c2warp.json --image - -o"),
+        ("points.csv", "map scene.c2warp.json --at - -o"),
+    ] {
+        succeed(place.folder(), &format!("{} out", arguments.replace(" - ", &format!(" {file} "))));
+        let mut run = command(place.folder(), &format!("{arguments} piped")).stdin(Stdio::piped()).spawn().unwrap();
+        std::io::copy(&mut File::open(place.file(file)).unwrap(), &mut run.stdin.take().unwrap()).unwrap();
+        assert!(run.wait().unwrap().success());
+        assert!(fs::read(place.file("piped")).unwrap() == fs::read(place.file("out")).unwrap(), "{file}");
+    }
 }
 
 #[cfg(unix)]

@@ -21,7 +21,7 @@ pub(crate) struct Arguments {
     /// The points, under a header x,y
     #[arg(long, value_name = "POINTS.csv")]
     at: PathBuf,
-    /// Where to write; distance is empty where no path leads
+    /// Where to write, - is standard output; distance is empty where no path leads
     #[arg(short, long, value_name = "OUT.csv")]
     output: PathBuf,
 }

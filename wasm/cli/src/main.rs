@@ -5,6 +5,7 @@
 
 mod distance;
 mod error;
+mod input;
 mod inspect;
 mod jpeg;
 mod map;

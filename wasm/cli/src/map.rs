@@ -16,7 +16,7 @@ pub(crate) struct Arguments {
     /// The points, under a header x,y
     #[arg(long, value_name = "POINTS.csv")]
     at: PathBuf,
-    /// Where to write; det is the determinant of the Jacobian, and cells are empty outside the domain
+    /// Where to write, - is standard output; det is the determinant of the Jacobian, and cells are empty outside the domain
     #[arg(short, long, value_name = "OUT.csv")]
     output: PathBuf,
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use glam::DVec2;
 
 use crate::error::CliError;
+use crate::input;
 
 /// Reads points: the header, then exactly two finite numbers on every line.
 pub(crate) fn read(path: &Path) -> Result<Vec<DVec2>, CliError> {
@@ -12,7 +13,8 @@ pub(crate) fn read(path: &Path) -> Result<Vec<DVec2>, CliError> {
         csv::ErrorKind::Io(reason) => CliError::Read { path: path.to_owned(), reason },
         _ => CliError::PointsText { path: path.to_owned() },
     };
-    let mut lines = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_path(path).map_err(failed)?;
+    let file = input::open(path).map_err(CliError::read(path))?;
+    let mut lines = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(file);
     // Spreadsheets write a byte order mark.
     let header = lines.headers().map_err(failed)?;
     if header.iter().map(|name| name.trim_start_matches('\u{feff}')).ne(["x", "y"]) {

@@ -1,6 +1,5 @@
 //! A project with its picture: the input of every subcommand.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use c2warp::Picture;
@@ -9,12 +8,13 @@ use c2warp::pose::Pose;
 use c2warp::project::Project;
 
 use crate::error::CliError;
+use crate::input;
 use crate::picture::{self, PictureFile};
 
 /// Which project, and which picture instead of the project's own.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Files {
-    /// The project file, *.c2warp.json
+    /// The project file, *.c2warp.json; - is standard input, as for any file that is read
     project: PathBuf,
     /// The picture, in place of the project's image.src
     #[arg(long, value_name = "FILE")]
@@ -35,7 +35,7 @@ impl Scene {
     /// Reads the project and its picture.
     pub(crate) fn open(files: &Files) -> Result<Self, CliError> {
         let path = &files.project;
-        let bytes = fs::read(path).map_err(CliError::read(path))?;
+        let bytes = input::read(path).map_err(CliError::read(path))?;
         let text = String::from_utf8(bytes).map_err(|_| CliError::ProjectEncoding { path: path.clone() })?;
         let project = Project::from_json(&text).map_err(|reason| CliError::Project { path: path.clone(), reason })?;
         let image_path = match &files.image {

@@ -16,7 +16,7 @@ use crate::scene::{Files, Scene};
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: Files,
-    /// Where to write the result
+    /// Where to write the result; - is standard output
     #[arg(short, long, value_name = "OUT.png")]
     output: PathBuf,
     /// Pixels of the result per pixel of the picture

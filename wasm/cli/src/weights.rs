@@ -16,7 +16,7 @@ pub(crate) struct Arguments {
     /// The points, under a header x,y
     #[arg(long, value_name = "POINTS.csv")]
     at: PathBuf,
-    /// Where to write: a row for every weight that is not zero, points and sites counted from 0
+    /// Where to write, - is standard output: a row for every weight that is not zero, points and sites counted from 0
     #[arg(short, long, value_name = "OUT.csv")]
     output: PathBuf,
 }
