@@ -219,6 +219,21 @@ fn outputs_that_cannot_be_written() {
     assert_eq!(place.listing(), [PROJECT, "strip.png"]);
 }
 
+#[test]
+fn outputs_that_are_the_project_or_no_png() {
+    let place = Workplace::with("untouched");
+    place.write("points.csv", "x,y\n1,2\n");
+    let before = fs::read(place.file(PROJECT)).unwrap();
+    for subcommand in ["warp", "weights --at points.csv", "map --at points.csv", "distance --from 1,1 --at points.csv"]
+    {
+        says(&refuse(place.folder(), &format!("{subcommand} {PROJECT} -o ./{PROJECT}")), &[PROJECT, "is the project"]);
+    }
+    assert!(fs::read(place.file(PROJECT)).unwrap() == before);
+    says(&refuse(place.folder(), &format!("warp {PROJECT} -o out.jpg")), &["out.jpg", "type Jpeg", "end it with .png"]);
+    // What is no picture's name will do.
+    succeed(place.folder(), &format!("warp {PROJECT} -o out.0001"));
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_told() {

@@ -6,7 +6,6 @@ use glam::DVec2;
 
 use crate::error::CliError;
 use crate::number::text;
-use crate::output::Output;
 use crate::points;
 use crate::scene::{Files, Scene};
 
@@ -29,7 +28,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let points = points::read(&arguments.at)?;
     let scene = Scene::open(&arguments.files)?;
-    let output = Output::create(&arguments.output)?;
+    let output = scene.output(&arguments.output)?;
     let distances = c2warp::distances(&scene.project, &scene.picture()?, arguments.from, &points)
         .map_err(|reason| scene.refused(reason))?;
     output.finish_table(|table| {

@@ -13,6 +13,10 @@ pub(crate) enum CliError {
     Read { path: PathBuf, reason: io::Error },
     #[error("{}: cannot be written: {reason}", path.display())]
     Write { path: PathBuf, reason: io::Error },
+    #[error("{}: is the project, which would be lost: write to another file", path.display())]
+    OverProject { path: PathBuf },
+    #[error("{}: is the name of a picture of type {format:?}, but what is written is a PNG: end it with .png", path.display())]
+    OutputType { path: PathBuf, format: ImageFormat },
     #[error("the output cannot be written: {0}")]
     Print(io::Error),
     #[error("{}: is not a project: it is not UTF-8 text", path.display())]

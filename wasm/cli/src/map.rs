@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use crate::error::CliError;
 use crate::number::text;
-use crate::output::Output;
 use crate::points;
 use crate::scene::{Files, Scene};
 
@@ -24,7 +23,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let points = points::read(&arguments.at)?;
     let scene = Scene::open(&arguments.files)?;
-    let output = Output::create(&arguments.output)?;
+    let output = scene.output(&arguments.output)?;
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
     output.finish_table(|table| {

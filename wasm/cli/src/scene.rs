@@ -1,5 +1,6 @@
 //! A project with its picture: the input of every subcommand.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use c2warp::Picture;
@@ -9,6 +10,7 @@ use c2warp::project::Project;
 
 use crate::error::CliError;
 use crate::input;
+use crate::output::Output;
 use crate::picture::{self, PictureFile};
 
 /// Which project, and which picture instead of the project's own.
@@ -45,6 +47,14 @@ impl Scene {
         };
         let image = picture::read(&image_path)?;
         Ok(Self { project, project_path: path.clone(), image, image_path })
+    }
+
+    /// Where a result goes, which may be anywhere but over the project.
+    pub(crate) fn output(&self, path: &Path) -> Result<Output, CliError> {
+        match [fs::canonicalize(path), fs::canonicalize(&self.project_path)] {
+            [Ok(output), Ok(project)] if output == project => Err(CliError::OverProject { path: path.to_owned() }),
+            _ => Output::create(path),
+        }
     }
 
     pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {

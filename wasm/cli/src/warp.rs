@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use c2warp::{Canvas, Warped, raster};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
+use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageResult};
 
 use crate::error::CliError;
-use crate::output::{self, Output};
+use crate::output;
 use crate::scene::{Files, Scene};
 
 /// Warps the picture at full quality
@@ -33,7 +33,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let picture = scene.picture()?;
     // A solve takes time that a scale which is none is not worth.
     raster::warped_size(picture.width(), picture.height(), arguments.scale).map_err(CliError::Scale)?;
-    let output = Output::create(&arguments.output)?;
+    let path = &arguments.output;
+    if let Some(format) = ImageFormat::from_path(path).ok().filter(|&format| format != ImageFormat::Png) {
+        return Err(CliError::OutputType { path: path.clone(), format });
+    }
+    let output = scene.output(path)?;
 
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
@@ -43,7 +47,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if arguments.grow {
         let [left, top] = warped.origin;
         let origin = format!("{left},{top}\n");
-        let printed = if output::is_standard_output(&arguments.output) {
+        let printed = if output::is_standard_output(path) {
             io::stderr().write_all(origin.as_bytes())
         } else {
             io::stdout().write_all(origin.as_bytes())
