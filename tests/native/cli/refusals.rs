@@ -112,7 +112,10 @@ fn handles_in_impossible_places() {
     let beyond = Workplace::with("strip").changed(|project| project["handles"][0]["rest"] = json!([-3, 24]));
     says(&refused(&beyond), &["left", "outside"]);
     let coinciding = Workplace::with("strip").changed(|project| project["handles"][2]["rest"] = json!([48.001, 24]));
-    says(&refused(&coinciding), &["middle", "right", "apart"]);
+    says(
+        &refused(&coinciding),
+        &["handles “middle” and “right” are less than 0.01 px apart: move or delete one of them"],
+    );
 }
 
 #[test]

@@ -187,7 +187,7 @@ pub enum Error {
         y: f64,
     },
     /// Two handles that no weight could tell apart.
-    #[error("handles “{first}” and “{second}” are {distance:.3e} px apart; they must be at least {min} px apart",
+    #[error("handles “{first}” and “{second}” are less than {min} px apart: move or delete one of them",
         min = limits::MIN_SEPARATION)]
     HandlesTooClose {
         /// Id of one handle.
