@@ -115,6 +115,42 @@ fn the_map_takes_a_handle_where_it_was_taken() {
 }
 
 #[test]
+fn the_inverse_map_leads_back_to_where_points_rest() {
+    let place = Workplace::with("strip");
+    let (_, cells) = table(&place, "map", &[[12.0, 24.0], [30.0, 20.0], [60.5, 30.5]]);
+    let posed: Vec<[f64; 2]> = rows::<5>(&cells).iter().map(|row| [row[2], row[3]]).collect();
+    let (header, back) = table(&place, "map --inverse", &posed);
+    assert_eq!(header, "x,y,rest_x,rest_y");
+    for ([.., rest_x, rest_y], [x, y, ..]) in rows::<4>(&back).into_iter().zip(rows::<5>(&cells)) {
+        assert!((rest_x - x).hypot(rest_y - y) < 0.05, "{rest_x}, {rest_y}, not {x}, {y}");
+    }
+    let (_, beside) = table(&place, "map --inverse", &[[-40.0, 24.0], [1e300, -1e300]]);
+    assert!(beside.iter().all(|row| row[2].is_empty() && row[3].is_empty()));
+}
+
+/// What the picture shows where the inverse map says is what the warped picture shows.
+#[test]
+fn the_inverse_map_is_that_of_the_warped_picture() {
+    let place = Workplace::with("ring");
+    succeed(place.folder(), "warp scene.c2warp.json -o out.png");
+    let (before, after) = (place.picture("ring.png"), place.picture("out.png"));
+    let centres: Vec<[f64; 2]> =
+        after.enumerate_pixels().map(|(x, y, _)| [x, y].map(|side| f64::from(side) + 0.5)).collect();
+    let (_, cells) = table(&place, "map --inverse", &centres);
+    let mut compared = 0;
+    for (row, warped) in cells.iter().zip(after.pixels()) {
+        if row[2].is_empty() {
+            assert!(warped[3] < 200, "{row:?}");
+        } else if warped[3] == 255 {
+            let [x, y] = [2, 3].map(|cell| number(&row[cell]) as u32);
+            compared += usize::from(before.get_pixel(x, y)[3] > 128);
+        }
+    }
+    let opaque = after.pixels().filter(|pixel| pixel[3] == 255).count();
+    assert!(opaque > 1000 && compared == opaque, "{compared} of {opaque}");
+}
+
+#[test]
 fn what_rests_on_a_bar_or_polygon_lands_on_it() {
     let place = Workplace::with("portrait");
     let along = |[a, b]: [[f64; 2]; 2], share: f64| <[f64; 2]>::from(DVec2::from(a).lerp(b.into(), share));

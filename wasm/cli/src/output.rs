@@ -11,6 +11,9 @@ use crate::error::CliError;
 /// The names of standard output. A file that it leads to is never replaced, as others write there, too.
 const STANDARD_OUTPUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
+/// A table on its way to an output.
+pub(crate) type Table<'a> = csv::Writer<&'a mut dyn Write>;
+
 /// An output, opened or checked before the work whose result it takes, so that a path that cannot be written is reported at once.
 pub(crate) struct Output {
     path: PathBuf,
@@ -39,10 +42,7 @@ impl Output {
     }
 
     /// Writes a CSV table, as [`finish`](Self::finish).
-    pub(crate) fn finish_table(
-        self,
-        write: impl FnOnce(&mut csv::Writer<&mut dyn Write>) -> csv::Result<()>,
-    ) -> Result<(), CliError> {
+    pub(crate) fn finish_table(self, write: impl FnOnce(&mut Table<'_>) -> csv::Result<()>) -> Result<(), CliError> {
         self.finish(|writer| {
             let mut table = csv::Writer::from_writer(writer);
             write(&mut table).map_err(|reason| match reason.into_kind() {

@@ -1,21 +1,31 @@
-//! From the posed picture back to rest: which place of the picture is drawn at a point.
+//! From the posed picture back to rest: which place of the picture is drawn at points.
 //!
-//! Within a triangle the map of the mesh is affine, so its inverse is exact; triangles are searched from the last drawn to the first,
-//! which finds what is seen where the picture lies over itself. `web/src/geometry/locate.ts` does the same in the page.
+//! Within a triangle the map of the mesh is affine, so its inverse is exact; triangles are taken from the first drawn to the last, which
+//! leaves what is seen where the picture lies over itself. `web/src/geometry/locate.ts` does the same in the page.
 //!
-//! Cost: linear in the triangles.
+//! Cost: linear in the triangles, and for each in the points as high up as it, which are sorted by that.
 
 use glam::DVec2;
 
-/// The place at rest that is drawn at `p`, of vertices at rest and posed and the triangles over them in the order in which they are
+/// The places at rest that are drawn at points, of vertices at rest and posed and the triangles over them in the order in which they are
 /// drawn; `None` where nothing is.
-pub(crate) fn rest_at(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], p: DVec2) -> Option<DVec2> {
-    drawn.iter().rev().find_map(|triangle| {
-        let corners = triangle.map(|vertex| vertex as usize);
-        let [u, v, w] = shares(corners.map(|vertex| posed[vertex]), p)?;
-        let [a, b, c] = corners.map(|vertex| rest[vertex]);
-        Some(u * a + v * b + w * c)
-    })
+pub(crate) fn rests_of(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], points: &[DVec2]) -> Vec<Option<DVec2>> {
+    let mut found = vec![None; points.len()];
+    let mut by_height: Vec<_> = points.iter().copied().enumerate().filter(|(_, p)| p.is_finite()).collect();
+    by_height.sort_unstable_by(|(_, p), (_, q)| p.y.total_cmp(&q.y));
+    for triangle in drawn {
+        let [a, b, c] = triangle.map(|vertex| posed[vertex as usize]);
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let first = by_height.partition_point(|(_, p)| p.y < low.y);
+        let beside = by_height[first..].iter().take_while(|(_, p)| p.y <= high.y);
+        for &(point, p) in beside.filter(|(_, p)| low.x <= p.x && p.x <= high.x) {
+            if let Some([u, v, w]) = shares([a, b, c], p) {
+                let [a, b, c] = triangle.map(|vertex| rest[vertex as usize]);
+                found[point] = Some(u * a + v * b + w * c);
+            }
+        }
+    }
+    found
 }
 
 /// Barycentric coordinates in a triangle of either orientation; `None` outside of it, and where it has no area.
@@ -37,10 +47,12 @@ mod tests {
         // The second lies over the first, turned over.
         let posed = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [0.0, 0.0], [0.0, 4.0], [4.0, 0.0]].map(DVec2::from);
         let (under, over) = ([0, 1, 2], [3, 4, 5]);
-        let at = |drawn: &[[u32; 3]]| rest_at(&rest, &posed, drawn, DVec2::new(2.0, 1.0));
-        assert_eq!(at(&[under, over]), Some(DVec2::new(11.0, 2.0)));
-        assert_eq!(at(&[over, under]), Some(DVec2::new(2.0, 1.0)));
-        assert_eq!(rest_at(&rest, &posed, &[under, over], DVec2::new(3.0, 3.0)), None);
-        assert_eq!(at(&[[0, 0, 1], [0, 1, 1]]), None);
+        let points = [[2.0, 1.0], [3.0, 3.0], [f64::NAN, 1.0], [1.0, 2.0]].map(DVec2::from);
+        let at = |drawn: &[[u32; 3]]| rests_of(&rest, &posed, drawn, &points);
+        let [lower, upper, turned, other] =
+            [[2.0, 1.0], [1.0, 2.0], [11.0, 2.0], [12.0, 1.0]].map(|p| Some(DVec2::from(p)));
+        assert_eq!(at(&[under, over]), [turned, None, None, other]);
+        assert_eq!(at(&[over, under]), [lower, None, None, upper]);
+        assert_eq!(at(&[[0, 0, 1], [0, 1, 1]]), [None; 4]);
     }
 }

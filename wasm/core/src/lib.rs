@@ -9,7 +9,7 @@
 //!   by stage, and keeps what they have in common.
 //! - [`Solution`] holds for any point of the domain, not for samples only: where it [goes](Solution::map), and the
 //!   [weights](Solution::influences_at) there with their gradients, for many points as [sparse rows](Solution::weights_of). It draws the
-//!   [warped picture](Solution::warped) and finds what is drawn [at a place of it](Solution::rest_at).
+//!   [warped picture](Solution::warped) and finds what is drawn [at places of it](Solution::rests_of).
 //! - [`Poser`](pose::Poser) makes a [`Pose`](pose::Pose) from posed handles. A drag needs nothing else.
 //! - [`Navigation`](distance::Navigation) measures intrinsic distances in a domain, and needs nothing else.
 //! - [`Error`] covers everything that is refused: a sentence for people, and a [code](Error::code) for programs.

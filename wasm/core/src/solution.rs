@@ -242,26 +242,38 @@ impl Solution {
         drawn_triangles(&self.mesh, &self.weights, &depths)
     }
 
-    /// The place of the picture at rest that a pose draws at a point: of several that it draws there the last, which covers the others;
-    /// `None` where it draws nothing.
-    ///
-    /// This is the inverse of the mesh as it is drawn, whose triangles are flat, so it gives back what [`map`](Self::map) is given as
-    /// closely as flat triangles follow a picture that bends. Cost: that of [`posed_vertices`](Self::posed_vertices).
+    /// The place of the picture at rest that a pose draws at a point: [`rests_of`](Self::rests_of) one point, at much the same cost.
     ///
     /// # Panics
     /// Where the pose is of another solution.
     #[must_use]
     pub fn rest_at(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
+        self.rests_of(pose, &[p]).pop().flatten()
+    }
+
+    /// The places of the picture at rest that a pose draws at points, such as the centres of the result's pixels: of several that it
+    /// draws at one the last, which covers the others; `None` where it draws nothing.
+    ///
+    /// This is the inverse of the mesh as it is drawn, whose triangles are flat, so it gives back what [`map`](Self::map) is given as
+    /// closely as flat triangles follow a picture that bends. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each
+    /// triangle a look at the points as high up as it.
+    ///
+    /// # Panics
+    /// Where the pose is of another solution.
+    #[must_use]
+    pub fn rests_of(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
         if self.kinds == [0; 3]
             && let Some((width, height)) = self.outline.picture
         {
             // Then the picture is drawn as it is, with all that is no part of the domain.
             let size = DVec2::new(f64::from(width), f64::from(height));
-            return (p.cmpge(DVec2::ZERO).all() && p.cmple(size).all()).then_some(p);
+            let drawn = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmple(size).all();
+            return points.iter().map(|p| Some(*p).filter(drawn)).collect();
         }
-        let around = self.surroundings.vertices();
-        inverse::rest_at(&self.mesh.vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), p)
-            .or_else(|| inverse::rest_at(around, around, self.surroundings.triangles(), p))
+        let (vertices, around) = (&self.mesh.vertices, self.surroundings.vertices());
+        let moved = inverse::rests_of(vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), points);
+        let still = inverse::rests_of(around, around, self.surroundings.triangles(), points);
+        moved.into_iter().zip(still).map(|(moved, still)| moved.or(still)).collect()
     }
 
     /// The picture, warped by a pose: what [`raster::warp`] draws of the [surroundings](Self::surroundings) and the mesh, or, where there
