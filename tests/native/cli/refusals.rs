@@ -111,6 +111,8 @@ fn handles_in_impossible_places() {
     says(&refused(&outside), &["east", "outside"]);
     let beyond = Workplace::with("strip").changed(|project| project["handles"][0]["rest"] = json!([-3, 24]));
     says(&refused(&beyond), &["left", "outside"]);
+    let far = Workplace::with("strip").changed(|project| project["handles"][0]["rest"] = json!([1e300, 24]));
+    says(&refused(&far), &["handle “left” at (1e300, 24) lies outside"]);
     let coinciding = Workplace::with("strip").changed(|project| project["handles"][2]["rest"] = json!([48.001, 24]));
     says(
         &refused(&coinciding),

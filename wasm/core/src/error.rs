@@ -2,6 +2,7 @@
 
 use crate::{
     limits,
+    number::Number,
     project::{Form, ProjectError},
 };
 
@@ -106,7 +107,7 @@ pub enum Error {
         specks: usize,
     },
     /// A point of a ring outside the picture.
-    #[error("domain.rings[{ring}][{point}] = ({x}, {y}) lies outside the picture of {width}×{height} px")]
+    #[error("domain.rings[{ring}][{point}] = ({}, {}) lies outside the picture of {width}×{height} px", Number(*.x), Number(*.y))]
     RingOutsidePicture {
         /// Index of the ring.
         ring: usize,
@@ -177,7 +178,7 @@ pub enum Error {
         corners: usize,
     },
     /// A handle outside the domain.
-    #[error("handle “{id}” at ({x}, {y}) lies outside the domain: place it on the picture's opaque part")]
+    #[error("handle “{id}” at ({}, {}) lies outside the domain: place it on the picture's opaque part", Number(*.x), Number(*.y))]
     HandleOutside {
         /// Id of the handle.
         id: String,
@@ -286,7 +287,7 @@ pub enum Error {
         id: String,
     },
     /// A point that should lie in the domain.
-    #[error("the point ({x}, {y}) lies outside the domain")]
+    #[error("the point ({}, {}) lies outside the domain", Number(*.x), Number(*.y))]
     PointOutside {
         /// The point.
         x: f64,

@@ -32,6 +32,7 @@
 // What is given.
 mod error;
 pub mod limits;
+mod number;
 mod picture;
 pub mod project;
 

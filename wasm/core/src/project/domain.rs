@@ -8,6 +8,7 @@ use super::path::Path;
 use super::place::Place;
 use super::points::{self, Point};
 use super::{ProjectError, rules};
+use crate::number::Number;
 
 /// How the domain is found in the picture.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -82,7 +83,9 @@ impl DomainSpec {
             return Ok(());
         }
         let domain = Path::Top.key("domain");
-        domain.key("threshold").refuse(format_args!("expected a number above 0 and up to 1, found {threshold}"))
+        domain
+            .key("threshold")
+            .refuse(format_args!("expected a number above 0 and up to 1, found {}", Number(threshold)))
     }
 
     /// Whether these are rings, wherever they lie.

@@ -10,6 +10,7 @@ use super::path::Path;
 use super::place::{Object, Place};
 use super::points::{self, Point};
 use super::{ProjectError, Rotation, left_out, rules};
+use crate::number::Number;
 
 /// A handle, where it rests and where it was taken.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -168,7 +169,7 @@ impl Handle {
         }
         rules::finite(&at.key("scale"), self.scale)?;
         if self.scale <= 0.0 {
-            return at.key("scale").refuse(format_args!("expected a number above 0, found {}", self.scale));
+            return at.key("scale").refuse(format_args!("expected a number above 0, found {}", Number(self.scale)));
         }
         rules::finite(&at.key("depth"), self.depth)
     }

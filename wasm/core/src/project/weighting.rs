@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::path::Path;
 use super::place::Place;
 use super::{ProjectError, rules};
+use crate::number::Number;
 
 /// α of the smallest supports.
 const LEAST_FACTOR: u32 = 0;
@@ -100,9 +101,10 @@ impl Weighting {
     pub(super) fn check(&self, at: &Path<'_>) -> Result<(), ProjectError> {
         let Self { shape_factor, degree, .. } = *self;
         if !(f64::from(LEAST_FACTOR)..=f64::from(MOST_FACTOR)).contains(&shape_factor) {
-            return at
-                .key("shape_factor")
-                .refuse(format_args!("expected a number from {LEAST_FACTOR} to {MOST_FACTOR}, found {shape_factor}"));
+            return at.key("shape_factor").refuse(format_args!(
+                "expected a number from {LEAST_FACTOR} to {MOST_FACTOR}, found {}",
+                Number(shape_factor)
+            ));
         }
         rules::whole_number(&at.key("degree"), degree, &(LEAST_DEGREE..=MOST_DEGREE))
     }
