@@ -100,7 +100,7 @@ test('what a page downloads stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
   // Compressed, measured in November 2026: 87 and 402.
-  expect(await kilobytes('c2warp.js')).toBeLessThan(87);
+  expect(await kilobytes('c2warp.js')).toBeLessThan(88);
   expect(await kilobytes('c2warp_bg.wasm')).toBeLessThan(420);
 });
 

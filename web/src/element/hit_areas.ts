@@ -39,11 +39,12 @@ export class HitAreas {
 
   get scene(): Scene {
     const { editing, posing } = this.#workbench;
+    const { grips } = this;
     return {
       document: editing.document,
-      grips: this.grips,
+      grips,
       turns: posing.turns(),
-      place: (at) => posing.place(at),
+      place: (at) => posing.place(at, grips.line),
       placeNear: (at) => posing.placeNear(at),
     };
   }

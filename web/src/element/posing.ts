@@ -8,8 +8,9 @@ import { posedPositions } from '../geometry/blend';
 import { type Box, boxAround, boxOfBoth, reachesBeyond } from '../geometry/box';
 import { DrawingOrder } from '../geometry/drawing_order';
 import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
-import { type Located, locate, locateNear, locatePosed } from '../geometry/locate';
+import { type Located, locateNear, locatePosed } from '../geometry/locate';
 import { type Skin, siteTurn } from '../geometry/skin';
+import { type Spot, spotAt } from '../geometry/spot';
 import type { Vec } from '../geometry/vec';
 import type { Placement } from '../tools/state';
 import type { FoldedMesh, SiteGraph } from '../ui/overlays';
@@ -65,16 +66,22 @@ export class Posing {
     return this.#turns;
   }
 
-  /** The point of the original under a place of the posed picture; without a solution, the place itself. */
-  place(at: Vec): Placement | null {
+  /**
+   * Where a handle can be placed on the posed picture: there, or at most `within` away. Without a solution the point of
+   * the original is the place itself.
+   */
+  place(at: Vec, within: number): Spot | null {
     const { picture, current } = this.#solving;
     if (!picture) return null;
-    if (current) return locate(this.#drawn(current.data), this.#positions(), at);
+    if (current) {
+      const { samples } = current.data.report;
+      return spotAt(this.#drawn(current.data), samples, this.#positions(), at, within);
+    }
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
-    return inside ? { rest: at, rotation: 0, scale: 1 } : null;
+    return inside ? { at, rest: at, rotation: 0, scale: 1 } : null;
   }
 
-  /** Like `place`, but beside the picture as if its nearest part continued there. */
+  /** What lies at a place of the posed picture; beside it as if its nearest part continued there. */
   placeNear(at: Vec): Placement {
     const { current } = this.#solving;
     const near = current && locateNear(this.#drawn(current.data), this.#positions(), at);

@@ -84,19 +84,20 @@ export function locateNear(skin: Skin, posed: Float32Array, at: Vec): Located | 
   return { ...motion, rest: [from[0] + cos * dx - sin * dy, from[1] + sin * dx + cos * dy] };
 }
 
-type Triangle = readonly [Vec, Vec, Vec];
+export type Triangle = readonly [Vec, Vec, Vec];
 
-const corner = (points: Float32Array, index: number): Vec => [
+export const corner = (points: Float32Array, index: number): Vec => [
   points[2 * index] ?? 0,
   points[2 * index + 1] ?? 0,
 ];
 
 /** Whether a coordinate is beyond those of all corners: rules out nearly every triangle, without a list of them. */
-const isBeside = (p = 0, q = 0, r = 0, at: number): boolean =>
-  (p < at && q < at && r < at) || (p > at && q > at && r > at);
+export const isBeside = (p = 0, q = 0, r = 0, at: number, slack = 0): boolean =>
+  (p < at - slack && q < at - slack && r < at - slack) ||
+  (p > at + slack && q > at + slack && r > at + slack);
 
 /** Barycentric coordinates of `p`, in either orientation; null outside the triangle, or where its area is 0. */
-function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, number] | null {
+export function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, number] | null {
   const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   if (area === 0) return null;
   const u = ((b[0] - p[0]) * (c[1] - p[1]) - (c[0] - p[0]) * (b[1] - p[1])) / area;
@@ -106,7 +107,10 @@ function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, 
 }
 
 /** The similarity [a −b; b a] nearest to the triangle's affine map J: a = (J₁₁ + J₂₂)/2, b = (J₂₁ − J₁₂)/2. */
-function nearestSimilarity([p, q, r]: Triangle, [s, t, u]: Triangle): { rotation: number; scale: number } {
+export function nearestSimilarity(
+  [p, q, r]: Triangle,
+  [s, t, u]: Triangle,
+): { rotation: number; scale: number } {
   const area = (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
   if (area === 0) return { rotation: 0, scale: 1 };
   const column = (axis: 0 | 1): Vec => {

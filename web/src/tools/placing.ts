@@ -7,28 +7,28 @@ import { restingRotation } from '../document/bending';
 import { addHandle, freeId } from '../document/edits';
 import { rounded, roundedVec } from '../document/handle';
 import type { PointHandle, Project } from '../document/project';
-import type { Vec } from '../geometry/vec';
+import type { Spot } from '../geometry/spot';
 import { moving } from './moving';
-import { type Outcome, outcome, type Placement, type Press, type Scene, type State } from './state';
+import { type Outcome, outcome, type Press, type Scene, type State } from './state';
 
 /**
  * A handle at a place of the posed picture, with the motion that the picture has there, so that the picture does not
  * jump. An automatic rotation follows from the pose. Where the picture is turned over, the nearest scale can be 0, which
  * no handle has.
  */
-export const pointHandle = (project: Project, at: Vec, placement: Placement): PointHandle => ({
+export const pointHandle = (project: Project, spot: Spot): PointHandle => ({
   id: freeId(project),
   kind: 'point',
-  rest: roundedVec(placement.rest),
-  posed: roundedVec(at),
-  rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(placement.rotation),
-  scale: rounded(placement.scale) || 1,
+  rest: roundedVec(spot.rest),
+  posed: roundedVec(spot.at),
+  rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(spot.rotation),
+  scale: rounded(spot.scale) || 1,
 });
 
 export function placed(press: Press, scene: Scene, rest: State): Outcome {
-  const placement = scene.place(press.at);
-  if (!placement) return outcome(rest, { type: 'miss', at: press.at });
-  const handle = pointHandle(scene.document.project, press.at, placement);
+  const spot = scene.place(press.at);
+  if (!spot) return outcome(rest, { type: 'miss', at: press.at });
+  const handle = pointHandle(scene.document.project, spot);
   const document = addHandle(scene.document, handle);
   return outcome(
     placing(document, handle.id, press, rest),

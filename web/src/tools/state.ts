@@ -9,6 +9,7 @@ import type { Document } from '../document/document';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
+import type { Spot } from '../geometry/spot';
 import type { Vec } from '../geometry/vec';
 
 /** A pointer at one moment. */
@@ -25,7 +26,7 @@ export interface Press {
 export interface Grips {
   /** Radius of the hit area around a point handle or a corner. */
   readonly handle: number;
-  /** How far beside its line a bar or polygon can be pressed. */
+  /** How far beside its line a bar or polygon can be pressed, and beside the picture a handle placed on it. */
   readonly line: number;
   /** Radius of the rotation ring, and half the width of its hit area. */
   readonly ring: number;
@@ -46,9 +47,9 @@ export interface Scene {
   readonly document: Document;
   readonly grips: Grips;
   readonly turns: Turns;
-  /** The picture under a point, or null beside the picture. */
-  place(at: Vec): Placement | null;
-  /** Like `place`, but beside the picture as if its nearest part continued there. */
+  /** Where on the picture a point handle goes: there or, close beside what bends, the nearest place on it; else null. */
+  place(at: Vec): Spot | null;
+  /** What lies at a point; beside the picture as if its nearest part continued there. */
   placeNear(at: Vec): Placement;
 }
 

@@ -21,6 +21,8 @@ class Bench {
   readonly others: Effect[] = [];
   turns: Turns = new Map();
   placement: Placement | null = { rest: [7, 8], rotation: 30, scale: 2 };
+  /** Where a handle is led to that is placed beside the picture. */
+  led: Vec | null = null;
 
   constructor() {
     this.history.update(selectHandles(this.history.present, []));
@@ -61,7 +63,7 @@ class Bench {
       document: this.history.present,
       grips: { handle: 10, line: 5, ring: 30, band: 5, slop: 3 },
       turns: this.turns,
-      place: () => this.placement,
+      place: (at) => this.placement && { at: this.led ?? at, ...this.placement },
       placeNear: (at) => this.placement ?? { rest: at, rotation: 0, scale: 1 },
     };
   }
@@ -206,6 +208,13 @@ describe('point', () => {
     bench.placement = { rest: [7, 8], rotation: 0, scale: 0.004 };
     bench.click([50, 60]);
     expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ scale: 1 });
+  });
+
+  it('is led onto the picture from close beside it, and dragged from there', () => {
+    bench.machine.choose('point');
+    bench.led = [48, 60];
+    bench.drag([44, 60], [64, 60]);
+    expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ rest: [7, 8], posed: [68, 60] });
   });
 
   it('places and drags in one undo step', () => {
