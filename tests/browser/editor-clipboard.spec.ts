@@ -62,6 +62,20 @@ test('the pose of one goes to its handle, or to those that are selected', async 
   await expect(page.getByText('There is no handle here for the pose of left hand.')).toBeVisible();
 });
 
+test('a pose is copied and pasted with the focus on a switch', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 30, y: -80 });
+  const moved = await posed(editor, 'left-hand');
+  await page.keyboard.press('Escape');
+  await editor.switch('Keep turns rigid').focus();
+  await copy(page);
+  expect(await clipped(page)).toContain('c2warp-pose/1');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
+  await paste(page);
+  await expect.poll(() => posed(editor, 'left-hand')).toEqual(moved);
+});
+
 test('what says that it is a pose and is none is refused, other texts are left alone', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();

@@ -30,7 +30,7 @@ export class Focus {
 
   /** Whether something is being typed. */
   get isInField(): boolean {
-    return this.#root.activeElement instanceof HTMLInputElement;
+    return Boolean(this.#root.activeElement?.matches('input:not([type=checkbox])'));
   }
 
   /** Whether what is copied is text: in a field, or selected beside the stage. */
