@@ -1,5 +1,13 @@
 /** One handle: reading it, and the pure changes that a person makes to it. */
-import { bestTurn, centre, edgesOf, type LinePlace, nearestPlace, nearestTurn } from '../geometry/polyline';
+import {
+  bestTurn,
+  centre,
+  edgesOf,
+  type LinePlace,
+  middle,
+  nearestPlace,
+  nearestTurn,
+} from '../geometry/polyline';
 import { add, between, rotated, scaled, subtract, type Vec, wrapDegrees } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
@@ -171,7 +179,7 @@ export const atRest = (handle: Handle, rotation: Rotation): Handle =>
  */
 export function posedLike(handle: Handle, like: Handle): Handle {
   const { rotation, scale, depth } = like;
-  const apart = subtract(anchor(handle, 'rest'), anchor(like, 'rest'));
+  const apart = subtract(restMiddle(handle), restMiddle(like));
   const along = (rest: Vec) => roundedVec(add(followed(like, subtract(rest, apart)), apart));
   return {
     ...replaced({ ...handle, posed: handle.rest } as Handle, along),
@@ -180,6 +188,8 @@ export function posedLike(handle: Handle, like: Handle): Handle {
     depth,
   } as Handle;
 }
+
+const restMiddle = (handle: Handle): Vec => middle(corners(handle, 'rest'), handle.kind !== 'bar');
 
 /** Where a place at rest goes with the nearest place of a handle. */
 function followed(handle: Handle, at: Vec): Vec {

@@ -140,6 +140,25 @@ describe('a bar that is mirrored', () => {
     });
   });
 
+  it('poses a counterpart on its image wherever that has its corners', () => {
+    const right = bar('bar-1', [
+      [350, 300],
+      [270, 300],
+      [250, 300],
+    ]);
+    const turned = bar('left-arm', [upper[0], upper[2]], {
+      posed: [
+        [100, 250],
+        [100, 350],
+      ],
+    });
+    expect(mirror([turned, right], 'left-arm').document.project.handles[1]?.posed).toEqual([
+      [300, 250],
+      [300, 330],
+      [300, 350],
+    ]);
+  });
+
   it('turns a counterpart about its own middle, by whole turns too', () => {
     const turned = bar(
       'left-arm',

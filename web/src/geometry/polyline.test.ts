@@ -6,6 +6,7 @@ import {
   distanceToLine,
   edgesOf,
   isInside,
+  middle,
   nearestPlace,
   nearestTurn,
 } from './polyline';
@@ -23,6 +24,50 @@ describe('a line through corners', () => {
     expect(edgesOf(square, false)).toHaveLength(3);
     expect(edgesOf(square, true)).toHaveLength(4);
     expect(centre(square)).toEqual([2, 2]);
+  });
+
+  it('has its middle where it had it before a corner was added', () => {
+    expect(
+      middle(
+        [
+          [0, 0],
+          [4, 0],
+        ],
+        false,
+      ),
+    ).toEqual([2, 0]);
+    expect(
+      middle(
+        [
+          [0, 0],
+          [1, 0],
+          [4, 0],
+        ],
+        false,
+      ),
+    ).toEqual([2, 0]);
+    expect(
+      middle(
+        [
+          [0, 0],
+          [4, 0],
+          [4, 4],
+          [1, 4],
+          [0, 4],
+        ],
+        true,
+      ),
+    ).toEqual([2, 2]);
+    expect(middle([[3, 1]], true)).toEqual([3, 1]);
+    expect(
+      middle(
+        [
+          [3, 1],
+          [3, 1],
+        ],
+        false,
+      ),
+    ).toEqual([3, 1]);
   });
 
   it('is as far away as its nearest place', () => {

@@ -1,5 +1,5 @@
 /** Polylines, open or closed: edges, nearest places, points inside, turns. */
-import { add, bearing, between, distance, scaled, snapped, subtract, type Vec } from './vec';
+import { add, bearing, between, distance, midpoint, scaled, snapped, subtract, type Vec } from './vec';
 
 /** The mean of the corners; the origin where there are no corners. */
 export const centre = (corners: readonly Vec[]): Vec =>
@@ -7,6 +7,17 @@ export const centre = (corners: readonly Vec[]): Vec =>
     corners.reduce<Vec>((sum, p) => add(sum, p), [0, 0]),
     1 / Math.max(1, corners.length),
   );
+
+/** The mean of the line itself: a corner that leaves it as it is does not move it. That of the corners without a length. */
+export function middle(corners: readonly Vec[], closed: boolean): Vec {
+  let [sum, length]: [Vec, number] = [[0, 0], 0];
+  for (const [a, b] of edgesOf(corners, closed)) {
+    const long = distance(a, b);
+    sum = add(sum, scaled(midpoint(a, b), long));
+    length += long;
+  }
+  return length > 0 ? scaled(sum, 1 / length) : centre(corners);
+}
 
 /** The edges, as pairs of corners: from each corner to the next; a closed line ends with the edge back to the first. */
 export const edgesOf = (corners: readonly Vec[], closed: boolean): readonly (readonly [Vec, Vec])[] =>
