@@ -109,6 +109,17 @@ test('all at once are flipped, and what has no other side is told', async ({ pag
   await expect(editor.handles).toHaveCount(1);
 });
 
+test('a key that is held mirrors once', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('head', { x: 40, y: 0 });
+  const head = await editor.inProject('head');
+  for (let press = 0; press < 4; press++) await page.keyboard.down('m');
+  await page.keyboard.up('m');
+  expect(places(await editor.inProject('head'), 'posed')).toEqual(flipped(head, 'posed'));
+  await page.keyboard.press('Control+z');
+  expect(await editor.inProject('head')).toEqual(head);
+});
+
 test('a readonly editor mirrors nothing', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 30, y: -80 });

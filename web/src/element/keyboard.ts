@@ -76,6 +76,8 @@ export class Keyboard {
       return;
     }
     event.preventDefault();
+    // What is mirrored twice is as it was: a key held a little too long would end on either side.
+    if (event.repeat && command === 'mirror') return;
     if (!isBareView(command)) commands.run(command);
     else if (!event.repeat) {
       this.#held = event.code;
