@@ -6,6 +6,7 @@ import { type Document, handleById, selectedHandles } from './document';
 import {
   atDepth,
   atRest,
+  checkedHandle,
   cornerAdded,
   cornerPut,
   cornerRemoved,
@@ -51,12 +52,14 @@ export interface Pasted {
 /**
  * The document with handles posed like the copied ones of the same id and kind, or the selected ones like the only one
  * copied, if they are of its kind. Handles keep their rest places: a pose is how far they are from there.
+ *
+ * @throws RangeError where that leads a handle to numbers that the solver cannot pose.
  */
 export function pastePose(document: Document, copied: readonly Handle[]): Pasted {
   const [only, ...others] = copied;
   const chosen = selectedHandles(document).filter(({ kind }) => kind === only?.kind);
   if (only && others.length === 0 && chosen.length > 0) {
-    const posed = chosen.map((handle) => posedLike(handle, only));
+    const posed = chosen.map((handle) => checkedHandle(posedLike(handle, only)));
     return { document: putHandles(document, posed), left: [] };
   }
   const fellow = ({ id, kind }: Handle) => {
@@ -65,7 +68,7 @@ export function pastePose(document: Document, copied: readonly Handle[]): Pasted
   };
   const posed = copied.flatMap((like) => {
     const handle = fellow(like);
-    return handle ? posedLike(handle, like) : [];
+    return handle ? checkedHandle(posedLike(handle, like)) : [];
   });
   return { document: putHandles(document, posed), left: copied.filter((like) => !fellow(like)) };
 }

@@ -87,6 +87,14 @@ describe('a pose that is pasted', () => {
     expect(pasted(before, ['arm'], [head]).handles).toEqual([head, ...before.slice(1)]);
   });
 
+  it('is refused where it leads beyond what a project can hold', () => {
+    const far = point('head', -9e11, { posed: [9e11, 0] });
+    for (const selection of [[], ['head']])
+      expect(() => pasted([point('head', 5)], selection, [far])).toThrow(
+        'handle "head", posed: expected a point',
+      );
+  });
+
   it('bends a bar that has got another corner since', () => {
     const bent = straightBar(10);
     const copied = {
