@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { notOpenedText, outsideText } from './notice_texts';
+import { noFellowText, noOtherSideText, notOpenedText, outsideText } from './notice_texts';
 
 describe('a notice', () => {
   it('names the handles that lie partly outside', () => {
@@ -8,6 +8,17 @@ describe('a notice', () => {
     );
     expect(outsideText(['a', 'b'])).toBe('Only the parts on the picture bend it of a and b.');
     expect(outsideText(['a', 'b', 'c'])).toBe('Only the parts on the picture bend it of a, b and c.');
+  });
+
+  it('names a few of many handles', () => {
+    const six = ['a', 'b', 'c', 'd', 'e', 'f'];
+    expect(noOtherSideText(six)).toBe('There is nothing to hold on the other side of a, b, c, d, e and f.');
+    expect(noFellowText([...six, 'g'])).toBe(
+      'There are no handles here for the poses of a, b, c, d, e and 2 more.',
+    );
+    expect(outsideText([...six, 'g', 'h'])).toBe(
+      'Only the parts on the picture bend it of a, b, c, d, e and 3 more.',
+    );
   });
 
   it('names one of the files that were not opened', () => {

@@ -17,24 +17,28 @@ export const NOT_KEPT =
 
 const listed = new Intl.ListFormat('en-GB');
 
+/** Names in a sentence, of many the first few: all handles of another picture would cover this one. */
+const named = (handles: readonly string[]): string =>
+  listed.format(handles.length > 6 ? [...handles.slice(0, 5), `${handles.length - 5} more`] : handles);
+
 /** @param handles names of handles that lie partly outside the picture; at least one. */
 export function outsideText(handles: readonly string[]): string {
   return handles.length === 1
     ? `Only the part of ${handles[0]} on the picture bends it: the rest lies beside it.`
-    : `Only the parts on the picture bend it of ${listed.format(handles)}.`;
+    : `Only the parts on the picture bend it of ${named(handles)}.`;
 }
 
 export const SAME_THERE = 'The other side is the same: there is nothing to mirror.';
 
 /** @param handles names of handles that have no place on the other side; at least one. */
 export const noOtherSideText = (handles: readonly string[]): string =>
-  `There is nothing to hold on the other side of ${listed.format(handles)}.`;
+  `There is nothing to hold on the other side of ${named(handles)}.`;
 
 /** @param handles names of copied handles that none is like; at least one. */
 export const noFellowText = (handles: readonly string[]): string =>
   handles.length === 1
     ? `There is no handle here for the pose of ${handles[0]}.`
-    : `There are no handles here for the poses of ${listed.format(handles)}.`;
+    : `There are no handles here for the poses of ${named(handles)}.`;
 
 /** @param files names of files that were not opened; at least one. */
 export function notOpenedText([first, ...more]: readonly string[]): string {
