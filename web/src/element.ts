@@ -352,9 +352,7 @@ export class C2Warp extends TypedElement {
     const receive = (files: readonly File[]) => void this.#desk?.files.receive(files);
     this.#receiving = new Receiving(this, willing, receive);
     this.#clipboard = new Clipboard(this, {
-      get willing() {
-        return willing();
-      },
+      willing,
       receive,
       copied: () => this.#desk?.commands.copied() ?? null,
       pasted: (text) => this.#desk?.commands.paste(text) ?? false,

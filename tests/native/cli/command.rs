@@ -1,7 +1,7 @@
 //! Runs the binary that this workspace builds.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 
 /// The binary beside this test, built if need be: cargo does so by itself only for tests of the binary's own package.
@@ -37,6 +37,14 @@ pub(crate) fn succeed(folder: &Path, arguments: &str) -> Vec<u8> {
     let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
     assert!(status.success() && stderr.is_empty(), "{arguments}: {status}: {}", String::from_utf8_lossy(&stderr));
     stdout
+}
+
+/// Runs the command with a reader that closes its end at once, and expects it to succeed in silence.
+pub(crate) fn succeed_unread(folder: &Path, arguments: &str) {
+    let mut run = command(folder, arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(run.stdout.take());
+    let ended = run.wait_with_output().unwrap();
+    assert!(ended.status.success() && ended.stderr.is_empty(), "{arguments}: {ended:?}");
 }
 
 /// Runs the command, expects it to refuse in one line, and gives the line without the command's name.

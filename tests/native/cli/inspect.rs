@@ -1,10 +1,8 @@
 //! `c2warp inspect`.
 
-use std::process::Stdio;
-
 use serde_json::Value;
 
-use crate::command::{command, succeed};
+use crate::command::{succeed, succeed_unread};
 use crate::workplace::Workplace;
 
 fn report(scene: &str) -> Value {
@@ -65,12 +63,5 @@ fn says_the_same_to_people() {
 #[test]
 fn is_content_when_nobody_reads_on() {
     let place = Workplace::with("untouched");
-    let mut run = command(place.folder(), "inspect scene.c2warp.json")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    drop(run.stdout.take());
-    let ended = run.wait_with_output().unwrap();
-    assert!(ended.status.success() && ended.stderr.is_empty(), "{ended:?}");
+    succeed_unread(place.folder(), "inspect scene.c2warp.json");
 }

@@ -31,9 +31,12 @@ export const corners = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonl
 /** Where a handle is grabbed: the mean of its corners. */
 export const anchor = (handle: Handle, of: 'rest' | 'posed' = 'posed'): Vec => centre(corners(handle, of));
 
+/** Whether the last corner leads back to the first; that of a point, which is both, too. */
+export const isClosed = (kind: Handle['kind'] | 'lasso'): boolean => kind !== 'bar';
+
 /** The handle's edges; those of a point are one, from its place to itself. */
 export const edges = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonly (readonly [Vec, Vec])[] =>
-  edgesOf(corners(handle, of), handle.kind !== 'bar');
+  edgesOf(corners(handle, of), isClosed(handle.kind));
 
 export const isLine = (handle: Handle): handle is LineHandle => handle.kind !== 'point';
 
@@ -104,7 +107,7 @@ export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'] | 'lasso', numbe
 /** The handle with a corner added at the same share of an edge, at rest and posed: the edge stays straight. */
 export function cornerAdded(handle: LineHandle, { edge, share }: LinePlace): LineHandle {
   const divided = (corners: readonly Vec[]): readonly Vec[] => {
-    const ends = edgesOf(corners, handle.kind === 'polygon')[edge];
+    const ends = edgesOf(corners, isClosed(handle.kind))[edge];
     if (!ends) return corners;
     return [...corners.slice(0, edge + 1), roundedVec(between(...ends, share)), ...corners.slice(edge + 1)];
   };
@@ -189,11 +192,11 @@ export function posedLike(handle: Handle, like: Handle): Handle {
   } as Handle;
 }
 
-const restMiddle = (handle: Handle): Vec => middle(corners(handle, 'rest'), handle.kind !== 'bar');
+const restMiddle = (handle: Handle): Vec => middle(corners(handle, 'rest'), isClosed(handle.kind));
 
 /** Where a place at rest goes with the nearest place of a handle. */
 function followed(handle: Handle, at: Vec): Vec {
-  const { edge, share } = nearestPlace(corners(handle, 'rest'), handle.kind !== 'bar', at);
+  const { edge, share } = nearestPlace(corners(handle, 'rest'), isClosed(handle.kind), at);
   const [from, to] = [edges(handle, 'rest')[edge], edges(handle)[edge]];
   if (!from || !to) return at;
   const beside = scaled(subtract(at, between(...from, share)), scaleOf(handle));

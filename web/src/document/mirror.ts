@@ -4,7 +4,7 @@ import { distanceToLine } from '../geometry/polyline';
 import { midpoint, type Vec } from '../geometry/vec';
 import { type Document, selectedHandles } from './document';
 import { addHandle, freeId, putHandles, selectHandles } from './edits';
-import { corners, edges, isLine, posedLike, rounded, roundedVec } from './handle';
+import { corners, edges, isClosed, isLine, posedLike, rounded, roundedVec } from './handle';
 import type { Handle, Project } from './project';
 
 /**
@@ -70,7 +70,7 @@ function nearest(handles: readonly Handle[], image: Handle, within: number): Han
 function apart(a: Handle, b: Handle): number {
   if (a.kind !== b.kind) return Number.POSITIVE_INFINITY;
   const [p, q] = [corners(a, 'rest'), corners(b, 'rest')];
-  const closed = a.kind !== 'bar';
+  const closed = isClosed(a.kind);
   return Math.max(
     ...p.map((corner) => distanceToLine(q, closed, corner)),
     ...q.map((corner) => distanceToLine(p, closed, corner)),

@@ -1,7 +1,7 @@
 /** What is copied and pasted while the element has the focus: poses as text, and files to open. */
 export interface ClipboardHost {
   /** Whether anything is copied and pasted now. */
-  readonly willing: boolean;
+  willing(): boolean;
   receive(files: readonly File[]): void;
   /** What is to be copied as text; null leaves it to the browser. */
   copied(): string | null;
@@ -44,6 +44,8 @@ export class Clipboard {
   }
 
   #concerns(event: Event): boolean {
-    return this.#host.willing && !event.defaultPrevented && Boolean(this.#element.shadowRoot?.activeElement);
+    return (
+      this.#host.willing() && !event.defaultPrevented && Boolean(this.#element.shadowRoot?.activeElement)
+    );
   }
 }

@@ -1,4 +1,5 @@
 import type { Corner } from '../ui/model';
+import { isField } from '../ui/untyped';
 
 /** What has the focus inside the editor, and what gets it. */
 export class Focus {
@@ -30,7 +31,7 @@ export class Focus {
 
   /** Whether something is being typed. */
   get isInField(): boolean {
-    return Boolean(this.#root.activeElement?.matches('input:not([type=checkbox])'));
+    return isField(this.#root.activeElement);
   }
 
   /** Whether what is copied is text: in a field, or selected beside the stage. */

@@ -3,7 +3,7 @@
  */
 import type { Vec } from '../geometry/vec';
 import { type CommandName, commandOfKey, commandsFor, isBareView } from '../ui/commands';
-import { isTyped } from '../ui/untyped';
+import { isField, isTyped } from '../ui/untyped';
 import type { CommandRunner } from './command_runner';
 import type { Display } from './display';
 import type { Input } from './input';
@@ -60,7 +60,7 @@ export class Keyboard {
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#host.permissions.disabled) return;
-    if (target.matches('input:not([type=checkbox])') && !this.#leavesField(event, target)) return;
+    if (isField(target) && !this.#leavesField(event, target)) return;
     // The browser closes an open menu on Escape unless the event is cancelled.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
     const onStage = target.matches('.shell, .stage, .stage *');

@@ -1,8 +1,8 @@
 /** Commands for bars and polygons: adds and removes corners, and finishes a drawing. */
 import { handleById, selectedHandles } from '../document/document';
-import { isLine } from '../document/handle';
+import { edges, isClosed, isLine } from '../document/handle';
 import type { LineHandle } from '../document/project';
-import { edgesOf, type LinePlace, nearestPlace } from '../geometry/polyline';
+import { type LinePlace, nearestPlace } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import { hit } from '../tools/hit';
 import type { Crosshair } from './crosshair';
@@ -55,7 +55,7 @@ export class LineCommands {
     const [only, ...others] = selectedHandles(document);
     const handle = corner ? handleById(document, corner.id) : others.length === 0 ? only : undefined;
     if (!handle || !isLine(handle)) return;
-    const lengths = edgesOf(handle.posed, handle.kind === 'polygon').map(([a, b]) => distance(a, b));
+    const lengths = edges(handle).map(([a, b]) => distance(a, b));
     const longest = lengths.indexOf(Math.max(...lengths));
     const edge = corner ? Math.min(corner.index, lengths.length - 1) : longest;
     this.#addCorner(handle, { edge, share: 0.5 });
@@ -76,7 +76,7 @@ export class LineCommands {
     if (!handle || !isLine(handle)) return;
     if (under.part === 'corner') this.#removeCorner(handle, under.index);
     if (under.part !== 'handle') return;
-    const place = nearestPlace(handle.posed, handle.kind === 'polygon', at);
+    const place = nearestPlace(handle.posed, isClosed(handle.kind), at);
     if (place.away <= areas.grips.line) this.#addCorner(handle, place);
   }
 

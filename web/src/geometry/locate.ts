@@ -36,21 +36,17 @@ function found(
   at: Vec,
   there: (vertex: number) => Vec,
 ): Located | null {
-  for (let index = triangles.length - 3; index >= 0; index -= 3) {
-    const a = triangles[index] ?? 0;
-    const b = triangles[index + 1] ?? 0;
-    const c = triangles[index + 2] ?? 0;
-    if (isBeside(points[2 * a], points[2 * b], points[2 * c], at[0])) continue;
-    if (isBeside(points[2 * a + 1], points[2 * b + 1], points[2 * c + 1], at[1])) continue;
-    const here: Triangle = [corner(points, a), corner(points, b), corner(points, c)];
-    const share = barycentric(...here, at);
-    if (!share) continue;
-    const [p, q, r]: Triangle = [there(a), there(b), there(c)];
-    const rest: Vec = [
-      share[0] * p[0] + share[1] * q[0] + share[2] * r[0],
-      share[0] * p[1] + share[1] * q[1] + share[2] * r[1],
-    ];
-    return { rest, ...nearestSimilarity([p, q, r], here) };
+  for (
+    let index = nextNear(triangles, points, at, 0);
+    index >= 0;
+    index = nextNear(triangles, points, at, 0, index)
+  ) {
+    const here = cornersOf(points, triangles, index);
+    const shares = barycentric(...here, at);
+    if (!shares) continue;
+    const vertex = (k: number) => there(triangles[index + k] ?? 0);
+    const corners: Triangle = [vertex(0), vertex(1), vertex(2)];
+    return { rest: mixed(corners, shares), ...nearestSimilarity(corners, here) };
   }
   return null;
 }
@@ -69,11 +65,7 @@ export function locateNear(skin: Skin, posed: Float32Array, at: Vec): Located | 
   });
   if (best < 0) return null;
   const first = best - (best % 3);
-  const of = (points: Float32Array): Triangle => [
-    corner(points, skin.triangles[first] ?? 0),
-    corner(points, skin.triangles[first + 1] ?? 0),
-    corner(points, skin.triangles[first + 2] ?? 0),
-  ];
+  const of = (points: Float32Array) => cornersOf(points, skin.triangles, first);
   const vertex = skin.triangles[best] ?? 0;
   const motion = nearestSimilarity(of(skin.positions), of(posed));
   const scale = Math.max(motion.scale, Number.EPSILON);
@@ -85,19 +77,55 @@ export function locateNear(skin: Skin, posed: Float32Array, at: Vec): Located | 
 }
 
 export type Triangle = readonly [Vec, Vec, Vec];
+/** What each corner of a triangle has of a place in it; in sum 1. */
+export type Shares = readonly [number, number, number];
 
-export const corner = (points: Float32Array, index: number): Vec => [
+/**
+ * The index of the triangle, of those drawn before the one at `before`, that is drawn last among the ones whose box is no
+ * farther than `slack` from a place; negative where there is none. Rules out nearly every triangle, without a list of them.
+ */
+export function nextNear(
+  triangles: Uint32Array,
+  points: Float32Array,
+  [x, y]: Vec,
+  slack: number,
+  before = triangles.length,
+): number {
+  let index = before - 3;
+  for (; index >= 0; index -= 3) {
+    const a = triangles[index] ?? 0;
+    const b = triangles[index + 1] ?? 0;
+    const c = triangles[index + 2] ?? 0;
+    if (isBeside(points[2 * a], points[2 * b], points[2 * c], x, slack)) continue;
+    if (!isBeside(points[2 * a + 1], points[2 * b + 1], points[2 * c + 1], y, slack)) break;
+  }
+  return index;
+}
+
+/** Whether a coordinate is farther than `slack` beyond those of all corners. */
+const isBeside = (p = 0, q = 0, r = 0, at: number, slack: number): boolean =>
+  (p < at - slack && q < at - slack && r < at - slack) ||
+  (p > at + slack && q > at + slack && r > at + slack);
+
+/** The corners of the triangle at an index. */
+export const cornersOf = (points: Float32Array, triangles: Uint32Array, index: number): Triangle => [
+  corner(points, triangles[index] ?? 0),
+  corner(points, triangles[index + 1] ?? 0),
+  corner(points, triangles[index + 2] ?? 0),
+];
+
+const corner = (points: Float32Array, index: number): Vec => [
   points[2 * index] ?? 0,
   points[2 * index + 1] ?? 0,
 ];
 
-/** Whether a coordinate is beyond those of all corners: rules out nearly every triangle, without a list of them. */
-export const isBeside = (p = 0, q = 0, r = 0, at: number, slack = 0): boolean =>
-  (p < at - slack && q < at - slack && r < at - slack) ||
-  (p > at + slack && q > at + slack && r > at + slack);
+export const mixed = ([p, q, r]: Triangle, [u, v, w]: Shares): Vec => [
+  u * p[0] + v * q[0] + w * r[0],
+  u * p[1] + v * q[1] + w * r[1],
+];
 
 /** Barycentric coordinates of `p`, in either orientation; null outside the triangle, or where its area is 0. */
-export function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): readonly [number, number, number] | null {
+export function barycentric(a: Vec, b: Vec, c: Vec, p: Vec): Shares | null {
   const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
   if (area === 0) return null;
   const u = ((b[0] - p[0]) * (c[1] - p[1]) - (c[0] - p[0]) * (b[1] - p[1])) / area;

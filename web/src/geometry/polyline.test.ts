@@ -27,47 +27,13 @@ describe('a line through corners', () => {
   });
 
   it('has its middle where it had it before a corner was added', () => {
-    expect(
-      middle(
-        [
-          [0, 0],
-          [4, 0],
-        ],
-        false,
-      ),
-    ).toEqual([2, 0]);
-    expect(
-      middle(
-        [
-          [0, 0],
-          [1, 0],
-          [4, 0],
-        ],
-        false,
-      ),
-    ).toEqual([2, 0]);
-    expect(
-      middle(
-        [
-          [0, 0],
-          [4, 0],
-          [4, 4],
-          [1, 4],
-          [0, 4],
-        ],
-        true,
-      ),
-    ).toEqual([2, 2]);
-    expect(middle([[3, 1]], true)).toEqual([3, 1]);
-    expect(
-      middle(
-        [
-          [3, 1],
-          [3, 1],
-        ],
-        false,
-      ),
-    ).toEqual([3, 1]);
+    const [from, to] = [[0, 0] as const, [4, 0] as const];
+    expect(middle([from, to], false)).toEqual([2, 0]);
+    expect(middle([from, [1, 0], to], false)).toEqual([2, 0]);
+    expect(middle([from, to, [4, 4], [1, 4], [0, 4]], true)).toEqual([2, 2]);
+    const at = [3, 1] as const;
+    expect(middle([at], true)).toEqual(at);
+    expect(middle([at, at], false)).toEqual(at);
   });
 
   it('is as far away as its nearest place', () => {

@@ -7,15 +7,13 @@
  * press removes only what it has set.
  */
 import { addHandle, freeId } from '../document/edits';
-import { CORNERS_NEEDED, isLine, rounded, roundedVec } from '../document/handle';
+import { CORNERS_NEEDED, isClosed, isLine, rounded, roundedVec } from '../document/handle';
 import type { LineHandle, Project } from '../document/project';
 import { constrained } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import { type Draft, type Outcome, outcome, type Press, type Scene, type State } from './state';
 
 export type LineKind = LineHandle['kind'];
-
-export const isClosed = (kind: Draft['kind']): boolean => kind !== 'bar';
 
 /** Distance between the corners that a lasso leaves on its way, in lengths of a click's slop. */
 const SPACING = 2;

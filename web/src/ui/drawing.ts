@@ -1,9 +1,9 @@
 /** A bar, polygon or lasso being drawn: its corners so far, its line on to the pointer, and buttons for it. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
-import { CORNERS_NEEDED } from '../document/handle';
+import { CORNERS_NEEDED, isClosed } from '../document/handle';
 import { type Camera, type Size, toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
-import { isClosed, isDrawable } from '../tools/drafting';
+import { isDrawable } from '../tools/drafting';
 import type { Draft } from '../tools/state';
 import { dots, onStage } from './dots';
 import { icon } from './icons';

@@ -2,6 +2,10 @@
 import { noChange } from 'lit';
 import { Directive, directive, type PropertyPart } from 'lit/directive.js';
 
+/** Whether an element is a field that text is typed into. */
+export const isField = (element: Element | null): boolean =>
+  element?.matches('input:not([type=checkbox])') === true;
+
 /** Fields with typed text that is not committed yet, and not left. */
 const typed = new WeakSet<EventTarget>();
 
