@@ -32,6 +32,8 @@ pub(crate) struct Propagation {
     queue: BinaryHeap<Event>,
     pending: Vec<Crossing>,
     found: Vec<(u32, Window)>,
+    /// Triangle and number of each that was found.
+    order: Vec<(u32, u32)>,
 }
 
 /// A window about to enter a triangle through the edge from corner `edge` to the next one.
@@ -243,14 +245,18 @@ impl Propagation {
 
     /// Sorts the windows by triangle, and within each by least distance.
     fn collect(&mut self, source: DVec2, bound: f64) -> DistanceField {
-        self.found.sort_by(|(t, a), (u, b)| t.cmp(u).then(a.nearest.total_cmp(&b.nearest)));
+        // Their numbers first: a window is long to move, and most triangles have one or two.
+        self.order.clear();
+        self.order.extend(self.found.iter().zip(0..).map(|(&(t, _), at)| (t, at)));
+        self.order.sort_unstable();
         let mut triangles: Vec<(u32, u32)> = Vec::new();
-        for (at, &(t, _)) in self.found.iter().enumerate() {
-            if triangles.last().is_none_or(|&(last, _)| last != t) {
-                triangles.push((t, at as u32));
-            }
+        let mut windows: Vec<Window> = Vec::with_capacity(self.found.len());
+        for of_triangle in self.order.chunk_by(|(t, _), (u, _)| t == u) {
+            let start = windows.len();
+            triangles.push((of_triangle[0].0, start as u32));
+            windows.extend(of_triangle.iter().map(|&(_, at)| self.found[at as usize].1));
+            windows[start..].sort_by(|a, b| a.nearest.total_cmp(&b.nearest));
         }
-        let windows = self.found.iter().map(|&(_, window)| window).collect();
         DistanceField { source, bound, triangles, windows }
     }
 }
