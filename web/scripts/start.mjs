@@ -13,6 +13,8 @@ await main(async () => {
   }
   await prepare();
   heading('Editor');
+  // Lit as it is in what is built: otherwise it warns of itself.
+  process.env.NODE_ENV ??= 'production';
   // Imported only here: it may have just been installed.
   const { createServer: createVite } = await import('vite');
   const server = await createVite({
