@@ -8,6 +8,7 @@ import { addHandle, freeId } from '../document/edits';
 import { rounded, roundedVec } from '../document/handle';
 import type { PointHandle, Project } from '../document/project';
 import type { Spot } from '../geometry/spot';
+import { add, subtract } from '../geometry/vec';
 import { moving } from './moving';
 import { type Outcome, outcome, type Press, type Scene, type State } from './state';
 
@@ -16,14 +17,18 @@ import { type Outcome, outcome, type Press, type Scene, type State } from './sta
  * jump. An automatic rotation follows from the pose. Where the picture is turned over, the nearest scale can be 0, which
  * no handle has.
  */
-export const pointHandle = (project: Project, spot: Spot): PointHandle => ({
-  id: freeId(project),
-  kind: 'point',
-  rest: roundedVec(spot.rest),
-  posed: roundedVec(spot.at),
-  rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(spot.rotation),
-  scale: rounded(spot.scale) || 1,
-});
+export function pointHandle(project: Project, { at, rest, rotation, scale }: Spot): PointHandle {
+  const posed = roundedVec(at);
+  return {
+    id: freeId(project),
+    kind: 'point',
+    // From there, so that what is not bent rests where it is: a half of a hundredth is rounded up or down by a hair.
+    rest: roundedVec(add(posed, subtract(rest, at))),
+    posed,
+    rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(rotation),
+    scale: rounded(scale) || 1,
+  };
+}
 
 export function placed(press: Press, scene: Scene, rest: State): Outcome {
   const spot = scene.place(press.at);

@@ -210,6 +210,13 @@ describe('point', () => {
     expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ scale: 1 });
   });
 
+  it('rests where it is posed while nothing is bent, a hair beside half a hundredth too', () => {
+    bench.placement = { rest: [50.125 - 1e-6, 60.375], rotation: 0, scale: 1 };
+    bench.click([50.125, 60.375 - 1e-6]);
+    const added = handleById(bench.history.present, 'handle-1');
+    expect(added).toMatchObject({ rest: added?.posed, posed: [50.13, 60.37] });
+  });
+
   it('is led onto the picture from close beside it, and dragged from there', () => {
     bench.machine.choose('point');
     bench.led = [48, 60];
