@@ -25,6 +25,11 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     });
     await expect(editor.corner(2, 'leg')).toBeVisible();
   },
+  'a context menu is open': async (editor) => {
+    await editor.corner(2, 'leg').focus();
+    await editor.page.keyboard.press('ContextMenu');
+    await expect(editor.page.getByRole('menu')).toBeVisible();
+  },
   'a reach is shown': async (editor) => {
     await editor.button('Overlays').click();
     await editor.page.getByRole('checkbox', { name: 'Reach' }).click();

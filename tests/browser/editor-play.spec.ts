@@ -211,6 +211,25 @@ test('a press beside the handles lets go of them, a drag there is nothing, and t
   expect(await rig.project()).toBe(project);
 });
 
+test('a right click on a handle offers to reset it, and beside handles it is the page’s', async ({
+  page,
+}) => {
+  const rig = await Rig.open(page);
+  const at = await rig.place('right hand');
+  await drag(page, at, by(at, 0, -20));
+  await expect.poll(async () => (await rig.told('right hand')).y).toBeLessThan(516);
+  const hand = await rig.place('right hand');
+  await left(page);
+  await page.mouse.click(hand.x, hand.y, { button: 'right' });
+  await expect(page.getByRole('menuitem')).toHaveText([/Reset\s+R/, /Reset all/, /Undo/, /Redo/]);
+  await page.getByRole('menuitem', { name: 'Reset', exact: true }).click();
+  await expect.poll(async () => (await rig.told('right hand')).y).toBe(516);
+  expect(await left(page)).not.toContain('contextmenu');
+  await rig.stage.focus();
+  await page.keyboard.press('Shift+F10');
+  await expect(page.getByRole('menu')).toHaveCount(0);
+});
+
 test('nothing is placed, drawn, given corners, deleted or reordered, whatever the tool says', async ({
   page,
 }) => {
@@ -450,6 +469,22 @@ test.describe('by touch', () => {
     const empty = await still(() => beside(rig));
     await page.touchscreen.tap(empty.x, empty.y);
     await expect.poll(() => rig.selection()).toEqual([]);
+  });
+
+  test('a finger that stays on a handle offers to reset it, and leaves the page where it is', async ({
+    page,
+  }) => {
+    const rig = await Rig.open(page);
+    const fingers = await page.context().newCDPSession(page);
+    const at = await rig.still(() => rig.place('right hand'));
+    await fingers.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [at] });
+    await expect(page.getByRole('menu')).toHaveAccessibleName('right hand');
+    await fingers.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await expect(page.getByRole('menuitem', { name: 'Reset', exact: true })).toBeDisabled();
+    const before = await scrolled(page);
+    await touch(fingers, upwards(await beside(rig)));
+    await expect(page.getByRole('menu')).toHaveCount(0);
+    await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 50);
   });
 
   test('two fingers are the page’s, and take back what one began', async ({ page }) => {

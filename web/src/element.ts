@@ -343,6 +343,8 @@ export class C2Warp extends TypedElement {
       again: () => this.#desk && void this.#initial.again(this.#desk),
       edited: (kind) => this.#edited(kind),
       emit: this.#emit,
+      copy: () => void this.#clipboard?.copy(),
+      paste: () => void this.#clipboard?.paste(),
       switchTheme: () => {
         this.theme = this.#dark ? 'light' : 'dark';
       },
@@ -356,6 +358,7 @@ export class C2Warp extends TypedElement {
       receive,
       copied: () => this.#desk?.commands.copied() ?? null,
       pasted: (text) => this.#desk?.commands.paste(text) ?? false,
+      tell: (text) => this.#desk?.notices.notify({ kind: 'info', text }),
     });
     this.#focusKeeper = new FocusKeeper(this);
     this.requestUpdate();

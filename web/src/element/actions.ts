@@ -4,6 +4,7 @@ import { alphaThreshold } from '../io/alpha';
 import type { EditorActions } from '../ui/model';
 import type { Autosave } from './autosave';
 import type { CommandRunner } from './command_runner';
+import type { ContextMenu } from './context_menu';
 import type { Display } from './display';
 import type { EditCommands } from './edit_commands';
 import type { Focus } from './focus';
@@ -20,6 +21,7 @@ export interface ActionsHost {
   readonly permissions: Permissions;
   readonly display: Display;
   readonly commands: CommandRunner;
+  readonly menu: ContextMenu;
   readonly lines: LineCommands;
   readonly focus: Focus;
   readonly autosave: Autosave;
@@ -39,6 +41,7 @@ export function actionsOf(host: ActionsHost): EditorActions {
   };
   return {
     run: (command) => commands.run(command),
+    ofMenu: (command) => host.menu.run(command),
     showBare: (view) => display.showBare(view),
     overlay: (name, on) => display.overlay(name, on),
     field: (field, value) => edit((edits) => edits.field(field, value)),

@@ -1,12 +1,14 @@
 /** Runs the commands of buttons and keys, as far as the state of the editor allows. */
 import { selectedHandles } from '../document/document';
 import { posedHandles, poseText } from '../document/pose_text';
-import { draws, type ToolName } from '../tools/machine';
+import type { Vec } from '../geometry/vec';
+import { draws, TOOLS, type ToolName } from '../tools/machine';
 import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
 import type { Files } from './files';
 import type { Focus } from './focus';
+import type { HitAreas } from './hit_areas';
 import type { LineCommands } from './line_commands';
 import type { Notices } from './notices';
 import type { Permissions } from './permissions';
@@ -24,6 +26,10 @@ export interface CommandRunnerHost {
   readonly crosshair: Crosshair;
   readonly lines: LineCommands;
   readonly focus: Focus;
+  readonly areas: HitAreas;
+  /** Copies the pose to the clipboard; pastes what is there. */
+  copy(): void;
+  paste(): void;
   /** Camera, crosshair or drawing changed. */
   looked(): void;
 }
@@ -35,8 +41,9 @@ export class CommandRunner {
     this.#host = host;
   }
 
-  run(command: CommandName): void {
-    if (!this.#host.permissions.disabled) this.#commands[command]();
+  /** @param at the place that a command of the context menu is for, image pixels. */
+  run(command: CommandName, at?: Vec): void {
+    if (!this.#host.permissions.disabled) this.#commands[command](at);
   }
 
   choose(tool: ToolName): void {
@@ -100,7 +107,7 @@ export class CommandRunner {
     return true;
   }
 
-  get #commands(): Readonly<Record<CommandName, () => void>> {
+  get #commands(): Readonly<Record<CommandName, (at?: Vec) => void>> {
     const { workbench, viewing, files, permissions, display, lines } = this.#host;
     const { editing, commands } = workbench;
     const { machine } = editing;
@@ -130,7 +137,10 @@ export class CommandRunner {
       'reset-all': () => edit(() => commands.reset(true)),
       mirror: () => edit(() => this.#mirror()),
       remove: () => edit(() => (drawing() ? look(back) : commands.remove())),
-      'add-corner': () => edit(() => lines.addCorner()),
+      copy: () => this.#host.copy(),
+      paste: () => this.#host.paste(),
+      'add-point': (at) => edit(() => at && this.#addPoint(at)),
+      'add-corner': (at) => edit(() => lines.addCorner(at)),
       'remove-corner': () => edit(() => lines.removeCorner()),
       forward: () => edit(() => commands.raise(1)),
       backward: () => edit(() => commands.raise(-1)),
@@ -148,6 +158,16 @@ export class CommandRunner {
       'zoom-out': () => look(() => viewing.zoom(-1)),
       bail: () => this.bail(),
     };
+  }
+
+  /** Adds a point handle with any tool. */
+  #addPoint(at: Vec): void {
+    const { workbench, areas, focus } = this.#host;
+    const { editing } = workbench;
+    const press = { at, stage: at, shift: false, alt: false };
+    editing.apply(editing.machine.down(press, areas.bareScene, TOOLS.point));
+    editing.apply(editing.machine.up(press, areas.bareScene));
+    focus.hold(editing.document.selection[0]);
   }
 
   /** Mirrors what is selected, and goes on to what was posed by that. */

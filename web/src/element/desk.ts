@@ -155,6 +155,7 @@ export class Desk {
 
   #opened(picture: Picture | null, look?: Look): void {
     this.notices.clear();
+    this.#parts.menu.close();
     if (picture && !this.#host.play) this.notices.say(`${picture.name} is open`);
     this.#stage?.drawing?.setPicture(picture?.bitmap ?? null);
     this.#parts.viewing.show(picture, look);

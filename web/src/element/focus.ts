@@ -1,3 +1,4 @@
+import type { Hit } from '../tools/hit';
 import type { Corner } from '../ui/model';
 import { isField } from '../ui/untyped';
 
@@ -29,6 +30,13 @@ export class Focus {
     return Boolean(this.#root.activeElement?.closest('.handles'));
   }
 
+  /** The handle or the corner that has the focus. */
+  get held(): Hit | null {
+    const { handle, of, corner } = (this.#root.activeElement as HTMLElement | null)?.dataset ?? {};
+    if (handle !== undefined) return { part: 'handle', id: handle };
+    return of === undefined ? null : { part: 'corner', id: of, index: Number(corner) };
+  }
+
   /** Whether something is being typed. */
   get isInField(): boolean {
     return isField(this.#root.activeElement);
@@ -36,10 +44,10 @@ export class Focus {
 
   /** Whether what is copied is text: in a field, or selected beside the stage. */
   get isOnText(): boolean {
-    return this.isInField || (!this.#isOnStage && String(getSelection()).trim() !== '');
+    return this.isInField || (!this.isOnStage && String(getSelection()).trim() !== '');
   }
 
-  get #isOnStage(): boolean {
+  get isOnStage(): boolean {
     return Boolean(this.#root.activeElement?.closest('.stage'));
   }
 

@@ -37,6 +37,11 @@ export class HitAreas {
     return this.coarse ? 'tap' : 'click';
   }
 
+  /** Without hit areas: a press places something, even on an existing handle. */
+  get bareScene(): Scene {
+    return { ...this.scene, grips: { ...this.grips, handle: -1, line: -1, band: -1 } };
+  }
+
   get scene(): Scene {
     const { editing, posing } = this.#workbench;
     const { grips } = this;

@@ -3,8 +3,10 @@ import { type Camera, toImage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
 import { type Hit, hit } from '../tools/hit';
+import { withoutRings } from '../tools/pressing';
 import type { Effect, Press } from '../tools/state';
 import { Pointing, type StagePointer } from '../ui/pointing';
+import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
 import type { Focus } from './focus';
@@ -23,6 +25,7 @@ export interface InputHost {
   readonly crosshair: Crosshair;
   readonly lines: LineCommands;
   readonly focus: Focus;
+  readonly menu: ContextMenu;
   /** Camera, cursor or crosshair changed. */
   looked(): void;
 }
@@ -59,6 +62,7 @@ export class Input {
         pressCancel: () => this.#apply(editing.machine.cancel()),
         holds: (pointer) => this.#holds(pointer),
         pressedBeside: () => permissions.editable && editing.select([]),
+        menu: (pointer) => this.#menu(pointer),
         pressedTwice: (pointer) => this.#pressedTwice(pointer),
         hover: (pointer) => this.#hover(pointer),
       },
@@ -120,9 +124,8 @@ export class Input {
   }
 
   /** What of the handles is under a place; nothing while a lasso is in hand. */
-  #hit(at: Vec, bodies = true): Hit | null {
-    const { areas, display } = this.#host;
-    return display.lassoing ? null : hit(areas.scene, at, bodies);
+  #hit(at: Vec, bodies = true, scene = this.#host.areas.scene): Hit | null {
+    return this.#host.display.lassoing ? null : hit(scene, at, bodies);
   }
 
   #down(pointer: StagePointer, pans: boolean): void {
@@ -154,6 +157,22 @@ export class Input {
     if (!this.#pans && workbench.editing.machine.tool === 'select') {
       lines.toggleCorner(this.#press(pointer).at);
     }
+  }
+
+  /** Opens the menu of what lies under a place, if there is one. */
+  #menu(pointer: StagePointer): boolean {
+    const { workbench, permissions, areas, focus, menu } = this.#host;
+    const { machine } = workbench.editing;
+    if (!menu.opens) return false;
+    areas.coarse = pointer.coarse;
+    // Before anything is hit: the press may have placed a handle.
+    this.#apply(machine.cancel());
+    const { at } = this.#press(pointer);
+    const under = this.#hit(at, machine.tool === 'select', withoutRings(areas.scene));
+    if (permissions.playing && !under) return false;
+    focus.leaveField();
+    menu.open(under, at);
+    return true;
   }
 
   #apply(effects: readonly Effect[]): void {

@@ -30,6 +30,9 @@ const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export'];
 /** Left to a text field while it has uncommitted input. */
 const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 
+/** Left to the browser, which then sends what is on the clipboard without asking anybody. */
+const OF_CLIPBOARD: readonly CommandName[] = ['copy', 'paste'];
+
 /** By `code`, since Shift changes `key`. */
 const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
 
@@ -60,6 +63,8 @@ export class Keyboard {
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
     if (event.defaultPrevented || this.#host.permissions.disabled) return;
+    // With Ctrl the menu has just closed, and the key goes on.
+    if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
     if (isField(target) && !this.#leavesField(event, target)) return;
     // The browser closes an open menu on Escape unless the event is cancelled.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
@@ -70,7 +75,7 @@ export class Keyboard {
     }
     const { permissions, commands, display } = this.#host;
     const command = commandOfKey(event, commandsFor(permissions.playing, permissions.readonly));
-    if (command === null) return;
+    if (command === null || OF_CLIPBOARD.includes(command)) return;
     if (command === 'bail') {
       if (commands.bail()) event.preventDefault();
       return;
@@ -101,6 +106,8 @@ export class Keyboard {
     const arrow = ARROWS[event.key];
     const turn = TURNS[event.code];
     const step = event.shiftKey;
+    const asksMenu = event.key === 'ContextMenu' || (event.key === 'F10' && step);
+    if (asksMenu) return this.#host.stageKeys.menu();
     if (event.key === ' ') return this.#host.input.space(true);
     if (arrow) return this.#host.stageKeys.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
     if (turn !== undefined) return this.#host.stageKeys.turn(turn * (step ? 15 : 1));

@@ -48,8 +48,11 @@ export class LineCommands {
     if (!editing.machine.draft) focus.hold(editing.document.selection[0]);
   }
 
-  /** Adds a corner halfway after the focused corner, or else on the longest edge of the only selected handle. */
-  addCorner(): void {
+  /**
+   * Adds a corner halfway after the focused corner, or else to the only selected handle: at a place on its line, image
+   * pixels, or on its longest edge.
+   */
+  addCorner(at?: Vec): void {
     const { document } = this.#host.workbench.editing;
     const { corner } = this.#host.focus;
     const [only, ...others] = selectedHandles(document);
@@ -58,7 +61,8 @@ export class LineCommands {
     const lengths = edges(handle).map(([a, b]) => distance(a, b));
     const longest = lengths.indexOf(Math.max(...lengths));
     const edge = corner ? Math.min(corner.index, lengths.length - 1) : longest;
-    this.#addCorner(handle, { edge, share: 0.5 });
+    const place = at && !corner ? this.#placeOn(handle, at) : null;
+    this.#addCorner(handle, place ?? { edge, share: 0.5 });
   }
 
   /** Removes the focused corner and focuses the one before it. */
@@ -75,9 +79,14 @@ export class LineCommands {
     const handle = under && handleById(workbench.editing.document, under.id);
     if (!handle || !isLine(handle)) return;
     if (under.part === 'corner') this.#removeCorner(handle, under.index);
-    if (under.part !== 'handle') return;
-    const place = nearestPlace(handle.posed, isClosed(handle.kind), at);
-    if (place.away <= areas.grips.line) this.#addCorner(handle, place);
+    const place = under.part === 'handle' ? this.#placeOn(handle, at) : null;
+    if (place) this.#addCorner(handle, place);
+  }
+
+  /** The place of a line within reach, if there is one. */
+  #placeOn({ posed, kind }: LineHandle, at: Vec): LinePlace | null {
+    const place = nearestPlace(posed, isClosed(kind), at);
+    return place.away <= this.#host.areas.grips.line ? place : null;
   }
 
   #addCorner(handle: LineHandle, at: LinePlace): void {

@@ -1,5 +1,6 @@
 /** The model that the templates show, gathered from the parts that hold its state. */
 import type { EditorModel } from '../ui/model';
+import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
 import type { Files } from './files';
@@ -24,6 +25,7 @@ export interface ModelParts {
   readonly areas: HitAreas;
   readonly crosshair: Crosshair;
   readonly lines: LineCommands;
+  readonly menu: ContextMenu;
 }
 
 /** The undo and redo label while something is being drawn. */
@@ -33,8 +35,20 @@ export function modelOf(
   parts: ModelParts,
   page: Pick<EditorModel, 'alt' | 'cursor' | 'dark' | 'platform'>,
 ): EditorModel {
-  const { workbench, viewing, files, notices, permissions, display, checks, hint, areas, crosshair, lines } =
-    parts;
+  const {
+    workbench,
+    viewing,
+    files,
+    notices,
+    permissions,
+    display,
+    checks,
+    hint,
+    areas,
+    crosshair,
+    lines,
+    menu,
+  } = parts;
   const { editing, solving, posing, guarding, picture } = workbench;
   const { machine } = editing;
   const { overlays } = display;
@@ -75,6 +89,7 @@ export function modelOf(
     corner: lines.corner,
     settings: display.settings,
     numbers: display.numbers,
+    menu: menu.shown,
     draft: machine.draft,
     waiting: machine.waiting,
     box: display.box,

@@ -40,6 +40,16 @@ export const noFellowText = (handles: readonly string[]): string =>
     ? `There is no handle here for the pose of ${handles[0]}.`
     : `There are no handles here for the poses of ${named(handles)}.`;
 
+export const NO_POSE = 'There is no pose on the clipboard: copy one first.';
+
+/** @param keys those that copy. */
+export const notCopiedText = (keys: string): string =>
+  `The browser let nothing onto the clipboard: the pose can be pasted on this page alone. ${keys} copies it for others.`;
+
+/** @param keys those that paste. */
+export const notReadText = (keys: string): string =>
+  `The browser did not let the clipboard be read: press ${keys} to paste.`;
+
 /** @param files names of files that were not opened; at least one. */
 export function notOpenedText([first, ...more]: readonly string[]): string {
   const others = more.length === 0 ? `${first} was` : `${first} and ${more.length} more were`;

@@ -2,6 +2,7 @@
 import { actionsOf } from './actions';
 import { Autosave } from './autosave';
 import { CommandRunner } from './command_runner';
+import { ContextMenu } from './context_menu';
 import { Crosshair } from './crosshair';
 import { Display } from './display';
 import type { Emit } from './events';
@@ -32,6 +33,9 @@ export interface PartsHost extends Attributes {
   again(): void;
   readonly emit: Emit;
   switchTheme(): void;
+  /** Copies the pose to the clipboard; pastes what is there. */
+  copy(): void;
+  paste(): void;
 }
 
 /** What concerns several parts. */
@@ -142,8 +146,14 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     looked,
   };
   const lines = new LineCommands(shared);
-  const stageKeys = new StageKeys({ ...shared, lines });
-  const commands = new CommandRunner({ ...shared, lines });
-  const actions = actionsOf({ ...shared, lines, commands, switchTheme: () => host.switchTheme() });
-  return { ...shared, lines, stageKeys, commands, actions, checks, reaching, hint };
+  const commands = new CommandRunner({
+    ...shared,
+    lines,
+    copy: () => host.copy(),
+    paste: () => host.paste(),
+  });
+  const menu = new ContextMenu({ ...shared, root: host.root, commands });
+  const stageKeys = new StageKeys({ ...shared, lines, menu });
+  const actions = actionsOf({ ...shared, lines, commands, menu, switchTheme: () => host.switchTheme() });
+  return { ...shared, lines, stageKeys, commands, menu, actions, checks, reaching, hint };
 }

@@ -4,6 +4,7 @@ import { deviceView, toImage, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { clientToStage, stageToClient } from '../ui/client';
 import type { CommandRunner } from './command_runner';
+import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
 import { Drawing } from './drawing';
@@ -30,6 +31,7 @@ export interface StageHost {
   readonly lines: LineCommands;
   readonly focus: Focus;
   readonly commands: CommandRunner;
+  readonly menu: ContextMenu;
   readonly stageKeys: StageKeys;
   readonly reaching: Reaching;
   /** Size, camera, cursor or crosshair changed. */
@@ -82,6 +84,7 @@ export class Stage {
 
   /** Cancels what is in progress: a drag, a drawing, a number being typed. */
   stop(): void {
+    this.#host.menu.close();
     this.#host.crosshair.at = null;
     this.#host.focus.leaveField();
     this.#host.workbench.editing.giveUp();
@@ -96,6 +99,7 @@ export class Stage {
 
   dispose(): void {
     this.#sizing.disconnect();
+    this.#host.menu.close();
     this.#release();
     this.drawing?.dispose();
   }

@@ -1,8 +1,10 @@
 /** What keys do on the stage: arrows nudge, move the crosshair or pan, comma and full stop turn, Enter places. */
 import { handleById } from '../document/document';
+import { anchor, isLine } from '../document/handle';
 import { panned } from '../geometry/camera';
 import { scaled, type Vec } from '../geometry/vec';
 import type { Press } from '../tools/state';
+import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
 import type { Focus } from './focus';
 import type { HitAreas } from './hit_areas';
@@ -20,6 +22,7 @@ export interface StageKeysHost {
   readonly crosshair: Crosshair;
   readonly lines: LineCommands;
   readonly focus: Focus;
+  readonly menu: ContextMenu;
   readonly notices: Notices;
   /** Camera, crosshair or drawing changed. */
   looked(): void;
@@ -79,14 +82,23 @@ export class StageKeys {
       return true;
     }
     const press = pressAt(crosshair.place);
-    // No hit areas: Enter always places, even on an existing handle.
-    const scene = { ...areas.scene, grips: { ...areas.grips, handle: -1, line: -1, band: -1 } };
-    editing.apply(machine.down(press, scene));
-    editing.apply(machine.up(press, scene));
+    editing.apply(machine.down(press, areas.bareScene));
+    editing.apply(machine.up(press, areas.bareScene));
     this.#host.looked();
     crosshair.at = null;
     const [added] = editing.document.selection;
     if (added && handleById(editing.document, added)) focus.hold(added);
+    return true;
+  }
+
+  /** Opens the menu of the handle or corner that has the focus, or of the picture. */
+  menu(): boolean {
+    const { workbench, permissions, crosshair, focus, menu } = this.#host;
+    const { held } = focus;
+    if (!menu.opens || (permissions.playing && !held)) return false;
+    const handle = held && handleById(workbench.editing.document, held.id);
+    const corner = handle && isLine(handle) && held?.part === 'corner' ? handle.posed[held.index] : undefined;
+    menu.open(held, corner ?? (handle ? anchor(handle) : crosshair.place));
     return true;
   }
 

@@ -52,7 +52,7 @@ function atOnce(down: Down, press: Press, scene: Scene): Outcome {
   return ended ? outcome(ended.next, ...begun.effects, ...ended.effects) : begun;
 }
 
-const withoutRings = (scene: Scene): Scene => ({ ...scene, grips: { ...scene.grips, band: -1 } });
+export const withoutRings = (scene: Scene): Scene => ({ ...scene, grips: { ...scene.grips, band: -1 } });
 
 const pressing = (target: Hit, from: Press, already: boolean, rest: State, beneath: Down): State => {
   const state: State = {

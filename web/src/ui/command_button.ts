@@ -3,10 +3,10 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { ariaKeys, COMMANDS, type CommandName, keyHint } from './commands';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
+import { isPossible } from './possible';
 
 export interface Look {
   readonly text?: string;
-  readonly enabled?: boolean;
   readonly pressed?: boolean;
   /** A fuller label than the table's: "Undo move head". */
   readonly label?: string;
@@ -30,7 +30,7 @@ export function commandButton(
     aria-label=${label}
     aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
     aria-pressed=${look.pressed === undefined ? nothing : String(look.pressed)}
-    ?disabled=${look.enabled === false}
+    ?disabled=${!isPossible(name, model)}
     @click=${() => actions.run(name)}
   >
     ${icon(COMMANDS[name].icon)}${look.text ? html`<span class="word">${look.text}</span>` : ''}

@@ -1,4 +1,4 @@
-/** All commands that a person can run by button or key: one table for tooltips, key map and ARIA hints. */
+/** All commands that a person can run by button, key or menu: one table for tooltips, key map, menus and ARIA hints. */
 import type { ToolName } from '../tools/machine';
 import type { IconName } from './icons';
 
@@ -25,7 +25,10 @@ export const COMMANDS = {
   'reset-all': { label: 'Reset all handles', icon: 'reset', keys: [] },
   reset: { label: 'Reset', icon: 'reset', keys: ['R'] },
   mirror: { label: 'Mirror to the other side', icon: 'mirror', keys: ['M'] },
+  copy: { label: 'Copy the pose', icon: 'copy', keys: ['Mod+C'] },
+  paste: { label: 'Paste a pose', icon: 'paste', keys: ['Mod+V'] },
   remove: { label: 'Delete', icon: 'remove', keys: ['Delete', 'Backspace'] },
+  'add-point': { label: 'Add a point here', icon: 'point', keys: [] },
   'add-corner': { label: 'Add a corner', icon: 'add-corner', keys: ['C'] },
   'remove-corner': { label: 'Delete the corner', icon: 'remove-corner', keys: ['X'] },
   forward: { label: 'Bring forward', icon: 'forward', keys: [']'] },

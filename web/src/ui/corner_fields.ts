@@ -1,26 +1,24 @@
 /** The corners of a bar or polygon in the panel: how to come by more, and the place of the one in hand. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { CORNERS_NEEDED } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import { commandButton } from './command_button';
 import type { EditorActions, EditorModel } from './model';
 import { numberField, PLACE } from './number_field';
 
 export function cornerFields(
-  { kind, posed }: LineHandle,
+  { posed }: LineHandle,
   model: EditorModel,
   actions: EditorActions,
 ): TemplateResult {
-  const { corner, press, readonly } = model;
+  const { corner, press } = model;
   const at = corner === null ? undefined : posed[corner];
   const words = at
     ? `Corner ${(corner ?? 0) + 1} of ${posed.length}`
     : `${posed.length} corners: double-${press} adds or deletes one`;
-  const enabled = !readonly && posed.length > CORNERS_NEEDED[kind];
   return html`<div class="row corners">
       <span class="faint" title="Double-${press} the line for one more there, a corner to delete it">${words}</span>
-      ${commandButton('add-corner', model, actions, { enabled: !readonly })}
-      ${at ? commandButton('remove-corner', model, actions, { enabled }) : nothing}
+      ${commandButton('add-corner', model, actions)}
+      ${at ? commandButton('remove-corner', model, actions) : nothing}
     </div>
     ${at ? place(at, words, model, actions) : nothing}`;
 }

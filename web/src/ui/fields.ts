@@ -71,10 +71,9 @@ function besides(
     return html`<div class="pair turn">${input} ${automaticToggle(selected, model, actions)}</div>`;
   }
   if (name !== 'depth') return input;
-  const enabled = (end: number) => !model.readonly && selected.some((handle) => depthOf(handle) !== end);
   return html`<div class="pair depth">
-    ${input} ${commandButton('backward', model, actions, { enabled: enabled(DEPTHS.least) })}
-    ${commandButton('forward', model, actions, { enabled: enabled(DEPTHS.most) })}
+    ${input} ${commandButton('backward', model, actions)}
+    ${commandButton('forward', model, actions)}
   </div>`;
 }
 

@@ -3,6 +3,7 @@ import { html, type TemplateResult } from 'lit';
 import { ariaKeys, type BareView, COMMANDS, keyHint } from './commands';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
+import { isPossible } from './possible';
 
 /** Held by pointer or key; a click without a press, as of a screen reader, toggles. */
 export function holdButton(name: BareView, model: EditorModel, actions: EditorActions): TemplateResult {
@@ -23,7 +24,7 @@ export function holdButton(name: BareView, model: EditorModel, actions: EditorAc
     aria-label=${COMMANDS[name].label}
     aria-keyshortcuts=${ariaKeys(name, model.platform)}
     aria-pressed=${String(model.bare === name)}
-    ?disabled=${model.picture === null}
+    ?disabled=${!isPossible(name, model)}
     @pointerdown=${hold}
     @pointerup=${release}
     @pointerleave=${release}

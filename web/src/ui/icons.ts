@@ -21,6 +21,8 @@ const SHAPES = {
   redo: svg`<path d="m12.8 4 3.6 3.6-3.6 3.6M16 7.6H8.4a4.6 4.6 0 0 0 0 9.2H12"/>`,
   reset: svg`<path d="M4.1 8.1A6.4 6.4 0 1 1 3.6 11M3.6 4.3v3.9h3.9"/>`,
   mirror: svg`<path d="M10 2.9v14.2" stroke-dasharray="2.4 2.3"/><path d="M7 5.4v9.2H2.9Z" opacity=".45"/><path d="M13 5.4v9.2h4.1Z" fill="currentColor" fill-opacity=".32"/>`,
+  copy: svg`<rect x="7" y="7" width="9.6" height="9.6" rx="1.2"/><path d="M4.6 13H4.4c-.6 0-1-.4-1-1V4.4c0-.6.4-1 1-1H12c.6 0 1 .4 1 1v.2"/>`,
+  paste: svg`<path d="M7 4.4H5.4c-.6 0-1 .4-1 1v10.2c0 .6.4 1 1 1h9.2c.6 0 1-.4 1-1V5.4c0-.6-.4-1-1-1H13"/><rect x="7" y="2.9" width="6" height="3.2" rx="1"/>`,
   remove: svg`<path d="M3.8 5.6h12.4M8 5.4V4c0-.5.4-.9.9-.9h2.2c.5 0 .9.4.9.9v1.4M5.4 5.8l.7 9.9c0 .6.5 1 1.1 1h5.6c.6 0 1.1-.4 1.1-1l.7-9.9M8.4 8.8v5M11.6 8.8v5"/>`,
   'add-corner': svg`<path d="M3.2 16.4 8.6 8.6l8.2 3.6"/><circle cx="8.6" cy="8.6" r="1.9" fill="currentColor" stroke="none"/><path d="M14.6 2.6v5M12.1 5.1h5"/>`,
   'remove-corner': svg`<path d="M3.2 16.4 8.6 8.6l8.2 3.6"/><circle cx="8.6" cy="8.6" r="1.9" fill="currentColor" stroke="none"/><path d="M12.1 5.1h5"/>`,

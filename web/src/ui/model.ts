@@ -57,6 +57,8 @@ export interface EditorModel {
   /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
   readonly numbers: boolean;
+  /** The open context menu. */
+  readonly menu: Menu | null;
   /** The line being drawn with the current tool. */
   readonly draft: Draft | null;
   /** Unfinished lines of the other tools. */
@@ -112,11 +114,25 @@ export interface Corner {
   readonly index: number;
 }
 
+/** What a context menu is about. */
+export interface Menu {
+  readonly name: string;
+  /** The selected handles, or the picture. */
+  readonly about: 'handles' | 'picture';
+  /** Of the handles, the one corner that it was asked for on. */
+  readonly corner: Corner | null;
+  /** Where it was asked for, image pixels, and whether that place can hold a point handle. */
+  readonly at: Vec;
+  readonly bends: boolean;
+}
+
 /** A number of the selected handles that the panel can set. */
 export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
 
 export interface EditorActions {
   run(command: CommandName): void;
+  /** Closes the context menu and runs one of its commands, or none. */
+  ofMenu(command: CommandName | null): void;
   showBare(view: BareView | null): void;
   overlay(name: keyof OverlayFlags, on: boolean): void;
   /** Sets a number of each selected handle, from its current value. */

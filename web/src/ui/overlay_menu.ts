@@ -31,6 +31,7 @@ export function overlayMenu(model: EditorModel, actions: EditorActions): Templat
     <div
       id="overlays"
       class="popover card"
+      part="menu"
       popover
       aria-label="Overlays"
       role="group"

@@ -7,7 +7,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { selectedHandles } from '../document/document';
-import { anchor, isAtRest, isLine, nameOf } from '../document/handle';
+import { anchor, isLine, nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
 import { toStage } from '../geometry/camera';
 import { centre } from '../geometry/polyline';
@@ -51,7 +51,6 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
   if (!first) return html``;
   const title = selected.length === 1 ? nameOf(first) : `${selected.length} handles`;
   const rest = anchor(first, 'rest').map((value) => Math.round(value));
-  const moved = selected.some((handle) => !isAtRest(handle));
   return html`<section class="properties" aria-label="Selected handle">
     <h2>${title}</h2>
     ${fields(selected, model, actions)}
@@ -68,9 +67,9 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
       >
         ${icon('unfold')}
       </button>
-      ${commandButton('mirror', model, actions, { enabled: !model.readonly })}
-      ${commandButton('reset', model, actions, { enabled: !model.readonly && moved, label: 'Reset to rest' })}
-      ${commandButton('remove', model, actions, { enabled: !model.readonly })}
+      ${commandButton('mirror', model, actions)}
+      ${commandButton('reset', model, actions, { label: 'Reset to rest' })}
+      ${commandButton('remove', model, actions)}
     </div>
   </section>`;
 }

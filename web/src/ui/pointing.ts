@@ -2,9 +2,9 @@
  * Translates pointers, wheel and space bar of a stage into presses of a tool and moves of the camera.
  *
  * One pointer works the tool; with space, the middle button or a second finger it navigates instead. A second finger
- * cancels what the first began: two fingers never edit. With the owner `page`, gestures that hold no handle are left to
- * the page, which scrolls by wheel or finger, zooms by pinch, and shows its menu. Places are CSS pixels of the stage,
- * however the page scales it.
+ * cancels what the first began: two fingers never edit. A right click, or a finger that stays, asks for the menu. With
+ * the owner `page`, gestures that hold no handle are left to the page, which scrolls by wheel or finger, zooms by pinch,
+ * and shows its menu. Places are CSS pixels of the stage, however the page scales it.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
@@ -30,6 +30,8 @@ export interface PointingHost {
   holds(pointer: StagePointer): boolean;
   /** A click that was left to the page. */
   pressedBeside(): void;
+  /** Asks for the menu of a place. Returns whether it was opened, which has ended any press. */
+  menu(pointer: StagePointer): boolean;
   /** The press that just ended was the second of a double click. */
   pressedTwice(pointer: StagePointer): void;
   hover(pointer: StagePointer | null): void;
@@ -46,6 +48,9 @@ const LINE_PX = 36;
 const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
 /** A press that moves farther than this is a drag, here as in the tools. CSS pixels. */
 const SLIP = { fine: 3, coarse: 8 } as const;
+
+/** A finger that stays in its place for this long asks for the menu, as it does elsewhere on phones. */
+const HOLD_MS = 500;
 
 /** Who receives the gestures that hold nothing. */
 export type Owner = 'editor' | 'page';
@@ -78,6 +83,7 @@ export class Pointing {
   #clicked: Click | null = null;
   #navigating = false;
   #space = false;
+  #holding: ReturnType<typeof setTimeout> | undefined;
 
   constructor(stage: HTMLElement, host: PointingHost, owner: Owner) {
     this.#stage = stage;
@@ -89,6 +95,7 @@ export class Pointing {
     stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
     stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
     stage.addEventListener('pointerleave', () => host.hover(null), { signal });
+    stage.addEventListener('contextmenu', (event) => this.#menu(event), { signal });
     if (owner === 'page') {
       stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
       return;
@@ -96,7 +103,6 @@ export class Pointing {
     // Otherwise a click follows, on any control that the press has brought up under the finger.
     stage.addEventListener('touchend', (event) => prevent(event), { signal, passive: false });
     stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
-    stage.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
   }
 
   /** The space bar is held: the next press pans. */
@@ -105,10 +111,16 @@ export class Pointing {
   }
 
   release(): void {
+    clearTimeout(this.#holding);
     this.#listening.abort();
   }
 
   #down(event: PointerEvent): void {
+    clearTimeout(this.#holding);
+    // One that was prevented has closed a menu.
+    if (event.defaultPrevented) return;
+    // The focus stays where it was while the menu is open.
+    if (event.button === 2 && this.#owner === 'editor') event.preventDefault();
     if (event.button > 1) return;
     if (this.#isOfPage(event)) {
       this.#leave(event);
@@ -130,18 +142,24 @@ export class Pointing {
     this.#button = event.button === 1 ? 4 : 1;
     const pans = this.#space || event.button === 1;
     this.#begun = pans ? null : this.#place(event);
-    this.#host.pressDown(this.#pointer(event), pans);
+    const pointer = this.#pointer(event);
+    this.#host.pressDown(pointer, pans);
+    if (event.pointerType !== 'mouse' && !pans)
+      this.#holding = setTimeout(() => this.#openMenu(pointer), HOLD_MS);
   }
 
   #move(event: PointerEvent): void {
+    const pointer = this.#pointer(event);
+    if (this.#begun && distance(this.#begun, pointer.stage) > SLIP[kindOf(pointer)])
+      clearTimeout(this.#holding);
     if (this.#navigating && this.#fingers.has(event.pointerId)) {
       this.#navigate(event);
     } else if (event.pointerId === this.#pressing) {
       // The release was missed, or came while another button was held.
       if (event.pointerType === 'mouse' && !(event.buttons & this.#button)) this.#up(event);
-      else this.#host.pressMove(this.#pointer(event));
+      else this.#host.pressMove(pointer);
     } else if (event.pointerType !== 'touch') {
-      this.#host.hover(this.#pointer(event));
+      this.#host.hover(pointer);
     }
   }
 
@@ -195,7 +213,27 @@ export class Pointing {
     this.#host.pressCancel();
   }
 
+  /**
+   * Opens the menu instead of the browser's, except with Shift. A finger's is a matter of `#holding`: few phones send
+   * this event. A press that is under way goes on, except one with Ctrl: on a Mac that is a right click.
+   */
+  #menu(event: MouseEvent): void {
+    if (event.shiftKey) return;
+    const busy = this.#fingers.size > 0 || (this.#pressing !== null && !event.ctrlKey);
+    if (this.#owner === 'editor' || busy) event.preventDefault();
+    if (!busy && this.#openMenu(this.#pointer(event))) event.preventDefault();
+  }
+
+  #openMenu(pointer: StagePointer): boolean {
+    if (!this.#host.menu(pointer)) return false;
+    clearTimeout(this.#holding);
+    this.#pressing = null;
+    this.#clicked = null;
+    return true;
+  }
+
   #lift(event: PointerEvent): void {
+    clearTimeout(this.#holding);
     this.#fingers.delete(event.pointerId);
     if (this.#fingers.size === 0) this.#navigating = false;
   }
@@ -235,12 +273,12 @@ export class Pointing {
     return clientToStage(this.#stage, [event.clientX, event.clientY]);
   }
 
-  #pointer(event: PointerEvent | WheelEvent): StagePointer {
+  #pointer(event: MouseEvent): StagePointer {
     return {
       stage: this.#place(event),
       shift: event.shiftKey,
       alt: event.altKey,
-      coarse: 'pointerType' in event && event.pointerType === 'touch',
+      coarse: (event as Partial<PointerEvent>).pointerType === 'touch',
     };
   }
 }

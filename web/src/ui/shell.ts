@@ -1,6 +1,7 @@
 /** The whole editor as one template: stage, bars, panel and floating parts; a picture that plays has few of them. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { bubble } from './bubble';
+import { contextMenu } from './context_menu';
 import { draftBar } from './drawing';
 import { emptyStage } from './empty';
 import type { EditorActions, EditorModel } from './model';
@@ -29,6 +30,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${playing ? nothing : html`${draftBar(model, actions)} ${toolHint(model)} ${reachHint(model)}`}
       ${model.bare === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
+    ${contextMenu(model, actions)}
     ${playing ? nothing : statusLine(model, actions)}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>
   </div>

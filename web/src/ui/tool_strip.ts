@@ -8,17 +8,9 @@ const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'bar', 'polygon', 'l
 
 export function toolStrip(model: EditorModel, actions: EditorActions): TemplateResult {
   return html`<div class="tools card" part="tools" role="group" aria-label="Tools">
-    ${TOOL_ORDER.map((name) =>
-      commandButton(name, model, actions, {
-        pressed: model.tool === name,
-        enabled: name === 'hand' || !model.readonly,
-      }),
-    )}
+    ${TOOL_ORDER.map((name) => commandButton(name, model, actions, { pressed: model.tool === name }))}
     <span class="sheet-switch">
-      ${commandButton('settings', model, actions, {
-        pressed: model.settings,
-        enabled: model.picture !== null,
-      })}
+      ${commandButton('settings', model, actions, { pressed: model.settings })}
     </span>
   </div>`;
 }

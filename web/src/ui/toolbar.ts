@@ -8,22 +8,20 @@ import type { EditorActions, EditorModel } from './model';
 import { overlayMenu } from './overlay_menu';
 
 export function topBar(model: EditorModel, actions: EditorActions): TemplateResult {
-  const editable = !model.readonly && model.picture !== null;
-  const { handles } = model.document.project;
   const command = (name: CommandName, look?: Look) => commandButton(name, model, actions, look);
   return html`<div class="top" part="toolbar" role="group" aria-label="Document">
     <span class="brand" aria-hidden="true">c<sup>2</sup>warp</span>
     <div class="group">
-      ${command('open', { text: 'Open', enabled: !model.readonly })}
-      ${command('save', { text: 'Save', enabled: model.picture !== null })}
-      ${command('export', { text: 'Export', enabled: model.picture !== null })}
+      ${command('open', { text: 'Open' })}
+      ${command('save', { text: 'Save' })}
+      ${command('export', { text: 'Export' })}
     </div>
     <div class="group">
-      ${command('undo', { enabled: editable && model.undo !== null, label: told('Undo', model.undo) })}
-      ${command('redo', { enabled: editable && model.redo !== null, label: told('Redo', model.redo) })}
+      ${command('undo', { label: told('Undo', model.undo) })}
+      ${command('redo', { label: told('Redo', model.redo) })}
     </div>
     <div class="group">
-      ${command('reset-all', { enabled: editable && handles.length > 0 })}
+      ${command('reset-all')}
       ${holdButton('compare', model, actions)} ${overlayMenu(model, actions)}
     </div>
     <span class="title" title=${model.picture?.name ?? ''}>${model.picture?.name ?? ''}</span>

@@ -17,7 +17,8 @@ export const forcedStyle = css`
     .button.segment[aria-pressed='true'],
     .button.finish:not(:disabled),
     .status .folded[aria-pressed='true'],
-    .item[aria-pressed='true'] {
+    .item[aria-pressed='true'],
+    .entry:focus:not([aria-disabled]) {
       forced-color-adjust: none;
       background: Highlight;
       color: HighlightText;
@@ -46,6 +47,7 @@ export const forcedStyle = css`
     .primary {
       border: 1px solid ButtonText;
     }
+    .entry[aria-disabled],
     .button:disabled:not([aria-pressed='true']),
     .link:disabled {
       opacity: 1;

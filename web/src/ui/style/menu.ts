@@ -1,4 +1,4 @@
-/** The menu of overlays. */
+/** The menu of overlays, and the context menu. */
 import { css } from 'lit';
 import { phone } from './layouts';
 
@@ -30,6 +30,58 @@ export const menuStyle = css`
     height: 16px;
     margin: 0;
     accent-color: var(--_accent);
+  }
+  .context {
+    max-width: calc(100vw - 8px);
+    max-height: calc(100dvh - 8px);
+    overflow: auto;
+    user-select: none;
+    -webkit-user-select: none;
+  }
+  .context:focus {
+    outline: none;
+  }
+  .context hr {
+    margin: 6px -6px;
+    border: 0;
+    border-top: 1px solid var(--_line);
+  }
+  .entry {
+    display: flex;
+    align-items: center;
+    gap: 9px;
+    min-height: 30px;
+    padding: 0 10px 0 8px;
+    border-radius: var(--_radius-item);
+    cursor: default;
+  }
+  .context.tap .entry {
+    min-height: var(--_finger);
+  }
+  .entry:focus {
+    background: var(--_raised);
+  }
+  .entry:focus-visible {
+    outline-offset: -2px;
+  }
+  :host(:not(.keyed)) .entry:focus-visible {
+    outline: none;
+  }
+  .entry[aria-disabled] {
+    color: color-mix(in srgb, currentcolor 35%, transparent);
+  }
+  .entry kbd {
+    margin-left: auto;
+    padding-left: 20px;
+    color: color-mix(in srgb, currentcolor 66%, transparent);
+    font: inherit;
+    font-size: 12px;
+    white-space: nowrap;
+  }
+  @media (hover: none) {
+    .entry kbd {
+      display: none;
+    }
   }
   @container ${phone} {
     .popover {

@@ -41,6 +41,7 @@ export const touchStyle = css`
     }
     .item,
     .check,
+    .entry,
     .switch,
     .link,
     .bending summary {

@@ -1,0 +1,132 @@
+/** The context menu: what can be done with the selected handles, a corner, or a place of the picture. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { selectedHandles } from '../document/document';
+import { isLine } from '../document/handle';
+import { beside } from '../geometry/beside';
+import type { Vec } from '../geometry/vec';
+import { ariaKeys, COMMANDS, type CommandName, keyHint } from './commands';
+import { icon } from './icons';
+import type { EditorActions, EditorModel, Menu } from './model';
+import { isPossible } from './possible';
+
+type Groups = readonly (readonly CommandName[])[];
+
+const OF_PICTURE: Groups = [['add-point', 'paste'], ['select-all', 'reset-all'], ['fit']];
+const OF_PLAY: Groups = [
+  ['reset', 'reset-all'],
+  ['undo', 'redo'],
+];
+const ofHandles = (corners: readonly CommandName[]): Groups => [
+  ['reset', 'mirror'],
+  ['copy', 'paste'],
+  ['forward', 'backward'],
+  corners,
+  ['remove'],
+];
+
+export function contextMenu(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+  const { menu, press } = model;
+  if (!menu) return nothing;
+  const groups = groupsOf(menu, model).filter((names) => names.length > 0);
+  return html`<div
+    class="popover card context ${press}"
+    part="menu"
+    popover="manual"
+    role="menu"
+    tabindex="-1"
+    aria-label=${menu.name}
+    @keydown=${(event: KeyboardEvent) => onKey(event, actions)}
+    @contextmenu=${(event: Event) => event.preventDefault()}
+  >
+    ${groups.map(
+      (names, k) =>
+        html`${k > 0 ? html`<hr />` : nothing}${names.map((name) => entry(name, model, actions))}`,
+    )}
+  </div>`;
+}
+
+function groupsOf({ about, corner }: Menu, { playing, document }: EditorModel): Groups {
+  if (playing) return OF_PLAY;
+  if (about === 'picture') return OF_PICTURE;
+  if (corner) return ofHandles(['add-corner', 'remove-corner']);
+  const selected = selectedHandles(document);
+  return ofHandles(selected.length === 1 && selected.some(isLine) ? ['add-corner'] : []);
+}
+
+/** One that cannot be run can have the focus, as it is read then. */
+function entry(name: CommandName, model: EditorModel, actions: EditorActions): TemplateResult {
+  const possible = isPossible(name, model);
+  return html`<div
+    class="entry"
+    role="menuitem"
+    tabindex="-1"
+    data-command=${name}
+    aria-disabled=${possible ? nothing : 'true'}
+    aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
+    @click=${() => possible && actions.ofMenu(name)}
+    @pointermove=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
+  >
+    ${icon(COMMANDS[name].icon)}<span>${COMMANDS[name].label}</span>
+    <kbd aria-hidden="true">${keyHint(name, model.platform)}</kbd>
+  </div>`;
+}
+
+const entriesOf = (menu: Element): readonly HTMLElement[] => [
+  ...menu.querySelectorAll<HTMLElement>('.entry'),
+];
+
+function onKey(event: KeyboardEvent, actions: EditorActions): void {
+  const { key } = event;
+  const entries = entriesOf(event.currentTarget as Element);
+  const now = entries.indexOf(event.target as HTMLElement);
+  const modified = event.ctrlKey || event.metaKey || event.altKey;
+  // These go on from where the focus was before.
+  if (key === 'Tab' || (modified && key.length === 1)) {
+    actions.ofMenu(null);
+    return;
+  }
+  if (key === 'Escape') actions.ofMenu(null);
+  else if (key === 'Enter' || key === ' ') entries[now]?.click();
+  else {
+    const goal = reached(key, now, entries);
+    if (!goal) return;
+    goal.focus();
+  }
+  event.preventDefault();
+}
+
+/** The entry that a key leads to: up and down in a round, or the next one that begins with a letter. */
+function reached(key: string, now: number, entries: readonly HTMLElement[]): HTMLElement | undefined {
+  if (key === 'ArrowDown') return entries[(now + 1) % entries.length];
+  if (key === 'ArrowUp') return entries.at(Math.max(now, 0) - 1);
+  if (key === 'Home') return entries[0];
+  if (key === 'End') return entries.at(-1);
+  const begins = (entry: HTMLElement) =>
+    key.length === 1 && entry.textContent?.trim().toLowerCase().startsWith(key.toLowerCase());
+  return [...entries.slice(now + 1), ...entries.slice(0, now + 1)].find(begins);
+}
+
+/** Room between the menu and the edges, CSS pixels. */
+const EDGE = 4;
+
+/**
+ * Shows a menu beside a place in the window: within the element if there is room, and in any case within what is seen of the page.
+ *
+ * @param gap between the place and the menu, CSS pixels.
+ * @param first its first entry gets the focus, else itself.
+ */
+export function showMenu(menu: HTMLElement, [x, y]: Vec, gap: number, first: boolean): void {
+  menu.togglePopover(true);
+  const { offsetWidth, offsetHeight } = menu;
+  const { offsetLeft = 0, offsetTop = 0, width = innerWidth, height = innerHeight } = visualViewport ?? {};
+  const frame = (menu.getRootNode() as ShadowRoot).host.getBoundingClientRect();
+  const bounds = (size: number, seen: Vec, own: Vec): Vec => {
+    const both: Vec = [Math.max(seen[0], own[0]) + EDGE, Math.min(seen[1], own[1]) - EDGE];
+    return both[1] - both[0] >= size ? both : [seen[0] + EDGE, seen[1] - EDGE];
+  };
+  const across = bounds(offsetWidth, [offsetLeft, offsetLeft + width], [frame.left, frame.right]);
+  const down = bounds(offsetHeight, [offsetTop, offsetTop + height], [frame.top, frame.bottom]);
+  menu.style.left = `${beside(x, gap, offsetWidth, across)}px`;
+  menu.style.top = `${beside(y, gap, offsetHeight, down)}px`;
+  ((first && entriesOf(menu)[0]) || menu).focus({ preventScroll: true });
+}
