@@ -317,7 +317,7 @@ test.describe('by fingers', () => {
   /** Longer than any finger has to stay. */
   const stay = (page: Page) => page.waitForTimeout(900);
 
-  test('one that stays opens it, and a tap chooses; nothing is dragged or placed', async ({ page }) => {
+  test('one that stays opens it, and a tap chooses; nothing is dragged', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
     const hand = await editor.place('right hand');
@@ -335,16 +335,27 @@ test.describe('by fingers', () => {
     await expect(menu(page)).toHaveCount(0);
     expect(await selection(page)).toBe('right-hand');
 
-    await editor.button('Add a point handle').tap();
-    const belly = beside(head, 0, 140);
-    await send(session, 'Start', [belly]);
+    await send(session, 'Start', [beside(head, 0, 140)]);
     await expect(menu(page)).toHaveAccessibleName('Picture');
     await send(session, 'End');
-    await expect(editor.handles).toHaveCount(5);
     await expect(editor.button('Undo')).toBeDisabled();
     await entry(page, 'Select all handles').tap();
     await expect(menu(page)).toHaveCount(0);
     expect((await selection(page)).split(' ')).toHaveLength(5);
+  });
+
+  test('one that stays where it places a handle goes on to drag it', async ({ page }) => {
+    const editor = await Editor.open(page);
+    const session = await page.context().newCDPSession(page);
+    const head = await editor.place('head');
+    await editor.button('Add a point handle').tap();
+    await send(session, 'Start', [beside(head, 0, 140)]);
+    await stay(page);
+    await expect(menu(page)).toHaveCount(0);
+    await send(session, 'Move', [beside(head, 0, 100)]);
+    await send(session, 'End');
+    await expect(editor.handles).toHaveCount(6);
+    await expect(menu(page)).toHaveCount(0);
   });
 
   test('one that moves drags at once, and two navigate', async ({ page }) => {

@@ -62,7 +62,7 @@ export class Input {
         pressCancel: () => this.#apply(editing.machine.cancel()),
         holds: (pointer) => this.#holds(pointer),
         pressedBeside: () => permissions.editable && editing.select([]),
-        menu: (pointer) => this.#menu(pointer),
+        menu: (pointer, staying) => this.#menu(pointer, staying),
         pressedTwice: (pointer) => this.#pressedTwice(pointer),
         hover: (pointer) => this.#hover(pointer),
       },
@@ -159,13 +159,12 @@ export class Input {
     }
   }
 
-  /** Opens the menu of what lies under a place, if there is one. */
-  #menu(pointer: StagePointer): boolean {
+  /** Opens the menu of what lies under a place, if there is one; not for a finger that stays where it places something. */
+  #menu(pointer: StagePointer, staying: boolean): boolean {
     const { workbench, permissions, areas, focus, menu } = this.#host;
     const { machine } = workbench.editing;
-    if (!menu.opens) return false;
+    if (!menu.opens || (staying && machine.tool !== 'select' && machine.tool !== 'hand')) return false;
     areas.coarse = pointer.coarse;
-    // Before anything is hit: the press may have placed a handle.
     this.#apply(machine.cancel());
     const { at } = this.#press(pointer);
     const under = this.#hit(at, machine.tool === 'select', withoutRings(areas.scene));

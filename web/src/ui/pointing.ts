@@ -30,8 +30,11 @@ export interface PointingHost {
   holds(pointer: StagePointer): boolean;
   /** A click that was left to the page. */
   pressedBeside(): void;
-  /** Asks for the menu of a place. Returns whether it was opened, which has ended any press. */
-  menu(pointer: StagePointer): boolean;
+  /**
+   * Asks for the menu of a place, by a press that is `staying` there or otherwise. Returns whether it was opened, which
+   * has ended any press.
+   */
+  menu(pointer: StagePointer, staying: boolean): boolean;
   /** The press that just ended was the second of a double click. */
   pressedTwice(pointer: StagePointer): void;
   hover(pointer: StagePointer | null): void;
@@ -145,7 +148,7 @@ export class Pointing {
     const pointer = this.#pointer(event);
     this.#host.pressDown(pointer, pans);
     if (event.pointerType !== 'mouse' && !pans)
-      this.#holding = setTimeout(() => this.#openMenu(pointer), HOLD_MS);
+      this.#holding = setTimeout(() => this.#openMenu(pointer, true), HOLD_MS);
   }
 
   #move(event: PointerEvent): void {
@@ -221,11 +224,11 @@ export class Pointing {
     if (event.shiftKey) return;
     const busy = this.#fingers.size > 0 || (this.#pressing !== null && !event.ctrlKey);
     if (this.#owner === 'editor' || busy) event.preventDefault();
-    if (!busy && this.#openMenu(this.#pointer(event))) event.preventDefault();
+    if (!busy && this.#openMenu(this.#pointer(event), false)) event.preventDefault();
   }
 
-  #openMenu(pointer: StagePointer): boolean {
-    if (!this.#host.menu(pointer)) return false;
+  #openMenu(pointer: StagePointer, staying: boolean): boolean {
+    if (!this.#host.menu(pointer, staying)) return false;
     clearTimeout(this.#holding);
     this.#pressing = null;
     this.#clicked = null;
