@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { distance } from '../geometry/vec';
 import { newProject } from './document';
 import { between } from './easing';
 import { straightBar } from './fixtures';
-import { anchor, rotationOf, turnedTo } from './handle';
+import { anchor, corners, rotationOf, scaleOf, turnedAbout, turnedTo } from './handle';
 import type { Project } from './project';
 
 const bar = straightBar(10);
@@ -33,5 +34,23 @@ describe('between two poses', () => {
     expect(half).toMatchObject({ rotation: 30, posed: [2, 0] });
     const [still] = between(holding(free), holding({ ...free, posed: [4, 0] }), 0.5, turns).handles;
     expect(still?.rotation).toBe('auto');
+  });
+
+  it('handles that go around a place as one stay one, the shorter way', () => {
+    const hand = { id: 'hand', kind: 'point', rest: [0, 0], posed: [0, 20], rotation: 10 } as const;
+    const whole = [hand, bar];
+    const at = (turn: number, growth: number) =>
+      holding(...whole.map((handle) => turnedAbout(handle, [0, 0], turn, growth)));
+    const half = between(at(0, 1), at(200, 3), 0.5, new Map(), [0, 0]).handles;
+    const wanted = at(-80, 2).handles;
+    half.forEach((handle, k) => {
+      const other = wanted[k] ?? hand;
+      expect(rotationOf(handle)).toBeCloseTo(rotationOf(other), 1);
+      expect(scaleOf(handle)).toBe(2);
+      corners(handle).forEach((corner, index) => {
+        // Each pose is rounded to hundredths of a pixel.
+        expect(distance(corner, corners(other)[index] ?? [0, 0])).toBeLessThan(0.05);
+      });
+    });
   });
 });

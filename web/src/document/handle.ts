@@ -59,6 +59,9 @@ export const depthOf = (handle: Handle): number => handle.depth ?? 0;
 /** The range of depths that an edit can give a handle. */
 export const DEPTHS = { least: -10, most: 10 } as const;
 
+/** The range of scales that an edit can give a handle. */
+export const SCALES = { least: 0.01, most: 100 } as const;
+
 /** The handle's name for screen readers and messages: its id as words. */
 export const nameOf = ({ id }: Pick<Handle, 'id'>): string => id.replace(/[-_]+/g, ' ').trim() || id;
 
@@ -71,13 +74,29 @@ export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) =
 /** Like {@link moved}, but not rounded: for a pose that is evaluated and not kept. */
 export const displaced = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => add(p, by));
 
+/** Where a corner goes that is turned by degrees and scaled about a pivot. */
+const around =
+  (pivot: Vec, turn: number, growth: number) =>
+  (corner: Vec): Vec =>
+    roundedVec(add(pivot, rotated(scaled(subtract(corner, pivot), growth), turn)));
+
 /** The handle turned about its anchor to a rotation in degrees; that of a point is wrapped to (−180, 180]. */
 export function turnedTo(handle: Handle, degrees: number): Handle {
   if (!isLine(handle)) return { ...handle, rotation: rounded(wrapDegrees(degrees)) };
-  const pivot = anchor(handle);
   const turn = degrees - rotationOf(handle);
-  const about = (corner: Vec) => roundedVec(add(pivot, rotated(subtract(corner, pivot), turn)));
-  return { ...replaced(handle, about), rotation: rounded(degrees) };
+  return { ...replaced(handle, around(anchor(handle), turn, 1)), rotation: rounded(degrees) };
+}
+
+/** The handle turned by degrees and scaled about a pivot, as part of what is there: an automatic rotation stays so. */
+export function turnedAbout(handle: Handle, pivot: Vec, turn: number, growth: number): Handle {
+  const rotation = rotationOf(handle) + turn;
+  const turned = { rotation: rounded(isLine(handle) ? rotation : wrapDegrees(rotation)) };
+  return {
+    ...replaced(handle, around(pivot, turn, growth)),
+    ...(turn === 0 || isAutomatic(handle) ? {} : turned),
+    // Finer than hundredths, which small steps of a small scale would be lost in.
+    ...(growth === 1 ? {} : { scale: Math.round(scaleOf(handle) * growth * 1e4) / 1e4 }),
+  };
 }
 
 /**
@@ -161,8 +180,7 @@ export function scaledTo(handle: Handle, scale: number): Handle {
   const grown = { ...handle, scale: rounded(scale) };
   if (!isLine(handle)) return grown;
   // From the scale as it is kept: the next one starts there.
-  const [pivot, growth] = [anchor(handle), grown.scale / scaleOf(handle)];
-  return replaced(grown, (corner) => roundedVec(add(pivot, scaled(subtract(corner, pivot), growth))));
+  return replaced(grown, around(anchor(handle), 0, grown.scale / scaleOf(handle)));
 }
 
 export const atDepth = (handle: Handle, depth: number): Handle => ({

@@ -16,6 +16,7 @@ import {
   selectHandles,
   turnHandles,
 } from '../document/edits';
+import { groupCentre, poseAsOne } from '../document/group';
 import {
   anchor,
   atDepth,
@@ -187,11 +188,18 @@ export class EditCommands {
     this.#editing.step(held ? 'Hold the boundary' : 'Free the boundary', holdBoundary(this.#document, held));
   }
 
-  turn(by: number): void {
-    const { selection } = this.#document;
+  /** Turns the selected handle about its own place; scales it, or turns and scales several as one about theirs. */
+  turn(by: number, growth = 1): void {
+    const selected = selectedHandles(this.#document);
+    const ids = this.#document.selection;
     const turns = this.#posing.turns();
-    const turned = turnHandles(this.#document, selection, (handle) => rotationOf(handle, turns) + by);
-    this.#guarded(`Turn ${selectionName(this.#document)}`, turned, `turn ${selection.join(' ')}`);
+    const alone = selected.length === 1 && growth === 1;
+    const wanted = alone
+      ? turnHandles(this.#document, ids, (handle) => rotationOf(handle, turns) + by)
+      : poseAsOne(this.#document, by, growth);
+    const verb = growth === 1 ? 'Turn' : 'Scale';
+    const about = alone ? undefined : groupCentre(selected);
+    this.#guarded(`${verb} ${handleWords(selected)}`, wanted, `${verb} ${ids.join(' ')}`, undefined, about);
   }
 
   /** Makes the rotation of the selected points automatic, or pins it as it is now. */
@@ -241,9 +249,10 @@ export class EditCommands {
   /**
    * Commits a change as far as the guard against folds allows, and announces the result.
    * @param words the result: by default the pose of what is selected.
+   * @param about where handles go around as one.
    */
-  #guarded(label: string, wanted: Document, key: string, words = () => this.#placeWords): void {
-    const document = this.#guarding.limited(this.#document, wanted);
+  #guarded(label: string, wanted: Document, key: string, words = () => this.#placeWords, about?: Vec): void {
+    const document = this.#guarding.limited(this.#document, wanted, about);
     if (document === this.#document && this.#guarding.holding) {
       this.#say('Stopped: more would fold the picture');
       return;

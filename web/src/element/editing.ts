@@ -9,6 +9,7 @@ import type { History, HistoryRecord } from '../document/history';
 import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, Project } from '../document/project';
 import { solveKey, solvesWith } from '../document/solved';
+import type { Vec } from '../geometry/vec';
 import { type Drawings, ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
 import type { Guarding } from './guarding';
@@ -84,7 +85,7 @@ export class Editing {
   apply(effects: readonly Effect[]): void {
     for (const effect of effects) {
       if (effect.type === 'begin') this.#begin(effect.label);
-      else if (effect.type === 'edit') this.#input(effect.document);
+      else if (effect.type === 'edit') this.#input(effect.document, effect.about);
       else if (effect.type === 'commit') this.#end();
       else if (effect.type === 'bail') this.#bail();
       else if (effect.type === 'select') this.select(effect.ids);
@@ -217,7 +218,7 @@ export class Editing {
     this.#guarding.begin(this.document);
   }
 
-  #input(document: Document): void {
+  #input(document: Document, about?: Vec): void {
     // A drag computes every move from the document at its start, which still has the refused handles, and the poses of
     // that moment.
     const led = [...this.#led].flatMap((id) => handleById(this.document, id) ?? []);
@@ -225,7 +226,7 @@ export class Editing {
       (mended, handle) => handleBack(mended, handle, this.document),
       putHandles(document, led),
     );
-    this.#history.update(this.#guarding.limited(this.document, wanted));
+    this.#history.update(this.#guarding.limited(this.document, wanted, about));
     this.#host.edited('input');
   }
 

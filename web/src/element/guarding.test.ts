@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { type Document, newProject, openDocument } from '../document/document';
-import { addHandle, moveHandles, turnHandles } from '../document/edits';
+import { type Document, newProject, openDocument, selectedHandles } from '../document/document';
+import { addHandle, moveHandles, selectHandles, turnHandles } from '../document/edits';
+import { groupSpan, groupTurn, poseAsOne } from '../document/group';
 import { rotationOf } from '../document/handle';
 import { Guarding } from './guarding';
 
@@ -56,6 +57,31 @@ describe('the guard against folds', () => {
     const held = place(guarding.limited(at(18), at(30)));
     expect(held).toBeGreaterThan(19.9);
     expect(held).toBeLessThanOrEqual(20);
+  });
+
+  it('stops several that turn as one where they are, none nearer to the others', () => {
+    const handles = [-8, 8].map((y) => ({ id: `${y}`, kind: 'point', rest: [0, y], posed: [0, y] }) as const);
+    const start = selectHandles(
+      handles.reduce(addHandle, openDocument(newProject({ src: '', width: 8, height: 8 }, null))),
+      ['-8', '8'],
+    );
+    // The first goes to the right: its place folds beyond 60°.
+    guarding = new Guarding({
+      foldsOf: ({ handles: [first] }) =>
+        Number(first?.kind === 'point' && first.posed[0] > 8 * Math.sin(Math.PI / 3)),
+      turns: () => new Map(),
+    });
+    guarding.on = true;
+    guarding.begin(start);
+    const held = guarding.limited(start, poseAsOne(start, 85), [0, 0]);
+    const still = guarding.limited(held, poseAsOne(start, 80), [0, 0]);
+    expect(groupTurn(selectedHandles(held))).toBeCloseTo(60, 0);
+    expect(groupTurn(selectedHandles(still))).toBeCloseTo(60, 0);
+    expect(groupSpan(selectedHandles(still))).toBeCloseTo(8, 1);
+    expect(still.project.handles.map((handle) => rotationOf(handle))).toEqual([
+      expect.closeTo(60, 0),
+      expect.closeTo(60, 0),
+    ]);
   });
 
   it('stops a turn on its way', () => {

@@ -6,6 +6,7 @@
  */
 import type { Document } from '../document/document';
 import { between } from '../document/easing';
+import type { Vec } from '../geometry/vec';
 import type { Posing } from './posing';
 
 /** Bisections: the result is within a hundredth of the pointer's way since the last frame (2⁻⁸). */
@@ -46,19 +47,22 @@ export class Guarding {
     this.#holding = false;
   }
 
-  /** The document as far as allowed on the way from `present`, which is allowed, to `wanted`. */
-  limited(present: Document, wanted: Document): Document {
+  /**
+   * The document as far as allowed on the way from `present`, which is allowed, to `wanted`.
+   * @param about where handles are turned and scaled as one: on the way they stay one.
+   */
+  limited(present: Document, wanted: Document, about?: Vec): Document {
     if (!this.#on) return wanted;
     const allowed = this.#allowed ?? this.#posing.foldsOf(present.project, Number.POSITIVE_INFINITY);
     this.#holding = this.#posing.foldsOf(wanted.project, allowed) > allowed;
-    return this.#holding ? this.#farthest(present, wanted, allowed) : wanted;
+    return this.#holding ? this.#farthest(present, wanted, allowed, about) : wanted;
   }
 
-  #farthest(present: Document, wanted: Document, allowed: number): Document {
+  #farthest(present: Document, wanted: Document, allowed: number, about?: Vec): Document {
     const turns = this.#posing.turns();
     let [good, share] = [present.project, 0];
     for (let step = 1; step <= STEPS; step++) {
-      const tried = between(present.project, wanted.project, share + 0.5 ** step, turns);
+      const tried = between(present.project, wanted.project, share + 0.5 ** step, turns, about);
       if (this.#posing.foldsOf(tried, allowed) > allowed) continue;
       share += 0.5 ** step;
       good = tried;

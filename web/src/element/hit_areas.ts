@@ -30,6 +30,7 @@ export class HitAreas {
       ring: reach.ring / scale,
       band: reach.band / scale,
       slop: reach.slop / scale,
+      view: this.#viewing.free,
     };
   }
 

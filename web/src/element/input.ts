@@ -1,4 +1,6 @@
 /** Turns the pointer on the stage into tool presses in image pixels, and shows what it is over by its cursor. */
+import { selectedHandles } from '../document/document';
+import { groupTurn } from '../document/group';
 import { type Camera, toImage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
@@ -36,6 +38,9 @@ const TURN_CURSOR = `url("data:image/svg+xml,${encodeURIComponent(
   <g id='a'><path d='M18.5 14.5A7 7 0 1 1 18 8.5M18.6 4.6v4.2h-4.2' stroke='white' stroke-width='4'/></g>
   <path d='M18.5 14.5A7 7 0 1 1 18 8.5M18.6 4.6v4.2h-4.2' stroke='black' stroke-width='1.8'/></svg>`,
 )}") 12 12, grab`;
+
+/** Where the grip leads: by eighths that the ring is turned. */
+const SCALE_DIRECTIONS = ['nwse', 'ns', 'nesw', 'ew'] as const;
 
 export class Input {
   readonly #host: InputHost;
@@ -77,8 +82,14 @@ export class Input {
     const places = machine.tool !== 'select';
     const under = this.#hovered && this.#shown ? this.#hit(this.#hovered, !places) : null;
     if (under?.part === 'ring') return TURN_CURSOR;
+    if (under?.part === 'grip') return this.#scaleCursor;
     if (under) return machine.busy ? 'grabbing' : 'move';
     return places ? 'crosshair' : 'default';
+  }
+
+  get #scaleCursor(): string {
+    const turn = groupTurn(selectedHandles(this.#host.workbench.editing.document));
+    return `${SCALE_DIRECTIONS[Math.round(turn / 45) & 3]}-resize`;
   }
 
   /** Whether handles are visible and editable. */
@@ -146,7 +157,8 @@ export class Input {
     this.#apply(editing.machine.up(press, areas.scene));
     const { selection } = editing.document;
     // Focusing a handle selects it: not one that a Shift-click has just deselected.
-    const keeps = held !== null && held.part !== 'ring' && selection.includes(held.id);
+    const keeps =
+      held !== null && held.part !== 'ring' && held.part !== 'grip' && selection.includes(held.id);
     if (keeps && held.part === 'corner') focus.hold(held.id, held.index);
     else focus.hold(keeps ? held.id : selection[0]);
   }

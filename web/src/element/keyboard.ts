@@ -102,12 +102,13 @@ export class Keyboard {
 
   /** Handles keys of the stage. Returns whether the key was one. */
   #stageKey(event: KeyboardEvent, target: Element): boolean {
-    if (event.ctrlKey || event.metaKey || event.altKey) return false;
-    const arrow = ARROWS[event.key];
+    if (event.ctrlKey || event.metaKey) return false;
     const turn = TURNS[event.code];
     const step = event.shiftKey;
+    if (event.altKey) return turn !== undefined && this.#host.stageKeys.turn(0, (step ? 1.1 : 1.01) ** turn);
     const asksMenu = event.key === 'ContextMenu' || (event.key === 'F10' && step);
     if (asksMenu) return this.#host.stageKeys.menu();
+    const arrow = ARROWS[event.key];
     if (event.key === ' ') return this.#host.input.space(true);
     if (arrow) return this.#host.stageKeys.arrow([arrow[0] * (step ? 10 : 1), arrow[1] * (step ? 10 : 1)]);
     if (turn !== undefined) return this.#host.stageKeys.turn(turn * (step ? 15 : 1));

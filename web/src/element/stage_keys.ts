@@ -1,4 +1,4 @@
-/** What keys do on the stage: arrows nudge, move the crosshair or pan, comma and full stop turn, Enter places. */
+/** What keys do on the stage: arrows nudge, move the crosshair or pan, comma and full stop turn or scale, Enter places. */
 import { handleById } from '../document/document';
 import { anchor, isLine } from '../document/handle';
 import { panned } from '../geometry/camera';
@@ -62,10 +62,10 @@ export class StageKeys {
     return true;
   }
 
-  turn(degrees: number): boolean {
+  turn(degrees: number, growth?: number): boolean {
     const { workbench, permissions } = this.#host;
     if (!permissions.editable || workbench.editing.document.selection.length === 0) return false;
-    workbench.commands.turn(degrees);
+    workbench.commands.turn(degrees, growth);
     return true;
   }
 

@@ -3,7 +3,16 @@
  * rectangle, which is exported, and whatever is bent beyond that.
  */
 import { type Box, boxOfBoth, reachesBeyond } from '../geometry/box';
-import { type Camera, fitted, type Insets, panned, type Size, scaledAt, toStage } from '../geometry/camera';
+import {
+  type Camera,
+  fitted,
+  type Insets,
+  panned,
+  type Size,
+  scaledAt,
+  toImage,
+  toStage,
+} from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { type Cards, insetsOf } from './insets';
 
@@ -123,6 +132,16 @@ export class Viewing {
   /** Whether no card covers a point of the picture, nor `room` to its right, CSS pixels. */
   shows(at: Vec, room = 0): boolean {
     return this.#outside(at, room).every((by) => Math.abs(by) < 1);
+  }
+
+  /** The area free of cards, image pixels. */
+  get free(): Box {
+    const { top, right, bottom, left } = this.#insets();
+    const { width, height } = this.stage;
+    return {
+      min: toImage(this.camera, [left, top]),
+      max: toImage(this.camera, [width - right, height - bottom]),
+    };
   }
 
   /** How far a point lies outside the area free of cards, CSS pixels. */

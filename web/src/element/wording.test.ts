@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { EngineError } from '../compute/errors';
 import { type Document, newProject, openDocument } from '../document/document';
-import { addHandle, selectHandles } from '../document/edits';
-import { DEPTHS } from '../document/handle';
+import { addHandle, changeHandles, selectHandles } from '../document/edits';
+import { poseAsOne } from '../document/group';
+import { DEPTHS, scaledTo } from '../document/handle';
 import { cornerWords, depthWords, draftWords, placeWords, refusalWords, selectionName } from './wording';
 
 const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
@@ -17,9 +18,21 @@ describe('words', () => {
     expect(selectionName(selectHandles(two, ['a', 'b']))).toBe('2 handles');
   });
 
-  it('say where the first selected handle is', () => {
+  it('say where the selected handle is', () => {
     expect(placeWords(withPoint('a', empty), new Map())).toMatch(/: x 3, y 5, rotation 10 degrees$/);
     expect(placeWords(empty, new Map())).toBe('');
+  });
+
+  it('say where several are, and how they are turned and scaled as one', () => {
+    const two = ([0, 40] as const).reduce(
+      (document, x) => addHandle(document, { id: `${x}`, kind: 'point', rest: [x, 0], posed: [x, 0] }),
+      empty,
+    );
+    const both = selectHandles(two, ['0', '40']);
+    expect(placeWords(poseAsOne(both, 30), new Map())).toBe('2 handles: x 20, y 0, rotation 30 degrees');
+    expect(placeWords(poseAsOne(both, 0, 1.234), new Map())).toMatch(/rotation 0 degrees, scale 1.23$/);
+    const mixed = changeHandles(both, ['0'], (handle) => scaledTo(handle, 2));
+    expect(placeWords(mixed, new Map())).toMatch(/rotation 0 degrees$/);
   });
 
   it('say its depth, and where that is an end', () => {

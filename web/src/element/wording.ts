@@ -1,7 +1,8 @@
 /** What people read and hear of the selection, its place and depth, of a drawing, and of what the solver refuses. */
 import type { EngineError } from '../compute/errors';
 import { type Document, selectedHandles } from '../document/document';
-import { anchor, DEPTHS, depthOf, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import { groupCentre, groupTurn } from '../document/group';
+import { DEPTHS, depthOf, nameOf, rotationOf, rounded, scaleOf, type Turns } from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
 import type { Draft } from '../tools/state';
 
@@ -16,14 +17,16 @@ export const handleWords = (handles: readonly Handle[]): string => {
   return only && more.length === 0 ? nameOf(only) : `${handles.length} handles`;
 };
 
-/** The pose of the first selected handle; empty without one. */
+/** The pose of the selected handle, that of several as one; empty without any. */
 export function placeWords(document: Document, turns: Turns): string {
-  const [handle] = selectedHandles(document);
-  if (!handle) return '';
-  const [x, y] = anchor(handle).map(Math.round);
-  const turn = Math.round(rotationOf(handle, turns));
-  const scale = scaleOf(handle) === 1 ? '' : `, scale ${scaleOf(handle)}`;
-  return `${nameOf(handle)}: x ${x}, y ${y}, rotation ${turn} degrees${scale}`;
+  const selected = selectedHandles(document);
+  const [first, ...more] = selected;
+  if (!first) return '';
+  const [x, y] = groupCentre(selected).map(Math.round);
+  const turn = Math.round(more.length > 0 ? groupTurn(selected) : rotationOf(first, turns));
+  const [scale, ...others] = new Set(selected.map((handle) => rounded(scaleOf(handle))));
+  const scaled = scale === 1 || others.length > 0 ? '' : `, scale ${scale}`;
+  return `${handleWords(selected)}: x ${x}, y ${y}, rotation ${turn} degrees${scaled}`;
 }
 
 /** Where a corner of a bar or polygon is; its index counts from 0. */

@@ -1,14 +1,18 @@
-/** Hit testing of a press: a handle, one of its corners, the rotation ring of a selected handle, or nothing. */
+/** Hit testing of a press: a handle, one of its corners, the ring of what is selected or the grip on it, or nothing. */
 
 import { anchor, isLine } from '../document/handle';
 import type { Handle } from '../document/project';
 import { distanceToLine, isInside } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
+import { type GroupRing, groupRing } from './group_ring';
 import type { Scene } from './state';
 
 export type Hit =
-  | { readonly part: 'handle' | 'ring'; readonly id: string }
+  | { readonly part: 'handle' | 'ring' | 'grip'; readonly id: string }
   | { readonly part: 'corner'; readonly id: string; readonly index: number };
+
+/** How much larger than the band of a ring the hit areas of its knob and grip are: 45 px across for a finger. */
+const KNOB = 1.25;
 
 /** A candidate, and its distance from the press, image pixels. */
 interface Reach {
@@ -17,7 +21,7 @@ interface Reach {
 }
 
 /**
- * The nearest point or corner within reach; else the nearest ring; else the nearest line; else the polygon around the
+ * The nearest point or corner within reach; else the nearest ring, or what stands on that of several; else the nearest line; else the polygon around the
  * press. This order keeps a handle within another's ring reachable.
  *
  * @param bodies whether the inside of a polygon counts; not for tools that place something, possibly inside one.
@@ -29,15 +33,15 @@ export function hit(
 ): Hit | null {
   const { handles } = document.project;
   const selected = handles.filter(({ id }) => document.selection.includes(id));
+  const group = groupRing(document, grips);
+  const [first = ''] = document.selection;
+  const rings = selected.map((handle) => ring(handle.id, anchor(handle), grips.ring, at));
   return (
     nearest(
       handles.flatMap((handle) => knobs(handle, at)),
       grips.handle,
     ) ??
-    nearest(
-      selected.map((handle) => ring(handle, at, grips.ring)),
-      grips.band,
-    ) ??
+    (group ? groupPart(group, first, at, grips.band) : nearest(rings, grips.band)) ??
     nearest(
       handles.map((handle) => line(handle, at, selected.includes(handle))),
       grips.line,
@@ -62,10 +66,20 @@ function knobs(handle: Handle, at: Vec): readonly Reach[] {
   }));
 }
 
-const ring = (handle: Handle, at: Vec, radius: number): Reach => ({
-  hit: { part: 'ring', id: handle.id },
-  away: Math.abs(distance(anchor(handle), at) - radius),
+const ring = (id: string, middle: Vec, radius: number, at: Vec): Reach => ({
+  hit: { part: 'ring', id },
+  away: Math.abs(distance(middle, at) - radius),
 });
+
+/** What is hit of the ring around several handles, by the id of the first of them. */
+const groupPart = ({ pivot, radius, knob, grip }: GroupRing, id: string, at: Vec, band: number): Hit | null =>
+  nearest(
+    [
+      { hit: { part: 'ring', id }, away: distance(knob, at) },
+      { hit: { part: 'grip', id }, away: distance(grip, at) },
+    ],
+    KNOB * band,
+  ) ?? nearest([ring(id, pivot, radius, at)], band);
 
 /** The line itself or, while selected, also the mark at its middle, which may lie off the line. */
 const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({

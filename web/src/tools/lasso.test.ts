@@ -6,7 +6,7 @@ import type { Effect, Press, Scene } from './state';
 
 const scene: Scene = {
   document: openDocument(newProject({ src: 'a.jpg', width: 400, height: 400 }, null)),
-  grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3 },
+  grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
   turns: new Map(),
   place: () => null,
   placeNear: (rest) => ({ rest, rotation: 0, scale: 1 }),

@@ -20,7 +20,7 @@ class Bench {
 
   readonly scene = (): Scene => ({
     document: this.document,
-    grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3 },
+    grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
     turns: new Map(),
     place: () => null,
     placeNear: ([x, y]) => ({ rest: [x - 1000, y], rotation: 0, scale: 2 }),

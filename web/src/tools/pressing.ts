@@ -1,16 +1,18 @@
 /**
  * Pressing a handle or a ring, before it is known whether this is a click or a drag.
  *
- * A click selects (Shift: adds or removes). A drag moves or, on the ring or with Alt, turns; on a corner it moves only
- * that corner. A click on a ring applies to what lies beneath.
+ * A click selects (Shift: adds or removes). A drag moves or, on the ring or with Alt, turns; on the grip of several it
+ * scales; on a corner it moves only that corner. A click on a ring or its grip applies to what lies beneath.
  */
 
 import { handleById } from '../document/document';
 import { anchor, nameOf } from '../document/handle';
 import { distance } from '../geometry/vec';
 import { cornering } from './cornering';
+import { groupRing } from './group_ring';
 import { type Hit, hit } from './hit';
 import { moving } from './moving';
+import { scaling } from './scaling';
 import { type Effect, type Outcome, outcome, type Press, type Scene, type State } from './state';
 import { turning } from './turning';
 
@@ -52,6 +54,8 @@ function atOnce(down: Down, press: Press, scene: Scene): Outcome {
   return ended ? outcome(ended.next, ...begun.effects, ...ended.effects) : begun;
 }
 
+const isOfRing = ({ part }: Hit): boolean => part === 'ring' || part === 'grip';
+
 export const withoutRings = (scene: Scene): Scene => ({ ...scene, grips: { ...scene.grips, band: -1 } });
 
 const pressing = (target: Hit, from: Press, already: boolean, rest: State, beneath: Down): State => {
@@ -62,7 +66,7 @@ const pressing = (target: Hit, from: Press, already: boolean, rest: State, benea
       return dragged(target, from, press, scene, rest);
     },
     up: (press, scene) => {
-      if (target.part === 'ring') return atOnce(beneath, press, withoutRings(scene));
+      if (isOfRing(target)) return atOnce(beneath, press, withoutRings(scene));
       if (!already) return outcome(rest);
       const { selection } = scene.document;
       const ids = from.shift ? selection.filter((id) => id !== target.id) : [target.id];
@@ -81,19 +85,19 @@ function dragged(target: Hit, from: Press, press: Press, scene: Scene, rest: Sta
   const ids = document.selection.includes(target.id) ? document.selection : [target.id];
   const alone = target.part === 'corner' && !from.alt;
   const what = ids.length > 1 && !alone ? `${ids.length} handles` : nameOf(handle);
-  const turns = target.part === 'ring' || from.alt;
-  const pivot = anchor(handle);
-  // A press on the handle's middle has no direction yet: turns start from the first point of the drag.
-  const hold = target.part === 'ring' ? from.at : press.at;
-  const moves =
-    target.part === 'corner'
-      ? cornering(document, target.id, target.index, from.at, rest)
-      : moving(document, ids, from.at, rest);
-  const next = turns ? turning(scene, ids, pivot, hold, rest) : moves;
+  const ring = groupRing(document, scene.grips);
+  const pivot = ring?.pivot ?? anchor(handle);
+  const aside = target.part === 'ring' || (ring && distance(pivot, from.at) > scene.grips.handle);
+  // A press on the pivot has no direction yet: turns start from the first point of the drag.
+  const hold = aside ? from.at : press.at;
+  const [verb, next] =
+    target.part === 'grip' && ring
+      ? ['Scale', scaling(document, ring, from.at, rest)]
+      : target.part === 'ring' || from.alt
+        ? ['Turn', turning(scene, ids, pivot, hold, rest)]
+        : target.part === 'corner'
+          ? ['Move a corner of', cornering(document, target.id, target.index, from.at, rest)]
+          : ['Move', moving(document, ids, from.at, rest)];
   const first = next.move?.(press, scene) ?? outcome(next);
-  return outcome(
-    first.next,
-    { type: 'begin', label: `${turns ? 'Turn' : alone ? 'Move a corner of' : 'Move'} ${what}` },
-    ...first.effects,
-  );
+  return outcome(first.next, { type: 'begin', label: `${verb} ${what}` }, ...first.effects);
 }

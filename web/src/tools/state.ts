@@ -33,6 +33,8 @@ export interface Grips {
   readonly band: number;
   /** How far the pointer may move before a click becomes a drag. */
   readonly slop: number;
+  /** The part of the picture's plane that is in view and that no card covers. */
+  readonly view: Box;
 }
 
 /** A place for a new handle: where it rests, and the rotation (degrees) and scale of the picture there now. */
@@ -70,7 +72,8 @@ export interface Draft {
 
 export type Effect =
   | { readonly type: 'begin'; readonly label: string }
-  | { readonly type: 'edit'; readonly document: Document }
+  /** `about`: the place that the selected handles go around as one. */
+  | { readonly type: 'edit'; readonly document: Document; readonly about?: Vec | undefined }
   | { readonly type: 'commit' }
   | { readonly type: 'bail' }
   | { readonly type: 'select'; readonly ids: readonly string[] }

@@ -4,12 +4,19 @@ import { handleById, newProject, openDocument } from '../document/document';
 import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { freed, rotationOf, type Turns } from '../document/handle';
 import { History } from '../document/history';
-import type { PointHandle } from '../document/project';
-import type { Vec } from '../geometry/vec';
+import type { BarHandle, PointHandle } from '../document/project';
+import type { Box } from '../geometry/box';
+import { add, rotated, type Vec } from '../geometry/vec';
 import { ToolMachine } from './machine';
 import type { Effect, Placement, Press, Scene } from './state';
 
 const handle = (id: string, x: number): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
+/** Through the grip of both. */
+const line = [
+  [96, 20],
+  [96, 70],
+] as const;
+const bar: BarHandle = { id: 'arm', kind: 'bar', rest: line, posed: line };
 const image = { src: 'a.png', width: 200, height: 200 };
 
 /** An editor without a page: it carries effects out on a history, as the element does. */
@@ -21,6 +28,7 @@ class Bench {
   readonly others: Effect[] = [];
   turns: Turns = new Map();
   placement: Placement | null = { rest: [7, 8], rotation: 30, scale: 2 };
+  view: Box = { min: [-1e3, -1e3], max: [1e3, 1e3] };
   /** Where a handle is led to that is placed beside the picture. */
   led: Vec | null = null;
 
@@ -61,7 +69,14 @@ class Bench {
   get #scene(): Scene {
     return {
       document: this.history.present,
-      grips: { handle: 10, line: 5, ring: 30, band: 5, slop: 3 },
+      grips: {
+        handle: 10,
+        line: 5,
+        ring: 30,
+        band: 5,
+        slop: 3,
+        view: this.view,
+      },
       turns: this.turns,
       place: (at) => this.placement && { at: this.led ?? at, ...this.placement },
       placeNear: (at) => this.placement ?? { rest: at, rotation: 0, scale: 1 },
@@ -178,6 +193,95 @@ describe('select', () => {
     bench.cancel();
     expect(bench.selection).toEqual(['a']);
     expect(bench.machine.busy).toBe(false);
+  });
+});
+
+describe('several selected', () => {
+  /** The ring is 65 px wide about their centre: they are 50 px away, 10 and 5 more are for hit areas. */
+  const [centre, radius] = [[50, 0] as const, 65];
+  const onRing = (degrees: number, away = radius): Vec => add(centre, rotated([0, -away], degrees));
+
+  beforeEach(() => {
+    bench.history.update(selectHandles(changeHandles(bench.history.present, ['b'], freed), ['a', 'b']));
+  });
+
+  it('turn as one by the ring around them, as one undo step', () => {
+    bench.drag(onRing(-60), onRing(30, 300));
+    expect([bench.posed('a'), bench.posed('b')]).toEqual([
+      [50, -50],
+      [50, 50],
+    ]);
+    expect(handleById(bench.history.present, 'a')?.rotation).toBe(90);
+    expect(handleById(bench.history.present, 'b')?.rotation).toBe('auto');
+    expect(bench.history.undo()).toBe('Turn 2 handles');
+    expect(bench.posed('a')).toEqual([0, 0]);
+    expect(bench.history.undoLabel).toBeNull();
+  });
+
+  it('turn by steps of 15° with Shift, and by more than one turn', () => {
+    bench.down(onRing(0));
+    for (const degrees of [90, 180, 270, 360, 428]) bench.move(onRing(degrees), { shift: true });
+    bench.up(onRing(428));
+    expect(bench.rotation('a')).toBe(75);
+  });
+
+  it('turn as one by an Alt-drag of one of them, from where it is pressed', () => {
+    bench.drag([104, 0], [50, 90], { alt: true });
+    expect(bench.posed('a')).toEqual([50, -50]);
+    expect(bench.rotation('a')).toBe(90);
+  });
+
+  it('turn by an Alt-drag of one at their centre from where that leads', () => {
+    bench.history.update(addHandle(bench.history.present, handle('c', 50)));
+    bench.history.update(selectHandles(bench.history.present, ['a', 'b', 'c']));
+    bench.down([52, 0], { alt: true });
+    bench.move([50, 20], { alt: true });
+    bench.move([30, 0], { alt: true });
+    expect(bench.rotation('a')).toBe(90);
+  });
+
+  it('have no rings of their own', () => {
+    bench.drag([0, 30], [30, 0]);
+    expect(bench.rotation('a')).toBe(0);
+  });
+
+  it('grow by the grip at the lower right, the farthest with the pointer, in tenths with Shift', () => {
+    bench.down(onRing(135));
+    bench.move(onRing(135, radius + 27));
+    expect([bench.posed('a'), bench.posed('b')]).toEqual([
+      [-27, 0],
+      [127, 0],
+    ]);
+    expect(handleById(bench.history.present, 'b')).toMatchObject({ scale: 1.54, rotation: 'auto' });
+    bench.move(onRing(135, radius + 27), { shift: true });
+    expect(bench.posed('a')).toEqual([-25, 0]);
+    bench.move(centre, { shift: true });
+    expect(handleById(bench.history.present, 'a')).toMatchObject({ scale: 0.1 });
+    bench.cancel();
+    expect(bench.posed('a')).toEqual([0, 0]);
+    bench.drag(onRing(135), onRing(135, radius + 50));
+    expect(bench.history.undo()).toBe('Scale 2 handles');
+  });
+
+  it('have knob and grip turned with them', () => {
+    bench.drag(onRing(0), onRing(90));
+    bench.drag(onRing(225), onRing(225, radius + 50));
+    expect(bench.posed('a')).toEqual([50, -100]);
+  });
+
+  it('have a ring as wide as there is room in the view, and no smaller than that of one', () => {
+    bench.view = { min: [0, -60], max: [200, 40] };
+    bench.drag(onRing(0, 40), onRing(90, 40));
+    expect(bench.rotation('a')).toBe(90);
+    bench.view = { min: [0, 0], max: [20, 20] };
+    bench.drag(onRing(90, 30), onRing(0, 30));
+    expect(bench.rotation('a')).toBe(0);
+  });
+
+  it('let a click on the ring or its grip through to what lies beneath', () => {
+    bench.history.update(selectHandles(addHandle(bench.history.present, bar), ['a', 'b']));
+    bench.click(onRing(135));
+    expect(bench.selection).toEqual(['arm']);
   });
 });
 

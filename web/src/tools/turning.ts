@@ -1,10 +1,11 @@
 /**
- * Turning handles by the ring or an Alt-drag, each selected handle about its own centre. Shift snaps to 15°. An
- * automatic handle starts from its current turn, and its rotation is then pinned. Full turns count: twice around is
- * two turns.
+ * Turning by the ring or an Alt-drag. A handle turns about its own centre: an automatic one starts from its current turn,
+ * and its rotation is then pinned. Several turn as one about theirs. Shift snaps to 15°. Full turns count: twice around
+ * is two turns.
  */
 
 import { turnHandles } from '../document/edits';
+import { poseAsOne } from '../document/group';
 import { rotationOf } from '../document/handle';
 import { bearing, snapped, type Vec, wrapDegrees } from '../geometry/vec';
 import { outcome, type Scene, type State } from './state';
@@ -23,16 +24,17 @@ export const turning = (
   from: Vec,
   rest: State,
 ): State => {
+  const several = ids.length > 1;
   const after = (turn: number, last: number): State => ({
     holds: true,
     move: (press) => {
       const now = bearing(pivot, press.at);
       const whole = turn + wrapDegrees(now - last);
-      const turned = turnHandles(document, ids, (handle) => {
-        const degrees = rotationOf(handle, turns) + whole;
-        return press.shift ? snapped(degrees, SNAP_DEGREES) : degrees;
-      });
-      return outcome(after(whole, now), { type: 'edit', document: turned });
+      const stepped = (degrees: number) => (press.shift ? snapped(degrees, SNAP_DEGREES) : degrees);
+      const effect = several
+        ? { document: poseAsOne(document, stepped(whole)), about: pivot }
+        : { document: turnHandles(document, ids, (handle) => stepped(rotationOf(handle, turns) + whole)) };
+      return outcome(after(whole, now), { type: 'edit', ...effect });
     },
     up: () => outcome(rest, { type: 'commit' }),
     cancel: () => outcome(rest, { type: 'bail' }),

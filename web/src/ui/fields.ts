@@ -7,6 +7,7 @@ import {
   isAutomatic,
   isLine,
   rotationOf,
+  SCALES,
   scaleOf,
   type Turns,
 } from '../document/handle';
@@ -30,8 +31,8 @@ const FIELDS: readonly HandleField[] = [
     unit: '×',
     step: 0.05,
     digits: 2,
-    least: 0.01,
-    most: 100,
+    least: SCALES.least,
+    most: SCALES.most,
     digitKeys: true,
     read: scaleOf,
   },

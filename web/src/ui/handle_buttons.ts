@@ -6,7 +6,16 @@
  */
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import { anchor, depthOf, isLine, nameOf, rotationOf, scaleOf, type Turns } from '../document/handle';
+import {
+  anchor,
+  depthOf,
+  isLine,
+  nameOf,
+  rotationOf,
+  rounded,
+  scaleOf,
+  type Turns,
+} from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
@@ -15,7 +24,7 @@ import type { EditorActions, EditorModel } from './model';
 /** The label of a handle for screen readers. */
 export function handleLabel(handle: Handle, turns: Turns): string {
   const [x, y] = anchor(handle);
-  const scale = scaleOf(handle);
+  const scale = rounded(scaleOf(handle));
   const depth = depthOf(handle);
   return [
     `Handle ${nameOf(handle)}`,

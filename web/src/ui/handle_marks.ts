@@ -1,26 +1,28 @@
 /**
  * What is drawn of the handles beside their dots: a faint mark where each rests, a dotted line to where it is posed,
- * lines of bars and polygons, and the rotation ring of selected handles.
+ * lines of bars and polygons, and the rotation ring of the selected handle, or of several as one.
  */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { anchor, corners, isInPlace, isLine, rotationOf } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import { type Size, toStage } from '../geometry/camera';
 import { distance, type Vec } from '../geometry/vec';
+import { GRIP_DEGREES, groupRing } from '../tools/group_ring';
 import { dots, onStage } from './dots';
 import type { EditorModel } from './model';
 
 export function handleMarks(model: EditorModel): SVGTemplateResult {
   const { document, camera, stage, grips, turns, playing } = model;
-  const radius = grips.ring * camera.scale;
+  const group = model.readonly ? null : groupRing(document, grips);
+  const radius = (group?.radius ?? grips.ring) * camera.scale;
   return svg`${document.project.handles.map((handle) => {
     const rest = toStage(camera, anchor(handle, 'rest'));
     const posed = toStage(camera, anchor(handle));
     const selected = document.selection.includes(handle.id);
     return svg`
       ${isLine(handle) ? lineMarks(handle, model, selected) : !playing && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
-      ${selected && !model.readonly ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
-  })}`;
+      ${selected && !model.readonly && !group ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
+  })}${group ? ring(toStage(camera, group.pivot), group.turn, radius, groupMarks(radius)) : nothing}`;
 }
 
 const restMark = (rest: Vec, posed: Vec, stage: Size): SVGTemplateResult => svg`<g class="rest">
@@ -53,9 +55,20 @@ function lineMarks(
 }
 
 /** The knob stands at the top when nothing is turned. */
-const ring = ([x, y]: Vec, rotation: number, radius: number): SVGTemplateResult => svg`<g
+const ring = (
+  [x, y]: Vec,
+  rotation: number,
+  radius: number,
+  more: SVGTemplateResult | typeof nothing = nothing,
+): SVGTemplateResult => svg`<g
   class="ring" transform="translate(${x} ${y}) rotate(${rotation})">
   <circle class="under" r=${radius}/>
   <circle r=${radius}/>
   <circle class="knob" cy=${-radius} r="5.5"/>
+  ${more}
 </g>`;
+
+/** The centre that several handles are turned about, and the grip that scales them. */
+const groupMarks = (radius: number): SVGTemplateResult => svg`
+  <path class="under" d="M-5 0H5M0 -5V5"/><path d="M-5 0H5M0 -5V5"/>
+  <rect class="knob" transform="rotate(${GRIP_DEGREES})" x="-5" y=${-radius - 5} width="10" height="10" rx="1.5"/>`;

@@ -7,10 +7,10 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { selectedHandles } from '../document/document';
+import { groupCentre } from '../document/group';
 import { anchor, isLine, nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
 import { toStage } from '../geometry/camera';
-import { centre } from '../geometry/polyline';
 import { bending } from './bending';
 import { commandButton } from './command_button';
 import { cornerFields } from './corner_fields';
@@ -42,7 +42,7 @@ const DOT = 14;
 /** Whether the centre of the selection lies where the sheet would: with numbers, in the lower half of the stage. */
 function isLow(selected: readonly Handle[], { camera, stage: { height }, numbers }: EditorModel): boolean {
   if (selected.length === 0) return false;
-  const [, y] = toStage(camera, centre(selected.map((handle) => anchor(handle))));
+  const [, y] = toStage(camera, groupCentre(selected));
   return y > (numbers ? height / 2 : Math.max(height / 2, height - FROM_BOTTOM.aboveSheet - DOT));
 }
 

@@ -10,7 +10,7 @@ import type { EditorActions, EditorModel } from './model';
 import { foldOverlay, siteOverlay } from './overlays';
 
 /** What no control tells of. */
-const KEYS = 'Arrow keys move the handle that has the focus, comma and full stop turn it.';
+const KEYS = 'Arrow keys move what is selected, comma and full stop turn it, with Alt they scale it.';
 
 export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
   const { playing } = model;

@@ -1,0 +1,258 @@
+/** Several handles turned and scaled as one, by the ring around them: under a mouse, a finger and keys. */
+import type { CDPSession, Page } from '@playwright/test';
+import type { Handle } from '../../web/src/document/project';
+import type { C2Warp } from '../../web/src/element';
+import { Editor, type Place } from './editor';
+import { expect, test } from './fixtures';
+
+/** The head and two cheeks, the latter with a turn that is set and one that is automatic; a bar besides. */
+const GROUP = ['head', 'left-cheek', 'right-cheek', 'mouth'];
+const centre: Place = { x: 510, y: 318 };
+
+async function opened(page: Page, selection = GROUP): Promise<Editor> {
+  const editor = await Editor.open(page);
+  await editor.solves(() =>
+    page.locator('c2-warp').evaluate(async (element, selection) => {
+      const warp = element as C2Warp;
+      const events: string[] = [];
+      Object.assign(globalThis, { events });
+      warp.addHandle({ id: 'left-cheek', kind: 'point', rest: [422, 330], rotation: 10 });
+      warp.addHandle({ id: 'right-cheek', kind: 'point', rest: [600, 330], rotation: 'auto' });
+      const line = [
+        [456, 352],
+        [556, 352],
+      ] as const;
+      warp.addHandle({ id: 'mouth', kind: 'bar', rest: line, posed: line });
+      warp.selection = selection;
+      await warp.updateComplete;
+      for (const type of ['input', 'change']) warp.addEventListener(type, () => events.push(type));
+    }, selection),
+  );
+  return editor;
+}
+
+const select = (page: Page) =>
+  page.locator('c2-warp').evaluate((element, selection) => {
+    (element as C2Warp).selection = selection;
+    return (element as C2Warp).updateComplete;
+  }, GROUP);
+
+const events = (page: Page) => page.evaluate(() => (Reflect.get(globalThis, 'events') as string[]).splice(0));
+const knob = (editor: Editor) => editor.middle(editor.page.locator('c2-warp .ring circle.knob'));
+const grip = (editor: Editor) => editor.middle(editor.page.locator('c2-warp .ring rect.knob'));
+const handles = (editor: Editor) =>
+  editor.page.locator('c2-warp').evaluate((element) => (element as C2Warp).project.handles);
+
+/** Where the middle of what is selected is on the page. */
+const middle = async (editor: Editor): Promise<Place> => {
+  const [x, y] = await editor.page
+    .locator('c2-warp')
+    .evaluate((element, { x, y }) => (element as C2Warp).imageToClient([x, y]) ?? [Number.NaN, 0], centre);
+  return { x, y };
+};
+
+/** A place, seen from a pivot, turned by degrees and so many times as far away. */
+function around(pivot: Place, { x, y }: Place, degrees: number, growth = 1): Place {
+  const [dx, dy, turn] = [x - pivot.x, y - pivot.y, (degrees * Math.PI) / 180];
+  const [cos, sin] = [growth * Math.cos(turn), growth * Math.sin(turn)];
+  return { x: pivot.x + cos * dx - sin * dy, y: pivot.y + sin * dx + cos * dy };
+}
+
+const corners = (handle: Handle) => (handle.kind === 'point' ? [handle.posed] : handle.posed);
+
+/** How far the group is from where turning and scaling it as one leads, image pixels. */
+function off(before: readonly Handle[], after: readonly Handle[], degrees: number, growth = 1): number {
+  const ways = before
+    .filter(({ id }) => GROUP.includes(id))
+    .flatMap((handle) => {
+      const posed = after.find(({ id }) => id === handle.id);
+      return corners(handle).map(([x, y], k) => {
+        const goal = around(centre, { x, y }, degrees, growth);
+        const [px, py] = (posed && corners(posed)[k]) ?? [Number.POSITIVE_INFINITY, 0];
+        return Math.hypot(px - goal.x, py - goal.y);
+      });
+    });
+  return Math.max(...ways);
+}
+
+const field = (all: readonly Handle[], id: string) => all.find((handle) => handle.id === id);
+
+/** Rounded to hundredths, in x and in y. */
+const ROUNDED = 0.01;
+
+async function lead(page: Page, from: Place, to: Place): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 6 });
+}
+
+test('one ring turns all that is selected about its centre, in one step that Escape takes back', async ({
+  page,
+}) => {
+  const editor = await opened(page);
+  await expect(page.locator('c2-warp .ring')).toHaveCount(1);
+  const before = await handles(editor);
+  const [pivot, top] = [await middle(editor), await knob(editor)];
+  await page.keyboard.down('Shift');
+  await lead(page, top, around(pivot, top, 43));
+  await expect.poll(async () => off(before, await handles(editor), 45)).toBeLessThan(ROUNDED);
+  // The knob stays with the pointer, but for the snap.
+  const held = around(pivot, top, 45);
+  await expect.poll(async () => Math.abs((await knob(editor)).x - held.x)).toBeLessThan(1);
+  expect((await events(page)).every((type) => type === 'input')).toBe(true);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  expect(await handles(editor)).toEqual(before);
+
+  await page.keyboard.down('Shift');
+  await lead(page, top, around(pivot, top, 31, 2));
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  const after = await handles(editor);
+  expect(off(before, after, 30)).toBeLessThan(ROUNDED);
+  expect(field(after, 'left-cheek')?.rotation).toBe(40);
+  expect(field(after, 'right-cheek')?.rotation).toBe('auto');
+  expect(field(after, 'mouth')?.rotation).toBe(30);
+  expect(after.filter(({ id }) => !GROUP.includes(id))).toEqual(
+    before.filter(({ id }) => !GROUP.includes(id)),
+  );
+  expect((await events(page)).filter((type) => type === 'change')).toEqual(['change']);
+  await expect(page.getByText('Turn 4 handles. 4 handles: x 510, y 318, rotation 30 degrees')).toBeAttached();
+  await page.keyboard.press('Control+z');
+  expect(await handles(editor)).toEqual(before);
+});
+
+test('the grip on the ring scales all that is selected, and the panel tells so', async ({ page }) => {
+  const editor = await opened(page);
+  const before = await handles(editor);
+  const [pivot, from] = [await middle(editor), await grip(editor)];
+  await page.mouse.move(from.x, from.y);
+  await expect(page.locator('c2-warp .stage')).toHaveCSS('cursor', 'nwse-resize');
+  await page.keyboard.down('Shift');
+  // Half as far again, and a little: tenths of the way of the farthest handle.
+  await lead(page, from, around(pivot, from, 0, 1.38));
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  const after = await handles(editor);
+  const scale = field(after, 'head')?.scale ?? 0;
+  expect(scale).toBeGreaterThan(1.3);
+  expect(scale * 10).toBeCloseTo(Math.round(scale * 10));
+  expect(GROUP.map((id) => field(after, id)?.scale)).toEqual(GROUP.map(() => scale));
+  expect(off(before, after, 0, scale)).toBeLessThan(ROUNDED);
+  expect(field(after, 'right-cheek')?.rotation).toBe('auto');
+  await expect(editor.field('scale')).toHaveValue(String(scale));
+  await expect(page.getByText(`rotation 0 degrees, scale ${scale}`)).toBeAttached();
+  await editor.button('Undo: scale 4 handles').click();
+  expect(await handles(editor)).toEqual(before);
+});
+
+test('an Alt-drag of one of them turns all, from where it is pressed', async ({ page }) => {
+  const editor = await opened(page);
+  const before = await handles(editor);
+  const [pivot, cheek] = [await middle(editor), await editor.place('right cheek')];
+  await page.keyboard.down('Alt');
+  await page.keyboard.down('Shift');
+  await lead(page, cheek, around(pivot, cheek, 62, 3));
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  await page.keyboard.up('Alt');
+  expect(off(before, await handles(editor), 60)).toBeLessThan(ROUNDED);
+});
+
+test('comma and full stop turn all about their centre, and scale them with Alt', async ({ page }) => {
+  const editor = await opened(page);
+  const before = await handles(editor);
+  await editor.handle('head').focus();
+  await page.keyboard.press('Shift+Period');
+  await page.keyboard.press('Period');
+  await page.keyboard.press('Comma');
+  expect(off(before, await handles(editor), 15)).toBeLessThan(3 * ROUNDED);
+  await expect(page.getByText('4 handles: x 510, y 318, rotation 15 degrees')).toBeAttached();
+  await page.keyboard.press('Alt+Shift+Period');
+  expect(off(before, await handles(editor), 15, 1.1)).toBeLessThan(5 * ROUNDED);
+  await page.keyboard.press('Alt+Comma');
+  await expect(page.getByText('rotation 15 degrees, scale 1.09')).toBeAttached();
+  // Steps in a row are one: of turning, and of scaling.
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect(await handles(editor)).toEqual(before);
+});
+
+test('where the guard stops a turn, what is selected stays one', async ({ page }) => {
+  const editor = await opened(page, []);
+  await editor.switch('Stop at folds').click();
+  await select(page);
+  const before = await handles(editor);
+  const [pivot, top] = [await middle(editor), await knob(editor)];
+  await page.mouse.move(top.x, top.y);
+  await page.mouse.down();
+  for (const degrees of [60, 120, 160]) {
+    const to = around(pivot, top, degrees);
+    await page.mouse.move(to.x, to.y);
+    await editor.drawn();
+  }
+  await expect(editor.button('Stopped at a fold')).toBeVisible();
+  await page.mouse.up();
+  const after = await handles(editor);
+  const turn = Number(field(after, 'mouth')?.rotation);
+  expect(turn).toBeGreaterThan(10);
+  expect(turn).toBeLessThan(150);
+  // Where it was stopped is rounded, too, once for each of the moves.
+  expect(off(before, after, turn)).toBeLessThan(0.2);
+  await expect(editor.button(/triangles? folded/)).toBeHidden();
+});
+
+test('in a picture that plays the ring turns what is selected, too', async ({ page }) => {
+  const editor = await opened(page);
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).play = true;
+    return (element as C2Warp).updateComplete;
+  });
+  await editor.drawn();
+  const before = await handles(editor);
+  const [pivot, top] = [await middle(editor), await knob(editor)];
+  await page.keyboard.down('Shift');
+  await lead(page, top, around(pivot, top, -29));
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  expect(off(before, await handles(editor), -30)).toBeLessThan(ROUNDED);
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  const swipe = async (session: CDPSession, from: Place, to: Place) => {
+    const half = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
+    const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Place[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await send('touchStart', [from]);
+    await send('touchMove', [half]);
+    await send('touchMove', [to]);
+    await send('touchEnd', []);
+  };
+
+  test('a finger turns all by the knob and scales them by the grip, each 44 px across', async ({ page }) => {
+    const editor = await opened(page);
+    // From here on, sizes are for a finger.
+    await editor.handle('left foot').tap();
+    await select(page);
+    await editor.drawn();
+    const session = await page.context().newCDPSession(page);
+    const before = await handles(editor);
+    const pivot = await middle(editor);
+    const top = await knob(editor);
+    const beyond = { x: top.x, y: top.y - 21 };
+    await swipe(session, beyond, around(pivot, beyond, 30));
+    await expect.poll(async () => off(before, await handles(editor), 30)).toBeLessThan(1);
+    const turned = await handles(editor);
+    const turn = Number(field(turned, 'mouth')?.rotation);
+    const corner = await grip(editor);
+    const outside = around(pivot, corner, 0, 1 + 21 / Math.hypot(corner.x - pivot.x, corner.y - pivot.y));
+    await swipe(session, outside, around(pivot, outside, 0, 1.3));
+    await expect.poll(async () => field(await handles(editor), 'mouth')?.scale).toBeGreaterThan(1.3);
+    const after = await handles(editor);
+    expect(off(before, after, turn, field(after, 'mouth')?.scale)).toBeLessThan(0.1);
+    expect(field(after, 'mouth')?.rotation).toBe(turn);
+  });
+});
