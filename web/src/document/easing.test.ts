@@ -36,6 +36,13 @@ describe('between two poses', () => {
     expect(still?.rotation).toBe('auto');
   });
 
+  it('a point turns on past half a turn, and not back by the way around', () => {
+    const hand = { id: 'hand', kind: 'point', rest: [0, 0], posed: [0, 0] } as const;
+    const turned = (rotation: number) => holding({ ...hand, rotation });
+    const at = (share: number) => between(turned(170), turned(-150), share, new Map()).handles[0]?.rotation;
+    expect([at(0.25), at(0.5), at(1)]).toEqual([180, -170, -150]);
+  });
+
   it('handles that go around a place as one stay one, the shorter way', () => {
     const hand = { id: 'hand', kind: 'point', rest: [0, 0], posed: [0, 20], rotation: 10 } as const;
     const whole = [hand, bar];

@@ -25,10 +25,12 @@ export function between(from: Project, to: Project, share: number, turns: Turns,
 function eased(from: Handle, to: Handle, share: number, turns: Turns, about: Vec | undefined): Handle {
   const start = rotationOf(from, turns);
   const by = rotationOf(to, turns) - start;
-  const end = start + (about ? wrapDegrees(by) : by);
+  // The turn of a point is kept without whole turns.
+  const end = start + (about || !isLine(to) ? wrapDegrees(by) : by);
   const turn = start + share * (end - start);
   const middle = underway(centre(corners(from)), centre(corners(to)), share, about);
-  const rotation = typeof to.rotation === 'number' ? { rotation: rounded(turn) } : {};
+  const rotation =
+    typeof to.rotation === 'number' ? { rotation: rounded(isLine(to) ? turn : wrapDegrees(turn)) } : {};
   const scale = scaleOf(from) + share * (scaleOf(to) - scaleOf(from));
   const common = { ...rotation, ...(to.scale === undefined ? {} : { scale }) };
   return isLine(to)
