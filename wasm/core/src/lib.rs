@@ -37,6 +37,7 @@ mod picture;
 pub mod project;
 
 // Geometry and containers that know nothing of warping.
+mod extremes;
 mod grid;
 mod min_entry;
 mod rows;

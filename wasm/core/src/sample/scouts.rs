@@ -13,6 +13,7 @@ use super::{Ground, Samples};
 use crate::{
     distance::{Navigation, OutlineTriangle, graph::Graph},
     domain::Domain,
+    extremes::greater,
     rows::Rows,
     triangulation::{Locator, Triangulation},
 };
@@ -53,10 +54,10 @@ impl Scouts {
         let graph = Graph::of_mesh(&mesh);
         let longest = |v: usize| {
             let lengths = graph.of(v).iter().map(|&n| mesh.vertices[v].distance_squared(mesh.vertices[n as usize]));
-            lengths.fold(0.0, f64::max).sqrt()
+            lengths.fold(0.0, greater).sqrt()
         };
         let reach: Vec<f64> = (0..mesh.vertices.len()).map(longest).collect();
-        let longest_edge = reach.iter().copied().fold(0.0, f64::max);
+        let longest_edge = reach.iter().copied().fold(0.0, greater);
         let fans = fans(&mesh);
         let locator = Arc::clone(&ground.locator);
         Self { mesh, outline_triangles, graph, fans, reach, longest_edge, locator }

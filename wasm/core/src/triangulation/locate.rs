@@ -9,7 +9,7 @@ use std::iter;
 use glam::DVec2;
 
 use super::Triangulation;
-use crate::rows::Rows;
+use crate::{extremes::lesser, rows::Rows};
 
 /// Points this far outside every triangle, in pixels, still count as inside: above the rounding of a point computed to lie on
 /// the outline, and far below what is visible.
@@ -96,5 +96,5 @@ impl Locator {
 /// Distance of a point to the nearest line of a triangle's edges, negative outside.
 pub(crate) fn depth_in([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
     let side = |from: DVec2, to: DVec2| (to - from).perp_dot(p - from) / (to - from).length();
-    side(a, b).min(side(b, c)).min(side(c, a))
+    lesser(lesser(side(a, b), side(b, c)), side(c, a))
 }

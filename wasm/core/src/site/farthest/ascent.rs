@@ -12,6 +12,8 @@
 
 use glam::DVec2;
 
+use crate::extremes::greater;
+
 /// A cone `offset + |p − apex|`: the length of the paths that bend last at one pseudo-source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cone {
@@ -75,7 +77,7 @@ fn ascend_once(
     fork: Fork,
 ) -> Option<(DVec2, bool)> {
     let [a, b, c] = *corners;
-    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    let longest = greater(greater(a.distance(b), b.distance(c)), c.distance(a));
     let (mut p, mut forked) = (from, false);
     let mut cones = Cones { own: Vec::with_capacity(CAPACITY), others: Vec::with_capacity(CAPACITY) };
     let mut sides = Vec::with_capacity(2 * CAPACITY);
@@ -118,7 +120,7 @@ fn constrain(
 ) {
     let up = own.gradient;
     // The greatest component of a step within the triangle in a direction.
-    let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, f64::max);
+    let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, greater);
     let below = others.map(|other| Constraint::new(up, up - other.gradient, other.value - own.value));
     sides.clear();
     sides.extend(below.filter(|side| side.limit < extent(side.normal)));

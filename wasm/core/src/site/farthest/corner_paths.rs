@@ -2,7 +2,10 @@
 
 use glam::DVec2;
 
-use crate::distance::{DistanceField, OutlineTriangle, PathEnd};
+use crate::{
+    distance::{DistanceField, OutlineTriangle, PathEnd},
+    extremes::lesser,
+};
 
 /// The paths to the corners; `None` where none leads, or only one beyond the field's bound.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +45,7 @@ impl CornerPaths {
 
     /// The minimum of the known distances and these.
     pub(super) fn nearer(&self, known: &[f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|k| known[k].min(self.distance(k)))
+        [0, 1, 2].map(|k| lesser(known[k], self.distance(k)))
     }
 
     /// Whether the site may be the nearest somewhere between corners with these distances to their nearest sites and edges no

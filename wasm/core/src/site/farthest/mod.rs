@@ -17,7 +17,7 @@ mod triangles;
 use glam::DVec2;
 
 use super::{Regions, Site};
-use crate::distance::OutlineTriangle;
+use crate::{distance::OutlineTriangle, extremes::greater};
 
 pub(crate) use pieces::Pieces;
 
@@ -73,7 +73,7 @@ impl Regions<'_> {
         match &self.far[site] {
             Far::Within(radius) => *radius,
             Far::InTriangles { scout, triangles } => {
-                triangles.first().map_or(*scout, |&(_, upper_bound)| upper_bound.max(*scout))
+                triangles.first().map_or(*scout, |&(_, upper_bound)| greater(upper_bound, *scout))
             }
             Far::Known(points) => points[0].distance,
         }

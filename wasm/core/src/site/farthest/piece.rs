@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     distance::{DistanceField, OutlineTriangle},
+    extremes::{greater, lesser},
     triangulation::NONE,
 };
 
@@ -139,11 +140,11 @@ impl Piece {
         self.limits = self.walls + 2 * self.paths.len() - cones.clone().count();
         self.nearest = nearest;
         let lengths = lengths(&corners);
-        let from_corner = (0..3).map(|k| nearest[k] + lengths[k].max(lengths[(k + 2) % 3]));
+        let from_corner = (0..3).map(|k| nearest[k] + greater(lengths[k], lengths[(k + 2) % 3]));
         // A cone is convex, so it is greatest at a corner.
-        let at_corner = cones.map(|paths| (0..3).map(|k| paths.distance(k)).fold(0.0, f64::max));
+        let at_corner = cones.map(|paths| (0..3).map(|k| paths.distance(k)).fold(0.0, greater));
         let lipschitz = lipschitz_bound(&nearest, longest);
-        self.upper_bound = from_corner.chain(at_corner).fold(lipschitz, f64::min);
+        self.upper_bound = from_corner.chain(at_corner).fold(lipschitz, lesser);
     }
 
     fn is_divisible(&self) -> bool {

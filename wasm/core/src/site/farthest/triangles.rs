@@ -10,7 +10,11 @@ use super::{
     corner_paths::CornerPaths,
     piece::{cone_sag, lipschitz_bound},
 };
-use crate::{distance::PathEnd, triangulation::NONE};
+use crate::{
+    distance::PathEnd,
+    extremes::{greater, lesser},
+    triangulation::NONE,
+};
 
 /// Initial capacity for triangles: enough for most searches.
 const CAPACITY: usize = 64;
@@ -84,7 +88,7 @@ impl Regions<'_> {
     fn is_low(&self, corners: [usize; 3], values: [f64; 3], to_apex: [f64; 3]) -> bool {
         let longest = corners.iter().map(|&at| self.scouts.reach[at]).fold(0.0, f64::max);
         let mut over = (0..3).map(|k| values[k] - self.cells.distance[corners[k]]);
-        let apart = to_apex.into_iter().fold(f64::INFINITY, f64::min);
+        let apart = to_apex.into_iter().fold(f64::INFINITY, lesser);
         over.clone().all(|over| over <= 2.0 * longest)
             && (!self.is_of_one_cone(corners) || over.any(|over| over <= cone_sag(longest, apart)))
     }
@@ -98,17 +102,17 @@ impl Regions<'_> {
         let corners = scouts.mesh.triangles[triangle as usize].map(|v| v as usize);
         let distances = corners.map(|at| cells.distance[at]);
         let reach = corners.map(|at| scouts.reach[at]);
-        let upper_bound = (0..3).map(|k| distances[k] + reach[k]).fold(f64::INFINITY, f64::min);
+        let upper_bound = (0..3).map(|k| distances[k] + reach[k]).fold(f64::INFINITY, lesser);
         if upper_bound < least {
             return upper_bound;
         }
         // A cone is convex, so it is greatest at a corner.
         let better = if self.is_of_one_cone(corners) {
-            distances.into_iter().fold(0.0, f64::max)
+            distances.into_iter().fold(0.0, greater)
         } else {
-            lipschitz_bound(&distances, reach.into_iter().fold(0.0, f64::max))
+            lipschitz_bound(&distances, reach.into_iter().fold(0.0, greater))
         };
-        better.min(upper_bound)
+        lesser(better, upper_bound)
     }
 
     /// Whether three scouts have the same nearest site and the same pseudo-source.
