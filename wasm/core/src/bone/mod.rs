@@ -50,10 +50,10 @@ pub(crate) struct Bone {
     /// Whether it is a side of a polygon.
     pub(crate) of_loop: bool,
     joints: [u32; 2],
-    /// From each joint to where the handle itself passes there: bones of one joint may end beside one another, and do so when posed.
-    off_joints: [DVec2; 2],
-    /// From there to the end, as a share of the piece: the outline may cut off a little that leaves the bone joined.
+    /// From each joint to the end, along the piece and as a share of it: the outline may cut off a little that leaves the bone joined.
     beyond: [f64; 2],
+    /// The same across it, in pixels: bones of one joint may end beside one another, and do so when posed.
+    beside: [f64; 2],
     /// Number of the connected bones that it is one of.
     pub(crate) body: u32,
 }
@@ -115,6 +115,10 @@ impl Skeleton {
     fn lay(&mut self, line: &Line, piece: &Piece, parts: &[Part], places: &[DVec2], outside: &mut Vec<Outside>) {
         let [a, b] = piece.ends(line);
         let [from, to] = piece.shares;
+        let (first, last) = line.segment(piece.segment as usize);
+        let along = last - first;
+        let off_joints = [0, 1].map(|k| [a, b][k] - places[piece.joints[k] as usize]);
+        let off_along = off_joints.map(|off| off.dot(along) / along.length_squared());
         let mut leave_out = |from: f64, to: f64| {
             if from < to {
                 let [from, to] = [from, to].map(|share| a.lerp(b, share));
@@ -129,15 +133,15 @@ impl Skeleton {
                 rest: part.shares.map(|share| a.lerp(b, share)),
                 of_loop: line.closed,
                 joints: piece.joints,
-                off_joints: [0, 1].map(|k| [a, b][k] - places[piece.joints[k] as usize]),
-                beyond: [part.shares[0] * (to - from), (part.shares[1] - 1.0) * (to - from)],
+                beyond: [0, 1].map(|k| off_along[k] + (part.shares[k] - k as f64) * (to - from)),
+                beside: off_joints.map(|off| along.perp_dot(off) / along.length()),
                 body: 0,
             };
             for k in (0..2).filter(|&k| !part.joined[k]) {
                 let share = from + part.shares[k] * (to - from);
                 self.joints.push(vec![Anchor { handle: piece.handle, segment: piece.segment, share }]);
                 bone.joints[k] = self.joints.len() as u32 - 1;
-                (bone.off_joints[k], bone.beyond[k]) = (DVec2::ZERO, 0.0);
+                (bone.beyond[k], bone.beside[k]) = (0.0, 0.0);
             }
             self.bones.push(bone);
             leave_out(end, if part.joined[0] { 0.0 } else { part.shares[0] });

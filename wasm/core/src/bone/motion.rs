@@ -34,8 +34,11 @@ impl Skeleton {
         let motion = |bone: &Bone| {
             let [a, b] = bone.rest;
             let [from, to] = ends(handles[bone.handle as usize].shape.posed(), bone.segment);
-            let [c, d] =
-                [0, 1].map(|k| joints[bone.joints[k] as usize] + bone.off_joints[k] + bone.beyond[k] * (to - from));
+            let across = handles[bone.handle as usize].scale;
+            let sideways = across * (to - from).normalize_or_zero().perp();
+            let end =
+                |k: usize| joints[bone.joints[k] as usize] + bone.beyond[k] * (to - from) + bone.beside[k] * sideways;
+            let [c, d] = [end(0), end(1)];
             let before = b - a;
             let after = if c.distance(d) < NO_LENGTH { DVec2::ZERO } else { d - c };
             // A bone without length has the rotation of its handle.
@@ -48,7 +51,7 @@ impl Skeleton {
                 along: before.normalize(),
                 angle,
                 stretch: after.length() / before.length(),
-                across: handles[bone.handle as usize].scale,
+                across,
             }
         };
         self.bones.iter().map(motion).collect()
