@@ -2,13 +2,16 @@
 //!
 //! It looks into a few triangles only, and finds the farthest point however few scouts there are.
 //!
-//! Cost: the pieces that it opens.
+//! Cost: the pieces that it opens, and a heap of them.
+
+use std::collections::BinaryHeap;
 
 use super::{
     super::{Regions, TIE},
     FarPoint, SAME_POINT,
     pieces::Pieces,
 };
+use crate::min_entry::MinEntry;
 
 impl Regions<'_> {
     /// The farthest points of a site's cell, at least one, searched in `triangles`.
@@ -19,7 +22,7 @@ impl Regions<'_> {
         let mut found: Vec<FarPoint> = of_scouts.map(|at| self.far_point(at)).collect();
         let mut pieces = std::mem::take(&mut self.pieces);
         let mut greatest = radius;
-        let mut search = Search { triangles, open: Vec::new() };
+        let mut search = Search { triangles, open: BinaryHeap::new() };
         while let Some(at) = search.next(&mut pieces, self, site) {
             let piece = pieces.piece(at);
             if !tied(piece.upper_bound, greatest) {
@@ -34,7 +37,7 @@ impl Regions<'_> {
             }
             if maxima.is_empty() {
                 let parts = pieces.parts(self, at);
-                search.open.extend(parts.filter(|&part| pieces.piece(part).has(site)));
+                parts.for_each(|part| search.open(&pieces, part, site));
             }
             greatest = maxima.iter().map(|point| point.distance).fold(greatest, f64::max);
             found.extend(maxima);
@@ -67,29 +70,28 @@ impl Regions<'_> {
 struct Search<'a> {
     /// Triangles not opened yet, each with an upper bound, descending.
     triangles: &'a [(u32, f64)],
-    /// Pieces of opened triangles that the cell may enter.
-    open: Vec<u32>,
+    /// Pieces of opened triangles that the cell may enter, keyed by their upper bounds, negative.
+    open: BinaryHeap<MinEntry<u32>>,
 }
 
 impl Search<'_> {
+    /// Opens a piece, if the cell may enter it.
+    fn open(&mut self, pieces: &Pieces, at: u32, site: usize) {
+        let piece = pieces.piece(at);
+        if piece.has(site) {
+            self.open.push(MinEntry { key: -piece.upper_bound, item: at });
+        }
+    }
+
     /// Removes and returns the piece with the greatest upper bound.
     fn next(&mut self, pieces: &mut Pieces, regions: &Regions, site: usize) -> Option<u32> {
-        loop {
-            let upper_bound = |at: usize| pieces.piece(self.open[at]).upper_bound;
-            let farthest =
-                (0..self.open.len()).reduce(|best, at| if upper_bound(at) > upper_bound(best) { at } else { best });
-            match (farthest, self.triangles) {
-                (farthest, &[(triangle, bound), ref others @ ..])
-                    if farthest.is_none_or(|at| bound > upper_bound(at)) =>
-                {
-                    self.triangles = others;
-                    let root = pieces.root(regions, triangle);
-                    if pieces.piece(root).has(site) {
-                        self.open.push(root);
-                    }
-                }
-                (farthest, _) => return farthest.map(|at| self.open.swap_remove(at)),
-            }
+        while let &[(triangle, bound), ref others @ ..] = self.triangles
+            && self.open.peek().is_none_or(|farthest| bound > -farthest.key)
+        {
+            self.triangles = others;
+            let root = pieces.root(regions, triangle);
+            self.open(pieces, root, site);
         }
+        self.open.pop().map(|farthest| farthest.item)
     }
 }
