@@ -363,6 +363,29 @@ fn a_bar_beside_the_outline_by_a_hair_is_cut_where_the_domain_ends() {
     }
 }
 
+/// Its own distances did not lead around the corner, and those of others did not lead to it.
+#[test]
+fn a_bar_outside_the_outline_by_less_than_rounding_keeps_clear_of_what_is_behind_a_corner() {
+    // A notch of 1 px, down to a neck.
+    let notched = [
+        [(20.0, 100.0), (199.5, 100.0), (199.5, 200.0), (200.5, 200.0), (200.5, 100.0), (380.0, 100.0)],
+        [(380.0, 300.0), (200.5, 300.0), (200.5, 200.004), (199.5, 200.004), (199.5, 300.0), (20.0, 300.0)],
+    ];
+    let ring = points(notched.as_flattened());
+    for (beside, end) in [(0.0, 210.0), (5e-9, 210.0), (1e-7, 210.0), (5e-7, 210.0), (9e-7, 200.004)] {
+        for place in [(199.5, 230.0), (190.0, 250.0)] {
+            let along = [(200.5 - beside, 299.999), (200.5 - beside, end)];
+            let behind = handle(0, place.into(), DVec2::new(180.0, 220.0), 0.0);
+            let mut project = project(std::slice::from_ref(&ring), &[], Support::Smooth);
+            project.handles = vec![bar("along", &along, &along.map(|(x, y)| (x + 20.0, y))), behind];
+            let (solution, pose) = posed(&project);
+            let off = goes(&solution, &pose, place.into()).distance((180.0, 220.0).into());
+            assert!(off <= ON_BAR, "{beside} beside, {place:?}: {off} off");
+            assert!(solution.sites().iter().all(|site| site.separation.is_finite()), "{beside} beside, {place:?}");
+        }
+    }
+}
+
 /// Along the floor of a notch and out of it by less than rounding at first, to a wall whose edge it is on.
 #[test]
 fn a_bar_that_rises_from_the_floor_of_a_notch_is_cut_where_the_floor_ends() {

@@ -3,7 +3,10 @@
 use glam::DVec2;
 
 use super::Bone;
-use crate::distance::{DistanceField, Navigation, OutlineTriangle};
+use crate::{
+    distance::{DistanceField, Navigation, OutlineTriangle},
+    triangulation::ON_OUTLINE,
+};
 
 /// A bone on the navigation mesh.
 #[derive(Debug, Clone)]
@@ -37,10 +40,14 @@ fn within_triangle(a: DVec2, b: DVec2, corners: [DVec2; 3]) -> Option<[f64; 2]> 
     for k in 0..3 {
         let (corner, side) = (corners[k], corners[(k + 1) % 3] - corners[k]);
         let (at_a, at_b) = (side.perp_dot(a - corner), side.perp_dot(b - corner));
-        if at_a < 0.0 && at_b < 0.0 {
+        // Along the outline a bone may lie beside it by what counts as on it.
+        if at_a.max(at_b) < -ON_OUTLINE * side.length() {
             return None;
         }
         let share = at_a / (at_a - at_b);
+        if at_a.max(at_b) < 0.0 {
+            continue;
+        }
         if at_a < 0.0 {
             from = from.max(share);
         } else if at_b < 0.0 {

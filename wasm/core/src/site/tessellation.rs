@@ -41,8 +41,7 @@ struct NewSite {
 
 impl NewSite {
     fn of_chain(navigation: &Navigation, (at, chain): (usize, &Chain), length: f64) -> Self {
-        let rest = chain.at(length);
-        let triangle = navigation.triangle_at(rest).expect("lines lie in the domain");
+        let (triangle, rest) = navigation.locate(chain.at(length)).expect("lines lie in the domain");
         Self { rest, triangle, kind: chain.kind, on_chain: Some((at, length)) }
     }
 }
