@@ -44,10 +44,10 @@ fn within_triangle(a: DVec2, b: DVec2, corners: [DVec2; 3]) -> Option<[f64; 2]> 
         if at_a.max(at_b) < -ON_OUTLINE * side.length() {
             return None;
         }
-        let share = at_a / (at_a - at_b);
         if at_a.max(at_b) < 0.0 {
             continue;
         }
+        let share = at_a / (at_a - at_b);
         if at_a < 0.0 {
             from = from.max(share);
         } else if at_b < 0.0 {
