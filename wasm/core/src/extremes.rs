@@ -1,7 +1,7 @@
 //! The lesser and the greater of two numbers, where many are compared.
 //!
 //! `f64::min` and `f64::max` are calls of functions in WebAssembly, as they pass over a number that is NaN wherever it stands:
-//! 3 % of a solve of 600 samples.
+//! 6 % of a solve of 600 samples.
 
 /// The lesser of two numbers; the first where either is NaN.
 pub(crate) fn lesser(a: f64, b: f64) -> f64 {
