@@ -1,10 +1,10 @@
 /**
- * `npm run quality`: how exact distances are, beside the geodesic, and how well pictures bend on standard poses, in every
- * mode and by two other methods for comparison. Prints tables and writes a sheet of pictures for each pose. The crate
- * `c2warp-quality` defines and measures them.
+ * `npm run quality`: how exact distances are, beside the geodesic, how often weights have a second maximum, and how well
+ * pictures bend on standard poses, in every mode and by two other methods for comparison. Prints tables and writes a sheet of
+ * pictures for each pose. The crate `c2warp-quality` defines and measures them.
  *
- * `npm run quality -- NAME` runs only what has a name that contains NAME: poses, or `distances`. Fails if something does not build or run,
- * never because of a figure.
+ * `npm run quality -- NAME` runs only what has a name that contains NAME: poses, `distances` or `maxima`. Fails if something
+ * does not build or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -25,7 +25,7 @@ await main(async () => {
     'The comparison does not build; the reason stands above.',
   );
   await step(
-    'Distances and poses',
+    'Distances, weights and poses',
     'cargo',
     ['run', '--quiet', ...CRATE, '--', OUTPUT, ...names],
     'The comparison failed; the reason stands above.',

@@ -1,14 +1,16 @@
-//! What the rigid mode promises beside the dense reference, and the distances beside the geodesic, and whether they keep it.
+//! What the rigid mode promises beside the dense reference, the distances beside the geodesic, and weights of themselves, and whether
+//! they keep it.
 
 use crate::{
     distances::{Distances, greatest},
+    maxima::{SceneMaxima, Weighting},
     methods::{Compared, EDITOR, Method},
 };
 
-/// A promise about one pose, or the distances in one domain.
+/// A promise about one pose, the distances in one domain, or the weights of one scene.
 #[derive(Debug, Clone)]
 pub struct Bar {
-    /// The pose, or the domain.
+    /// The pose, the domain or the scene.
     pub of: &'static str,
     /// What is promised.
     pub what: &'static str,
@@ -34,6 +36,19 @@ pub fn distance_bars(all: &[Distances]) -> Vec<Bar> {
         Bar { of: same[0].domain, what: "greatest error of a distance", figure, limit: 1e-6 }
     };
     all.chunk_by(|a, b| a.domain == b.domain).map(of).collect()
+}
+
+/// The bars of weights: no second maximum, by the paper's supports.
+#[must_use]
+pub fn maxima_bars(all: &[SceneMaxima]) -> Vec<Bar> {
+    let of = |SceneMaxima { scene, maxima, .. }: &SceneMaxima| {
+        let bar = |what, rises: &[f64]| Bar { of: scene, what, figure: rises.len() as f64, limit: 0.0 };
+        [
+            bar("second maxima of single sites' weights", &maxima.of_sites),
+            bar("second maxima of handles' fields", &maxima.of_handles),
+        ]
+    };
+    all.iter().filter(|of_scene| of_scene.weighting == Weighting::Paper).flat_map(of).collect()
 }
 
 /// The bars of a pose, for `rigid 100`: the rigid mode as the editor asks for it.

@@ -1,5 +1,5 @@
-//! `c2warp-quality FOLDER [NAME]`: compares distances with the geodesic, and the methods on the standard poses, or what of this has a
-//! name that contains NAME; writes a sheet for each pose to the folder and prints the tables. `c2warp-quality --overview FILE` draws one
+//! `c2warp-quality FOLDER [NAME]`: compares distances with the geodesic, counts second maxima of weights, and compares the methods on the
+//! standard poses, or what of this has a name that contains NAME; writes a sheet for each pose to the folder and prints the tables. `c2warp-quality --overview FILE` draws one
 //! pose by the editor's mode and by those that it is compared with.
 
 use std::{
@@ -12,14 +12,16 @@ use std::{
 
 use c2warp_quality::{
     distances::distances,
+    maxima::maxima,
     methods::{Compared, EDITOR, METHODS, Method},
     poses::standard_poses,
     sheet::{Row, sheet},
     tables::tables,
 };
 
-/// The name of the comparison that is of no pose.
+/// The names of what is of no pose.
 const DISTANCES: &str = "distances";
+const MAXIMA: &str = "maxima";
 
 /// The pose of the overview.
 const WAVING: &str = "2 waving";
@@ -55,6 +57,11 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
         eprintln!("  {DISTANCES}");
         measured = distances();
     }
+    let mut counted = Vec::new();
+    if MAXIMA.contains(name) {
+        eprintln!("  {MAXIMA}");
+        counted = maxima()?;
+    }
     let (mut all, mut unsolved) = (Vec::new(), Vec::new());
     for pose in standard_poses()?.into_iter().filter(|pose| pose.name.contains(name)) {
         let name = pose.name;
@@ -68,7 +75,7 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
             Err(reason) => unsolved.push((name, reason.to_string())),
         }
     }
-    let text = tables(&measured, &all, &unsolved);
+    let text = tables(&measured, &counted, &all, &unsolved);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

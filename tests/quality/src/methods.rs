@@ -44,8 +44,10 @@ pub enum Method {
     LeastSquares,
 }
 
+/// Virtual sites that the editor asks for.
+pub const EDITOR_DENSITY: u32 = 100;
 /// What the editor asks for.
-pub const EDITOR: Method = Method::Rigid { density: 100, blend: Blend::Linear };
+pub const EDITOR: Method = Method::Rigid { density: EDITOR_DENSITY, blend: Blend::Linear };
 
 /// Numbers of samples that the editor's way is tried with besides: what comes out must not hang on one of them.
 pub const OTHER_SAMPLES: [u32; 5] = [4_000, 6_000, 10_000, 16_000, 31_325];

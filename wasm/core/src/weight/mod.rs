@@ -5,7 +5,8 @@
 //! Cost: at one point, the windows of the supports that reach its triangle; for all samples, some 10 ns for each sample and
 //! such support. Limits: weights are C² except at joints of bones and where distances are not, behind corners: where two paths to a
 //! site are equally short weights have a crease, and along the line at which paths begin to bend around a corner they are C¹. Their
-//! second derivative jumps there, the more the nearer the corner.
+//! second derivative jumps there, the more the nearer the corner. Eq. 2 does not rule out second maxima: a weight may grow again in a dead
+//! end, or where several supports end together.
 
 mod basis;
 mod evaluate;
