@@ -5,6 +5,7 @@
 mod command;
 mod inspect;
 mod refusals;
+mod stmap;
 mod streams;
 mod tables;
 mod warp;

@@ -235,6 +235,10 @@ fn outputs_that_are_the_project_or_no_png() {
     }
     assert!(fs::read(place.file(PROJECT)).unwrap() == before);
     says(&refuse(place.folder(), &format!("warp {PROJECT} -o out.jpg")), &["out.jpg", "type Jpeg", "end it with .png"]);
+    let with_map = |path: &str, map: &str| refuse(place.folder(), &format!("warp {PROJECT} -o {path} --stmap {map}"));
+    says(&with_map("out.png", "map.png"), &["map.png", "type Png", "OpenExr", "end it with .exr"]);
+    says(&with_map("out", "out"), &["out: is where the picture goes"]);
+    says(&with_map("-", "/dev/stdout"), &["/dev/stdout: is where the picture goes"]);
     // What is no picture's name will do.
     succeed(place.folder(), &format!("warp {PROJECT} -o out.0001"));
 }

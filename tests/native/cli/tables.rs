@@ -9,7 +9,7 @@ use crate::command::succeed;
 use crate::workplace::Workplace;
 
 /// Runs a subcommand over points; its header and rows.
-fn table(place: &Workplace, subcommand: &str, points: &[[f64; 2]]) -> (String, Vec<StringRecord>) {
+pub(crate) fn table(place: &Workplace, subcommand: &str, points: &[[f64; 2]]) -> (String, Vec<StringRecord>) {
     let lines: String = points.iter().map(|[x, y]| format!("{x},{y}\n")).collect();
     place.write("points.csv", format!("x,y\n{lines}"));
     let (name, options) = subcommand.split_once(' ').unwrap_or((subcommand, ""));

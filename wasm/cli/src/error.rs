@@ -15,8 +15,14 @@ pub(crate) enum CliError {
     Write { path: PathBuf, reason: io::Error },
     #[error("{}: is the project, which would be lost: write to another file", path.display())]
     OverProject { path: PathBuf },
-    #[error("{}: is the name of a picture of type {format:?}, but what is written is a PNG: end it with .png", path.display())]
-    OutputType { path: PathBuf, format: ImageFormat },
+    #[error(
+        "{}: is the name of a picture of type {format:?}, but what is written is of type {written:?}: end it with .{}",
+        path.display(),
+        written.extensions_str()[0]
+    )]
+    OutputType { path: PathBuf, format: ImageFormat, written: ImageFormat },
+    #[error("{}: is where the picture goes: write the map to another file", path.display())]
+    SameOutput { path: PathBuf },
     #[error("the output cannot be written: {0}")]
     Print(io::Error),
     #[error("{}: is not a project: it is not UTF-8 text", path.display())]

@@ -15,6 +15,7 @@ mod picture;
 mod points;
 mod profile;
 mod scene;
+mod stmap;
 mod warp;
 mod weights;
 

@@ -1,15 +1,16 @@
-//! `c2warp warp`: the warped picture as a PNG, at full quality.
+//! `c2warp warp`: the warped picture as a PNG, at full quality, and the map by which it is bent.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use c2warp::{Canvas, Warped, raster};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageResult};
 
 use crate::error::CliError;
-use crate::output;
+use crate::output::{self, Output};
 use crate::scene::{Files, Scene};
+use crate::stmap;
 
 /// Warps the picture at full quality
 #[derive(Debug, clap::Args)]
@@ -26,6 +27,10 @@ pub(crate) struct Arguments {
     /// corner lies in it: X,Y in pixels; on standard error if the picture goes to standard output
     #[arg(long)]
     grow: bool,
+    /// Also write the map of the warp for compositors: an OpenEXR picture as large as the result. Red and green are where each pixel comes
+    /// from, u and v from 0 to 1, v upwards; blue is how areas grow; alpha is how much of the pixel is covered
+    #[arg(long, value_name = "OUT.exr")]
+    stmap: Option<PathBuf>,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
@@ -34,16 +39,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     // A solve takes time that a scale which is none is not worth.
     raster::warped_size(picture.width(), picture.height(), arguments.scale).map_err(CliError::Scale)?;
     let path = &arguments.output;
-    if let Some(format) = ImageFormat::from_path(path).ok().filter(|&format| format != ImageFormat::Png) {
-        return Err(CliError::OutputType { path: path.clone(), format });
-    }
+    check_name(path, ImageFormat::Png)?;
     let output = scene.output(path)?;
+    let stmap = arguments.stmap.as_deref().map(|path| stmap_output(&scene, path, &arguments.output)).transpose()?;
 
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
     let canvas = if arguments.grow { Canvas::Grown } else { Canvas::Picture };
     let warped = solution.warped(&picture, &pose, arguments.scale, canvas).map_err(|reason| scene.refused(reason))?;
     output.finish(|writer| writer.write_all(&png(&warped, scene.profile()).map_err(io::Error::other)?))?;
+    if let Some(stmap) = stmap {
+        let sources =
+            solution.sources(&picture, &pose, arguments.scale, &warped).map_err(|reason| scene.refused(reason))?;
+        let file = stmap::exr(&picture, &warped, &sources);
+        stmap.finish(|writer| writer.write_all(&file.map_err(io::Error::other)?))?;
+    }
     if arguments.grow {
         let [left, top] = warped.origin;
         let origin = format!("{left},{top}\n");
@@ -55,6 +65,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         printed.map_err(CliError::Print)?;
     }
     Ok(())
+}
+
+/// Where the map goes: not where the picture does.
+fn stmap_output(scene: &Scene, path: &Path, picture: &Path) -> Result<Output, CliError> {
+    check_name(path, ImageFormat::OpenExr)?;
+    if path == picture || output::is_standard_output(path) && output::is_standard_output(picture) {
+        return Err(CliError::SameOutput { path: path.to_owned() });
+    }
+    scene.output(path)
+}
+
+/// Refuses a name that is that of another type.
+fn check_name(path: &Path, written: ImageFormat) -> Result<(), CliError> {
+    match ImageFormat::from_path(path) {
+        Ok(format) if format != written => Err(CliError::OutputType { path: path.to_owned(), format, written }),
+        _ => Ok(()),
+    }
 }
 
 fn png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {

@@ -84,7 +84,7 @@ pub use stage::{Stage, StageTimes};
 
 // What comes out.
 pub use bone::Outside;
-pub use raster::{canvas::Canvas, warped::Warped};
+pub use raster::{canvas::Canvas, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
 pub use surroundings::Surroundings;

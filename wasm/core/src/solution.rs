@@ -15,7 +15,7 @@ use crate::{
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     project::Project,
-    raster::{self, canvas::Canvas, warped::Warped},
+    raster::{self, canvas::Canvas, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     request::check_picture,
@@ -64,6 +64,13 @@ pub struct Solution {
     pub(crate) poser: Poser,
     pub(crate) functions: WeightFunctions,
     pub(crate) outline: Arc<Outline>,
+}
+
+/// All that a pose draws, in order.
+struct Drawn {
+    rest: Vec<DVec2>,
+    posed: Vec<DVec2>,
+    triangles: Vec<[u32; 3]>,
 }
 
 /// What is drawn.
@@ -285,6 +292,28 @@ impl Solution {
     /// [`Error::Scale`]; [`Error::Canvas`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
     /// [`Error::PoseOfAnother`].
     pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64, canvas: Canvas) -> Result<Warped, Error> {
+        let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
+        raster::warp(picture, &rest, &posed, &triangles, scale, canvas)
+    }
+
+    /// Where the pixels of a warped picture come from, in rows from top to bottom: [`raster::sources`] of what [`warped`](Self::warped)
+    /// made of the same picture, pose and scale.
+    ///
+    /// # Errors
+    /// [`Error::PictureMismatch`] and [`Error::PoseOfAnother`], as for [`warped`](Self::warped).
+    pub fn sources(
+        &self,
+        picture: &Picture<'_>,
+        pose: &Pose,
+        scale: f64,
+        warped: &Warped,
+    ) -> Result<Vec<Source>, Error> {
+        let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
+        Ok(raster::sources(picture, &rest, &posed, &triangles, scale, warped))
+    }
+
+    /// All that a pose draws: the surroundings and the mesh, or, where there is no handle, the picture as it is.
+    fn drawn(&self, picture: &Picture<'_>, pose: &Pose) -> Result<Drawn, Error> {
         if let Some(size) = self.outline.picture {
             check_picture(size, picture)?;
         }
@@ -294,16 +323,17 @@ impl Solution {
         if self.kinds == [0; 3] {
             let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-            return raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], scale, canvas);
+            return Ok(Drawn { rest: corners.into(), posed: corners.into(), triangles: vec![[0, 1, 2], [0, 2, 3]] });
         }
         let around = self.surroundings.vertices();
-        let rest = [around, &self.mesh.vertices].concat();
-        let posed = [around, &self.posed_vertices(pose)].concat();
         let first = around.len() as u32;
         let drawn = self.drawn_triangles(pose);
         let moved = drawn.iter().map(|triangle| triangle.map(|vertex| first + vertex));
-        let triangles: Vec<_> = self.surroundings.triangles().iter().copied().chain(moved).collect();
-        raster::warp(picture, &rest, &posed, &triangles, scale, canvas)
+        Ok(Drawn {
+            rest: [around, &self.mesh.vertices].concat(),
+            posed: [around, &self.posed_vertices(pose)].concat(),
+            triangles: self.surroundings.triangles().iter().copied().chain(moved).collect(),
+        })
     }
 
     /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.

@@ -5,12 +5,10 @@ use std::ops::Range;
 
 use glam::{DVec2, Vec4};
 
-use super::facet::{Facet, GRID};
+use super::facet::{Facet, GRID, Mask};
 use super::texture::{OPAQUE, Texture};
 
 const SAMPLES: usize = GRID * GRID;
-/// The covered samples of a pixel, one bit each.
-type Mask = u16;
 
 /// Rows of pixels, premultiplied as in [`Texture`].
 pub(super) struct Band {
@@ -48,23 +46,11 @@ impl Band {
     /// Draws a triangle over the current colours.
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
         let rows = facet.rows(self.rows.end);
-        for row in rows.start.max(self.rows.start)..rows.end {
-            let spans: [Range<usize>; GRID] = std::array::from_fn(|i| facet.span(row * GRID + i, self.width));
-            let covered = spans.iter().filter(|span| !span.is_empty());
-            let Some((start, end)) =
-                covered.map(|span| (span.start, span.end)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-            else {
-                continue;
-            };
-            for x in start / GRID..end.div_ceil(GRID) {
-                let mask = mask(&spans, x);
-                if mask != 0 {
-                    let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-                    let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
-                    self.blend((row - self.rows.start) * self.width + x, mask, colour);
-                }
-            }
-        }
+        facet.cover(rows.start.max(self.rows.start)..rows.end, self.width, |x, row, mask| {
+            let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
+            let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
+            self.blend((row - self.rows.start) * self.width + x, mask, colour);
+        });
     }
 
     fn blend(&mut self, pixel: usize, mask: Mask, colour: Vec4) {
@@ -93,17 +79,6 @@ impl Band {
             bytes.copy_from_slice(&straight(colour));
         }
     }
-}
-
-/// The samples of a pixel inside the spans of its sample rows.
-fn mask(spans: &[Range<usize>; GRID], x: usize) -> Mask {
-    let mut mask = 0;
-    for (row, span) in spans.iter().enumerate() {
-        let within = |sample: usize| sample.clamp(x * GRID, (x + 1) * GRID) - x * GRID;
-        let bits = (1 << within(span.end)) - (1 << within(span.start));
-        mask |= bits << (row * GRID);
-    }
-    mask
 }
 
 fn blend_samples(samples: &mut [Vec4; SAMPLES], mask: Mask, colour: Vec4) {

@@ -8,6 +8,8 @@ use super::footprint::Footprint;
 
 /// Coverage samples along a pixel's side.
 pub(super) const GRID: usize = 4;
+/// The covered samples of a pixel, one bit each.
+pub(super) type Mask = u16;
 
 /// Corners are rounded to 1/256 px, as on graphics hardware, so that coverage is computed in integers.
 const SUBPIXELS: f64 = 256.0;
@@ -80,6 +82,11 @@ impl Facet {
         self.inverse * place + self.origin
     }
 
+    /// The area of the picture that a pixel shows, negative where the triangle is turned over.
+    pub(super) fn shown_area(&self) -> f64 {
+        self.inverse.determinant()
+    }
+
     /// The rows of pixels that the triangle may touch.
     pub(super) fn rows(&self, height: usize) -> Range<usize> {
         let y = self.corners.map(|corner| corner[1]);
@@ -88,20 +95,47 @@ impl Facet {
         row(top)..row(bottom + SUBPIXELS as i64 - 1)
     }
 
-    /// The samples that the triangle covers in one sample row, counted from the left edge of the result.
+    /// Calls `visit` with each pixel of some rows of which the triangle covers a sample: its column, its row, and the samples.
+    #[inline]
+    pub(super) fn cover(&self, rows: Range<usize>, width: usize, mut visit: impl FnMut(usize, usize, Mask)) {
+        for row in rows {
+            let spans: [Range<usize>; GRID] =
+                std::array::from_fn(|i| self.span(SAMPLE_STEP, row * GRID + i, width * GRID));
+            let covered = spans.iter().filter(|span| !span.is_empty());
+            let Some((start, end)) =
+                covered.map(|span| (span.start, span.end)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+            else {
+                continue;
+            };
+            for x in start / GRID..end.div_ceil(GRID) {
+                let mask = mask(&spans, x);
+                if mask != 0 {
+                    visit(x, row, mask);
+                }
+            }
+        }
+    }
+
+    /// The pixels of a row whose centres the triangle covers.
+    pub(super) fn centres(&self, row: usize, width: usize) -> Range<usize> {
+        self.span(SUBPIXELS as i64, row, width)
+    }
+
+    /// The samples that the triangle covers in one row of samples that are `step` subpixels apart, the first half of that from the left
+    /// edge of the result, and counted from there.
     ///
     /// Of two triangles that share an edge, exactly one covers a sample on it: the one whose left or top edge it is.
-    pub(super) fn span(&self, sample_row: usize, width: usize) -> Range<usize> {
-        let y = sample_row as i64 * SAMPLE_STEP + SAMPLE_STEP / 2;
-        let (mut start, mut end) = (0, (width * GRID) as i64);
+    fn span(&self, step: i64, sample_row: usize, count: usize) -> Range<usize> {
+        let y = sample_row as i64 * step + step / 2;
+        let (mut start, mut end) = (0, count as i64);
         for i in 0..3 {
             let [ax, ay] = self.corners[i];
             let [bx, by] = self.corners[(i + 1) % 3];
             let (dx, dy) = (bx - ax, by - ay);
             // Twice the area over the edge and the row's first sample, positive inside; it changes by `-dy` per subpixel.
-            let area = dx * (y - ay) - dy * (SAMPLE_STEP / 2 - ax);
+            let area = dx * (y - ay) - dy * (step / 2 - ax);
             let least = i64::from(!(dy < 0 || (dy == 0 && dx > 0)));
-            let step = SAMPLE_STEP * dy.abs();
+            let step = step * dy.abs();
             match dy {
                 0 if area < least => return 0..0,
                 0 => {}
@@ -111,4 +145,15 @@ impl Facet {
         }
         if start < end { start as usize..end as usize } else { 0..0 }
     }
+}
+
+/// The samples of a pixel inside the spans of its sample rows.
+fn mask(spans: &[Range<usize>; GRID], x: usize) -> Mask {
+    let mut mask = 0;
+    for (row, span) in spans.iter().enumerate() {
+        let within = |sample: usize| sample.clamp(x * GRID, (x + 1) * GRID) - x * GRID;
+        let bits = (1 << within(span.end)) - (1 << within(span.start));
+        mask |= bits << (row * GRID);
+    }
+    mask
 }

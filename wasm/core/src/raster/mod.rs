@@ -22,10 +22,13 @@ pub(crate) mod canvas;
 mod facet;
 mod footprint;
 mod kernel;
+pub(crate) mod sources;
 #[cfg(test)]
 mod tests;
 mod texture;
 pub(crate) mod warped;
+
+pub use self::sources::sources;
 
 use glam::DVec2;
 
@@ -96,23 +99,15 @@ pub fn warp(
     scale: f64,
     canvas: Canvas,
 ) -> Result<Warped, Error> {
-    assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and a posed one");
     let picture_size = warped_size(picture.width(), picture.height(), scale)?;
-
-    let mut facets: Vec<Facet> = triangles
-        .iter()
-        .filter_map(|triangle| {
-            let corners = triangle.map(|vertex| vertex as usize);
-            Facet::new(corners.map(|i| rest[i]), corners.map(|i| posed[i] * scale))
-        })
-        .collect();
+    let mut facets = facets(rest, posed, triangles, scale);
     let frame = match canvas {
         Canvas::Picture => Frame::of_picture(picture_size),
         Canvas::Grown => Frame::of_picture(picture_size).around(&facets)?,
     };
     facets.iter_mut().for_each(|facet| facet.move_by(frame.origin));
     let [width, height] = frame.size;
-    let texture = Texture::new(*picture, facets.iter().map(|facet| facet.footprint().level).max().unwrap_or(0));
+    let texture = Texture::for_facets(*picture, &facets);
     let bins = facets_by_band(&facets, height);
 
     let mut rgba = vec![0; width * height * 4];
@@ -130,6 +125,16 @@ pub fn warp(
     let origin = frame.origin.map(|side| side as u32);
     let warped = Warped { width: width as u32, height: height as u32, origin, rgba };
     Ok(warped.trimmed(picture_size))
+}
+
+/// What a mesh draws, relative to the picture's rectangle.
+fn facets(rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<Facet> {
+    assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and a posed one");
+    let facet = |triangle: &[u32; 3]| {
+        let corners = triangle.map(|vertex| vertex as usize);
+        Facet::new(corners.map(|i| rest[i]), corners.map(|i| posed[i] * scale))
+    };
+    triangles.iter().filter_map(facet).collect()
 }
 
 /// The facets that touch each band of rows, in drawing order.

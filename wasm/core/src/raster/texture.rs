@@ -5,6 +5,7 @@
 
 use glam::{DVec2, Vec4};
 
+use super::facet::Facet;
 use super::footprint::Footprint;
 use super::kernel::Taps;
 use crate::picture::Picture;
@@ -28,8 +29,13 @@ struct Reduction {
 }
 
 impl<'a> Texture<'a> {
+    /// Prepares the levels of detail that facets read.
+    pub(super) fn for_facets(picture: Picture<'a>, facets: &[Facet]) -> Self {
+        Self::new(picture, facets.iter().map(|facet| facet.footprint().level).max().unwrap_or(0))
+    }
+
     /// Prepares levels of detail up to `greatest`.
-    pub(super) fn new(picture: Picture<'a>, greatest: u32) -> Self {
+    fn new(picture: Picture<'a>, greatest: u32) -> Self {
         let mut texture = Self { picture, reductions: Vec::new() };
         let last = picture.width().max(picture.height()).ilog2();
         for level in 0..last.min(greatest) as usize {

@@ -1,0 +1,138 @@
+//! Where the pixels of a warped picture come from: what another program needs to bend another picture alike.
+//!
+//! A pixel shows one place: what its centre shows. Where the mesh lies over itself it is that of the triangle drawn last of those whose
+//! picture is opaque there, by more than half: a soft edge lies over what shows through it. Coverage is that of [`warp`](super::warp), over a picture that is opaque.
+//!
+//! Cost: linear in the pixels drawn, some 20 bytes for each pixel of the result.
+
+use glam::DVec2;
+
+use super::facet::Mask;
+use super::texture::{OPAQUE, Texture};
+use super::warped::Warped;
+use crate::picture::Picture;
+
+/// Where a pixel of a warped picture comes from; all 0 where nothing is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Source {
+    /// The place of the picture that the pixel's centre shows, in pixels of the picture.
+    pub place: [f32; 2],
+    /// How areas grow there, in pixels of the picture: the determinant of the Jacobian, negative where the picture is turned over.
+    pub det: f32,
+    /// The share of the pixel that triangles cover.
+    pub coverage: f32,
+}
+
+/// What was drawn at a pixel so far.
+#[derive(Debug, Clone, Copy, Default)]
+struct Pixel {
+    covered: Mask,
+    /// Whether the place that its centre shows is opaque.
+    is_opaque: bool,
+}
+
+/// Where the pixels of a warped picture come from, in rows from top to bottom: of the result of [`warp`](super::warp) with the same
+/// arguments.
+///
+/// # Panics
+/// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
+#[must_use]
+pub fn sources(
+    picture: &Picture<'_>,
+    rest: &[DVec2],
+    posed: &[DVec2],
+    triangles: &[[u32; 3]],
+    scale: f64,
+    warped: &Warped,
+) -> Vec<Source> {
+    let [width, height] = [warped.width, warped.height].map(|side| side as usize);
+    let origin = warped.origin.map(|side| side as usize);
+    let mut facets = super::facets(rest, posed, triangles, scale);
+    facets.iter_mut().for_each(|facet| facet.move_by(origin));
+    let texture = Texture::for_facets(*picture, &facets);
+    let origin = DVec2::from(origin.map(|side| side as f64));
+    let mut sources = vec![Source::default(); width * height];
+    let mut pixels = vec![Pixel::default(); width * height];
+    for facet in &facets {
+        let det = (1.0 / (facet.shown_area() * scale * scale)) as f32;
+        for row in facet.rows(height) {
+            let centres = facet.centres(row, width);
+            facet.cover(row..row + 1, width, |x, _, mask| {
+                let (pixel, source) = (&mut pixels[row * width + x], &mut sources[row * width + x]);
+                let place = facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin);
+                let covers_centre = centres.contains(&x);
+                let is_opaque = covers_centre && texture.sample(place, facet.footprint()).w > OPAQUE / 2.0;
+                if is_opaque || covers_centre && !pixel.is_opaque || pixel.covered == 0 {
+                    (source.place, source.det) = (place.as_vec2().to_array(), det);
+                }
+                pixel.is_opaque |= is_opaque;
+                pixel.covered |= mask;
+            });
+        }
+    }
+    for (source, pixel) in sources.iter_mut().zip(pixels) {
+        source.coverage = pixel.covered.count_ones() as f32 / Mask::BITS as f32;
+    }
+    sources
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Canvas, warp};
+    use super::*;
+
+    const SQUARE: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+
+    fn corners(from: [f64; 2], to: [f64; 2]) -> [DVec2; 4] {
+        let ([left, top], [right, bottom]) = (from, to);
+        [[left, top], [right, top], [right, bottom], [left, bottom]].map(DVec2::from)
+    }
+
+    fn found(
+        rgba: &[u8],
+        rest: &[DVec2],
+        posed: &[DVec2],
+        triangles: &[[u32; 3]],
+        scale: f64,
+    ) -> (Warped, Vec<Source>) {
+        let picture = Picture::new(8, 4, rgba).unwrap();
+        let warped = warp(&picture, rest, posed, triangles, scale, Canvas::Grown).unwrap();
+        let sources = sources(&picture, rest, posed, triangles, scale, &warped);
+        (warped, sources)
+    }
+
+    #[test]
+    fn a_pixel_shows_the_place_that_it_comes_from() {
+        let rest = corners([0.0, 0.0], [8.0, 4.0]);
+        // Twice as wide, half a pixel to the left, at one and a half times the size.
+        let posed = rest.map(|p| DVec2::new(2.0 * p.x - 0.5, p.y));
+        let (warped, sources) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, 1.5);
+        assert_eq!((warped.width, warped.height, warped.origin), (25, 6, [1, 0]));
+        for (pixel, source) in sources.iter().enumerate() {
+            let at = DVec2::new((pixel % 25) as f64 - 0.5, (pixel / 25) as f64 + 0.5) / 1.5;
+            let expected = DVec2::new((at.x + 0.5) / 2.0, at.y).as_vec2();
+            assert!((expected - glam::Vec2::from(source.place)).length() < 1e-6, "{pixel}: {source:?}");
+            assert!((source.det - 2.0).abs() < 1e-6 && source.coverage > 0.0, "{pixel}: {source:?}");
+        }
+        // From 0.25 px on, and up to 24.25.
+        assert_eq!([sources[0].coverage, sources[1].coverage, sources[24].coverage], [0.75, 1.0, 0.25]);
+    }
+
+    #[test]
+    fn what_is_drawn_last_is_seen_where_it_is_opaque() {
+        // The left half of the picture lies over the right one; its first column is transparent, its second one opaque by a third.
+        let mut rgba = vec![255; 8 * 4 * 4];
+        for row in rgba.chunks_exact_mut(8 * 4) {
+            (row[3], row[4 + 3]) = (0, 85);
+        }
+        let rest = [corners([4.0, 0.0], [8.0, 4.0]), corners([0.0, 0.0], [4.0, 4.0])].concat();
+        let posed = [corners([4.0, 0.0], [8.0, 4.0]), corners([8.0, 0.0], [4.0, 4.0])].concat();
+        let triangles = [SQUARE, SQUARE.map(|triangle| triangle.map(|v| v + 4))].concat();
+        let (_, sources) = found(&rgba, &rest, &posed, &triangles, 1.0);
+        let row: Vec<_> = sources[8..16].iter().map(|source| (source.place[0], source.det, source.coverage)).collect();
+        let nothing = (0.0, 0.0, 0.0);
+        let (over, under) = (|x| (x, -1.0, 1.0), |x| (x, 1.0, 1.0));
+        assert_eq!(row, [nothing, nothing, nothing, nothing, over(3.5), over(2.5), under(6.5), under(7.5)]);
+    }
+}
