@@ -99,7 +99,7 @@ test('a file of the element that is missing is told of, also where a page is in 
 test('what a page downloads stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
-  // Compressed, measured in November 2026: 91 and 402.
+  // Compressed, measured in November 2026: 91 and 404.
   expect(await kilobytes('c2warp.js')).toBeLessThan(92);
   expect(await kilobytes('c2warp_bg.wasm')).toBeLessThan(420);
 });

@@ -135,7 +135,7 @@ test('draws the same again after the browser took the context away', async ({ pa
       siteRest: [32, 32],
     });
     renderer.setMotions(new Float32Array([0.9, 0.2, -0.3, 1.1, 32, 32, 35, 30, 0, 0, 0, 0]));
-    renderer.setReach(Float32Array.of(0, 1, 0, 1));
+    renderer.setHeat({ values: Float32Array.of(0, 1, 0, 1), lines: true });
     const view = { scale: 1, x: 0, y: 0, width: 64, height: 64, overlays: { mesh: true } };
     const before = renderer.readPixels(view);
     const control = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
@@ -221,7 +221,7 @@ test('of many each is shown, in few contexts, also asleep and after the browser 
   for (const shown of [drawn, asleep, woken, restored]) expect(shown).toEqual(each);
 });
 
-test('draws a reach from none to yellow, with a line at every tenth and a bold one at the half', async ({
+test('draws a heat map from none to yellow, with a line at every tenth and a bold one at the half', async ({
   page,
 }) => {
   const { row, beside, off, refused } = await page.evaluate(async () => {
@@ -243,14 +243,14 @@ test('draws a reach from none to yellow, with a line at every tenth and a bold o
     });
     const view = { scale: 40, x: 0, y: 0, width: 400, height: 80 };
     const before = renderer.readPixels(view);
-    renderer.setReach(Float32Array.of(0, 1.25, 0, 1.25));
+    renderer.setHeat({ values: Float32Array.of(0, 1.25, 0, 1.25), lines: true });
     const pixels = renderer.readPixels(view);
     const at = (x: number) => Array.from(pixels.subarray((40 * 400 + x) * 4, (40 * 400 + x) * 4 + 4));
-    renderer.setReach(null);
+    renderer.setHeat(null);
     const after = renderer.readPixels(view);
     let refused = '';
     try {
-      renderer.setReach(new Float32Array(3));
+      renderer.setHeat({ values: new Float32Array(3), lines: true });
     } catch (error) {
       refused = String(error);
     }
@@ -261,7 +261,7 @@ test('draws a reach from none to yellow, with a line at every tenth and a bold o
       refused,
     };
   });
-  // A tenth is 32 px: at x the reach is x / 320.
+  // A tenth is 32 px: at x the heat is x / 320.
   const light = (x: number) => (row[x] ?? []).slice(0, 3).reduce((sum, value) => sum + value, 0);
   expect(Math.abs(light(0) - 3 * 128)).toBeLessThan(12);
   const [red = 0, green = 0, blue = 0, alpha] = row[318] ?? [];

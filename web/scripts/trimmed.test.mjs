@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { trimmedMarkup, trimmedShader, trimmedSheets } from './trimmed.mjs';
+import { trimmedGlue, trimmedMarkup, trimmedShader, trimmedSheets } from './trimmed.mjs';
 
 describe('trimmed', () => {
   it('takes comments and indentation out of style sheets alone', () => {
@@ -32,5 +32,23 @@ top: \${TOP}px;
     const shader =
       '#version 300 es\n// What it is.\nvoid main() {\n  // Why.\n  colour = vec4(1.0) / 2.0;\n}\n';
     expect(trimmedShader(shader)).toBe('#version 300 es\nvoid main() {\ncolour = vec4(1.0) / 2.0;\n}\n');
+  });
+
+  it('lets go of classes of the glue that nothing uses', () => {
+    const glue = `class A {
+    free() {}
+}
+if (Symbol.dispose) A.prototype[Symbol.dispose] = A.prototype.free;
+const AFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? {}
+    : new FinalizationRegistry(ptr => free(ptr));
+`;
+    expect(trimmedGlue(glue)).toBe(`class A {
+    free() {}
+}
+const AFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? {}
+    : /* @__PURE__ */ new FinalizationRegistry(ptr => free(ptr));
+`);
   });
 });

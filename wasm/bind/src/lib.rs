@@ -3,6 +3,7 @@
 //! [`Session`] lives in a worker and solves; [`Poser`] lives in the page and poses a solution once a frame. Arrays are copied
 //! out once, into typed arrays that the caller may transfer: views of the module's memory become invalid when it grows.
 
+mod cell_borders;
 mod error;
 mod poser;
 mod session;
@@ -12,6 +13,7 @@ mod warped;
 use c2warp::project::Project;
 use wasm_bindgen::prelude::*;
 
+pub use cell_borders::CellBorders;
 pub use poser::Poser;
 pub use session::Session;
 pub use solution::Solution;

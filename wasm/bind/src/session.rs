@@ -4,6 +4,7 @@ use c2warp::{Canvas, Error, Inspection, Picture, Solver, Stage, StageTimes, proj
 use wasm_bindgen::prelude::*;
 
 use crate::{
+    cell_borders::CellBorders,
     error::{to_js, with_code},
     solution::Solution,
     warped::Warped,
@@ -91,6 +92,15 @@ impl Session {
         let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
         self.try_warp(project_json, scale, canvas).map(Warped::from).map_err(|error| to_js(&error))
     }
+
+    /// The borders between the cells of a project's solution. Solves first if it must.
+    ///
+    /// # Errors
+    /// As [`Session::begin`] and [`Session::advance`].
+    pub fn cell_borders(&mut self, project_json: &str) -> Result<CellBorders, JsValue> {
+        let solved = Project::from_json(project_json).map_err(Error::from).and_then(|project| self.try_solve(&project));
+        solved.map(|solution| solution.cell_borders().into()).map_err(|error| to_js(&error))
+    }
 }
 
 impl Session {
@@ -121,13 +131,19 @@ impl Session {
         let (width, height) = (self.width, self.height);
         // A solve takes time that a scale which is none is not worth.
         raster::warped_size(width, height, scale)?;
-        if !self.solver.has_solved(&project) {
+        self.try_solve(&project)?;
+        let solution = self.solver.solution().expect("it has just been solved");
+        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
+        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale, canvas)
+    }
+
+    /// The solution of a project, which may be that of the last solve.
+    fn try_solve(&mut self, project: &Project) -> Result<&c2warp::Solution, Error> {
+        if !self.solver.has_solved(project) {
             self.try_begin(project.clone())?;
             while self.try_advance()?.is_some() {}
         }
-        let solution = self.solver.solution().expect("every stage has run");
-        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale, canvas)
+        Ok(self.solver.solution().expect("every stage has run"))
     }
 }
 

@@ -57,6 +57,7 @@ pub mod site;
 pub mod weight;
 
 // What is drawn.
+mod cell_borders;
 mod drawing_order;
 mod inverse;
 pub mod raster;
@@ -84,6 +85,7 @@ pub use stage::{Stage, StageTimes};
 
 // What comes out.
 pub use bone::Outside;
+pub use cell_borders::BorderPiece;
 pub use raster::{canvas::Canvas, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;

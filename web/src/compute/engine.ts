@@ -9,8 +9,9 @@ import type { Project } from '../document/project';
 import { startWorker } from '../start_worker';
 import { ENGINE, EngineError, superseded } from './errors';
 import { Link } from './link';
+import type { Messages } from './messages';
 import { checkedProject, createPoser, loadModule, type Poser } from './module';
-import type { Pixels, SolutionData, Stage } from './solution';
+import type { CellBorders, Pixels, SolutionData, Stage } from './solution';
 import worker from './worker/worker?worker&url';
 
 export class Engine {
@@ -58,11 +59,16 @@ export class Engine {
    * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
    */
-  async warp(project: Project, scale = 1, grow = false): Promise<Pixels> {
-    const picture = this.#picture;
-    await picture;
-    if (picture !== this.#picture) throw superseded();
-    return this.#link.send('warp', { project: JSON.stringify(project), scale, grow });
+  warp(project: Project, scale = 1, grow = false): Promise<Pixels> {
+    return this.#ask('warp', { project: JSON.stringify(project), scale, grow });
+  }
+
+  /**
+   * The borders between the cells of a project's solution.
+   * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
+   */
+  cells(project: Project): Promise<CellBorders> {
+    return this.#ask('cells', { project: JSON.stringify(project) });
   }
 
   /** The poser of a solution: turns the handles' poses into motions of its sites. Free it with the solution. */
@@ -82,5 +88,13 @@ export class Engine {
   dispose(): void {
     this.#newestSolve += 1;
     this.#link.dispose();
+  }
+
+  /** Asks about the present picture, once the worker has it. */
+  async #ask<N extends 'warp' | 'cells'>(name: N, body: Messages[N][0]): Promise<Messages[N][1]> {
+    const picture = this.#picture;
+    await picture;
+    if (picture !== this.#picture) throw superseded();
+    return this.#link.send(name, body);
   }
 }

@@ -1,5 +1,5 @@
 /** The messages between page and worker. */
-import type { Pixels, SolutionData, Stage } from './solution';
+import type { CellBorders, Pixels, SolutionData, Stage } from './solution';
 
 /** Name of a request → [body, response]. Projects are sent as JSON text. */
 export interface Messages {
@@ -12,6 +12,8 @@ export interface Messages {
     request: { readonly project: string; readonly scale: number; readonly grow: boolean },
     response: Pixels,
   ];
+  /** The borders between the cells of the project's solution. */
+  cells: [request: { readonly project: string }, response: CellBorders];
 }
 
 export type Name = keyof Messages;

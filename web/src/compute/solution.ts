@@ -25,6 +25,14 @@ export interface SolutionData {
   readonly report: Report;
 }
 
+/** The borders between the cells of a solution: straight pieces, each within one triangle of its mesh. */
+export interface CellBorders {
+  /** Pieces × 3: vertices of the triangle. */
+  readonly corners: Uint32Array<ArrayBuffer>;
+  /** Pieces × 2 ends × 3: shares of these vertices, which sum to 1. */
+  readonly shares: Float32Array<ArrayBuffer>;
+}
+
 /** What the solver did; the keys of `c2warp inspect --json`. */
 export interface Report {
   readonly samples: number;

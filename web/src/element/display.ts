@@ -14,7 +14,21 @@ export interface DisplayHost {
   looked(): void;
 }
 
-const NO_OVERLAYS: OverlayFlags = { mesh: false, sites: false, graph: false, folds: false, reach: false };
+const NO_OVERLAYS: OverlayFlags = {
+  mesh: false,
+  cells: false,
+  sites: false,
+  graph: false,
+  folds: false,
+  reach: false,
+  coverage: false,
+};
+
+/** Of two heat maps one is shown. */
+const INSTEAD: Partial<Record<keyof OverlayFlags, Partial<OverlayFlags>>> = {
+  reach: { coverage: false },
+  coverage: { reach: false },
+};
 
 export class Display {
   readonly #host: DisplayHost;
@@ -60,7 +74,7 @@ export class Display {
   }
 
   overlay(name: keyof OverlayFlags, on: boolean): void {
-    this.#overlays = { ...this.#overlays, [name]: on };
+    this.#overlays = { ...this.#overlays, ...(on && INSTEAD[name]), [name]: on };
     this.#host.looked();
   }
 

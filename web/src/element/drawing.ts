@@ -1,6 +1,7 @@
 /** Redraws at most once a frame, after a change of the pose or the view. */
 import type { SolutionData } from '../compute/solution';
 import type { Blend } from '../geometry/blend';
+import type { HeatMap } from '../geometry/heat';
 import type { View } from '../geometry/view';
 import { Renderer } from '../render/renderer';
 
@@ -8,8 +9,7 @@ export interface DrawingHost {
   view(): View;
   motions(): Float32Array | null;
   blend(): Blend;
-  /** The heat map, one value for each vertex; null without one. */
-  reach(): Float32Array | null;
+  heat(): HeatMap | null;
 }
 
 /** Margin around the viewport within which a canvas is drawn, so that it is before it is visible. */
@@ -72,7 +72,7 @@ export class Drawing {
     this.#frame = 0;
     if (!this.#posed) this.#renderer.setMotions(this.#host.motions(), this.#host.blend());
     this.#posed = true;
-    this.#renderer.setReach(this.#host.reach());
+    this.#renderer.setHeat(this.#host.heat());
     this.#renderer.draw(this.#host.view());
   }
 }

@@ -1,5 +1,6 @@
 /** The model that the templates show, gathered from the parts that hold its state. */
 import type { EditorModel } from '../ui/model';
+import type { Bordering } from './bordering';
 import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
@@ -26,6 +27,7 @@ export interface ModelParts {
   readonly crosshair: Crosshair;
   readonly lines: LineCommands;
   readonly menu: ContextMenu;
+  readonly bordering: Bordering;
 }
 
 /** The undo and redo label while something is being drawn. */
@@ -48,10 +50,12 @@ export function modelOf(
     crosshair,
     lines,
     menu,
+    bordering,
   } = parts;
   const { editing, solving, posing, guarding, picture } = workbench;
   const { machine } = editing;
   const { overlays } = display;
+  const borders = overlays.cells ? bordering.borders() : null;
   return {
     document: editing.document,
     /** Only when asked: where no handles are shown nothing else may need the pose. */
@@ -80,6 +84,7 @@ export function modelOf(
     announcement: notices.announcement,
     bare: display.bare,
     overlays,
+    borders: borders && posing.posed(borders),
     sites: overlays.sites || overlays.graph ? posing.graph() : null,
     folded: overlays.folds ? posing.folded() : null,
     folds: overlays.folds || guarding.on ? posing.folds() : checks.folds,

@@ -1,6 +1,7 @@
 /** The parts of a running editor, each made from those before it. */
 import { actionsOf } from './actions';
 import { Autosave } from './autosave';
+import { Bordering } from './bordering';
 import { CommandRunner } from './command_runner';
 import { ContextMenu } from './context_menu';
 import { Crosshair } from './crosshair';
@@ -108,6 +109,7 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     outside: (ids) => reactions.outside(ids),
   });
   const reaching = new Reaching({ workbench, changed: () => reactions.reached() });
+  const bordering = new Bordering({ workbench, changed });
   const files = new Files(workbench, host.aside, {
     changed,
     opened: () => host.opened(),
@@ -155,5 +157,5 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
   const menu = new ContextMenu({ ...shared, root: host.root, commands });
   const stageKeys = new StageKeys({ ...shared, lines, menu });
   const actions = actionsOf({ ...shared, lines, commands, menu, switchTheme: () => host.switchTheme() });
-  return { ...shared, lines, stageKeys, commands, menu, actions, checks, reaching, hint };
+  return { ...shared, lines, stageKeys, commands, menu, actions, checks, reaching, bordering, hint };
 }

@@ -5,7 +5,9 @@ import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
 import type { History } from '../document/history';
 import type { Project } from '../document/project';
 import { posedPositions } from '../geometry/blend';
+import { type Borders, posedBorders } from '../geometry/borders';
 import { type Box, boxAround, boxOfBoth, reachesBeyond } from '../geometry/box';
+import { coverageOf } from '../geometry/coverage';
 import { DrawingOrder } from '../geometry/drawing_order';
 import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
 import { type Located, locateNear, locatePosed } from '../geometry/locate';
@@ -29,6 +31,7 @@ export class Posing {
   #folds: number | null = null;
   #folding: FoldingMesh | null = null;
   #order: DrawingOrder | null = null;
+  #coverage: Float32Array | null = null;
 
   constructor(history: History<Document>, solving: Solving) {
     this.#history = history;
@@ -44,6 +47,7 @@ export class Posing {
     this.#folds = null;
     this.#folding = null;
     this.#order = null;
+    this.#coverage = null;
   }
 
   /** The motions of all sites in the current pose; null without a solution. */
@@ -142,6 +146,18 @@ export class Posing {
     const { current } = this.#solving;
     if (!current) return null;
     return locatePosed(current.data, this.motions(), blendOf(this.#history.present.project), rest);
+  }
+
+  /** Where the borders between cells are in the current pose: pieces × 2 ends × 2. */
+  posed(borders: Borders): Float32Array {
+    return posedBorders(borders, this.#positions());
+  }
+
+  /** How many sites move each vertex, see `coverageOf`; null without a solution. */
+  coverage(): Float32Array | null {
+    const data = this.#solving.current?.data;
+    this.#coverage ??= data ? coverageOf(data) : null;
+    return this.#coverage;
   }
 
   graph(): SiteGraph | null {

@@ -7,7 +7,7 @@
 import { Engine } from '../compute/engine';
 import { ENGINE } from '../compute/errors';
 import type { Poser } from '../compute/module';
-import type { Pixels, SolutionData, Stage } from '../compute/solution';
+import type { CellBorders, Pixels, SolutionData, Stage } from '../compute/solution';
 import type { Project } from '../document/project';
 import { followedHandles, solveKey } from '../document/solved';
 import type { Size } from '../geometry/camera';
@@ -109,6 +109,12 @@ export class Solving {
     if (!this.#current) return null;
     const handles = followedHandles(this.#current.project, project);
     return this.#current.poser.pose(JSON.stringify(handles));
+  }
+
+  /** The borders between the cells of a solution. */
+  async cells(solved: Solved): Promise<CellBorders> {
+    const engine = await this.engine();
+    return engine.cells(solved.project);
   }
 
   /** The solver; the first call starts it. */

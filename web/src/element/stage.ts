@@ -123,7 +123,12 @@ export class Stage {
         }),
         motions: () => posing.motions(),
         blend: () => blendOf(editing.project),
-        reach: () => (display.overlays.reach && !display.bare && !display.lassoing ? reaching.reach() : null),
+        heat: () => {
+          if (display.bare || display.lassoing) return null;
+          const { reach, coverage } = display.overlays;
+          const values = coverage ? posing.coverage() : reach ? reaching.reach() : null;
+          return values && { values, lines: reach };
+        },
       });
     } catch (error) {
       notices.report(error);

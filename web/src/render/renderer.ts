@@ -4,7 +4,9 @@
  * Takes flat arrays, and knows neither handles nor solver. Keeps its inputs, to fill a context again that was lost and
  * restored.
  */
+
 import type { Blend } from '../geometry/blend';
+import type { HeatMap } from '../geometry/heat';
 import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
@@ -19,7 +21,7 @@ export class Renderer {
   #picture: ImageBitmap | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
-  #reach: Float32Array | null = null;
+  #heat: HeatMap | null = null;
   #blend: Blend = 'linear';
 
   /** Called when the picture must be drawn again, on a context that was restored or after sleep. */
@@ -47,7 +49,7 @@ export class Renderer {
     this.#picture = source;
     this.#mesh = null;
     this.#motions = null;
-    this.#reach = null;
+    this.#heat = null;
     if (!source) this.#scene?.clear();
     this.#fill();
   }
@@ -56,7 +58,7 @@ export class Renderer {
   setSolution(mesh: WarpMesh | null): void {
     this.#mesh = mesh;
     this.#motions = null;
-    this.#reach = null;
+    this.#heat = null;
     this.#fillMesh();
   }
 
@@ -75,17 +77,17 @@ export class Renderer {
   }
 
   /**
-   * One number from 0 to 1 per vertex of the mesh, drawn as a heat map over the picture; null for the picture alone.
+   * A heat map of the mesh, drawn over the picture; null for the picture alone.
    * @throws RangeError unless there is one number per vertex.
    */
-  setReach(reach: Float32Array | null): void {
-    if (reach === this.#reach) return;
+  setHeat(heat: HeatMap | null): void {
+    if (heat?.values === this.#heat?.values) return;
     const vertices = (this.#mesh?.positions.length ?? 0) / 2;
-    if (reach && reach.length !== vertices) {
-      throw new RangeError(`a reach of ${reach.length} vertices for ${vertices}`);
+    if (heat && heat.values.length !== vertices) {
+      throw new RangeError(`a heat map of ${heat.values.length} vertices for ${vertices}`);
     }
-    this.#reach = reach;
-    if (!this.lost) this.#scene?.setReach(reach);
+    this.#heat = heat;
+    if (!this.lost) this.#scene?.setHeat(heat);
   }
 
   draw(view: View): void {
@@ -139,7 +141,7 @@ export class Renderer {
     this.#scene = new Scene(gl);
     this.#fill();
     this.#scene.setMotions(this.#motions, this.#blend);
-    this.#scene.setReach(this.#reach);
+    this.#scene.setHeat(this.#heat);
     this.onrestore?.();
   }
 

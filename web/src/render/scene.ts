@@ -8,15 +8,16 @@
 import * as twgl from 'twgl.js';
 import type { Blend } from '../geometry/blend';
 import { DrawingOrder } from '../geometry/drawing_order';
+import type { HeatMap } from '../geometry/heat';
 import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
+import { HeatLayer } from './heat';
 import lineFragment from './line.frag.glsl?raw';
 import { meshEdges, stillMesh, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
 import { createPictureTexture, setMagnification } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { drawWith, program } from './program';
-import { ReachLayer } from './reach';
 
 /** Colour of the mesh overlay, premultiplied: visible on light and on dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
@@ -43,7 +44,7 @@ export class Scene {
   /** The unwarped picture, for comparison. */
   #whole: LoadedMesh | undefined;
   /** Created at first use. */
-  #reach: ReachLayer | undefined;
+  #heat: HeatLayer | undefined;
   #posed = false;
   #blend: Blend = 'linear';
 
@@ -68,7 +69,7 @@ export class Scene {
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
     this.#unload(this.#surroundings);
-    this.#reach?.clear();
+    this.#heat?.clear();
     [this.#picture, this.#whole, this.#loaded, this.#surroundings] = [
       undefined,
       undefined,
@@ -85,7 +86,7 @@ export class Scene {
     const { surroundingPositions: positions, surroundingTriangles: triangles } = mesh;
     this.#surroundings =
       positions && triangles?.length ? this.#load(stillMesh(positions, triangles)) : undefined;
-    this.#reach?.clear();
+    this.#heat?.clear();
     this.#posed = false;
   }
 
@@ -123,14 +124,14 @@ export class Scene {
     this.#reorder(loaded, loaded.order.triangles(motions));
   }
 
-  /** One number per vertex of the mesh, drawn as colours over the picture; null for the picture alone. */
-  setReach(reach: Float32Array | null): void {
-    if (!reach) {
-      this.#reach?.clear();
+  /** Of the mesh, drawn as colours over the picture; null for the picture alone. */
+  setHeat(heat: HeatMap | null): void {
+    if (!heat) {
+      this.#heat?.clear();
       return;
     }
-    this.#reach ??= new ReachLayer(this.#gl);
-    this.#reach.set(reach);
+    this.#heat ??= new HeatLayer(this.#gl);
+    this.#heat.set(heat);
   }
 
   #reorder(loaded: LoadedMesh, triangles: Uint32Array): void {
@@ -170,8 +171,7 @@ export class Scene {
       const still = { ...uniforms, u_at_rest: true };
       drawWith(gl, this.#pictureProgram, behind.triangles, still, gl.TRIANGLES);
     }
-    if (this.#reach?.isSet && !view.compare)
-      this.#reach.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
+    if (this.#heat?.isSet && !view.compare) this.#heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
     else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
     if (view.overlays?.mesh && !view.compare) {
       loaded.edges ??= edgeBuffer(gl, loaded);

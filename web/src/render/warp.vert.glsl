@@ -22,9 +22,9 @@ uniform bool u_rigid;
 layout(location = 0) in vec2 a_rest;
 // First entry and number of entries.
 layout(location = 1) in uvec2 a_row;
-#ifdef REACH
-layout(location = 2) in float a_reach;
-out float v_reach;
+#ifdef HEAT
+layout(location = 2) in float a_heat;
+out float v_heat;
 #endif
 
 out vec2 v_texcoord;
@@ -84,8 +84,8 @@ vec2 blended(vec2 p) {
 
 void main() {
   v_texcoord = a_rest / u_picture_size;
-#ifdef REACH
-  v_reach = a_reach;
+#ifdef HEAT
+  v_heat = a_heat;
 #endif
   vec2 device = blended(a_rest) * u_view.x + u_view.yz;
   gl_Position = vec4((device / u_canvas_size * 2.0 - 1.0) * vec2(1.0, -1.0), 0.0, 1.0);

@@ -43,6 +43,8 @@ export interface EditorModel {
   readonly bare: BareView | null;
   readonly overlays: OverlayFlags;
   readonly sites: SiteGraph | null;
+  /** Pieces × 2 ends × 2: the borders between cells, while they are to be shown and are known. */
+  readonly borders: Float32Array | null;
   /** Triangles that have turned over, while they are to be shown. */
   readonly folded: FoldedMesh | null;
   /** The number of triangles that have turned over. */
@@ -106,7 +108,9 @@ export interface Notice {
   readonly passes?: true;
 }
 
-export type OverlayFlags = Readonly<Record<'mesh' | 'sites' | 'graph' | 'folds' | 'reach', boolean>>;
+export type OverlayFlags = Readonly<
+  Record<'mesh' | 'cells' | 'sites' | 'graph' | 'folds' | 'reach' | 'coverage', boolean>
+>;
 
 /** A corner of a bar or polygon, counted from 0. */
 export interface Corner {

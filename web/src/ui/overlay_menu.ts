@@ -6,10 +6,12 @@ import type { EditorActions, EditorModel, OverlayFlags } from './model';
 /** The name of each overlay, and what it shows. */
 const OVERLAYS = {
   mesh: ['Mesh', 'The triangles that the picture is drawn with'],
+  cells: ['Cells', 'What is nearest to each handle, virtual ones too'],
   sites: ['Virtual handles', 'What moves the picture between your handles'],
   graph: ['Cell graph', 'Which handles, virtual ones too, are neighbours'],
   folds: ['Folds', 'Where the picture has turned over'],
   reach: ['Reach', 'How much of a small move of the selected handles each place of the picture follows'],
+  coverage: ['Coverage', 'How many handles move each place, virtual ones too'],
 } as const satisfies Record<keyof OverlayFlags, readonly [label: string, tip: string]>;
 
 export function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult {

@@ -1,4 +1,4 @@
-/** Virtual sites, the cell graph and folds, drawn over the posed picture. */
+/** Cells, virtual sites, the cell graph and folds, drawn over the posed picture. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
 import { sitePlace } from '../geometry/skin';
@@ -23,6 +23,8 @@ export interface FoldedMesh {
   readonly triangles: Uint32Array;
 }
 
+type Overlay = SVGTemplateResult | typeof nothing;
+
 const place = (graph: SiteGraph, camera: Camera, site: number): Vec =>
   toStage(camera, sitePlace(graph.motions, site));
 
@@ -36,23 +38,38 @@ export function siteOverlay(graph: SiteGraph | null, camera: Camera, flags: Over
 const outlined = (name: string, path: string): SVGTemplateResult =>
   svg`<path class="${name} pale" d=${path}/><path class=${name} d=${path}/>`;
 
-export function foldOverlay(folded: FoldedMesh | null, camera: Camera): SVGTemplateResult | typeof nothing {
+/** @param borders Pieces × 2 ends × 2, image pixels. */
+export function cellOverlay(borders: Float32Array | null, camera: Camera): Overlay {
+  if (!borders) return nothing;
+  return outlined('cells', path(borders.length / 2, 2, through(borders, camera)));
+}
+
+export function foldOverlay(folded: FoldedMesh | null, camera: Camera): Overlay {
   if (!folded) return nothing;
   const { posed, triangles } = folded;
-  let path = '';
-  triangles.forEach((vertex, at) => {
-    const corner: Vec = [posed[2 * vertex] ?? 0, posed[2 * vertex + 1] ?? 0];
-    path += `${at % 3 === 0 ? 'M' : 'L'}${text(toStage(camera, corner))}${at % 3 === 2 ? 'Z' : ''}`;
-  });
-  return outlined('folds', path);
+  const vertex = through(posed, camera);
+  return outlined(
+    'folds',
+    path(triangles.length, 3, (at) => vertex(triangles[at] ?? 0)),
+  );
 }
 
 function graphPath(graph: SiteGraph, camera: Camera): string {
+  const { edges } = graph;
+  return path(edges.length, 2, (at) => place(graph, camera, edges[at] ?? 0));
+}
+
+/** The places of an array × 2, image pixels, on the stage. */
+const through =
+  (places: Float32Array, camera: Camera) =>
+  (at: number): Vec =>
+    toStage(camera, [places[2 * at] ?? 0, places[2 * at + 1] ?? 0]);
+
+/** A path through so many places, closed and begun anew after each so many of them. */
+function path(count: number, each: number, place: (at: number) => Vec): string {
   let path = '';
-  for (let edge = 0; edge + 1 < graph.edges.length; edge += 2) {
-    const from = place(graph, camera, graph.edges[edge] ?? 0);
-    const to = place(graph, camera, graph.edges[edge + 1] ?? 0);
-    path += `M${text(from)}L${text(to)}`;
+  for (let at = 0; at < count; at++) {
+    path += `${at % each === 0 ? 'M' : 'L'}${text(place(at))}${at % each === each - 1 ? 'Z' : ''}`;
   }
   return path;
 }

@@ -4,10 +4,10 @@ import { bubble } from './bubble';
 import { contextMenu } from './context_menu';
 import { draftBar } from './drawing';
 import { emptyStage } from './empty';
+import { legends } from './legends';
 import type { EditorActions, EditorModel } from './model';
 import { notice } from './notice';
 import { panel } from './panel';
-import { reachHint } from './reach';
 import { disabledStage, stage } from './stage';
 import { statusLine } from './status';
 import { LEAST_HEIGHT } from './style/sizes';
@@ -27,7 +27,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${playing ? nothing : html`${toolStrip(model, actions)} ${panel(model, actions)}`}
       ${model.progress ? html`<div class="bar" role="progressbar" aria-label=${model.progress.label}></div>` : nothing}
       ${model.hint && !model.bare ? bubble(model.hint, model.camera) : nothing}
-      ${playing ? nothing : html`${draftBar(model, actions)} ${toolHint(model)} ${reachHint(model)}`}
+      ${playing ? nothing : html`${draftBar(model, actions)} ${toolHint(model)} ${legends(model)}`}
       ${model.bare === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${contextMenu(model, actions)}

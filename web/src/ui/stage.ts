@@ -7,7 +7,7 @@ import { frame } from './frame';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
 import type { EditorActions, EditorModel } from './model';
-import { foldOverlay, siteOverlay } from './overlays';
+import { cellOverlay, foldOverlay, siteOverlay } from './overlays';
 
 /** What no control tells of. */
 const KEYS = 'Arrow keys move what is selected, comma and full stop turn it, with Alt they scale it.';
@@ -36,7 +36,8 @@ export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCa
 
 /** What is drawn on the posed picture. */
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
-  ${model.playing ? nothing : frame(model)} ${siteOverlay(model.sites, model.camera, model.overlays)}
+  ${model.playing ? nothing : frame(model)} ${cellOverlay(model.borders, model.camera)}
+  ${siteOverlay(model.sites, model.camera, model.overlays)}
   ${foldOverlay(model.folded, model.camera)} ${handled ? handleMarks(model) : nothing} ${selectionBox(model)}`;
 
 /** The picture for screen readers while all that belongs to it is inert. */

@@ -67,12 +67,19 @@ async function handle(session: Session, request: Request): Promise<void> {
       const pixels: Pixels = { width, height, rgba };
       return done(pixels, [rgba.buffer]);
     }
+    case 'cells': {
+      const borders = session.cell_borders(request.body.project);
+      const { corners, shares } = borders;
+      borders.free();
+      return done({ corners, shares }, [corners.buffer, shares.buffer]);
+    }
   }
 }
 
 /** Runs the stages; false where a newer request has made the remaining ones pointless. */
 async function advanced(session: Session, project: string, id: number): Promise<boolean> {
-  const overtaken = () => queue.waits((waiting) => 'name' in waiting && waiting.name !== 'warp');
+  const overtaken = () =>
+    queue.waits((waiting) => 'name' in waiting && (waiting.name === 'solve' || waiting.name === 'picture'));
   if (overtaken()) return false;
   session.begin(project);
   for (let stage = session.advance(); stage !== undefined; stage = session.advance()) {

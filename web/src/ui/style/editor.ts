@@ -15,6 +15,7 @@ import { forcedStyle } from './forced';
 import { handleListStyle } from './handle_list';
 import { handlesStyle } from './handles';
 import { hintsStyle } from './hints';
+import { legendsStyle } from './legends';
 import { marksStyle } from './marks';
 import { menuStyle } from './menu';
 import { noticeStyle } from './notice';
@@ -22,7 +23,6 @@ import { overlaysStyle } from './overlays';
 import { panelStyle } from './panel';
 import { playStyle } from './play';
 import { progressStyle } from './progress';
-import { reachStyle } from './reach';
 import { segmentsStyle } from './segments';
 import { shellStyle } from './shell';
 import { stageStyle } from './stage';
@@ -57,7 +57,7 @@ export const editorStyle = [
   emptyStyle,
   floatingStyle,
   hintsStyle,
-  reachStyle,
+  legendsStyle,
   drawingStyle,
   noticeStyle,
   progressStyle,

@@ -1,4 +1,4 @@
-/** Folds, the cell graph and virtual sites. */
+/** Folds, cells, the cell graph and virtual sites. */
 import { css } from 'lit';
 
 export const overlaysStyle = css`
@@ -13,6 +13,16 @@ export const overlaysStyle = css`
     fill: none;
     stroke: #fffc;
     stroke-width: 6;
+  }
+  .cells {
+    fill: none;
+    stroke: #b3226b;
+    stroke-width: 1.5;
+    stroke-linecap: round;
+  }
+  .cells.pale {
+    stroke: #fffa;
+    stroke-width: 4;
   }
   .graph {
     stroke: #1263ad;

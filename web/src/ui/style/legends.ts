@@ -1,7 +1,7 @@
-/** The legend of the reach's heat map. */
+/** The legends of heat maps. */
 import { css } from 'lit';
 
-export const reachStyle = css`
+export const legendsStyle = css`
   .legend {
     display: flex;
     align-items: center;
@@ -18,7 +18,7 @@ export const reachStyle = css`
     background-color: #b9b5b0;
   }
   /* The half, as its isoline. */
-  .ramp::before {
+  .ramp.lined::before {
     content: '';
     display: block;
     width: 2px;

@@ -1,36 +1,38 @@
 /**
- * The picture under a heat map with isolines, of one number per vertex. Both are drawn in one pass, so that parts that
+ * The picture under a heat map, perhaps with isolines, of one number per vertex. Both are drawn in one pass, so that parts that
  * the picture covers show in neither.
  */
 import * as twgl from 'twgl.js';
-import { REACH_RAMP } from '../geometry/reach';
+import { HEAT_RAMP, type HeatMap } from '../geometry/heat';
+import heatFragment from './heat.frag.glsl?raw';
 import { drawWith, program } from './program';
-import reachFragment from './reach.frag.glsl?raw';
 
 /** Width of an isoline, CSS pixels. */
 const LINE_CSS_PX = 1.2;
 
-const RAMP = REACH_RAMP.flatMap(([red, green, blue, alpha]) => [red / 255, green / 255, blue / 255, alpha]);
+const RAMP = HEAT_RAMP.flatMap(([red, green, blue, alpha]) => [red / 255, green / 255, blue / 255, alpha]);
 
-export class ReachLayer {
+export class HeatLayer {
   readonly #gl: WebGL2RenderingContext;
   readonly #program: twgl.ProgramInfo;
   #buffer: WebGLBuffer | undefined;
+  #lines = true;
 
   /** @throws Error where the shader does not compile. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
-    this.#program = program(gl, reachFragment, 'REACH');
+    this.#program = program(gl, heatFragment, 'HEAT');
   }
 
   get isSet(): boolean {
     return this.#buffer !== undefined;
   }
 
-  /** One number per vertex of the mesh that is drawn next. */
-  set(reach: Float32Array): void {
+  /** Of the mesh that is drawn next. */
+  set({ values, lines }: HeatMap): void {
     this.clear();
-    this.#buffer = twgl.createBufferFromTypedArray(this.#gl, reach);
+    this.#buffer = twgl.createBufferFromTypedArray(this.#gl, values);
+    this.#lines = lines;
   }
 
   clear(): void {
@@ -42,16 +44,16 @@ export class ReachLayer {
   draw(mesh: twgl.BufferInfo, uniforms: Record<string, unknown>, pixelRatio: number): void {
     if (!this.#buffer) return;
     const gl = this.#gl;
-    const a_reach = { buffer: this.#buffer, numComponents: 1, type: gl.FLOAT };
-    const own = { u_ramp: RAMP, u_line: LINE_CSS_PX * pixelRatio };
+    const a_heat = { buffer: this.#buffer, numComponents: 1, type: gl.FLOAT };
+    const own = { u_ramp: RAMP, u_line: this.#lines ? LINE_CSS_PX * pixelRatio : 0 };
     drawWith(
       gl,
       this.#program,
-      { ...mesh, attribs: { ...mesh.attribs, a_reach } },
+      { ...mesh, attribs: { ...mesh.attribs, a_heat } },
       { ...uniforms, ...own },
       gl.TRIANGLES,
     );
     // An enabled attribute without its buffer makes draws of other programs fail.
-    gl.disableVertexAttribArray(gl.getAttribLocation(this.#program.program, 'a_reach'));
+    gl.disableVertexAttribArray(gl.getAttribLocation(this.#program.program, 'a_heat'));
   }
 }

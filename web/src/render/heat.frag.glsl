@@ -1,21 +1,21 @@
 #version 300 es
-// The picture, premultiplied, under the colours of a reach from 0 to 1, with a line at every tenth, bold at 0.5.
+// The picture, premultiplied, under the colours of a number from 0 to 1, and perhaps with a line at every tenth, bold at 0.5.
 precision highp float;
 
 uniform sampler2D u_picture;
 // Colours at 0, 0.2, … 1, straight alpha.
 uniform vec4 u_ramp[6];
-// Width of a line, device pixels.
+// Width of a line, device pixels; 0 for none.
 uniform float u_line;
 
 in vec2 v_texcoord;
-in float v_reach;
+in float v_heat;
 out vec4 colour;
 
 const float LINES = 10.0;
 
-vec4 ramp(float reach) {
-  float at = clamp(reach, 0.0, 1.0) * 5.0;
+vec4 ramp(float heat) {
+  float at = clamp(heat, 0.0, 1.0) * 5.0;
   int below = min(int(at), 4);
   return mix(u_ramp[below], u_ramp[below + 1], at - float(below));
 }
@@ -27,16 +27,16 @@ float covered(float away, float width) {
 
 void main() {
   vec4 picture = texture(u_picture, v_texcoord);
-  vec4 shade = ramp(v_reach);
+  vec4 shade = ramp(v_heat);
   vec3 mixed = mix(picture.rgb, shade.rgb * picture.a, shade.a);
 
-  float tenths = v_reach * LINES;
+  float tenths = v_heat * LINES;
   float slope = length(vec2(dFdx(tenths), dFdy(tenths)));
   float line = clamp(round(tenths), 1.0, LINES - 1.0);
   float away = abs(tenths - line) / max(slope, 1e-6);
   float bold = line == 5.0 ? 2.0 : 1.0;
   // Lines closer together than their width would merge into a dark spot.
-  float apart = 1.0 - smoothstep(0.15, 0.4, slope * u_line);
+  float apart = u_line == 0.0 ? 0.0 : 1.0 - smoothstep(0.15, 0.4, slope * u_line);
   float pale = 0.35 * apart * covered(away, (bold + 2.0) * u_line);
   float dark = (bold > 1.0 ? 0.85 : 0.65) * apart * covered(away, bold * u_line);
   mixed = mix(mixed, vec3(picture.a), pale);

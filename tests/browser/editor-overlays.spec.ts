@@ -1,0 +1,80 @@
+/** The overlays of cells and of coverage: what they show, and that they go along with the picture and the handles. */
+import type { Locator } from '@playwright/test';
+import { Editor } from './editor';
+import { expect, test } from './fixtures';
+
+const box = (editor: Editor, name: string): Locator => editor.page.getByRole('checkbox', { name });
+
+async function overlay(editor: Editor, name: string): Promise<void> {
+  await editor.button(/^Overlays/).click();
+  await box(editor, name).click();
+  await editor.page.keyboard.press('Escape');
+}
+
+/** The line of the borders, which lies over its pale casing. */
+const borders = (editor: Editor): Locator => editor.page.locator('.marks path.cells').last();
+
+const line = async (editor: Editor): Promise<string> => (await borders(editor).getAttribute('d')) ?? '';
+
+const pieces = async (editor: Editor): Promise<number> => (await line(editor)).split('M').length - 1;
+
+test('cells are divided by lines that go along with a drag, and by others once there is another handle', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await overlay(editor, 'Cells');
+  await expect(borders(editor)).toBeAttached();
+  const before = await line(editor);
+  const count = await pieces(editor);
+  // Of a hundred cells each has some twenty pieces at the least.
+  expect(count).toBeGreaterThan(1000);
+
+  const hand = await editor.place('left hand');
+  await page.mouse.move(hand.x, hand.y);
+  await page.mouse.down();
+  await page.mouse.move(hand.x + 20, hand.y - 60, { steps: 4 });
+  await editor.drawn();
+  const dragged = await line(editor);
+  expect(dragged).not.toBe(before);
+  expect(await pieces(editor)).toBe(count);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await editor.drawn();
+  expect(await line(editor)).toBe(before);
+
+  await editor.solves(async () => {
+    await page.keyboard.press('p');
+    const at = await editor.fromImage('head', [512, 260]);
+    const { x, y } = at(512, 640);
+    await page.mouse.click(x, y);
+  });
+  await expect.poll(() => pieces(editor)).toBeGreaterThan(1000);
+  expect(await line(editor)).not.toBe(before);
+
+  // Those of the solution before are asked for again.
+  await editor.solves(() => editor.button('Undo').click());
+  await expect.poll(() => line(editor)).toBe(before);
+  await overlay(editor, 'Cells');
+  await expect(borders(editor)).toHaveCount(0);
+});
+
+test('coverage has a legend, and one heat map takes the place of the other', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const plain = await editor.look(await editor.place('head'), 30);
+  const legend = page.getByRole('img', { name: /moved by few handles/ });
+  await overlay(editor, 'Coverage');
+  await expect(legend).toBeVisible();
+  await editor.drawn();
+  expect(Buffer.compare(await editor.look(await editor.place('head'), 30), plain)).not.toBe(0);
+
+  await editor.handle('head').click();
+  await overlay(editor, 'Reach');
+  await expect(legend).toBeHidden();
+  await editor.button(/^Overlays/).click();
+  await expect(box(editor, 'Coverage')).not.toBeChecked();
+  await expect(box(editor, 'Reach')).toBeChecked();
+  await box(editor, 'Coverage').click();
+  await expect(box(editor, 'Reach')).not.toBeChecked();
+  await page.keyboard.press('Escape');
+  await expect(legend).toBeVisible();
+});

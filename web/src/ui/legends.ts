@@ -1,0 +1,33 @@
+/** The legend of a heat map, or a hint on how to see it. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { MOST_COVERAGE } from '../geometry/coverage';
+import { HEAT_RAMP } from '../geometry/heat';
+import { draws } from '../tools/machine';
+import type { EditorModel } from './model';
+
+const COLOURS = HEAT_RAMP.map(([red, green, blue, alpha]) => `rgb(${red} ${green} ${blue} / ${alpha})`);
+const GRADIENT = `background-image: linear-gradient(to right, ${COLOURS.join(', ')})`;
+
+export function legends(model: EditorModel): TemplateResult | typeof nothing {
+  const { overlays, picture, draft, bare, document, tool } = model;
+  if (!picture || draft || bare || document.project.handles.length === 0) return nothing;
+  if (overlays.coverage) return coverageLegend;
+  if (!overlays.reach) return nothing;
+  if (document.selection.length > 0) return reachLegend;
+  // Such tools have their own hint there, and draw something before anything is selected.
+  if (draws(tool)) return nothing;
+  return html`<p class="hint" part="hint">Select a handle to see its reach</p>`;
+}
+
+const legend = (label: string, least: string, most: string, lines: boolean): TemplateResult =>
+  html`<div class="hint legend" part="hint" role="img" aria-label=${label}>
+  ${least}<span class="ramp ${lines ? 'lined' : ''}" .style=${GRADIENT}></span>${most}
+</div>`;
+
+const reachLegend = legend('Blue follows a little, yellow goes along whole', 'stays', 'goes along', true);
+const coverageLegend = legend(
+  'Blue is moved by few handles, yellow by many',
+  '1 handle',
+  `${MOST_COVERAGE} handles`,
+  false,
+);
