@@ -179,6 +179,52 @@ test('comma and full stop turn all about their centre, and scale them with Alt',
   expect(await handles(editor)).toEqual(before);
 });
 
+test('past half a turn the picture goes on turning as one, where it bends smoothly too', async ({ page }) => {
+  const editor = await opened(page, []);
+  await editor.solves(() => editor.button('Smooth').click());
+  const places = [
+    [512, 640],
+    [250, 560],
+    [512, 200],
+  ] as const;
+  const mapped = () =>
+    Promise.all(
+      places.map(async ([x, y]) => (await editor.mapped(x, y)) ?? ([Number.NaN, Number.NaN] as const)),
+    );
+  const before = await mapped();
+  await page.locator('c2-warp .stage').focus();
+  await page.keyboard.press('Control+a');
+  for (let step = 0; step < 13; step++) await page.keyboard.press('Shift+.');
+  const after = await mapped();
+  const all = await handles(editor);
+  expect(field(all, 'left-cheek')?.rotation).toBe(10 + 195);
+  expect(field(all, 'mouth')?.rotation).toBeCloseTo(195, 1);
+  /** From one place to another, as it is after a turn. */
+  const way = ([from, to]: readonly (readonly [number, number])[], degrees: number) =>
+    around(
+      { x: 0, y: 0 },
+      { x: (to?.[0] ?? 0) - (from?.[0] ?? 0), y: (to?.[1] ?? 0) - (from?.[1] ?? 0) },
+      degrees,
+    );
+  for (const pair of [
+    [0, 1],
+    [0, 2],
+  ]) {
+    const [goal, found] = [
+      way(
+        pair.map((at) => before[at] ?? [0, 0]),
+        195,
+      ),
+      way(
+        pair.map((at) => after[at] ?? [0, 0]),
+        0,
+      ),
+    ];
+    // Each handle is rounded to hundredths at each of 13 steps.
+    expect(Math.hypot(found.x - goal.x, found.y - goal.y)).toBeLessThan(0.5);
+  }
+});
+
 test('where the guard stops a turn, what is selected stays one', async ({ page }) => {
   const editor = await opened(page, []);
   await editor.switch('Stop at folds').click();

@@ -195,6 +195,47 @@ test('with Shift the browser’s own menu is left; a drag and a drawing go on', 
   expect(await prevented()).toEqual([false, true, true]);
 });
 
+test('on a corner of one of several it is about all of them', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await leg(editor);
+  await page.keyboard.press('Control+a');
+  await rightClick(page, await editor.middle(editor.corner(1, 'leg')));
+  await expect(menu(page)).toHaveAccessibleName('6 handles');
+  await page.keyboard.press('Escape');
+  const before = await posed(editor, 'head');
+  await page.keyboard.press('ArrowRight');
+  expect(await posed(editor, 'head')).toEqual([(before?.[0] as number) + 1, before?.[1]]);
+});
+
+test('there is none in the midst of a drag, nor where the picture is shown at rest to be drawn around', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const head = await editor.place('head');
+  await page.mouse.move(head.x, head.y);
+  await page.mouse.down();
+  await page.mouse.move(head.x + 20, head.y, { steps: 3 });
+  await page.keyboard.press('Shift+F10');
+  await page.mouse.move(head.x + 30, head.y, { steps: 3 });
+  await page.mouse.up();
+  await expect(menu(page)).toHaveCount(0);
+
+  await page.keyboard.press('l');
+  await rightClick(page, beside(head, 0, 60));
+  await expect(menu(page)).toHaveCount(0);
+  await page.keyboard.press('v');
+  await rightClick(page, beside(head, 0, 60));
+  await expect(menu(page)).toBeVisible();
+});
+
+test('it closes when the page takes away what it is about', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await rightClick(page, await editor.place('head'));
+  await expect(menu(page)).toHaveAccessibleName('head');
+  await page.locator('c2-warp').evaluate((element) => (element as C2Warp).removeHandle('head'));
+  await expect(menu(page)).toHaveCount(0);
+});
+
 test('a click with Ctrl is a right click on a Mac, and begins no drag', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Add a point handle').click();

@@ -39,7 +39,7 @@ describe('edits', () => {
     expect(moved.project.handles[1]?.posed).toEqual([6, 2]);
     expect(moved.project.handles[0]).toBe(two.project.handles[0]);
     const turned = turnHandles(moved, ['b'], () => 200);
-    expect(turned.project.handles.map((h) => rotationOf(h))).toEqual([0, -160]);
+    expect(turned.project.handles.map((h) => rotationOf(h))).toEqual([0, 200]);
     expect(resetHandles(turned, ['b']).project.handles.every(isAtRest)).toBe(true);
   });
 

@@ -4,7 +4,7 @@ import { newProject, openDocument, selectedHandles } from './document';
 import { addHandle, changeHandles, selectHandles } from './edits';
 import { straightBar } from './fixtures';
 import { groupCentre, groupSpan, groupTurn, poseAsOne } from './group';
-import { anchor, freed, scaleOf, turnedTo } from './handle';
+import { anchor, freed, scaleOf, turnedAbout, turnedTo } from './handle';
 import type { Handle, Rotation } from './project';
 
 const point = (id: string, at: Vec, rotation: Rotation = 0): Handle => ({
@@ -45,11 +45,11 @@ describe('several handles as one', () => {
     expect(groupSpan(after)).toBeCloseTo(groupSpan(handles));
   });
 
-  it('add the turn to rotations that are set, by whole turns of bars and polygons, and leave those that are not', () => {
+  it('add the turn to rotations that are set, whole turns too, and leave those that are not', () => {
     const after = selectedHandles(poseAsOne(poseAsOne(before, 200), 200));
     // Rounded corners tell the angle, to some hundredths of a degree.
     const turned = expect.closeTo(400, 1);
-    expect(after.map(({ rotation }) => rotation)).toEqual([-150, 'auto', turned, turned]);
+    expect(after.map(({ rotation }) => rotation)).toEqual([570, 'auto', turned, turned]);
     expect(after.map(scaleOf)).toEqual([1, 1, 1, 1]);
   });
 
@@ -89,5 +89,13 @@ describe('several handles as one', () => {
     expect(groupTurn(selectedHandles(own))).toBeCloseTo(0);
     const apart = changeHandles(poseAsOne(own, 40), ['free'], freed);
     expect(groupTurn(selectedHandles(apart))).toBeCloseTo(40, 1);
+  });
+
+  it('are turned as their corners are where their places are one, or as the first of them', () => {
+    const [middle, other] = [point('middle', [40, 20]), point('other', [40, 20], 25)];
+    const turned = (...handles: readonly Handle[]) =>
+      groupTurn(handles.map((handle) => turnedAbout(handle, [40, 20], 45, 1)));
+    expect(turned(polygon, middle)).toBeCloseTo(45, 1);
+    expect(turned(middle, other)).toBe(45);
   });
 });

@@ -6,17 +6,39 @@ import { bestTurn, centre } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import { type Document, selectedHandles } from './document';
 import { changeHandles } from './edits';
-import { anchor, corners, SCALES, scaleOf, turnedAbout } from './handle';
-import type { Handle } from './project';
+import { anchor, corners, rotationOf, SCALES, scaleOf, turnedAbout } from './handle';
+import type { Handle, Project } from './project';
 
-const anchors = (handles: readonly Handle[], of: 'rest' | 'posed'): readonly Vec[] =>
-  handles.map((handle) => anchor(handle, of));
+/** How far what is selected in a document is turned as one, in degrees, and scaled. */
+export interface AsOne {
+  readonly origin: Document;
+  readonly turn: number;
+  readonly growth: number;
+}
 
-export const groupCentre = (handles: readonly Handle[]): Vec => centre(anchors(handles, 'posed'));
+/** A document, and how what is selected in it is turned and scaled as one, if it is. */
+export interface Posed {
+  readonly document: Document;
+  readonly asOne?: AsOne;
+}
 
-/** How far their places are turned from rest as a whole, in degrees: like the corners of a polygon. */
-export const groupTurn = (handles: readonly Handle[]): number =>
-  bestTurn(anchors(handles, 'rest'), anchors(handles, 'posed')) ?? 0;
+export const groupCentre = (handles: readonly Handle[]): Vec =>
+  centre(handles.map((handle) => anchor(handle)));
+
+/**
+ * How far their places are turned from rest as a whole, in degrees: like the corners of a polygon. Where all are in one
+ * place their corners tell it, or the first of them.
+ */
+export function groupTurn(handles: readonly Handle[]): number {
+  const [first] = handles;
+  const turn = (places: (handle: Handle, of: 'rest' | 'posed') => readonly Vec[]) =>
+    bestTurn(
+      handles.flatMap((handle) => places(handle, 'rest')),
+      handles.flatMap((handle) => places(handle, 'posed')),
+    );
+  const found = turn((handle, of) => [anchor(handle, of)]) ?? turn(corners);
+  return found ?? (first ? rotationOf(first) : 0);
+}
 
 /** The distance from the centre to the farthest posed corner. */
 export function groupSpan(handles: readonly Handle[]): number {
@@ -35,4 +57,25 @@ export function poseAsOne(document: Document, turn: number, growth = 1): Documen
   const most = Math.max(1, SCALES.most / Math.max(...scales));
   const allowed = Math.min(most, Math.max(least, growth));
   return changeHandles(document, document.selection, (handle) => turnedAbout(handle, pivot, turn, allowed));
+}
+
+/** {@link poseAsOne}, with how: for a guard, which lets it go a part of the way. */
+export const asOne = (origin: Document, turn: number, growth: number): Posed => ({
+  document: poseAsOne(origin, turn, growth),
+  asOne: { origin, turn, growth },
+});
+
+/** A project with what is selected posed as one a part of the way from one pose to another, of the same origin. */
+export function betweenAsOne(project: Project, from: AsOne, to: AsOne, share: number): Project {
+  const way = (a: number, b: number) => a + share * (b - a);
+  const { selection, project: posed } = poseAsOne(
+    to.origin,
+    way(from.turn, to.turn),
+    way(from.growth, to.growth),
+  );
+  const there = new Map(posed.handles.map((handle) => [handle.id, handle]));
+  const handles = project.handles.map((handle) =>
+    selection.includes(handle.id) ? (there.get(handle.id) ?? handle) : handle,
+  );
+  return { ...project, handles };
 }

@@ -8,7 +8,7 @@ import {
   nearestPlace,
   nearestTurn,
 } from '../geometry/polyline';
-import { add, between, rotated, scaled, subtract, type Vec, wrapDegrees } from '../geometry/vec';
+import { add, between, rotated, scaled, subtract, type Vec } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** The current turn of each automatic handle: degrees by id. */
@@ -80,20 +80,21 @@ const around =
   (corner: Vec): Vec =>
     roundedVec(add(pivot, rotated(scaled(subtract(corner, pivot), growth), turn)));
 
-/** The handle turned about its anchor to a rotation in degrees; that of a point is wrapped to (−180, 180]. */
+/**
+ * The handle turned about its anchor to a rotation in degrees. Whole turns are kept: half a turn more and half a turn less
+ * look alike at the handle itself, but not between it and what is turned otherwise.
+ */
 export function turnedTo(handle: Handle, degrees: number): Handle {
-  if (!isLine(handle)) return { ...handle, rotation: rounded(wrapDegrees(degrees)) };
+  if (!isLine(handle)) return { ...handle, rotation: rounded(degrees) };
   const turn = degrees - rotationOf(handle);
   return { ...replaced(handle, around(anchor(handle), turn, 1)), rotation: rounded(degrees) };
 }
 
 /** The handle turned by degrees and scaled about a pivot, as part of what is there: an automatic rotation stays so. */
 export function turnedAbout(handle: Handle, pivot: Vec, turn: number, growth: number): Handle {
-  const rotation = rotationOf(handle) + turn;
-  const turned = { rotation: rounded(isLine(handle) ? rotation : wrapDegrees(rotation)) };
   return {
     ...replaced(handle, around(pivot, turn, growth)),
-    ...(turn === 0 || isAutomatic(handle) ? {} : turned),
+    ...(turn === 0 || isAutomatic(handle) ? {} : { rotation: rounded(rotationOf(handle) + turn) }),
     // Finer than hundredths, which small steps of a small scale would be lost in.
     ...(growth === 1 ? {} : { scale: Math.round(scaleOf(handle) * growth * 1e4) / 1e4 }),
   };

@@ -22,6 +22,10 @@ export interface ClipboardHost {
 /** The pose that was copied last on this page, by any element, and whether nothing else can have been copied since. */
 const last: { text: string | null; newest: boolean } = { text: null, newest: false };
 
+/** Menus tell no keys either where nothing hovers. */
+const keysOf = (command: 'copy' | 'paste'): string | null =>
+  matchMedia('(hover: none)').matches ? null : keyHint(command, navigator.platform);
+
 export class Clipboard {
   readonly #element: HTMLElement;
   readonly #host: ClipboardHost;
@@ -53,14 +57,14 @@ export class Clipboard {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      this.#host.tell(notCopiedText(keyHint('copy', navigator.platform)));
+      this.#host.tell(notCopiedText(keysOf('copy')));
     }
   }
 
   /** Pastes a pose by a command. */
   async paste(): Promise<void> {
     const text = last.newest ? last.text : await this.#read();
-    if (text === null) this.#host.tell(notReadText(keyHint('paste', navigator.platform)));
+    if (text === null) this.#host.tell(notReadText(keysOf('paste')));
     else if (!this.#host.pasted(text)) this.#host.tell(NO_POSE);
   }
 

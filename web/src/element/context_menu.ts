@@ -36,6 +36,8 @@ const GAP = { mouse: 2, other: 16 } as const;
 export class ContextMenu {
   readonly #host: ContextMenuHost;
   #shown: Menu | null = null;
+  /** What was selected when it opened. */
+  #about: readonly string[] = [];
   /** What had the focus before. */
   #before: Element | null = null;
   #listening = new AbortController();
@@ -53,8 +55,10 @@ export class ContextMenu {
     const { workbench, areas, focus, changed } = this.#host;
     const { editing } = workbench;
     this.close();
-    const corner = under?.part === 'corner' ? { id: under.id, index: under.index } : null;
     if (under && !editing.document.selection.includes(under.id)) editing.select([under.id]);
+    // Of several the menu is about all: a corner then stands for its handle.
+    const alone = editing.document.selection.length === 1;
+    const corner = alone && under?.part === 'corner' ? { id: under.id, index: under.index } : null;
     if (under) focus.hold(under.id, corner?.index);
     else if (!focus.isOnStage) focus.hold(undefined);
     const name = under ? selectionName(editing.document) : 'Picture';
@@ -65,8 +69,15 @@ export class ContextMenu {
       at,
       bends: areas.scene.place(at) !== null,
     };
+    this.#about = editing.document.selection;
     changed();
     queueMicrotask(() => this.#show(at));
+  }
+
+  /** The document has changed: closes it where what it is about is no more what is selected. */
+  follow(): void {
+    const { selection } = this.#host.workbench.editing.document;
+    if (selection.join('\n') !== this.#about.join('\n')) this.close();
   }
 
   /** Closes it. The focus goes back to where it was. */
@@ -87,12 +98,12 @@ export class ContextMenu {
     if (command) this.#host.commands.run(command, at);
   }
 
-  /** Whether there is one now: not while something is being drawn, or nothing can be changed. */
+  /** Whether there is one now: not while something is being drawn, the picture is shown otherwise, or nothing can be changed. */
   get opens(): boolean {
     const { workbench, permissions, display } = this.#host;
     const { machine } = workbench.editing;
     const drawing = machine.drawings.some(({ kind }) => kind === machine.tool);
-    return permissions.editable && display.bare === null && !drawing;
+    return permissions.editable && display.bare === null && !display.lassoing && !drawing;
   }
 
   #show(at: Vec): void {

@@ -176,6 +176,7 @@ export class Desk {
     const { display, checks, hint } = this.#parts;
     const { editing } = this.workbench;
     const { selection } = editing.document;
+    this.#parts.menu.follow();
     if (selection !== this.#listed) requestAnimationFrame(() => showSelected(this.#host.root));
     this.#listed = selection;
     if (kind === 'selection') {

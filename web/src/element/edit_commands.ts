@@ -16,7 +16,7 @@ import {
   selectHandles,
   turnHandles,
 } from '../document/edits';
-import { groupCentre, poseAsOne } from '../document/group';
+import { asOne, type Posed } from '../document/group';
 import {
   anchor,
   atDepth,
@@ -102,7 +102,8 @@ export class EditCommands {
   nudge(by: Vec): void {
     const { selection } = this.#document;
     const label = `Move ${selectionName(this.#document)}`;
-    this.#guarded(label, moveHandles(this.#document, selection, by), `nudge ${selection.join(' ')}`);
+    const document = moveHandles(this.#document, selection, by);
+    this.#guarded(label, { document }, `nudge ${selection.join(' ')}`);
   }
 
   nudgeCorner(corner: Corner, by: Vec): void {
@@ -121,8 +122,8 @@ export class EditCommands {
     const handle = handleById(this.#document, id);
     const at = handle && isLine(handle) ? handle.posed[index] : undefined;
     if (!handle || !at) return;
-    const next = putCorner(this.#document, id, index, to(at));
-    this.#guarded(`Move a corner of ${nameOf(handle)}`, next, `${way} ${id} ${index}`, () => {
+    const document = putCorner(this.#document, id, index, to(at));
+    this.#guarded(`Move a corner of ${nameOf(handle)}`, { document }, `${way} ${id} ${index}`, () => {
       const moved = handleById(this.#document, id);
       return moved && isLine(moved) ? cornerWords(moved, index) : '';
     });
@@ -194,12 +195,11 @@ export class EditCommands {
     const ids = this.#document.selection;
     const turns = this.#posing.turns();
     const alone = selected.length === 1 && growth === 1;
-    const wanted = alone
-      ? turnHandles(this.#document, ids, (handle) => rotationOf(handle, turns) + by)
-      : poseAsOne(this.#document, by, growth);
+    const wanted: Posed = alone
+      ? { document: turnHandles(this.#document, ids, (handle) => rotationOf(handle, turns) + by) }
+      : asOne(this.#document, by, growth);
     const verb = growth === 1 ? 'Turn' : 'Scale';
-    const about = alone ? undefined : groupCentre(selected);
-    this.#guarded(`${verb} ${handleWords(selected)}`, wanted, `${verb} ${ids.join(' ')}`, undefined, about);
+    this.#guarded(`${verb} ${handleWords(selected)}`, wanted, `${verb} ${ids.join(' ')}`);
   }
 
   /** Makes the rotation of the selected points automatic, or pins it as it is now. */
@@ -242,17 +242,16 @@ export class EditCommands {
     const { selection } = this.#document;
     const document = changeHandles(this.#document, selection, set[field]);
     const label = `Set ${field} of ${selectionName(this.#document)}`;
-    this.#guarded(label, document, `${field} ${selection.join(' ')}`);
+    this.#guarded(label, { document }, `${field} ${selection.join(' ')}`);
     if (field === 'depth') this.#sayDepth();
   }
 
   /**
    * Commits a change as far as the guard against folds allows, and announces the result.
    * @param words the result: by default the pose of what is selected.
-   * @param about where handles go around as one.
    */
-  #guarded(label: string, wanted: Document, key: string, words = () => this.#placeWords, about?: Vec): void {
-    const document = this.#guarding.limited(this.#document, wanted, about);
+  #guarded(label: string, wanted: Posed, key: string, words = () => this.#placeWords): void {
+    const document = this.#guarding.limited(this.#document, wanted);
     if (document === this.#document && this.#guarding.holding) {
       this.#say('Stopped: more would fold the picture');
       return;

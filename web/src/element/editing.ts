@@ -5,11 +5,11 @@
  */
 import { type Document, handleById } from '../document/document';
 import { putHandles, selectHandles } from '../document/edits';
+import type { Posed } from '../document/group';
 import type { History, HistoryRecord } from '../document/history';
 import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, Project } from '../document/project';
 import { solveKey, solvesWith } from '../document/solved';
-import type { Vec } from '../geometry/vec';
 import { type Drawings, ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
 import type { Guarding } from './guarding';
@@ -85,7 +85,7 @@ export class Editing {
   apply(effects: readonly Effect[]): void {
     for (const effect of effects) {
       if (effect.type === 'begin') this.#begin(effect.label);
-      else if (effect.type === 'edit') this.#input(effect.document, effect.about);
+      else if (effect.type === 'edit') this.#input(effect);
       else if (effect.type === 'commit') this.#end();
       else if (effect.type === 'bail') this.#bail();
       else if (effect.type === 'select') this.select(effect.ids);
@@ -218,15 +218,15 @@ export class Editing {
     this.#guarding.begin(this.document);
   }
 
-  #input(document: Document, about?: Vec): void {
+  #input(edit: Posed): void {
     // A drag computes every move from the document at its start, which still has the refused handles, and the poses of
     // that moment.
     const led = [...this.#led].flatMap((id) => handleById(this.document, id) ?? []);
     const wanted = this.#refused.reduce(
       (mended, handle) => handleBack(mended, handle, this.document),
-      putHandles(document, led),
+      putHandles(edit.document, led),
     );
-    this.#history.update(this.#guarding.limited(this.document, wanted, about));
+    this.#history.update(this.#guarding.limited(this.document, { ...edit, document: wanted }));
     this.#host.edited('input');
   }
 

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type Document, newProject, openDocument, selectedHandles } from '../document/document';
 import { addHandle, moveHandles, selectHandles, turnHandles } from '../document/edits';
-import { groupSpan, groupTurn, poseAsOne } from '../document/group';
+import { asOne, groupSpan, groupTurn } from '../document/group';
 import { rotationOf } from '../document/handle';
 import { Guarding } from './guarding';
 
@@ -33,19 +33,19 @@ describe('the guard against folds', () => {
 
   it('is off at first', () => {
     guarding.on = false;
-    expect(place(guarding.limited(at(0), at(30)))).toBe(30);
+    expect(place(guarding.limited(at(0), { document: at(30) }))).toBe(30);
   });
 
   it('lets a handle go up to the fold, creep along it, and come free', () => {
     const start = at(0);
     guarding.begin(start);
-    const held = guarding.limited(start, moveHandles(start, ['a'], [16, 0]));
+    const held = guarding.limited(start, { document: moveHandles(start, ['a'], [16, 0]) });
     expect(place(held)).toBeGreaterThan(9.9);
     expect(place(held)).toBeLessThanOrEqual(10);
     expect(guarding.holding).toBe(true);
-    const still = guarding.limited(held, moveHandles(start, ['a'], [40, 0]));
+    const still = guarding.limited(held, { document: moveHandles(start, ['a'], [40, 0]) });
     expect(place(still)).toBeLessThanOrEqual(10);
-    const back = guarding.limited(still, moveHandles(start, ['a'], [6, 0]));
+    const back = guarding.limited(still, { document: moveHandles(start, ['a'], [6, 0]) });
     expect(place(back)).toBe(6);
     expect(guarding.holding).toBe(false);
   });
@@ -53,8 +53,8 @@ describe('the guard against folds', () => {
   it('keeps the folds that there were, and stops at more', () => {
     const start = at(12);
     guarding.begin(start);
-    expect(place(guarding.limited(start, at(18)))).toBe(18);
-    const held = place(guarding.limited(at(18), at(30)));
+    expect(place(guarding.limited(start, { document: at(18) }))).toBe(18);
+    const held = place(guarding.limited(at(18), { document: at(30) }));
     expect(held).toBeGreaterThan(19.9);
     expect(held).toBeLessThanOrEqual(20);
   });
@@ -73,8 +73,8 @@ describe('the guard against folds', () => {
     });
     guarding.on = true;
     guarding.begin(start);
-    const held = guarding.limited(start, poseAsOne(start, 85), [0, 0]);
-    const still = guarding.limited(held, poseAsOne(start, 80), [0, 0]);
+    const held = guarding.limited(start, asOne(start, 85, 1));
+    const still = guarding.limited(held, asOne(start, 80, 1));
     expect(groupTurn(selectedHandles(held))).toBeCloseTo(60, 0);
     expect(groupTurn(selectedHandles(still))).toBeCloseTo(60, 0);
     expect(groupSpan(selectedHandles(still))).toBeCloseTo(8, 1);
@@ -84,18 +84,50 @@ describe('the guard against folds', () => {
     ]);
   });
 
+  it('stops several that turn as one until all of the turn is allowed, and not where it would be by the way around', () => {
+    const bar = {
+      id: 'bar',
+      kind: 'bar',
+      rest: [
+        [-8, 0],
+        [8, 0],
+      ],
+      posed: [
+        [-8, 0],
+        [8, 0],
+      ],
+    } as const;
+    const point = { id: 'point', kind: 'point', rest: [0, 9], posed: [0, 9], rotation: 'auto' } as const;
+    const start = selectHandles(
+      [bar, point].reduce(addHandle, openDocument(newProject({ src: '', width: 8, height: 8 }, null))),
+      ['bar', 'point'],
+    );
+    // From 80° to 300° it folds.
+    const turn = (project: Document['project']) => (project.handles[0] ? rotationOf(project.handles[0]) : 0);
+    guarding = new Guarding({
+      foldsOf: (project) => Number(turn(project) > 80 && turn(project) < 300),
+      turns: () => new Map(),
+    });
+    guarding.on = true;
+    guarding.begin(start);
+    let now = start;
+    const turns = [70, 100, 190, 260, 290, 310, 320].map((degrees) => {
+      now = guarding.limited(now, asOne(start, degrees, 1));
+      return Math.round(turn(now.project));
+    });
+    expect(turns).toEqual([70, 80, 80, 80, 80, 310, 320]);
+    expect(groupSpan(selectedHandles(now))).toBeCloseTo(groupSpan(selectedHandles(start)), 1);
+  });
+
   it('stops a turn on its way', () => {
     const start = at(0);
-    const held = guarding.limited(
-      start,
-      turnHandles(start, ['a'], () => 90),
-    );
+    const held = guarding.limited(start, { document: turnHandles(start, ['a'], () => 90) });
     const [handle] = held.project.handles;
     expect(handle && rotationOf(handle)).toBeCloseTo(45, 0);
   });
 
   it('leaves the document as it is where nothing can move', () => {
     const start = at(10);
-    expect(guarding.limited(start, at(10.5))).toBe(start);
+    expect(guarding.limited(start, { document: at(10.5) })).toBe(start);
   });
 });

@@ -6,7 +6,8 @@
  */
 import type { Document } from '../document/document';
 import { between } from '../document/easing';
-import type { Vec } from '../geometry/vec';
+import { type AsOne, betweenAsOne, type Posed } from '../document/group';
+import type { Project } from '../document/project';
 import type { Posing } from './posing';
 
 /** Bisections: the result is within a hundredth of the pointer's way since the last frame (2⁻⁸). */
@@ -17,6 +18,8 @@ export class Guarding {
   #on = false;
   #allowed: number | null = null;
   #holding = false;
+  /** How far handles have gone as one; of the same origin in all of a drag. */
+  #gone: AsOne | null = null;
 
   constructor(posing: Pick<Posing, 'foldsOf' | 'turns'>) {
     this.#posing = posing;
@@ -48,27 +51,48 @@ export class Guarding {
   }
 
   /**
-   * The document as far as allowed on the way from `present`, which is allowed, to `wanted`.
-   * @param about where handles are turned and scaled as one: on the way they stay one.
+   * The document as far as allowed on the way from `present`, which is allowed, to the wanted one. What is turned and scaled
+   * as one stays so on the way.
    */
-  limited(present: Document, wanted: Document, about?: Vec): Document {
+  limited(present: Document, { document: wanted, asOne }: Posed): Document {
     if (!this.#on) return wanted;
     const allowed = this.#allowed ?? this.#posing.foldsOf(present.project, Number.POSITIVE_INFINITY);
     this.#holding = this.#posing.foldsOf(wanted.project, allowed) > allowed;
-    return this.#holding ? this.#farthest(present, wanted, allowed, about) : wanted;
+    if (!this.#holding) {
+      this.#gone = asOne ?? null;
+      return wanted;
+    }
+    const project = asOne
+      ? this.#asOne(wanted.project, asOne, allowed)
+      : this.#alone(present.project, wanted.project, allowed);
+    // Equal after rounding: return the same object, so that no undo step is made.
+    const same = JSON.stringify(project.handles) === JSON.stringify(present.project.handles);
+    return same ? present : { ...wanted, project };
   }
 
-  #farthest(present: Document, wanted: Document, allowed: number, about?: Vec): Document {
+  #alone(present: Project, wanted: Project, allowed: number): Project {
     const turns = this.#posing.turns();
-    let [good, share] = [present.project, 0];
+    return this.#farthest((share) => between(present, wanted, share, turns), allowed).project;
+  }
+
+  #asOne(wanted: Project, asOne: AsOne, allowed: number): Project {
+    const { origin } = asOne;
+    const from = this.#gone?.origin === origin ? this.#gone : { origin, turn: 0, growth: 1 };
+    const { project, share } = this.#farthest((share) => betweenAsOne(wanted, from, asOne, share), allowed);
+    const way = (a: number, b: number) => a + share * (b - a);
+    this.#gone = { origin, turn: way(from.turn, asOne.turn), growth: way(from.growth, asOne.growth) };
+    return project;
+  }
+
+  /** The farthest allowed pose on a way that begins at 0 with an allowed one. */
+  #farthest(at: (share: number) => Project, allowed: number): { project: Project; share: number } {
+    let [project, share] = [at(0), 0];
     for (let step = 1; step <= STEPS; step++) {
-      const tried = between(present.project, wanted.project, share + 0.5 ** step, turns, about);
+      const tried = at(share + 0.5 ** step);
       if (this.#posing.foldsOf(tried, allowed) > allowed) continue;
       share += 0.5 ** step;
-      good = tried;
+      project = tried;
     }
-    // Equal after rounding: return the same object, so that no undo step is made.
-    const same = JSON.stringify(good.handles) === JSON.stringify(present.project.handles);
-    return same ? present : { ...wanted, project: good };
+    return { project, share };
   }
 }

@@ -42,13 +42,13 @@ export const noFellowText = (handles: readonly string[]): string =>
 
 export const NO_POSE = 'There is no pose on the clipboard: copy one first.';
 
-/** @param keys those that copy. */
-export const notCopiedText = (keys: string): string =>
-  `The browser let nothing onto the clipboard: the pose can be pasted on this page alone. ${keys} copies it for others.`;
+/** @param keys those that copy; null where there are none. */
+export const notCopiedText = (keys: string | null): string =>
+  `The browser let nothing onto the clipboard: the pose can be pasted on this page alone.${keys ? ` ${keys} copies it for others.` : ''}`;
 
-/** @param keys those that paste. */
-export const notReadText = (keys: string): string =>
-  `The browser did not let the clipboard be read: press ${keys} to paste.`;
+/** @param keys those that paste; null where there are none. */
+export const notReadText = (keys: string | null): string =>
+  `The browser did not let the clipboard be read: ${keys ? `press ${keys}` : 'allow it'} to paste.`;
 
 /** @param files names of files that were not opened; at least one. */
 export function notOpenedText([first, ...more]: readonly string[]): string {

@@ -95,6 +95,8 @@ export class StageKeys {
   menu(): boolean {
     const { workbench, permissions, crosshair, focus, menu } = this.#host;
     const { held } = focus;
+    // A pointer press is in progress: ignore the key.
+    if (workbench.editing.machine.busy) return true;
     if (!menu.opens || (permissions.playing && !held)) return false;
     const handle = held && handleById(workbench.editing.document, held.id);
     const corner = handle && isLine(handle) && held?.part === 'corner' ? handle.posed[held.index] : undefined;

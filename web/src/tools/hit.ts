@@ -21,8 +21,8 @@ interface Reach {
 }
 
 /**
- * The nearest point or corner within reach; else the nearest ring, or what stands on that of several; else the nearest line; else the polygon around the
- * press. This order keeps a handle within another's ring reachable.
+ * The nearest point or corner within reach, or knob or grip on the ring of several; else the nearest ring; else the nearest line;
+ * else the polygon around the press. This order keeps a handle within another's ring reachable.
  *
  * @param bodies whether the inside of a polygon counts; not for tools that place something, possibly inside one.
  */
@@ -35,24 +35,35 @@ export function hit(
   const selected = handles.filter(({ id }) => document.selection.includes(id));
   const group = groupRing(document, grips);
   const [first = ''] = document.selection;
-  const rings = selected.map((handle) => ring(handle.id, anchor(handle), grips.ring, at));
-  return (
-    nearest(
-      handles.flatMap((handle) => knobs(handle, at)),
+  const rings = group
+    ? [ring(first, group.pivot, group.radius, at)]
+    : selected.map((handle) => ring(handle.id, anchor(handle), grips.ring, at));
+  const marks = [
+    ...within(
       grips.handle,
-    ) ??
-    (group ? groupPart(group, first, at, grips.band) : nearest(rings, grips.band)) ??
+      handles.flatMap((handle) => knobs(handle, at)),
+    ),
+    ...(group ? within(KNOB * grips.band, groupMarks(group, first, at)) : []),
+  ];
+  return (
+    nearest(marks) ??
+    nearest(within(grips.band, rings)) ??
     nearest(
-      handles.map((handle) => line(handle, at, selected.includes(handle))),
-      grips.line,
+      within(
+        grips.line,
+        handles.map((handle) => line(handle, at, selected.includes(handle))),
+      ),
     ) ??
-    nearest(bodies ? handles.map((handle) => body(handle, at)) : [], 0)
+    nearest(bodies ? handles.flatMap((handle) => body(handle, at)) : [])
   );
 }
 
+const within = (most: number, reaches: readonly Reach[]): readonly Reach[] =>
+  reaches.filter(({ away }) => away <= most);
+
 /** "<=": of two at the same distance the later one wins, since it is drawn on top. */
-function nearest(reaches: readonly Reach[], within: number): Hit | null {
-  let [best, least]: [Hit | null, number] = [null, within];
+function nearest(reaches: readonly Reach[]): Hit | null {
+  let [best, least]: [Hit | null, number] = [null, Number.POSITIVE_INFINITY];
   for (const { hit, away } of reaches) if (away <= least) [best, least] = [hit, away];
   return best;
 }
@@ -71,15 +82,11 @@ const ring = (id: string, middle: Vec, radius: number, at: Vec): Reach => ({
   away: Math.abs(distance(middle, at) - radius),
 });
 
-/** What is hit of the ring around several handles, by the id of the first of them. */
-const groupPart = ({ pivot, radius, knob, grip }: GroupRing, id: string, at: Vec, band: number): Hit | null =>
-  nearest(
-    [
-      { hit: { part: 'ring', id }, away: distance(knob, at) },
-      { hit: { part: 'grip', id }, away: distance(grip, at) },
-    ],
-    KNOB * band,
-  ) ?? nearest([ring(id, pivot, radius, at)], band);
+/** What stands on the ring around several handles, by the id of the first of them. */
+const groupMarks = ({ knob, grip }: GroupRing, id: string, at: Vec): readonly Reach[] => [
+  { hit: { part: 'ring', id }, away: distance(knob, at) },
+  { hit: { part: 'grip', id }, away: distance(grip, at) },
+];
 
 /** The line itself or, while selected, also the mark at its middle, which may lie off the line. */
 const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({
@@ -92,7 +99,7 @@ const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({
     : Number.POSITIVE_INFINITY,
 });
 
-const body = (handle: Handle, at: Vec): Reach => ({
-  hit: { part: 'handle', id: handle.id },
-  away: handle.kind === 'polygon' && isInside(handle.posed, at) ? 0 : Number.POSITIVE_INFINITY,
-});
+const body = (handle: Handle, at: Vec): readonly Reach[] =>
+  handle.kind === 'polygon' && isInside(handle.posed, at)
+    ? [{ hit: { part: 'handle', id: handle.id }, away: 0 }]
+    : [];

@@ -3,7 +3,7 @@
  * tenths.
  */
 import type { Document } from '../document/document';
-import { poseAsOne } from '../document/group';
+import { asOne } from '../document/group';
 import { distance, snapped, type Vec } from '../geometry/vec';
 import type { GroupRing } from './group_ring';
 import { outcome, type State } from './state';
@@ -23,7 +23,7 @@ export const scaling = (
     move: (press) => {
       const growth = 1 + (distance(pivot, press.at) - held) / (radius - clearance);
       const steps = press.shift ? Math.max(STEP, snapped(growth, STEP)) : growth;
-      return outcome(state, { type: 'edit', document: poseAsOne(origin, 0, steps), about: pivot });
+      return outcome(state, { type: 'edit', ...asOne(origin, 0, steps) });
     },
     up: () => outcome(rest, { type: 'commit' }),
     cancel: () => outcome(rest, { type: 'bail' }),

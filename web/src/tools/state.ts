@@ -6,6 +6,7 @@
  */
 
 import type { Document } from '../document/document';
+import type { Posed } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
@@ -72,8 +73,7 @@ export interface Draft {
 
 export type Effect =
   | { readonly type: 'begin'; readonly label: string }
-  /** `about`: the place that the selected handles go around as one. */
-  | { readonly type: 'edit'; readonly document: Document; readonly about?: Vec | undefined }
+  | ({ readonly type: 'edit' } & Posed)
   | { readonly type: 'commit' }
   | { readonly type: 'bail' }
   | { readonly type: 'select'; readonly ids: readonly string[] }

@@ -222,7 +222,7 @@ describe('several selected', () => {
     bench.down(onRing(0));
     for (const degrees of [90, 180, 270, 360, 428]) bench.move(onRing(degrees), { shift: true });
     bench.up(onRing(428));
-    expect(bench.rotation('a')).toBe(75);
+    expect(bench.rotation('a')).toBe(435);
   });
 
   it('turn as one by an Alt-drag of one of them, from where it is pressed', () => {
@@ -276,6 +276,27 @@ describe('several selected', () => {
     bench.view = { min: [0, 0], max: [20, 20] };
     bench.drag(onRing(90, 30), onRing(0, 30));
     expect(bench.rotation('a')).toBe(0);
+  });
+
+  it('turn by the knob and scale by the grip where a handle is near, unless that is nearer', () => {
+    const [beside, grip] = [add(onRing(0), [6, 0]), add(onRing(135), [0, 6])];
+    for (const [id, at] of [
+      ['near the knob', beside],
+      ['near the grip', grip],
+    ] as const) {
+      bench.history.update({
+        ...addHandle(bench.history.present, { id, kind: 'point', rest: at, posed: at }),
+        selection: ['a', 'b'],
+      });
+    }
+    bench.drag(onRing(0), onRing(90));
+    expect(bench.history.undoLabel).toBe('Turn 2 handles');
+    bench.history.undo();
+    bench.drag(onRing(135), onRing(135, 2 * radius));
+    expect(bench.history.undoLabel).toBe('Scale 2 handles');
+    bench.history.undo();
+    bench.drag(add(beside, [1, 0]), add(beside, [30, 0]));
+    expect(bench.history.undoLabel).toBe('Move near the knob');
   });
 
   it('let a click on the ring or its grip through to what lies beneath', () => {

@@ -46,7 +46,7 @@ const CONDITIONS: Partial<Readonly<Record<CommandName, (model: EditorModel) => b
   settings: opened,
   undo: (model) => opened(model) && changeable(model) && model.undo !== null,
   redo: (model) => opened(model) && changeable(model) && model.redo !== null,
-  'reset-all': handled,
+  'reset-all': ({ readonly, document }) => !readonly && !document.project.handles.every(isAtRest),
   'select-all': handled,
   copy: handled,
   paste: handled,
