@@ -1,7 +1,16 @@
 /** Poses between two poses of the same handles, for a guard to try when the second one goes too far. */
 import { centre } from '../geometry/polyline';
 import { add, rotated, scaled, subtract, type Vec } from '../geometry/vec';
-import { corners, isLine, rotationOf, rounded, roundedVec, scaleOf, type Turns } from './handle';
+import {
+  corners,
+  isLine,
+  rotationOf,
+  rounded,
+  roundedScale,
+  roundedVec,
+  scaleOf,
+  type Turns,
+} from './handle';
 import type { Handle, Project } from './project';
 
 /**
@@ -25,10 +34,10 @@ function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
   const [start, end] = [rotationOf(from, turns), rotationOf(to, turns)];
   const turn = start + share * (end - start);
   const middle = mix(centre(corners(from)), centre(corners(to)), share);
-  const scale = scaleOf(from) + share * (scaleOf(to) - scaleOf(from));
+  const growth = scaleOf(to) - scaleOf(from);
   const common = {
     ...(typeof to.rotation === 'number' ? { rotation: rounded(turn) } : {}),
-    ...(to.scale === undefined ? {} : { scale: rounded(scale) }),
+    ...(growth === 0 ? {} : { scale: roundedScale(scaleOf(from) + share * growth) }),
   };
   return isLine(to)
     ? { ...to, ...common, posed: turnedBetween(from, to, share, middle, [start, turn, end]) }

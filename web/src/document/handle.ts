@@ -22,6 +22,8 @@ const BEYOND = 1e12;
 /** Rounds to hundredths of a pixel or degree, as the file stores and the panel shows them. */
 const rounded = (value: number): number =>
   Math.abs(value) < BEYOND ? Math.round(value * 100) / 100 || 0 : value;
+/** Finer than hundredths, which small steps of a small scale would be lost in. */
+const roundedScale = (scale: number): number => Math.round(scale * 1e4) / 1e4;
 const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 
 /** The corners of a handle, at rest or posed; a point has one. */
@@ -95,8 +97,7 @@ export function turnedAbout(handle: Handle, pivot: Vec, turn: number, growth: nu
   return {
     ...replaced(handle, around(pivot, turn, growth)),
     ...(turn === 0 || isAutomatic(handle) ? {} : { rotation: rounded(rotationOf(handle) + turn) }),
-    // Finer than hundredths, which small steps of a small scale would be lost in.
-    ...(growth === 1 ? {} : { scale: Math.round(scaleOf(handle) * growth * 1e4) / 1e4 }),
+    ...(growth === 1 ? {} : { scale: roundedScale(scaleOf(handle) * growth) }),
   };
 }
 
@@ -238,4 +239,4 @@ function turnNear({ rest, posed }: LineHandle, degrees: number): number {
   return turn === null ? degrees : nearestTurn(turn, degrees);
 }
 
-export { rounded, roundedVec };
+export { rounded, roundedScale, roundedVec };

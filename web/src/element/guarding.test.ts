@@ -116,6 +116,12 @@ describe('the guard against folds', () => {
       return Math.round(turn(now.project));
     });
     expect(turns).toEqual([70, 80, 80, 80, 80, 310, 320]);
+    // Taken back, and begun anew from the same document.
+    guarding.end();
+    guarding.begin(start);
+    const [again] = guarding.limited(start, asOne(start, 100, 1)).project.handles;
+    expect(again && Math.round(rotationOf(again))).toBe(80);
+    expect(guarding.limited(start, asOne(start, 190, 1)).project.handles[0]).toEqual(again);
     expect(groupSpan(selectedHandles(now))).toBeCloseTo(groupSpan(selectedHandles(start)), 1);
   });
 

@@ -42,12 +42,14 @@ export class Guarding {
   /** Starts a drag: the folds of this pose are allowed, but no more. */
   begin(document: Document): void {
     this.#allowed = this.#on ? this.#posing.foldsOf(document.project, Number.POSITIVE_INFINITY) : null;
+    this.#gone = null;
   }
 
   /** Ends a drag. */
   end(): void {
     this.#allowed = null;
     this.#holding = false;
+    this.#gone = null;
   }
 
   /**

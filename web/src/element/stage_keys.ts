@@ -93,14 +93,17 @@ export class StageKeys {
 
   /** Opens the menu of the handle or corner that has the focus, or of the picture. */
   menu(): boolean {
-    const { workbench, permissions, crosshair, focus, menu } = this.#host;
+    const { workbench, viewing, permissions, crosshair, focus, menu } = this.#host;
     const { held } = focus;
     // A pointer press is in progress: ignore the key.
     if (workbench.editing.machine.busy) return true;
     if (!menu.opens || (permissions.playing && !held)) return false;
     const handle = held && handleById(workbench.editing.document, held.id);
     const corner = handle && isLine(handle) && held?.part === 'corner' ? handle.posed[held.index] : undefined;
-    menu.open(held, corner ?? (handle ? anchor(handle) : crosshair.place));
+    const at = corner ?? (handle ? anchor(handle) : crosshair.place);
+    if (!permissions.playing) viewing.reveal(at);
+    this.#host.looked();
+    menu.open(held, at);
     return true;
   }
 
