@@ -1,6 +1,6 @@
 //! `c2warp-quality FOLDER [NAME]`: compares distances with the geodesic, counts second maxima of weights, and compares the methods on the
-//! standard poses, or what of this has a name that contains NAME; writes a sheet for each pose to the folder and prints the tables. `c2warp-quality --overview FILE` draws one
-//! pose by the editor's mode and by those that it is compared with.
+//! standard poses, or what of this has a name that contains NAME; writes a sheet for each pose to the folder and prints the tables.
+//! `c2warp-quality --overview FILE` draws one pose by the editor's mode and by those that it is compared with.
 
 use std::{
     error::Error,

@@ -38,7 +38,10 @@ pub(crate) fn cell_borders(
     navigation: &Navigation,
 ) -> Vec<BorderPiece> {
     let site = |vertex: u32| sites.get(nearest[vertex as usize] as usize);
-    let divided = |a: u32, b: u32| matches!((site(a), site(b)), (Some(one), Some(other)) if !share_a_cell(one, other));
+    let divided = |a: u32, b: u32| {
+        nearest[a as usize] != nearest[b as usize]
+            && matches!((site(a), site(b)), (Some(one), Some(other)) if !share_a_cell(one, other))
+    };
     let mut found = HashMap::new();
     let mut crossing = |a: u32, b: u32| {
         let (from, to) = (a.min(b), a.max(b));
@@ -76,10 +79,10 @@ pub(crate) fn cell_borders(
 
 /// Whether two sites are of one handle, or of the held outline.
 fn share_a_cell(one: &Site, other: &Site) -> bool {
-    one.kind.handle().map_or_else(
-        || one.kind == SiteKind::Boundary && other.kind == SiteKind::Boundary || one.rest == other.rest,
-        |handle| other.kind.handle() == Some(handle),
-    )
+    match one.kind.handle() {
+        Some(handle) => other.kind.handle() == Some(handle),
+        None => one.kind == SiteKind::Boundary && other.kind == SiteKind::Boundary,
+    }
 }
 
 /// How far along a segment both sites are as far, if the one is nearer to its start and the other to its end.

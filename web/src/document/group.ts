@@ -65,14 +65,15 @@ export const asOne = (origin: Document, turn: number, growth: number): Posed => 
   asOne: { origin, turn, growth },
 });
 
-/** A project with what is selected posed as one a part of the way from one pose to another, of the same origin. */
-export function betweenAsOne(project: Project, from: AsOne, to: AsOne, share: number): Project {
+/** A part of the way from one pose to another, of the same origin. */
+export function partWay(from: AsOne, to: AsOne, share: number): AsOne {
   const way = (a: number, b: number) => a + share * (b - a);
-  const { selection, project: posed } = poseAsOne(
-    to.origin,
-    way(from.turn, to.turn),
-    way(from.growth, to.growth),
-  );
+  return { origin: to.origin, turn: way(from.turn, to.turn), growth: way(from.growth, to.growth) };
+}
+
+/** The project with what is selected posed as one. */
+export function withPose(project: Project, { origin, turn, growth }: AsOne): Project {
+  const { selection, project: posed } = poseAsOne(origin, turn, growth);
   const there = new Map(posed.handles.map((handle) => [handle.id, handle]));
   const handles = project.handles.map((handle) =>
     selection.includes(handle.id) ? (there.get(handle.id) ?? handle) : handle,

@@ -6,7 +6,7 @@
  */
 import type { Document } from '../document/document';
 import { between } from '../document/easing';
-import { type AsOne, betweenAsOne, type Posed } from '../document/group';
+import { type AsOne, type Posed, partWay, withPose } from '../document/group';
 import type { Project } from '../document/project';
 import type { Posing } from './posing';
 
@@ -80,9 +80,9 @@ export class Guarding {
   #asOne(wanted: Project, asOne: AsOne, allowed: number): Project {
     const { origin } = asOne;
     const from = this.#gone?.origin === origin ? this.#gone : { origin, turn: 0, growth: 1 };
-    const { project, share } = this.#farthest((share) => betweenAsOne(wanted, from, asOne, share), allowed);
-    const way = (a: number, b: number) => a + share * (b - a);
-    this.#gone = { origin, turn: way(from.turn, asOne.turn), growth: way(from.growth, asOne.growth) };
+    const at = (share: number) => withPose(wanted, partWay(from, asOne, share));
+    const { project, share } = this.#farthest(at, allowed);
+    this.#gone = partWay(from, asOne, share);
     return project;
   }
 

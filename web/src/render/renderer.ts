@@ -4,7 +4,6 @@
  * Takes flat arrays, and knows neither handles nor solver. Keeps its inputs, to fill a context again that was lost and
  * restored.
  */
-
 import type { Blend } from '../geometry/blend';
 import type { HeatMap } from '../geometry/heat';
 import { MOTION_STRIDE } from '../geometry/skin';

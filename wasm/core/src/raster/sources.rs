@@ -1,7 +1,8 @@
 //! Where the pixels of a warped picture come from: what another program needs to bend another picture alike.
 //!
 //! A pixel shows one place: what its centre shows. Where the mesh lies over itself it is that of the triangle drawn last of those whose
-//! picture is opaque there, by more than half: a soft edge lies over what shows through it. Coverage is that of [`warp`](super::warp), over a picture that is opaque.
+//! picture is opaque there, by more than half: a soft edge lies over what shows through it. Coverage is that of [`warp`](super::warp), over
+//! a picture that is opaque.
 //!
 //! Cost: linear in the pixels drawn, some 20 bytes for each pixel of the result.
 
