@@ -170,7 +170,13 @@ for (const [what, files] of [
     const free = await captive(page, files);
     await page.reload();
     await expect(editor.notice).toContainText('The solver');
+    // The end of the drag asks for the solver once more, still in vain.
+    const failed = warp(page).evaluate(
+      (element) =>
+        new Promise<void>((done) => element.addEventListener('error', () => done(), { once: true })),
+    );
     await editor.dragHandle('right hand', { x: 0, y: -40 });
+    await failed;
     const second = await editor.told('right hand');
     await free();
     await editor.button('Try again').click();

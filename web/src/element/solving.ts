@@ -57,10 +57,16 @@ export class Solving {
   #label: string | null = null;
   /** Ends the display of progress. */
   #end: (() => void) | null = null;
+  #failed = false;
   #patience: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: SolvingHost) {
     this.#host = host;
+  }
+
+  /** The solver itself failed at the last solve, or could not start. */
+  get failed(): boolean {
+    return this.#failed;
   }
 
   get current(): Solved | null {
@@ -99,6 +105,7 @@ export class Solving {
     const key = solveKey(project);
     if (key === this.#wanted || !this.#pixels || this.#disposed) return;
     this.#wanted = key;
+    this.#failed = false;
     const known = this.#kept.find((solved) => solved.key === key);
     if (known) this.#show(known);
     else void this.#solve(project, key);
@@ -174,6 +181,7 @@ export class Solving {
     else {
       // It may have given up the picture: the next solve starts another, which gets the picture anew.
       this.#stop();
+      this.#failed = true;
       this.#host.failed(error);
     }
   }

@@ -93,7 +93,9 @@ export class Workbench {
     this.guarding = new Guarding(this.posing);
     this.editing = new Editing(history, this.posing, this.guarding, {
       edited: (kind) => {
-        if (kind !== 'selection' && kind !== 'pose') this.solving.want(this.editing.project);
+        // A solver that has failed is asked again at the end of a drag, not at each of its moves.
+        const solves = kind === 'input' ? !this.solving.failed : kind !== 'selection' && kind !== 'pose';
+        if (solves) this.solving.want(this.editing.project);
         host.edited(kind);
       },
       say: (text) => host.say(text),
