@@ -17,10 +17,18 @@ use crate::{project::Blend, weight::Influence};
 #[derive(Debug, Clone)]
 pub struct Pose {
     rest: Arc<[DVec2]>,
-    linear: Vec<DMat2>,
     motions: Vec<Motion>,
+    maps: Vec<SiteMap>,
     /// For the rigid blend: one for each site.
     duals: Option<Vec<Dual>>,
+}
+
+/// T_i: what a vertex needs of a motion, in one place of memory.
+#[derive(Debug, Clone, Copy)]
+struct SiteMap {
+    rest: DVec2,
+    posed: DVec2,
+    linear: DMat2,
 }
 
 /// The posed place of a point, and the local change of area.
@@ -35,10 +43,16 @@ pub struct Mapped {
 
 impl Pose {
     pub(crate) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
-        let linear = motions.iter().map(Motion::linear).collect();
+        let sites = || rest.iter().zip(&motions);
+        let map = |(&rest, motion): (&DVec2, &Motion)| SiteMap {
+            rest,
+            posed: rest + motion.translation,
+            linear: motion.linear(),
+        };
+        let maps = sites().map(map).collect();
         let dual = |(&rest, motion)| Dual::new(rest, motion);
-        let duals = (blend == Blend::Rigid).then(|| rest.iter().zip(&motions).map(dual).collect());
-        Self { rest, linear, motions, duals }
+        let duals = (blend == Blend::Rigid).then(|| sites().map(dual).collect());
+        Self { rest, motions, maps, duals }
     }
 
     /// Where the sites rest.
@@ -52,8 +66,8 @@ impl Pose {
     /// For a site that the solution has not.
     #[must_use]
     pub fn moved(&self, site: usize, p: DVec2) -> DVec2 {
-        let rest = self.rest[site];
-        rest + self.motions[site].translation + self.linear[site] * (p - rest)
+        let SiteMap { rest, posed, linear } = self.maps[site];
+        posed + linear * (p - rest)
     }
 
     /// The posed place of a point, in pixels, from the sites that move it and their weights: a row of
@@ -92,7 +106,7 @@ impl Pose {
         }
         let (mut posed, mut derivative) = (DVec2::ZERO, DMat2::ZERO);
         for &Influence { site, weight, gradient } in influences {
-            let (moved, linear) = (self.moved(site, p), self.linear[site]);
+            let (moved, linear) = (self.moved(site, p), self.maps[site].linear);
             posed += weight * moved;
             derivative += weight * linear;
             // Gradients sum to zero: relative to p, fewer digits are lost to cancellation.
@@ -120,10 +134,10 @@ impl Pose {
     /// [`Solution::posed_vertices`](crate::Solution::posed_vertices) gives all p′, in the blend of the pose, without any of this.
     #[must_use]
     pub fn packed(&self) -> Vec<f32> {
-        let sites = self.rest.iter().zip(&self.linear).zip(&self.motions);
+        let sites = self.maps.iter().zip(&self.motions);
         sites
-            .flat_map(|((&rest, linear), motion)| {
-                let ([a, b, c, d], posed) = (linear.to_cols_array(), rest + motion.translation);
+            .flat_map(|(&SiteMap { rest, posed, linear }, motion)| {
+                let [a, b, c, d] = linear.to_cols_array();
                 let half = half_turn(motion.angle);
                 [a, b, c, d, rest.x, rest.y, posed.x, posed.y, motion.depth, motion.angle, half.x, half.y]
                     .map(|value| value as f32)

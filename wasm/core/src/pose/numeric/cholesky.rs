@@ -173,7 +173,7 @@ fn forward<const WIDTH: usize>(node: &Supernode, first: usize, rows: &[u32], val
         own[2] -= node.inner[1] * own[0] + node.inner[2] * own[1];
     }
     for (&row, values) in rows.iter().zip(values.chunks_exact(WIDTH)) {
-        let sum = own.iter().zip(values).fold(DVec2::ZERO, |sum, (&own, &value)| sum + value * own);
+        let sum = (1..WIDTH).fold(values[0] * own[0], |sum, column| sum + values[column] * own[column]);
         y[row as usize] -= sum;
     }
     for (column, own) in own.into_iter().enumerate() {

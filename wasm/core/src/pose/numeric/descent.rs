@@ -5,12 +5,14 @@
 //! steps carry that information (Liu, Bouaziz and Kavan 2017): the energy of a bent strip settles in a quarter of the
 //! iterations, that of an unrolled spiral in a tenth.
 //!
-//! Once a direction is set, the energy is known along the whole line, so the line search is cheap. Every step is checked: the
-//! energy never rises.
+//! Once a direction is set, the energy is known along the whole line with its derivatives, so the line search is cheap: by
+//! Halley's method it takes a look or two. Every step is checked: the energy never rises.
 
 use std::collections::VecDeque;
 
 use glam::DVec2;
+
+use super::Jet;
 
 /// Number of stored steps. With 5 a spiral takes a quarter more iterations; with 20 no fewer, but longer ones.
 const MEMORY: usize = 8;
@@ -21,36 +23,23 @@ const ENERGY_ROUNDING: f64 = 1e-13;
 /// Samples along a line before the search settles for the best one.
 const MAX_SAMPLES: usize = 12;
 /// In a bracket no sample is closer to either end than this share of its width.
-const BRACKET_MARGIN: f64 = 0.1;
+const BRACKET_MARGIN: f64 = 0.01;
+/// Where the curvature suggests no length in a bracket, this share of its width is tried.
+const BRACKET_STEP: f64 = 0.1;
 
 /// Growth of the length where the curvature suggests none, and the greatest growth otherwise.
 const MAX_GROWTH: f64 = 3.0;
 
 /// The energy to be lowered, with its current point.
 pub(crate) trait Objective {
-    /// Sets the direction of the line through the current point.
-    fn set_direction(&mut self, direction: &[DVec2]);
-    /// The energy on that line, at the current point plus `length` times the direction.
-    fn along_line(&self, length: f64) -> LineSample;
-    /// Moves the current point to there.
-    fn advance(&mut self, length: f64);
     /// Writes the gradient at the current point.
     fn gradient(&mut self, gradient: &mut [DVec2]);
-}
-
-/// The energy at a point of a line, and its first and second derivative with respect to the length.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LineSample {
-    pub(crate) value: f64,
-    pub(crate) first: f64,
-    pub(crate) second: f64,
-}
-
-impl LineSample {
-    /// c₀ + c₁ t + c₂ t² at t.
-    pub(crate) fn of_polynomial([c0, c1, c2]: [f64; 3], t: f64) -> Self {
-        Self { value: (c2 * t + c1) * t + c0, first: 2.0 * c2 * t + c1, second: 2.0 * c2 }
-    }
+    /// Sets the direction of the line through the current point, whose gradient has been asked for. Returns the energy there.
+    fn set_direction(&mut self, direction: &[DVec2]) -> Jet;
+    /// The energy on that line, at the current point plus `length` times the direction.
+    fn along_line(&mut self, length: f64) -> Jet;
+    /// Moves the current point to there. Nearly always it is where the energy was asked for last.
+    fn advance(&mut self, length: f64);
 }
 
 /// When the descent and its line searches end.
@@ -81,11 +70,11 @@ pub(crate) fn descend(objective: &mut impl Objective, places: usize, solve: impl
     objective.gradient(&mut gradient);
     for iteration in 1..=limits.max_iterations {
         search_direction(&corrections, &solve, &gradient, &mut direction);
-        objective.set_direction(&direction);
-        let Some((length, [before, after])) = line_search(objective, limits.curvature_condition) else { return };
+        let start = objective.set_direction(&direction);
+        let Some((length, end)) = line_search(objective, start, limits.curvature_condition) else { return };
         objective.advance(length);
         let farthest = direction.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
-        if iteration == limits.max_iterations || farthest <= limits.settled || before - after <= limits.gain * after {
+        if iteration == limits.max_iterations || farthest <= limits.settled || start.value - end <= limits.gain * end {
             return;
         }
         objective.gradient(&mut next_gradient);
@@ -99,43 +88,47 @@ pub(crate) fn descend(objective: &mut impl Objective, places: usize, solve: impl
     }
 }
 
-/// Line search for the strong Wolfe conditions. Returns the step length and the energies before and after it, or the best
-/// decrease found.
-fn line_search(objective: &impl Objective, curvature_condition: f64) -> Option<(f64, [f64; 2])> {
-    let start = objective.along_line(0.0);
+/// Line search for the strong Wolfe conditions from the start of a line. Returns the step length and the energy there, or the
+/// best decrease found.
+fn line_search(objective: &mut impl Objective, start: Jet, curvature_condition: f64) -> Option<(f64, f64)> {
     let (mut low, mut high) = ((0.0, start), f64::INFINITY);
-    let mut length = newton_length(low, high).unwrap_or(1.0);
+    let mut length = start.to_minimum().unwrap_or(1.0);
     for _ in 0..MAX_SAMPLES {
         let sample = objective.along_line(length);
         let is_as_high = (sample.value - start.value).abs() <= ENERGY_ROUNDING * start.value.abs();
         let falls = sample.value <= start.value + SUFFICIENT_DECREASE * length * start.first
             || is_as_high && sample.first.abs() <= start.first.abs();
         if falls && sample.first.abs() <= curvature_condition * start.first.abs() {
-            return Some((length, [start.value, sample.value]));
+            return Some((length, sample.value));
         }
         if falls && sample.first < 0.0 {
             low = (length, sample);
         } else {
             high = length;
         }
-        let newton = newton_length((length, sample), high).filter(|&next| next > low.0);
+        let next = sample.to_minimum().map(|by| length + by).filter(|next| (low.0..high).contains(next));
         let width = high - low.0;
-        length = match newton {
+        length = match next {
             Some(next) if width.is_finite() => {
                 next.clamp(low.0 + BRACKET_MARGIN * width, high - BRACKET_MARGIN * width)
             }
             Some(next) => next.min(MAX_GROWTH * length),
-            None if width.is_finite() => low.0 + BRACKET_MARGIN * width,
+            None if width.is_finite() => low.0 + BRACKET_STEP * width,
             None => MAX_GROWTH * length,
         };
     }
-    (low.0 > 0.0).then_some((low.0, [start.value, low.1.value]))
+    (low.0 > 0.0).then_some((low.0, low.1.value))
 }
 
-/// The minimum of the parabola through a sample, if there is one before `end`.
-fn newton_length((at, sample): (f64, LineSample), end: f64) -> Option<f64> {
-    let next = at - sample.first / sample.second;
-    (sample.second > 0.0 && next < end).then_some(next)
+impl Jet {
+    /// The length from here to where a hyperbola through the slope has its zero that bends as the slope does (Halley's method); `None`
+    /// where the slope falls.
+    fn to_minimum(self) -> Option<f64> {
+        let newton = -self.first / self.second;
+        // A slope that flattens out soon has no zero by this measure.
+        let bend = (1.0 + newton * self.third / (2.0 * self.second)).max(1.0 / MAX_GROWTH);
+        (self.second > 0.0).then_some(newton / bend)
+    }
 }
 
 impl Correction {
@@ -201,29 +194,33 @@ mod tests {
     impl DoubleWell {
         fn new(at: &[DVec2]) -> Self {
             let mut well = Self { at: at.to_vec(), direction: vec![DVec2::ZERO; at.len()], energies: Vec::new() };
-            well.energies.push(well.along_line(0.0).value);
+            let energy = well.along_line(0.0).value;
+            well.energies.push(energy);
             well
         }
     }
 
     impl Objective for DoubleWell {
-        fn set_direction(&mut self, direction: &[DVec2]) {
+        fn set_direction(&mut self, direction: &[DVec2]) -> Jet {
             self.direction = direction.to_vec();
+            self.along_line(0.0)
         }
 
-        fn along_line(&self, length: f64) -> LineSample {
-            let mut sample = LineSample { value: 0.0, first: 0.0, second: 0.0 };
+        fn along_line(&mut self, length: f64) -> Jet {
+            let mut sample = Jet::default();
             for (at, by) in self.at.iter().zip(&self.direction) {
                 let p = at + length * by;
                 sample.value += (p.x * p.x - 1.0).powi(2) / 4.0 + p.y * p.y;
                 sample.first += (p.x * p.x - 1.0) * p.x * by.x + 2.0 * p.y * by.y;
                 sample.second += (3.0 * p.x * p.x - 1.0) * by.x * by.x + 2.0 * by.y * by.y;
+                sample.third += 6.0 * p.x * by.x * by.x * by.x;
             }
             sample
         }
 
         fn advance(&mut self, length: f64) {
-            self.energies.push(self.along_line(length).value);
+            let energy = self.along_line(length).value;
+            self.energies.push(energy);
             for (at, by) in self.at.iter_mut().zip(&self.direction) {
                 *at += length * by;
             }
@@ -257,6 +254,22 @@ mod tests {
             descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value *= scale), LIMITS);
             assert!(well.energies.windows(2).all(|pair| pair[1] <= pair[0]), "{:?}", well.energies);
         }
+    }
+
+    #[test]
+    fn a_slope_that_is_a_hyperbola_is_followed_to_its_zero_at_once() {
+        // The slope is 1 − 2 / (1 + t), the start is at 0.
+        for at in [0.0, 0.4, 2.5] {
+            let t = 1.0 + at;
+            let jet = Jet { value: 0.0, first: 1.0 - 2.0 / t, second: 2.0 / (t * t), third: -4.0 / (t * t * t) };
+            let found = jet.to_minimum().map(|by| at + by).expect("a rising slope");
+            assert!((found - 1.0).abs() < 1e-12, "{found} from {at}");
+        }
+        let falling = Jet { value: 0.0, first: -1.0, second: -1.0, third: 1.0 };
+        assert_eq!(falling.to_minimum(), None);
+        // By a hyperbola it would never be 0.
+        let flat = Jet { value: 0.0, first: -1.0, second: 1.0, third: -5.0 };
+        assert_eq!(flat.to_minimum(), Some(MAX_GROWTH));
     }
 
     #[test]

@@ -7,8 +7,10 @@
 mod cholesky;
 mod descent;
 mod elimination;
+mod jet;
 mod laplacian;
 
 pub(super) use cholesky::Cholesky;
-pub(super) use descent::{Limits, LineSample, Objective, descend};
+pub(super) use descent::{Limits, Objective, descend};
+pub(super) use jet::Jet;
 pub(super) use laplacian::Laplacian;

@@ -10,7 +10,7 @@ use glam::DVec2;
 use super::super::{
     Motion,
     motion::turn,
-    numeric::{Laplacian, Limits, LineSample, Objective, descend},
+    numeric::{Jet, Laplacian, Limits, Objective, descend},
 };
 
 /// Iterations of the graph at most: twice as many as 200 sites of an unrolled spiral take.
@@ -107,7 +107,7 @@ impl<'a> Bending<'a> {
 /// A quarter of the energy at the best rotations, up to a constant. The Laplacian is its Hessian as long as no rotation
 /// changes.
 impl Objective for Bending<'_> {
-    fn set_direction(&mut self, direction: &[DVec2]) {
+    fn set_direction(&mut self, direction: &[DVec2]) -> Jet {
         for (&site, &by) in self.free.iter().zip(direction) {
             self.direction[site as usize] = by;
         }
@@ -125,26 +125,29 @@ impl Objective for Bending<'_> {
                 *change += DVec2::new(before.dot(by), before.perp_dot(by));
             }
         }
+        self.along_line(0.0)
     }
 
-    fn along_line(&self, length: f64) -> LineSample {
-        let mut sample = LineSample::of_polynomial(self.lengths, length);
+    fn along_line(&mut self, length: f64) -> Jet {
+        let mut sample = Jet::of_polynomial(self.lengths, length);
         for ((&[torque, change], &turn), &is_free) in self.torques.iter().zip(&self.rotations).zip(self.is_free) {
             let torque = torque + length * change;
             let strength = torque.length();
             if is_free && strength > 0.0 {
                 // As in the other branch, at the best rotation: torque / strength.
                 let inverse = 1.0 / strength;
-                let across = inverse * torque.perp_dot(change);
+                let (along, across) = (inverse * torque.dot(change), inverse * torque.perp_dot(change));
+                let second = inverse * across * across;
                 sample.value -= strength;
-                sample.first -= inverse * torque.dot(change);
-                sample.second -= inverse * across * across;
+                sample.first -= along;
+                sample.second -= second;
+                sample.third += 3.0 * inverse * along * second;
             } else {
                 sample.value -= turn.dot(torque);
                 sample.first -= turn.dot(change);
             }
         }
-        LineSample { value: sample.value / 2.0, first: sample.first / 2.0, second: sample.second / 2.0 }
+        sample.map(|value| value / 2.0)
     }
 
     fn advance(&mut self, length: f64) {
@@ -173,4 +176,33 @@ impl Objective for Bending<'_> {
 /// The best rotation. A site without links, or whose links have shrunk to nothing, keeps its own.
 fn turned(turn: DVec2, torque: DVec2, is_free: bool) -> DVec2 {
     if is_free { torque.try_normalize().unwrap_or(turn) } else { turn }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_energy_along_a_line_has_the_derivatives_that_are_told() {
+        let rest = [(0.0, 0.0), (10.0, 1.0), (12.0, 9.0), (-1.0, 11.0)].map(DVec2::from);
+        let motion = |k: usize| Motion::similarity(0.0, 1.0, DVec2::new(k as f64, 3.0 - k as f64), 0.0);
+        let motions: Vec<Motion> = (0..4).map(motion).collect();
+        let links = [(0, 1, 1.0), (1, 2, 0.7), (2, 3, 0.5), (0, 2, 0.2), (1, 3, 0.4)].into_iter();
+        // One rotation is set, one site does not move.
+        let (is_free, scales) = ([true, true, true, false], [1.0, 1.2, 1.0, 0.8]);
+        let mut bending = Bending::new(&[0, 1, 3], links, &rest, &motions, &is_free, &scales);
+        bending.set_direction(&[(2.0, -1.0), (-3.0, 5.0), (1.0, 4.0)].map(DVec2::from));
+        let step = 1e-4;
+        for length in [0.0, 0.6, -1.5] {
+            let [here, before, after] = [0.0, -step, step].map(|by| bending.along_line(length + by));
+            for (found, [before, after]) in [
+                (here.first, [before.value, after.value]),
+                (here.second, [before.first, after.first]),
+                (here.third, [before.second, after.second]),
+            ] {
+                let slope = (after - before) / (2.0 * step);
+                assert!((slope - found).abs() < 1e-6 * (1.0 + slope.abs()), "{slope} and {found} at {length}");
+            }
+        }
+    }
 }

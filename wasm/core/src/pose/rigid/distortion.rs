@@ -7,28 +7,23 @@
 //!
 //! Cost: one square root and one division for each evaluation.
 
-use glam::DMat2;
+use wide::f64x4;
 
-/// The energy for one regularisation ε.
+use super::{super::numeric::Jet, relaxation::Jacobians};
+
+/// The energy for one regularisation ε, as f(det J) |J|² − [`least`](Self::least): about |J − R|² / 2 near a rotation R.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Distortion {
     /// ε².
     regularisation: f64,
-    /// Factor of the second term: without it, χ in place of det would shift the minimum to a scale a little above 1.
-    factor: f64,
-    /// The energy of a rotation.
-    least: f64,
+    /// Factor of |J|² / χ².
+    inverse: f64,
+    /// So that a rotation has no energy.
+    pub(super) least: f64,
 }
 
-/// The energy of one J, and its derivatives with respect to det J and |J|².
-#[derive(Debug, Clone, Copy)]
-pub(super) struct EnergyDerivatives {
-    pub(super) energy: f64,
-    pub(super) by_det: f64,
-    pub(super) by_square: f64,
-    pub(super) by_det_twice: f64,
-    pub(super) by_both: f64,
-}
+/// The square of a strain counts four times in the symmetric Dirichlet energy.
+const SCALE: f64 = 1.0 / 8.0;
 
 impl Distortion {
     /// `regularisation` is ε, below 1.
@@ -36,57 +31,48 @@ impl Distortion {
         let regularisation = regularisation * regularisation;
         let root = (1.0 + regularisation).sqrt();
         let chi = (1.0 + root) / 2.0;
-        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1; χ′ = χ / √(det² + ε²).
+        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1, as χ′ = χ / √(det² + ε²): with 1 in its
+        // place, χ would shift the minimum to a scale a little above 1.
         let factor = chi * chi / (2.0 / root - 1.0);
-        Self { regularisation, factor, least: 2.0 * (1.0 + factor / (chi * chi)) }
+        Self { regularisation, inverse: SCALE * factor, least: SCALE * 2.0 * (1.0 + factor / (chi * chi)) }
     }
 
-    /// The energy as a function of det J and |J|², scaled and shifted to about |J − R|² / 2 near a rotation R.
-    pub(super) fn of(&self, det: f64, square: f64) -> EnergyDerivatives {
+    /// f, at the determinants of some J.
+    #[inline]
+    pub(super) fn factor(&self, det: f64x4) -> Jet<f64x4> {
         let root = (det * det + self.regularisation).sqrt();
-        let chi = (det + root) / 2.0;
+        let chi = 0.5 * (det + root);
         // One division for all.
         let share = 1.0 / (chi * chi * root);
-        let (inverse, by_root) = (self.factor * share * root, share * chi * chi);
-        EnergyDerivatives {
-            energy: ((1.0 + inverse) * square - self.least) / 8.0,
-            by_det: -0.25 * inverse * by_root * square,
-            by_square: (1.0 + inverse) / 8.0,
-            by_det_twice: 0.25 * inverse * by_root * by_root * square * (2.0 + det * by_root),
-            by_both: -0.25 * inverse * by_root,
-        }
+        let (inverse, by_root) = (self.inverse * share * root, share * chi * chi);
+        let around = by_root * (1.0 + det * by_root);
+        let first = -2.0 * inverse * by_root;
+        Jet { value: SCALE + inverse, first, second: -first * (by_root + around), third: 3.0 * first * around * around }
     }
 }
 
-/// The gradient with respect to J, from the derivatives with respect to det J and |J|².
-pub(super) fn gradient(j: DMat2, by_det: f64, by_square: f64) -> DMat2 {
-    let by_square = 2.0 * by_square;
-    DMat2::from_cols(
-        by_square * j.x_axis - by_det * j.y_axis.perp(), //
-        by_square * j.y_axis + by_det * j.x_axis.perp(),
-    )
-}
-
-/// |J|².
-pub(super) fn square(j: DMat2) -> f64 {
-    j.x_axis.length_squared() + j.y_axis.length_squared()
+/// The gradient of the energy with respect to J, from f at its determinant and |J|².
+#[inline]
+pub(super) fn gradient(j: &Jacobians, factor: &Jet<f64x4>, square: f64x4) -> Jacobians {
+    2.0 * factor.value * *j + factor.first * square * j.cofactors()
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec2;
+    use glam::{DMat2, DVec2};
 
     use super::*;
 
     const REGULARISATIONS: [f64; 3] = [0.01, 0.2, 0.5];
 
     fn energy(distortion: &Distortion, j: DMat2) -> f64 {
-        distortion.of(j.determinant(), square(j)).energy
+        let j = Jacobians::new([j; 4]);
+        (distortion.factor(j.det()).value * j.square()).to_array()[0] - distortion.least
     }
 
     fn slope(distortion: &Distortion, j: DMat2) -> DMat2 {
-        let EnergyDerivatives { by_det, by_square, .. } = distortion.of(j.determinant(), square(j));
-        gradient(j, by_det, by_square)
+        let j = Jacobians::new([j; 4]);
+        gradient(&j, &distortion.factor(j.det()), j.square()).to_array()[0]
     }
 
     #[test]
@@ -121,6 +107,26 @@ mod tests {
                 };
                 let slope = (by(step) - by(-step)) / (2.0 * step);
                 assert!((slope - found).abs() < 1e-4 * (1.0 + slope.abs()), "{slope} and {found} at {entries:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_of_the_factor_are_those_of_its_values() {
+        let step = 1e-4;
+        for distortion in REGULARISATIONS[1..].iter().map(|&regularisation| Distortion::new(regularisation)) {
+            let at = |det: f64| distortion.factor(det.into()).map(|lanes| lanes.to_array()[0]);
+            for det in [-0.6, -0.05, 0.0, 0.3, 1.0, 2.5] {
+                let (here, before, after) = (at(det), at(det - step), at(det + step));
+                for (found, [before, after]) in [
+                    (here.first, [before.value, after.value]),
+                    (here.second, [before.first, after.first]),
+                    (here.third, [before.second, after.second]),
+                ] {
+                    let slope = (after - before) / (2.0 * step);
+                    // The next but one derivative times the square of the step.
+                    assert!((slope - found).abs() < 1e-5 * (1.0 + slope.abs()), "{slope} and {found} at {det}");
+                }
             }
         }
     }

@@ -8,9 +8,10 @@
 //!
 //! A [descent](descend) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line J is linear
 //! in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see `relaxing`. The
-//! initial motions are those of the cell graph alone: see [`bending`](super::bending). Cost: some 0.15 ms an iteration for 200
+//! initial motions are those of the cell graph alone: see [`bending`](super::bending). Cost: some 0.1 ms an iteration for 200
 //! sites.
 
+mod jacobians;
 mod nodes;
 mod relaxing;
 mod unknowns;
@@ -33,6 +34,7 @@ use super::{
     quadrature::{Node, Quadrature},
 };
 
+pub(super) use self::jacobians::Jacobians;
 pub(crate) use self::unknowns::Freedom;
 
 /// Regularisation ε of the first iterations: large, so that what is inverted at the start recovers in them.
@@ -98,7 +100,7 @@ impl Relaxation {
             return;
         }
         let mut parts = self.parts(motions);
-        let mut relaxing = Relaxing::new(self, &parts, is_free, scales);
+        let mut relaxing = Relaxing::new(self, &parts, is_free, scales, FIRST_REGULARISATION);
         self.relax(&mut relaxing, is_free, settled / self.unit);
         // Handles may be posed so far out that numbers overflow: the result of the graph is kept then.
         if !relaxing.unknown().iter().all(|by| by.is_finite()) {
@@ -127,13 +129,11 @@ impl Relaxation {
             self.inverse.solve(values);
             self.unknowns.keep(is_free, values);
         };
-        for (regularisation, max_iterations) in
-            [(FIRST_REGULARISATION, FIRST_ITERATIONS), (REGULARISATION, MAX_ITERATIONS - FIRST_ITERATIONS)]
-        {
-            relaxing.set_regularisation(regularisation);
-            let limits = Limits { max_iterations, settled, gain: GAIN, curvature_condition: CURVATURE_CONDITION };
-            descend(relaxing, self.unknowns.len(), solve, limits);
-        }
+        let limits =
+            |max_iterations| Limits { max_iterations, settled, gain: GAIN, curvature_condition: CURVATURE_CONDITION };
+        descend(relaxing, self.unknowns.len(), solve, limits(FIRST_ITERATIONS));
+        relaxing.set_regularisation(REGULARISATION);
+        descend(relaxing, self.unknowns.len(), solve, limits(MAX_ITERATIONS - FIRST_ITERATIONS));
     }
 
     /// Sets what is free of motions to the given parts.

@@ -49,13 +49,8 @@ impl Nodes {
         Self { nodes, terms }
     }
 
-    /// Number of nodes.
-    pub(super) fn len(&self) -> usize {
-        self.nodes.len()
-    }
-
     /// Each node with its terms.
-    pub(super) fn iter(&self) -> impl Iterator<Item = (&Node, &[Term])> {
+    pub(super) fn iter(&self) -> impl ExactSizeIterator<Item = (&Node, &[Term])> {
         let mut start = 0;
         self.nodes.iter().map(move |node| {
             let terms = &self.terms[start..node.end as usize];

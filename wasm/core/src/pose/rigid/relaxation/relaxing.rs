@@ -3,13 +3,15 @@
 //! Cost: O(terms) for a direction and for a gradient; O(nodes) for a sample of the line.
 
 use glam::{DMat2, DVec2};
+use wide::f64x4;
 
 use super::{
     super::{
-        super::numeric::{LineSample, Objective},
-        distortion::{Distortion, gradient, square},
+        super::numeric::{Jet, Objective},
+        distortion::{Distortion, gradient},
     },
-    FIRST_REGULARISATION, Parts, Relaxation,
+    Parts, Relaxation,
+    jacobians::Jacobians,
     nodes::{Node, Term},
 };
 
@@ -23,179 +25,114 @@ pub(super) struct Relaxing<'a> {
     direction: Vec<DVec2>,
     /// Scratch: the direction, or the gradient, in terms of the parts of each site, whose places are relative to the origin.
     parts: Vec<Parts>,
-    states: Vec<NodeState>,
+    maps: Vec<Maps>,
     lines: Vec<Lines>,
-    derivatives: Vec<Derivatives>,
+    /// Length along the line at which the factors of `lines` are.
+    sampled: f64,
     /// Energy of the springs that hold the unknowns, along the direction: coefficients of a polynomial in the length.
     held: [f64; 3],
 }
 
-/// The map at a node.
+/// The map at some nodes.
 #[derive(Debug, Clone, Copy)]
-struct NodeState {
+struct Maps {
     /// Reciprocal of the scale requested there.
-    unscale: f64,
+    unscale: f64x4,
     /// The Jacobian J, divided by the scale.
-    derivative: DMat2,
+    derivative: Jacobians,
     /// Its derivative along the direction.
-    along: DMat2,
+    along: Jacobians,
 }
 
-/// det J and |J|² of [`LANES`] nodes along the direction: coefficients of polynomials in the length, whose constant terms
-/// belong to the current pose. Grouped so that a processor works on several numbers at a time.
-#[derive(Debug, Clone, Copy)]
+/// det J and |J|² of some nodes along the direction: coefficients of polynomials in the length, whose constant terms belong to
+/// the current pose.
+#[derive(Debug, Clone, Copy, Default)]
 struct Lines {
-    area: [f64; LANES],
-    det: [[f64; LANES]; 3],
+    area: f64x4,
+    det: [f64x4; 3],
     /// |J|².
-    square: [[f64; LANES]; 3],
+    square: [f64x4; 3],
+    /// The factor of |J|² in the energy.
+    factor: Jet<f64x4>,
 }
 
-/// Derivatives of the energy of [`LANES`] nodes.
-#[derive(Debug, Clone, Copy)]
-struct Derivatives {
-    by_det: [f64; LANES],
-    by_square: [f64; LANES],
-}
-
-const LANES: usize = 4;
-
-/// Padding: J is the identity, and the area is 0.
-const PADDING: Lines = Lines {
-    area: [0.0; LANES],
-    det: [[1.0; LANES], [0.0; LANES], [0.0; LANES]],
-    square: [[2.0; LANES], [0.0; LANES], [0.0; LANES]],
-};
+const LANES: usize = Jacobians::LANES;
 
 impl<'a> Relaxing<'a> {
     /// Begins at the given parts of all sites, whose places are the sites' posed places; `scales` are those requested at the
-    /// sites.
-    pub(super) fn new(relaxation: &'a Relaxation, parts: &[Parts], is_free: &'a [bool], scales: &[f64]) -> Self {
+    /// sites, `regularisation` is ε of the distortion.
+    pub(super) fn new(
+        relaxation: &'a Relaxation,
+        parts: &[Parts],
+        is_free: &'a [bool],
+        scales: &[f64],
+        regularisation: f64,
+    ) -> Self {
         let parts: Vec<Parts> =
             parts.iter().zip(&relaxation.rest).map(|(&parts, &rest)| at_origin(parts, rest)).collect();
         let is_scaled = scales.iter().any(|&scale| scale != 1.0);
-        let state = |(node, terms): (&Node, &[Term])| {
-            let scale = |term: &Term| term.weight * scales[term.site as usize];
-            let unscale = if is_scaled { 1.0 / terms.iter().map(scale).sum::<f64>() } else { 1.0 };
-            NodeState { unscale, derivative: unscale * derivative(node, terms, &parts), along: DMat2::ZERO }
+        let scale_at = |terms: &[Term]| match is_scaled {
+            true => terms.iter().map(|term| term.weight * scales[term.site as usize]).sum(),
+            false => 1.0,
         };
-        let unknowns = relaxation.unknowns.len();
-        let count = relaxation.nodes.len().div_ceil(LANES);
-        let mut lines = vec![PADDING; count];
-        for (at, (node, _)) in relaxation.nodes.iter().enumerate() {
-            lines[at / LANES].area[at % LANES] = node.area;
+        let (mut maps, mut lines) = (Vec::new(), Vec::new());
+        let mut nodes = relaxation.nodes.iter();
+        while nodes.len() > 0 {
+            // Where there is no node the area is 0.
+            let (mut area, mut scale, mut derivatives) = ([0.0; LANES], [1.0; LANES], [DMat2::IDENTITY; LANES]);
+            for (lane, (node, terms)) in nodes.by_ref().take(LANES).enumerate() {
+                (area[lane], scale[lane]) = (node.area, scale_at(terms));
+                derivatives[lane] = derivative(node, terms, &parts);
+            }
+            let unscale = 1.0 / f64x4::new(scale);
+            let derivative = unscale * Jacobians::new(derivatives);
+            maps.push(Maps { unscale, derivative, along: Jacobians::default() });
+            lines.push(Lines::new(area.into(), &derivative));
         }
+        let unknowns = relaxation.unknowns.len();
         let mut relaxing = Self {
             relaxation,
-            distortion: Distortion::new(FIRST_REGULARISATION),
+            distortion: Distortion::new(regularisation),
             is_free,
             unknown: vec![DVec2::ZERO; unknowns],
             direction: vec![DVec2::ZERO; unknowns],
-            states: relaxation.nodes.iter().map(state).collect(),
-            lines,
-            derivatives: vec![Derivatives { by_det: [0.0; LANES], by_square: [0.0; LANES] }; count],
             parts,
+            maps,
+            lines,
+            sampled: 0.0,
             held: [0.0; 3],
         };
-        relaxing.reset_lines();
+        relaxing.along_line(0.0);
         relaxing
     }
 
     /// Sets ε of the distortion.
     pub(super) fn set_regularisation(&mut self, regularisation: f64) {
         self.distortion = Distortion::new(regularisation);
-    }
-
-    /// Sets the constant terms of the lines to the current pose.
-    fn reset_lines(&mut self) {
-        for (at, state) in self.states.iter().enumerate() {
-            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
-            (lines.det[0][lane], lines.square[0][lane]) = (state.derivative.determinant(), square(state.derivative));
-        }
+        self.along_line(0.0);
     }
 
     /// The unknowns, relative to their initial values.
     pub(super) fn unknown(&self) -> &[DVec2] {
         &self.unknown
     }
+
+    /// The energy at a point of the line, from that of the nodes.
+    fn with_springs(&self, of_nodes: Jet<f64x4>, length: f64) -> Jet {
+        Jet::of_polynomial(self.held, length) + of_nodes.map(f64x4::reduce_add)
+    }
 }
 
 impl Objective for Relaxing<'_> {
-    fn set_direction(&mut self, direction: &[DVec2]) {
-        let relaxation = self.relaxation;
-        self.direction.copy_from_slice(direction);
-        relaxation.unknowns.expand(direction, |site, [place, x, y]| {
-            self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
-        });
-        for (at, ((node, terms), state)) in relaxation.nodes.iter().zip(&mut self.states).enumerate() {
-            let along = state.unscale * derivative(node, &terms[node.fixed as usize..], &self.parts);
-            state.along = along;
-            let (x, y) = (state.derivative.x_axis, state.derivative.y_axis);
-            let mixed = x.perp_dot(along.y_axis) + along.x_axis.perp_dot(y);
-            let product = x.dot(along.x_axis) + y.dot(along.y_axis);
-            let (lines, lane) = (&mut self.lines[at / LANES], at % LANES);
-            (lines.det[1][lane], lines.det[2][lane]) = (mixed, along.determinant());
-            (lines.square[1][lane], lines.square[2][lane]) = (2.0 * product, square(along));
-        }
-        self.held = [0.0; 3];
-        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(direction) {
-            self.held[0] += hold / 2.0 * unknown.length_squared();
-            self.held[1] += hold * unknown.dot(*by);
-            self.held[2] += hold / 2.0 * by.length_squared();
-        }
-    }
-
-    fn along_line(&self, length: f64) -> LineSample {
-        let (mut values, mut firsts, mut seconds) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        for lines in &self.lines {
-            for lane in 0..LANES {
-                let of =
-                    |c: &[[f64; LANES]; 3]| LineSample::of_polynomial([c[0][lane], c[1][lane], c[2][lane]], length);
-                let (det, square) = (of(&lines.det), of(&lines.square));
-                let at = self.distortion.of(det.value, square.value);
-                values[lane] += lines.area[lane] * at.energy;
-                firsts[lane] += lines.area[lane] * (at.by_det * det.first + at.by_square * square.first);
-                seconds[lane] += lines.area[lane]
-                    * ((at.by_det_twice * det.first + 2.0 * at.by_both * square.first) * det.first
-                        + at.by_det * det.second
-                        + at.by_square * square.second);
-            }
-        }
-        let held = LineSample::of_polynomial(self.held, length);
-        LineSample {
-            value: held.value + values.iter().sum::<f64>(),
-            first: held.first + firsts.iter().sum::<f64>(),
-            second: held.second + seconds.iter().sum::<f64>(),
-        }
-    }
-
-    fn advance(&mut self, length: f64) {
-        for (unknown, by) in self.unknown.iter_mut().zip(&self.direction) {
-            *unknown += length * by;
-        }
-        for state in &mut self.states {
-            state.derivative += length * state.along;
-        }
-        self.reset_lines();
-    }
-
     fn gradient(&mut self, forces: &mut [DVec2]) {
         let relaxation = self.relaxation;
-        for (lines, derivatives) in self.lines.iter().zip(&mut self.derivatives) {
-            for lane in 0..LANES {
-                let at = self.distortion.of(lines.det[0][lane], lines.square[0][lane]);
-                derivatives.by_det[lane] = lines.area[lane] * at.by_det;
-                derivatives.by_square[lane] = lines.area[lane] * at.by_square;
-            }
-        }
         self.parts.fill([DVec2::ZERO; 3]);
-        let nodes = relaxation.nodes.iter().zip(&self.states);
-        for (at, ((node, terms), state)) in nodes.enumerate() {
-            let (derivatives, lane) = (&self.derivatives[at / LANES], at % LANES);
-            let pull = gradient(state.derivative, derivatives.by_det[lane], derivatives.by_square[lane]);
-            let pull = state.unscale * pull;
-            for term in &terms[node.fixed as usize..] {
-                term.pull(node.at, pull, &mut self.parts[term.site as usize]);
+        let mut nodes = relaxation.nodes.iter();
+        for (lines, maps) in self.lines.iter().zip(&self.maps) {
+            for (pull, (node, terms)) in lines.pulls(maps).to_array().into_iter().zip(&mut nodes) {
+                for term in &terms[node.fixed as usize..] {
+                    term.pull(node.at, pull, &mut self.parts[term.site as usize]);
+                }
             }
         }
         let force = |site: usize| {
@@ -207,6 +144,97 @@ impl Objective for Relaxing<'_> {
             *force += hold * unknown;
         }
         relaxation.unknowns.keep(self.is_free, forces);
+    }
+
+    fn set_direction(&mut self, direction: &[DVec2]) -> Jet {
+        let relaxation = self.relaxation;
+        self.direction.copy_from_slice(direction);
+        relaxation.unknowns.expand(direction, |site, [place, x, y]| {
+            self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
+        });
+        self.held = [0.0; 3];
+        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(direction) {
+            self.held[0] += hold / 2.0 * unknown.length_squared();
+            self.held[1] += hold * unknown.dot(*by);
+            self.held[2] += hold / 2.0 * by.length_squared();
+        }
+        let mut sum = Jet::default();
+        let mut nodes = relaxation.nodes.iter();
+        for (lines, maps) in self.lines.iter_mut().zip(&mut self.maps) {
+            let mut along = [DMat2::ZERO; LANES];
+            for (along, (node, terms)) in along.iter_mut().zip(&mut nodes) {
+                *along = derivative(node, &terms[node.fixed as usize..], &self.parts);
+            }
+            maps.along = maps.unscale * Jacobians::new(along);
+            lines.lead(maps);
+            sum = sum + lines.sample(&self.distortion, 0.0);
+        }
+        self.with_springs(sum, 0.0)
+    }
+
+    fn along_line(&mut self, length: f64) -> Jet {
+        let mut sum = Jet::default();
+        for lines in &mut self.lines {
+            lines.evaluate(&self.distortion, length);
+            sum = sum + lines.sample(&self.distortion, length);
+        }
+        self.sampled = length;
+        self.with_springs(sum, length)
+    }
+
+    fn advance(&mut self, length: f64) {
+        if self.sampled != length {
+            self.along_line(length);
+        }
+        for (unknown, by) in self.unknown.iter_mut().zip(&self.direction) {
+            *unknown += length * by;
+        }
+        for (lines, maps) in self.lines.iter_mut().zip(&mut self.maps) {
+            maps.derivative = maps.derivative + f64x4::splat(length) * maps.along;
+            lines.start(&maps.derivative);
+        }
+        self.sampled = 0.0;
+    }
+}
+
+impl Lines {
+    fn new(area: f64x4, derivative: &Jacobians) -> Self {
+        let mut lines = Self { area, ..Self::default() };
+        lines.start(derivative);
+        lines
+    }
+
+    /// Sets the start of the lines.
+    fn start(&mut self, derivative: &Jacobians) {
+        (self.det[0], self.square[0]) = (derivative.det(), derivative.square());
+    }
+
+    /// Sets the direction of the lines.
+    fn lead(&mut self, Maps { derivative, along, .. }: &Maps) {
+        (self.det[1], self.det[2]) = (derivative.det_along(along), along.det());
+        (self.square[1], self.square[2]) = (2.0 * derivative.dot(along), along.square());
+    }
+
+    /// Sets the factors to those at a point of the lines.
+    fn evaluate(&mut self, distortion: &Distortion, length: f64) {
+        self.factor = distortion.factor(self.at(length).0.value);
+    }
+
+    /// The energies, weighted by area, along the lines at that point.
+    fn sample(&self, distortion: &Distortion, length: f64) -> Jet<f64x4> {
+        let (det, square) = self.at(length);
+        let energy = self.factor.of(&det) * square - distortion.least.into();
+        energy.map(|value| self.area * value)
+    }
+
+    /// det J and |J|² at a point of the lines.
+    fn at(&self, length: f64) -> (Jet<f64x4>, Jet<f64x4>) {
+        (Jet::of_polynomial(self.det, length.into()), Jet::of_polynomial(self.square, length.into()))
+    }
+
+    /// The gradients of the energies, weighted by area, with respect to J at the start of the lines, where the factors are.
+    fn pulls(&self, maps: &Maps) -> Jacobians {
+        self.area * maps.unscale * gradient(&maps.derivative, &self.factor, self.square[0])
     }
 }
 
