@@ -2,7 +2,7 @@
 //!
 //! Cost: some floating-point operations for each site that moves the point.
 
-use std::sync::Arc;
+use std::{ops::Add, sync::Arc};
 
 use glam::{DMat2, DVec2};
 
@@ -77,16 +77,12 @@ impl Pose {
     /// If the solution has no such site.
     #[must_use]
     pub fn blended(&self, p: DVec2, weights: impl IntoIterator<Item = (usize, f64)>) -> DVec2 {
+        let weights = weights.into_iter();
         if let Some(duals) = &self.duals {
-            let sums = weights.into_iter().fold(None, |sums: Option<Sums>, (site, weight)| {
-                Some(sums.unwrap_or_default() + weight * duals[site].term(p))
-            });
-            return sums.map_or(p, |sums| sums.place(p));
+            let terms = weights.map(|(site, weight)| weight * duals[site].term(p));
+            return terms.reduce(Add::add).map_or(p, |sums: Sums| sums.place(p));
         }
-        let sum = weights.into_iter().fold(None, |sum: Option<DVec2>, (site, weight)| {
-            Some(sum.unwrap_or(DVec2::ZERO) + weight * self.moved(site, p))
-        });
-        sum.unwrap_or(p)
+        weights.map(|(site, weight)| weight * self.moved(site, p)).reduce(Add::add).unwrap_or(p)
     }
 
     /// The posed place of a point, in pixels, and the determinant of the Jacobian there, from the influences of

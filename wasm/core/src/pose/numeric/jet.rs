@@ -11,7 +11,7 @@ pub(crate) struct Jet<T = f64> {
     pub(crate) third: T,
 }
 
-impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Jet<T> {
+impl<T: Copy + Default + From<f64> + Add<Output = T> + Mul<Output = T>> Jet<T> {
     /// c₀ + c₁ t + c₂ t² at t.
     #[inline]
     pub(crate) fn of_polynomial([c0, c1, c2]: [T; 3], t: T) -> Self {
@@ -23,12 +23,11 @@ impl<T: Copy + Default + Add<Output = T> + Mul<Output = T>> Jet<T> {
     pub(crate) fn of(&self, inner: &Self) -> Self {
         let Self { value, first, second, third } = *self;
         let (by, bend) = (inner.first, inner.second);
-        let product = second * by * bend;
         Self {
             value,
             first: first * by,
             second: second * by * by + first * bend,
-            third: third * by * by * by + (product + product + product) + first * inner.third,
+            third: third * by * by * by + T::from(3.0) * second * by * bend + first * inner.third,
         }
     }
 
@@ -62,18 +61,18 @@ impl<T: Sub<Output = T>> Sub<T> for Jet<T> {
 }
 
 /// Leibniz's rule.
-impl<T: Copy + Add<Output = T> + Mul<Output = T>> Mul for Jet<T> {
+impl<T: Copy + From<f64> + Add<Output = T> + Mul<Output = T>> Mul for Jet<T> {
     type Output = Self;
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let (crossed, [left, right]) =
-            (self.first * other.first, [self.second * other.first, self.first * other.second]);
         Self {
             value: self.value * other.value,
             first: self.first * other.value + self.value * other.first,
-            second: self.second * other.value + (crossed + crossed) + self.value * other.second,
-            third: self.third * other.value + (left + left + left) + (right + right + right) + self.value * other.third,
+            second: self.second * other.value + T::from(2.0) * self.first * other.first + self.value * other.second,
+            third: self.third * other.value
+                + T::from(3.0) * (self.second * other.first + self.first * other.second)
+                + self.value * other.third,
         }
     }
 }

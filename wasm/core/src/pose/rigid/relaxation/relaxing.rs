@@ -75,8 +75,9 @@ impl<'a> Relaxing<'a> {
             true => terms.iter().map(|term| term.weight * scales[term.site as usize]).sum(),
             false => 1.0,
         };
-        let (mut maps, mut lines) = (Vec::new(), Vec::new());
         let mut nodes = relaxation.nodes.iter();
+        let groups = nodes.len().div_ceil(LANES);
+        let (mut maps, mut lines) = (Vec::with_capacity(groups), Vec::with_capacity(groups));
         while nodes.len() > 0 {
             // Where there is no node the area is 0.
             let (mut area, mut scale, mut derivatives) = ([0.0; LANES], [1.0; LANES], [DMat2::IDENTITY; LANES]);
