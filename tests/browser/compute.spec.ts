@@ -1,12 +1,16 @@
 /** The engine: solving in the worker, overtaking, and workers that die. */
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
 import type { Project } from '../../web/src/document/project';
 import { expect, test } from './fixtures';
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 const SAMPLE = path('../../web/public/samples/gingerbread.c2warp.json');
+const PICTURE = path('../../web/public/samples/gingerbread.png');
 
 const project: Project = {
   format: 'c2warp/1',
@@ -182,28 +186,83 @@ test('a picture that comes before an export has begun overtakes it', async ({ pa
   expect([older, newer]).toEqual(['AbortError', 255]);
 });
 
-test('native code and WebAssembly give the same weights, bit for bit', async ({ page }) => {
-  // The command is compiled first where it has not been.
-  test.setTimeout(1_200_000);
-  const native = spawnSync(
+/** What the command prints. It is compiled first where it has not been. */
+function native(args: readonly string[]): string {
+  const { stdout, stderr } = spawnSync(
     'cargo',
-    ['run', '--quiet', '--package', 'c2warp-cli', '--', 'inspect', SAMPLE, '--json'],
-    {
-      cwd: path('../..'),
-      encoding: 'utf8',
-    },
+    ['run', '--quiet', '--package', 'c2warp-cli', '--', ...args],
+    { cwd: path('../..'), encoding: 'utf8', maxBuffer: 1 << 28 },
   );
-  expect(native.stderr).toBe('');
-  const report = await page.evaluate(
-    async (text) => {
+  expect(stderr).toBe('');
+  return stdout;
+}
+
+/** The rows of a table, without its header. */
+const rows = (csv: string) =>
+  csv
+    .trim()
+    .split('\n')
+    .slice(1)
+    .map((line) => line.split(','));
+
+test.describe('as the command', () => {
+  test.describe.configure({ timeout: 1_200_000 });
+
+  const solvedInPage = (page: Page, text: string) =>
+    page.evaluate(async (text) => {
       const file = await (await fetch('/samples/gingerbread.png')).blob();
       const picture = await harness.decodePicture(file);
       const engine = await harness.Engine.start();
       engine.setPicture(picture.width, picture.height, picture.rgba);
-      return (await engine.solve(engine.checkProject(text))).report;
-    },
-    readFileSync(SAMPLE, 'utf8'),
-  );
-  expect(report.weights_hash).toMatch(/^[0-9a-f]{8,}$/);
-  expect(report.weights_hash).toBe(JSON.parse(native.stdout).weights_hash);
+      const project = engine.checkProject(text);
+      const solution = await engine.solve(project);
+      const motions = engine.poser(solution).pose(JSON.stringify(project.handles));
+      return { report: solution.report, motions: [...motions] };
+    }, text);
+
+  test('native code and WebAssembly give the same weights, bit for bit', async ({ page }) => {
+    const told = native(['inspect', SAMPLE, '--json']);
+    const { report } = await solvedInPage(page, readFileSync(SAMPLE, 'utf8'));
+    expect(report.weights_hash).toMatch(/^[0-9a-f]{8,}$/);
+    expect(report.weights_hash).toBe(JSON.parse(told).weights_hash);
+  });
+
+  test('native code and WebAssembly pose a picture alike, as far as 32 bits tell', async ({ page }) => {
+    const project = JSON.parse(readFileSync(SAMPLE, 'utf8')) as Project;
+    const handles = project.handles.map((handle) =>
+      handle.id === 'left-hand' ? { ...handle, posed: [220, 360] } : handle,
+    );
+    const text = JSON.stringify({ ...project, handles });
+    const { motions } = await solvedInPage(page, text);
+    const dir = mkdtempSync(join(tmpdir(), 'c2warp-'));
+    const [file = '', points = ''] = ['posed.c2warp.json', 'points.csv'].map((name) => join(dir, name));
+    writeFileSync(file, text);
+    const steps = Array.from({ length: 60 }, (_, step) => 10 + 20 * step);
+    const grid = steps.flatMap((y) => steps.map((x) => [x, y] as const));
+    writeFileSync(points, `x,y\n${grid.map((point) => point.join(',')).join('\n')}\n`);
+    const table = (command: string) =>
+      rows(native([command, file, '--image', PICTURE, '--at', points, '-o', '-']));
+    // Eq. 1, by the motions of the page and the weights of the command.
+    const expected = grid.map(() => ({ x: 0, y: 0, moved: false }));
+    for (const [point, site, , , , , weight] of table('weights')) {
+      const at = Number(point);
+      const sum = expected[at];
+      const [x = 0, y = 0] = grid[at] ?? [];
+      const [a = 0, b = 0, c = 0, d = 0, restX = 0, restY = 0, posedX = 0, posedY = 0] = motions.slice(
+        12 * Number(site),
+      );
+      if (!sum) throw new Error(`no point ${at}`);
+      sum.x += Number(weight) * (posedX + a * (x - restX) + c * (y - restY));
+      sum.y += Number(weight) * (posedY + b * (x - restX) + d * (y - restY));
+      sum.moved = true;
+    }
+    const off = table('map').map(([, , x, y], at) => {
+      const { x: inX = 0, y: inY = 0, moved } = expected[at] ?? {};
+      return moved ? Math.hypot(Number(x) - inX, Number(y) - inY) : 0;
+    });
+    expect(expected.filter(({ moved }) => moved).length).toBeGreaterThan(1000);
+    // Numbers of 32 bits near 1000 are 6e-5 apart, and some are summed.
+    expect(Math.max(...off)).toBeLessThan(5e-4);
+    rmSync(dir, { recursive: true });
+  });
 });

@@ -120,7 +120,7 @@ impl<'a> Relaxing<'a> {
 
     /// The energy at a point of the line, from that of the nodes.
     fn with_springs(&self, of_nodes: Jet<f64x4>, length: f64) -> Jet {
-        Jet::of_polynomial(self.held, length) + of_nodes.map(f64x4::reduce_add)
+        Jet::of_polynomial(self.held, length) + of_nodes.map(|lanes| lanes.to_array().into_iter().sum())
     }
 }
 
