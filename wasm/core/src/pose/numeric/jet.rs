@@ -78,6 +78,23 @@ impl<T: Copy + From<f64> + Add<Output = T> + Mul<Output = T>> Mul for Jet<T> {
 }
 
 #[cfg(test)]
+impl Jet {
+    /// Asserts that the derivatives of a function at a place are the slopes of its value and of one another, but for `tolerance`.
+    pub(crate) fn assert_slopes(mut function: impl FnMut(f64) -> Self, at: f64, tolerance: f64) {
+        let step = 1e-4;
+        let [here, before, after] = [at, at - step, at + step].map(&mut function);
+        for (found, [before, after]) in [
+            (here.first, [before.value, after.value]),
+            (here.second, [before.first, after.first]),
+            (here.third, [before.second, after.second]),
+        ] {
+            let slope = (after - before) / (2.0 * step);
+            assert!((slope - found).abs() < tolerance * (1.0 + slope.abs()), "{slope} and {found} at {at}");
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

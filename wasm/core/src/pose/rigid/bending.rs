@@ -192,17 +192,8 @@ mod tests {
         let (is_free, scales) = ([true, true, true, false], [1.0, 1.2, 1.0, 0.8]);
         let mut bending = Bending::new(&[0, 1, 3], links, &rest, &motions, &is_free, &scales);
         bending.set_direction(&[(2.0, -1.0), (-3.0, 5.0), (1.0, 4.0)].map(DVec2::from));
-        let step = 1e-4;
         for length in [0.0, 0.6, -1.5] {
-            let [here, before, after] = [0.0, -step, step].map(|by| bending.along_line(length + by));
-            for (found, [before, after]) in [
-                (here.first, [before.value, after.value]),
-                (here.second, [before.first, after.first]),
-                (here.third, [before.second, after.second]),
-            ] {
-                let slope = (after - before) / (2.0 * step);
-                assert!((slope - found).abs() < 1e-6 * (1.0 + slope.abs()), "{slope} and {found} at {length}");
-            }
+            Jet::assert_slopes(|length| bending.along_line(length), length, 1e-6);
         }
     }
 }

@@ -113,20 +113,11 @@ mod tests {
 
     #[test]
     fn derivatives_of_the_factor_are_those_of_its_values() {
-        let step = 1e-4;
         for distortion in REGULARISATIONS[1..].iter().map(|&regularisation| Distortion::new(regularisation)) {
-            let at = |det: f64| distortion.factor(det.into()).map(|lanes| lanes.to_array()[0]);
             for det in [-0.6, -0.05, 0.0, 0.3, 1.0, 2.5] {
-                let (here, before, after) = (at(det), at(det - step), at(det + step));
-                for (found, [before, after]) in [
-                    (here.first, [before.value, after.value]),
-                    (here.second, [before.first, after.first]),
-                    (here.third, [before.second, after.second]),
-                ] {
-                    let slope = (after - before) / (2.0 * step);
-                    // The next but one derivative times the square of the step.
-                    assert!((slope - found).abs() < 1e-5 * (1.0 + slope.abs()), "{slope} and {found} at {det}");
-                }
+                let factor = |det: f64| distortion.factor(det.into()).map(|lanes| lanes.to_array()[0]);
+                // The next but one derivative times the square of the step.
+                Jet::assert_slopes(factor, det, 1e-5);
             }
         }
     }

@@ -103,14 +103,20 @@ impl<'a> Relaxing<'a> {
             sampled: 0.0,
             held: [0.0; 3],
         };
-        relaxing.along_line(0.0);
+        relaxing.evaluate(0.0);
         relaxing
     }
 
     /// Sets ε of the distortion.
     pub(super) fn set_regularisation(&mut self, regularisation: f64) {
         self.distortion = Distortion::new(regularisation);
-        self.along_line(0.0);
+        self.evaluate(0.0);
+    }
+
+    /// Sets the factors of all lines to those at a point of them.
+    fn evaluate(&mut self, length: f64) {
+        self.lines.iter_mut().for_each(|lines| lines.evaluate(&self.distortion, length));
+        self.sampled = length;
     }
 
     /// The unknowns, relative to their initial values.
@@ -185,7 +191,7 @@ impl Objective for Relaxing<'_> {
 
     fn advance(&mut self, length: f64) {
         if self.sampled != length {
-            self.along_line(length);
+            self.evaluate(length);
         }
         for (unknown, by) in self.unknown.iter_mut().zip(&self.direction) {
             *unknown += length * by;
