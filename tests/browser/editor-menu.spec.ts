@@ -60,6 +60,12 @@ test('a right click selects a handle and tells what can be done with it, each wi
   await expect(entry(page, 'Reset')).toBeDisabled();
   await entry(page, 'Reset').click({ force: true });
   await expect(menu(page)).toBeVisible();
+
+  // None stays marked once the mouse is elsewhere.
+  await entry(page, 'Delete').hover();
+  await expect(entry(page, 'Delete')).toBeFocused();
+  await page.mouse.move(5, 5);
+  await expect(menu(page)).toBeFocused();
 });
 
 test('on the picture it adds a point there; a press beside it does nothing but close it', async ({
@@ -364,7 +370,7 @@ test.describe('by fingers', () => {
     const hand = await editor.place('right hand');
     await send(session, 'Start', [hand]);
     await expect(menu(page)).toHaveAccessibleName('right hand');
-    await send(session, 'Move', [beside(hand, 0, -60)]);
+    await send(session, 'Move', [beside(hand, 3, -3)]);
     await send(session, 'End');
     await expect(menu(page)).toBeVisible();
     expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
@@ -383,6 +389,32 @@ test.describe('by fingers', () => {
     await entry(page, 'Select all handles').tap();
     await expect(menu(page)).toHaveCount(0);
     expect((await selection(page)).split(' ')).toHaveLength(5);
+  });
+
+  test('one that stays and then moves drags, and the menu goes', async ({ page }) => {
+    const editor = await Editor.open(page);
+    const session = await page.context().newCDPSession(page);
+    const hand = await editor.place('right hand');
+    await send(session, 'Start', [hand]);
+    await expect(menu(page)).toBeVisible();
+    await send(session, 'Move', [beside(hand, 0, -30)]);
+    await expect(menu(page)).toHaveCount(0);
+    await send(session, 'Move', [beside(hand, 0, -60)]);
+    await send(session, 'End');
+    const at = await editor.place('right hand');
+    expect(Math.hypot(at.x - hand.x, at.y - (hand.y - 60))).toBeLessThan(1);
+    await editor.button('Undo').tap();
+    expect(await editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+    await expect(editor.button('Undo')).toBeDisabled();
+
+    await set(page, 'play');
+    const again = await editor.place('right hand');
+    await send(session, 'Start', [again]);
+    await expect(menu(page)).toBeVisible();
+    await send(session, 'Move', [beside(again, -30, -40)]);
+    await send(session, 'End');
+    await expect(menu(page)).toHaveCount(0);
+    await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(480);
   });
 
   test('one that stays where it places a handle goes on to drag it', async ({ page }) => {

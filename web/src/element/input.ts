@@ -140,8 +140,9 @@ export class Input {
   }
 
   #down(pointer: StagePointer, pans: boolean): void {
-    const { workbench, areas, crosshair, focus } = this.#host;
+    const { workbench, areas, crosshair, focus, menu } = this.#host;
     areas.coarse = pointer.coarse;
+    menu.close();
     focus.leaveField();
     crosshair.at = null;
     const once = pans || this.#pans ? hand : undefined;

@@ -37,6 +37,7 @@ export function contextMenu(model: EditorModel, actions: EditorActions): Templat
     aria-label=${menu.name}
     @keydown=${(event: KeyboardEvent) => onKey(event, actions)}
     @contextmenu=${(event: Event) => event.preventDefault()}
+    @pointerleave=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
   >
     ${groups.map(
       (names, k) =>

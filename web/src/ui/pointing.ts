@@ -2,8 +2,8 @@
  * Translates pointers, wheel and space bar of a stage into presses of a tool and moves of the camera.
  *
  * One pointer works the tool; with space, the middle button or a second finger it navigates instead. A second finger
- * cancels what the first began: two fingers never edit. A right click, or a finger that stays, asks for the menu. With
- * the owner `page`, gestures that hold no handle are left to the page, which scrolls by wheel or finger, zooms by pinch,
+ * cancels what the first began: two fingers never edit. A right click, or a finger that stays, asks for the menu; once
+ * that finger moves, it goes on as the press that it was. With the owner `page`, gestures that hold no handle are left to the page, which scrolls by wheel or finger, zooms by pinch,
  * and shows its menu. Places are CSS pixels of the stage, however the page scales it.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
@@ -87,6 +87,8 @@ export class Pointing {
   #navigating = false;
   #space = false;
   #holding: ReturnType<typeof setTimeout> | undefined;
+  /** The press that has brought up the menu, as it began, until it moves or ends. */
+  #stayed: { readonly id: number; readonly pointer: StagePointer } | null = null;
 
   constructor(stage: HTMLElement, host: PointingHost, owner: Owner) {
     this.#stage = stage;
@@ -120,6 +122,7 @@ export class Pointing {
 
   #down(event: PointerEvent): void {
     clearTimeout(this.#holding);
+    this.#stayed = null;
     // One that was prevented has closed a menu.
     if (event.defaultPrevented) return;
     // The focus stays where it was while the menu is open.
@@ -148,13 +151,30 @@ export class Pointing {
     const pointer = this.#pointer(event);
     this.#host.pressDown(pointer, pans);
     if (event.pointerType !== 'mouse' && !pans)
-      this.#holding = setTimeout(() => this.#openMenu(pointer, true), HOLD_MS);
+      this.#holding = setTimeout(() => this.#stay(event.pointerId, pointer), HOLD_MS);
+  }
+
+  #stay(id: number, pointer: StagePointer): void {
+    if (this.#openMenu(pointer, true)) this.#stayed = { id, pointer };
+  }
+
+  /** Goes on with a press that has brought up the menu, if it moves far enough for a drag. */
+  #goOn({ pointerId }: PointerEvent, pointer: StagePointer): void {
+    const stayed = this.#stayed;
+    if (stayed?.id !== pointerId || !this.#slips(stayed.pointer.stage, pointer)) return;
+    this.#stayed = null;
+    this.#pressing = pointerId;
+    this.#host.pressDown(stayed.pointer, false);
+  }
+
+  #slips(begun: Vec, pointer: StagePointer): boolean {
+    return distance(begun, pointer.stage) > SLIP[kindOf(pointer)];
   }
 
   #move(event: PointerEvent): void {
     const pointer = this.#pointer(event);
-    if (this.#begun && distance(this.#begun, pointer.stage) > SLIP[kindOf(pointer)])
-      clearTimeout(this.#holding);
+    if (this.#begun && this.#slips(this.#begun, pointer)) clearTimeout(this.#holding);
+    this.#goOn(event, pointer);
     if (this.#navigating && this.#fingers.has(event.pointerId)) {
       this.#navigate(event);
     } else if (event.pointerId === this.#pressing) {
@@ -169,8 +189,7 @@ export class Pointing {
   #up(event: PointerEvent): void {
     this.#lift(event);
     const pointer = this.#pointer(event);
-    if (this.#beside && distance(this.#beside, pointer.stage) <= SLIP[kindOf(pointer)])
-      this.#host.pressedBeside();
+    if (this.#beside && !this.#slips(this.#beside, pointer)) this.#host.pressedBeside();
     this.#beside = null;
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
@@ -185,7 +204,7 @@ export class Pointing {
     const [begun, before, kind] = [this.#begun, this.#clicked, kindOf(pointer)] as const;
     const isNear = before !== null && distance(before.place, stage) <= TWICE[kind];
     const second = isNear && time - before.time <= TWICE.ms;
-    const isClick = begun !== null && distance(begun, stage) <= SLIP[kind];
+    const isClick = begun !== null && !this.#slips(begun, pointer);
     this.#clicked = isClick && !second ? { place: stage, time } : null;
     return isClick && second;
   }
@@ -237,6 +256,7 @@ export class Pointing {
 
   #lift(event: PointerEvent): void {
     clearTimeout(this.#holding);
+    if (this.#stayed?.id === event.pointerId) this.#stayed = null;
     this.#fingers.delete(event.pointerId);
     if (this.#fingers.size === 0) this.#navigating = false;
   }

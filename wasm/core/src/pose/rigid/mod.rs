@@ -6,6 +6,9 @@
 //! picture between its sites, so a cloud keeps the result of the graph.
 //!
 //! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the way they were dragged there.
+//! Begun at the last frame's pose and settled in two iterations, a frame takes six tenths of the time, and what it shows depends
+//! on the drag: a twisted cross ends six pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times
+//! the energy.
 //!
 //! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima, and the
 //! descent from the harmonic pose leads to one of them. A pose without folds ends within a few thousandths of the picture's size
