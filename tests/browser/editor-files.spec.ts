@@ -89,6 +89,71 @@ test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
   expect(alpha(2, 2)).toBe(0);
 });
 
+/** A striped rectangle in the middle, of three colours. */
+function sprite(width: number, height: number): Buffer {
+  const data = new Uint8Array(width * height * 4);
+  const colours = [
+    [200, 60, 40, 255],
+    [240, 200, 60, 255],
+    [40, 60, 90, 255],
+  ] as const;
+  for (let y = 4; y < height - 4; y++) {
+    for (let x = 12; x < width - 12; x++) data.set(colours[(x + y) % 3] ?? [], (y * width + x) * 4);
+  }
+  return Buffer.from(encode({ width, height, data, channels: 4 }));
+}
+
+test('pixel art is exported with the colours that it has, unless a switch or the page says otherwise', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  await editor.choose(png('sprite.png', sprite(40, 48)));
+  const pixelArt = editor.switch('Pixel art');
+  await expect(pixelArt).toBeChecked();
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    warp.addHandle({ kind: 'point', id: 'foot', rest: [20, 42] });
+    warp.addHandle({ kind: 'point', id: 'head', rest: [20, 6], posed: [27, 9] });
+    warp.selection = [];
+  });
+  await expect(editor.solved).toContainText('sample');
+  const colours = (rgba: ArrayLike<number>) => {
+    const found = new Set<string>();
+    for (let at = 0; at < rgba.length; at += 4)
+      found.add(
+        Array.from(rgba)
+          .slice(at, at + 4)
+          .join(),
+      );
+    return found;
+  };
+  const exported = async () =>
+    colours(decode(await bytes(await editor.download('Export a PNG at full size'))).data);
+  const hard = new Set(['0,0,0,0', '200,60,40,255', '240,200,60,255', '40,60,90,255']);
+  expect(await exported()).toEqual(hard);
+
+  await pixelArt.uncheck();
+  expect((await exported()).size).toBeGreaterThan(50);
+  await expect.poll(() => editor.kept()).toMatchObject({ pixelated: false, picture: 'sprite.png' });
+  await page.reload();
+  await expect(editor.handle('head')).toBeVisible();
+  await expect(pixelArt).not.toBeChecked();
+  // As the page says, or its script.
+  const blob = (options?: { pixelated: boolean }) =>
+    page.locator('c2-warp').evaluate(async (element, options) => {
+      const file = await (element as C2Warp).toBlob(1, options);
+      return Array.from(new Uint8Array(await file.arrayBuffer()));
+    }, options);
+  const ofBlob = async (options?: { pixelated: boolean }) =>
+    colours(decode(Uint8Array.from(await blob(options))).data);
+  expect(await ofBlob({ pixelated: true })).toEqual(hard);
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as HTMLElement).style.imageRendering = 'pixelated';
+  });
+  expect(await ofBlob()).toEqual(hard);
+  expect((await ofBlob({ pixelated: false })).size).toBeGreaterThan(50);
+});
+
 test('the first PNG is exported without a network too', async ({ page, context }) => {
   const editor = await Editor.open(page);
   await page.waitForLoadState('networkidle');

@@ -25,6 +25,8 @@ export interface KeptWork {
   readonly selection: readonly string[];
   /** Whether the guard against folds is on. */
   readonly guarded: boolean;
+  /** Whether it is drawn as pixel art. */
+  readonly pixelated: boolean;
   /** Bars and polygons that are not finished. */
   readonly drawings: readonly { readonly kind: string; readonly corners: readonly unknown[] }[];
 }
@@ -165,8 +167,16 @@ export class Editor {
       const { past, present } = document.record;
       const { project, selection } = present;
       const step = past.at(-1)?.label ?? null;
-      const { guarded, drawings } = document;
-      return { picture: picture.name, step, handles: project.handles, selection, guarded, drawings };
+      const { guarded, pixelated, drawings } = document;
+      return {
+        picture: picture.name,
+        step,
+        handles: project.handles,
+        selection,
+        guarded,
+        pixelated,
+        drawings,
+      };
     }, key);
   }
 

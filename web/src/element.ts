@@ -285,12 +285,16 @@ export class C2Warp extends TypedElement {
 
   /**
    * The warped picture as PNG with alpha, at `scale` times the source's size; with `grow`, as much larger as it takes to
-   * hold what is bent beyond that.
+   * hold what is bent beyond that. `pixelated` is for pixel art: each pixel is one of the original, or transparent. Without
+   * a word of that it is as it is shown: pixelated where it is pixel art, or the page's style says `image-rendering: pixelated`.
    * @throws Error if no picture is open, the element is not connected, or the result would be too large. DOMException
    * AbortError if another picture is opened, or the element is removed, first.
    */
-  async toBlob(scale = 1, { grow = false } = {}): Promise<Blob> {
-    return this.#present.workbench.png(scale, grow);
+  async toBlob(
+    scale = 1,
+    { grow = false, pixelated }: { readonly grow?: boolean; readonly pixelated?: boolean | undefined } = {},
+  ): Promise<Blob> {
+    return this.#present.png(scale, grow, pixelated);
   }
 
   /** Fits the whole picture into view. */

@@ -1,5 +1,7 @@
 //! `c2warp warp`.
 
+use std::collections::HashSet;
+
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageDecoder, ImageEncoder, ImageReader, RgbImage, Rgba};
@@ -107,6 +109,19 @@ fn a_grown_result_holds_all_of_the_picture_and_tells_its_origin() {
     }
     assert_eq!(succeed(place.folder(), &format!("{WARP} --grow --scale 0.5")), b"10,0\n");
     assert_eq!(place.picture("out.png").dimensions(), (58, 27));
+}
+
+#[test]
+fn pixel_art_has_the_colours_of_the_picture_and_no_others() {
+    let place = Workplace::with("strip");
+    let known: HashSet<Rgba<u8>> = place.picture("strip.png").pixels().copied().chain([Rgba([0; 4])]).collect();
+    let mixed = |name: &str| place.picture(name).pixels().filter(|pixel| !known.contains(pixel)).count();
+    succeed(place.folder(), WARP);
+    assert!(mixed("out.png") > 100);
+    for more in ["--pixelated", "--pixelated --grow --scale 2"] {
+        succeed(place.folder(), &format!("{WARP} {more}"));
+        assert_eq!(mixed("out.png"), 0, "{more}");
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use c2warp::{Canvas, Picture, raster};
+use c2warp::{Drawing, Picture, raster};
 use embedded_graphics::{
     Drawable, Pixel,
     draw_target::DrawTarget,
@@ -102,8 +102,14 @@ impl Frame {
         let room = f64::from(self.width).max(f64::from(self.height));
         let scale = room / f64::from(width.min(height));
         let to_picture: Vec<DVec2> = posed.iter().map(|&p| p / scale).collect();
-        let warped = raster::warp(&picture, &fine.vertices, &to_picture, &fine.triangles, scale, Canvas::Picture)
-            .expect("a fair size");
+        let warped = raster::warp(
+            &picture,
+            &fine.vertices,
+            &to_picture,
+            &fine.triangles,
+            Drawing { scale, ..Drawing::default() },
+        )
+        .expect("a fair size");
         let whole = RgbaImage::from_raw(warped.width, warped.height, warped.rgba).expect("as many bytes as pixels");
         let mut panel = RgbaImage::from_pixel(self.width, self.height, Rgba([244, 244, 240, 255]));
         imageops::overlay(&mut panel, &whole, 0, 0);

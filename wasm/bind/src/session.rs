@@ -1,6 +1,8 @@
 //! Solves in a worker: one picture, and one project after another.
 
-use c2warp::{Canvas, Error, Inspection, Picture, Solver, Stage, StageTimes, project::Project, raster};
+use c2warp::{
+    Canvas, Drawing, Error, Filter, Inspection, Picture, Solver, Stage, StageTimes, project::Project, raster,
+};
 use wasm_bindgen::prelude::*;
 
 use crate::{
@@ -83,14 +85,16 @@ impl Session {
         Ok(Solution::new(solution, report))
     }
 
-    /// The warped picture at full quality, of the picture's size times `scale`, or grown to all that is bent beyond that. Solves
-    /// first if it must.
+    /// The warped picture at full quality, of the picture's size times `scale`, or grown to all that is bent beyond that; `pixelated` is
+    /// for pixel art. Solves first if it must.
     ///
     /// # Errors
     /// As [`Session::begin`] and [`Session::advance`]; where the result would be too large.
-    pub fn warp(&mut self, project_json: &str, scale: f64, grow: bool) -> Result<Warped, JsValue> {
+    pub fn warp(&mut self, project_json: &str, scale: f64, grow: bool, pixelated: bool) -> Result<Warped, JsValue> {
         let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
-        self.try_warp(project_json, scale, canvas).map(Warped::from).map_err(|error| to_js(&error))
+        let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
+        let warped = self.try_warp(project_json, Drawing { scale, canvas, filter });
+        warped.map(Warped::from).map_err(|error| to_js(&error))
     }
 
     /// The borders between the cells of a project's solution. Solves first if it must.
@@ -126,15 +130,15 @@ impl Session {
         Ok(Some(stage.name()))
     }
 
-    fn try_warp(&mut self, project_json: &str, scale: f64, canvas: Canvas) -> Result<c2warp::Warped, Error> {
+    fn try_warp(&mut self, project_json: &str, drawing: Drawing) -> Result<c2warp::Warped, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
         // A solve takes time that a scale which is none is not worth.
-        raster::warped_size(width, height, scale)?;
+        raster::warped_size(width, height, drawing.scale)?;
         self.try_solve(&project)?;
         let solution = self.solver.solution().expect("it has just been solved");
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, scale, canvas)
+        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, drawing)
     }
 
     /// The solution of a project, which may be that of the last solve.

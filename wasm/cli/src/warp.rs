@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use c2warp::{Canvas, Warped, raster};
+use c2warp::{Canvas, Drawing, Filter, Warped, raster};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageResult};
 
@@ -27,6 +27,9 @@ pub(crate) struct Arguments {
     /// corner lies in it: X,Y in pixels; on standard error if the picture goes to standard output
     #[arg(long)]
     grow: bool,
+    /// Draw pixel art: each pixel of the result is one of the picture, or none; no colour is mixed, no edge is smooth
+    #[arg(long)]
+    pixelated: bool,
     /// Also write the map of the warp for compositors: an OpenEXR picture as large as the result. Red and green are where each pixel comes
     /// from, u and v from 0 to 1, v upwards; blue is how areas grow; alpha is how much of the pixel is covered
     #[arg(long, value_name = "OUT.exr")]
@@ -45,12 +48,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
 
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
-    let canvas = if arguments.grow { Canvas::Grown } else { Canvas::Picture };
-    let warped = solution.warped(&picture, &pose, arguments.scale, canvas).map_err(|reason| scene.refused(reason))?;
+    let drawing = Drawing {
+        scale: arguments.scale,
+        canvas: if arguments.grow { Canvas::Grown } else { Canvas::Picture },
+        filter: if arguments.pixelated { Filter::Nearest } else { Filter::Cubic },
+    };
+    let warped = solution.warped(&picture, &pose, drawing).map_err(|reason| scene.refused(reason))?;
     output.finish(|writer| writer.write_all(&png(&warped, scene.profile()).map_err(io::Error::other)?))?;
     if let Some(stmap) = stmap {
-        let sources =
-            solution.sources(&picture, &pose, arguments.scale, &warped).map_err(|reason| scene.refused(reason))?;
+        let sources = solution.sources(&picture, &pose, drawing, &warped).map_err(|reason| scene.refused(reason))?;
         let file = stmap::exr(&picture, &warped, &sources);
         stmap.finish(|writer| writer.write_all(&file.map_err(io::Error::other)?))?;
     }

@@ -86,7 +86,12 @@ pub use stage::{Stage, StageTimes};
 // What comes out.
 pub use bone::Outside;
 pub use cell_borders::BorderPiece;
-pub use raster::{canvas::Canvas, sources::Source, warped::Warped};
+pub use raster::{
+    canvas::Canvas,
+    drawing::{Drawing, Filter},
+    sources::Source,
+    warped::Warped,
+};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
 pub use surroundings::Surroundings;

@@ -16,7 +16,7 @@ use crate::{
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     project::Project,
-    raster::{self, canvas::Canvas, sources::Source, warped::Warped},
+    raster::{self, drawing::Drawing, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     request::check_picture,
@@ -294,18 +294,18 @@ impl Solution {
     /// The picture, warped by a pose: what [`raster::warp`] draws of the [surroundings](Self::surroundings) and the mesh, or, where there
     /// is no handle, of the picture as it is, with all that is no part of the domain.
     ///
-    /// `scale` is pixels of the result for a pixel of the picture: [`raster::warped_size`] tells the size, unless the canvas grows.
+    /// [`raster::warped_size`] tells the size, unless the canvas grows.
     ///
     /// # Errors
     /// [`Error::Scale`]; [`Error::Canvas`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
     /// [`Error::PoseOfAnother`].
-    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, scale: f64, canvas: Canvas) -> Result<Warped, Error> {
+    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, drawing: Drawing) -> Result<Warped, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
-        raster::warp(picture, &rest, &posed, &triangles, scale, canvas)
+        raster::warp(picture, &rest, &posed, &triangles, drawing)
     }
 
     /// Where the pixels of a warped picture come from, in rows from top to bottom: [`raster::sources`] of what [`warped`](Self::warped)
-    /// made of the same picture, pose and scale.
+    /// made of the same picture and pose in the same way.
     ///
     /// # Errors
     /// [`Error::PictureMismatch`] and [`Error::PoseOfAnother`], as for [`warped`](Self::warped).
@@ -313,11 +313,11 @@ impl Solution {
         &self,
         picture: &Picture<'_>,
         pose: &Pose,
-        scale: f64,
+        drawing: Drawing,
         warped: &Warped,
     ) -> Result<Vec<Source>, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
-        Ok(raster::sources(picture, &rest, &posed, &triangles, scale, warped))
+        Ok(raster::sources(picture, &rest, &posed, &triangles, drawing, warped))
     }
 
     /// All that a pose draws: the surroundings and the mesh, or, where there is no handle, the picture as it is.

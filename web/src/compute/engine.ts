@@ -56,11 +56,12 @@ export class Engine {
   }
 
   /**
-   * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that.
+   * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that;
+   * `pixelated`, no colours are mixed.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
    */
-  warp(project: Project, scale = 1, grow = false): Promise<Pixels> {
-    return this.#ask('warp', { project: JSON.stringify(project), scale, grow });
+  warp(project: Project, scale = 1, grow = false, pixelated = false): Promise<Pixels> {
+    return this.#ask('warp', { project: JSON.stringify(project), scale, grow, pixelated });
   }
 
   /**

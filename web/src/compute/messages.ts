@@ -9,7 +9,12 @@ export interface Messages {
   solve: [request: { readonly project: string }, response: SolutionData];
   /** The warped picture at full quality. */
   warp: [
-    request: { readonly project: string; readonly scale: number; readonly grow: boolean },
+    request: {
+      readonly project: string;
+      readonly scale: number;
+      readonly grow: boolean;
+      readonly pixelated: boolean;
+    },
     response: Pixels,
   ];
   /** The borders between the cells of the project's solution. */

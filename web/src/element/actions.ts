@@ -58,6 +58,11 @@ export function actionsOf(host: ActionsHost): EditorActions {
       autosave.save();
       host.changed();
     },
+    pixelate: (on) => {
+      workbench.pixelated = on;
+      autosave.save();
+      host.looked();
+    },
     finish: () => lines.finish(),
     back: () => editing.apply(editing.machine.back()),
     settings: (on) => display.openSettings(on),

@@ -67,7 +67,7 @@ export class Desk {
 
   constructor(host: DeskHost) {
     this.#host = host;
-    const parts = partsOf(host, {
+    const parts = partsOf(host, this.canvas, {
       opened: (picture, look) => this.#opened(picture, look),
       solved: (solved, first) => this.#solved(solved, first),
       edited: (kind) => this.#edited(kind),
@@ -134,6 +134,11 @@ export class Desk {
   /** Null without a picture. */
   clientAt(image: Vec): Vec | null {
     return (this.workbench.picture && this.#stage?.clientAt(image)) ?? null;
+  }
+
+  /** The warped picture, drawn as pixel art or not: without a word of that, as it is shown. */
+  png(scale: number, grow: boolean, pixelated = this.#parts.display.pixelated): Promise<Blob> {
+    return this.workbench.png(scale, grow, pixelated);
   }
 
   dispose(): void {

@@ -8,6 +8,8 @@ import type { Workbench } from './workbench';
 export interface DisplayHost {
   readonly workbench: Workbench;
   readonly permissions: Permissions;
+  /** Which the picture is drawn on, and whose style the page may set. */
+  readonly canvas: HTMLCanvasElement;
   /** The controls show something else. */
   changed(): void;
   /** The stage shows something else too. */
@@ -61,6 +63,12 @@ export class Display {
   /** Whether handles and overlays are out of the way of a lasso. */
   get lassoing(): boolean {
     return this.#host.workbench.editing.machine.tool === 'lasso';
+  }
+
+  /** Whether the picture is drawn as pixel art: as the page says by `image-rendering`, or the person. */
+  get pixelated(): boolean {
+    const { workbench, canvas } = this.#host;
+    return workbench.pixelated || getComputedStyle(canvas).imageRendering === 'pixelated';
   }
 
   /** Whether the settings of the whole picture are open, in layouts without room to show them always. */

@@ -30,6 +30,8 @@ export interface FilesHost {
   received(ignored: readonly string[]): void;
   /** Whether an export would cut off part of the posed picture. */
   cuts(): boolean;
+  /** The warped picture, of the size of the original, or grown to hold all of it. */
+  png(grow: boolean): Promise<Blob>;
 }
 
 const CUT =
@@ -128,7 +130,7 @@ export class Files {
     const end = this.#host.begin('Exporting');
     await this.#guarded(async () => {
       const cut = !grow && this.#host.cuts();
-      await saveFile(this.#workbench.png(1, grow), `${stem(picture.name)}-warped.png`, 'png');
+      await saveFile(this.#host.png(grow), `${stem(picture.name)}-warped.png`, 'png');
       if (!cut) return;
       const action = { label: 'Export all', run: () => void this.export(true) };
       this.#host.notify({ kind: 'info', text: CUT, action, passes: true });

@@ -1,4 +1,5 @@
 /** The model that the templates show, gathered from the parts that hold its state. */
+import { isSmall } from '../io/pixel_art';
 import type { EditorModel } from '../ui/model';
 import type { Bordering } from './bordering';
 import type { ContextMenu } from './context_menu';
@@ -90,6 +91,7 @@ export function modelOf(
     folds: overlays.folds || guarding.on ? posing.folds() : checks.folds,
     beyond: checks.beyond,
     guarded: guarding.on,
+    pixelated: picture && isSmall(picture) ? workbench.pixelated : null,
     holding: guarding.holding,
     corner: lines.corner,
     settings: display.settings,

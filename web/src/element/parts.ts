@@ -53,7 +53,7 @@ export interface Reactions extends Pick<WorkbenchHost, 'opened' | 'solved' | 'ed
 
 export type Parts = ReturnType<typeof partsOf>;
 
-export function partsOf(host: PartsHost, reactions: Reactions) {
+export function partsOf(host: PartsHost, canvas: HTMLCanvasElement, reactions: Reactions) {
   const changed = () => host.changed();
   const looked = () => reactions.looked();
   const workbench: Workbench = new Workbench({
@@ -70,7 +70,7 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     report: (error) => notices.report(error),
   });
   const permissions = new Permissions(host, workbench);
-  const display = new Display({ workbench, permissions, changed, looked });
+  const display = new Display({ workbench, permissions, canvas, changed, looked });
   const notices = new Notices({
     changed,
     emit: host.emit,
@@ -117,6 +117,7 @@ export function partsOf(host: PartsHost, reactions: Reactions) {
     report: (error) => notices.report(error),
     begin: (label) => notices.begin(label),
     cuts: () => workbench.posing.beyond(),
+    png: (grow) => workbench.png(1, grow, display.pixelated),
     received: (ignored) => reactions.received(ignored),
   });
   const autosave = new Autosave(workbench, () => {

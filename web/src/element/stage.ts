@@ -119,7 +119,7 @@ export class Stage {
           ...deviceView(viewing.camera, viewing.stage, devicePixelRatio),
           compare: display.original,
           overlays: display.bare || display.lassoing ? {} : display.overlays,
-          pixelated: getComputedStyle(canvas).imageRendering === 'pixelated',
+          pixelated: display.pixelated,
         }),
         motions: () => posing.motions(),
         blend: () => blendOf(editing.project),

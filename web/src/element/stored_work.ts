@@ -1,6 +1,6 @@
 /**
  * The work stored under one key of the browser's storage: the picture, written once, and the document with its history,
- * unfinished drawings, and whether the guard against folds is on. Tabs share the key: the last change of any of them is read, picture and
+ * unfinished drawings, whether the guard against folds is on, and whether it is drawn as pixel art. Tabs share the key: the last change of any of them is read, picture and
  * document together.
  *
  * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing fails:
@@ -13,8 +13,10 @@ interface KeptPicture extends Pick<Kept, 'file' | 'name'> {
   readonly mark: string;
 }
 
-/** `guarded` and `drawings` are missing in documents stored by older versions. */
-interface KeptDocument extends Pick<Kept, 'record' | 'drawings'>, Partial<Pick<Kept, 'guarded'>> {
+/** `guarded`, `drawings` and `pixelated` are missing in documents stored by older versions. */
+interface KeptDocument
+  extends Pick<Kept, 'record' | 'drawings' | 'pixelated'>,
+    Partial<Pick<Kept, 'guarded'>> {
   readonly mark: string;
 }
 
@@ -40,8 +42,8 @@ export class StoredWork {
       if (!picture || picture.mark !== document?.mark) return null;
       const { file, name, mark } = picture;
       [this.#file, this.#mark] = [file, mark];
-      const { record, drawings = [], guarded = false } = document;
-      return { file, name, record, drawings, guarded };
+      const { record, drawings = [], guarded = false, pixelated } = document;
+      return { file, name, record, drawings, guarded, ...(pixelated !== undefined && { pixelated }) };
     } catch {
       return null;
     }
@@ -58,14 +60,14 @@ export class StoredWork {
     const kept = this.#next;
     this.#next = null;
     if (!kept) return;
-    const { file, name, record, drawings = [], guarded } = kept;
+    const { file, name, record, drawings = [], guarded, pixelated } = kept;
     if (file !== this.#file)
       [this.#file, this.#mark] = [file, `${performance.timeOrigin}+${performance.now()}`];
     const mark = this.#mark;
     const markName = `${this.#key}/mark`;
     const [picture, document]: [KeptPicture, KeptDocument] = [
       { file, name, mark },
-      { record, drawings, guarded, mark },
+      { record, drawings, guarded, ...(pixelated !== undefined && { pixelated }), mark },
     ];
     try {
       await writeKept(

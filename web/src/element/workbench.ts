@@ -16,6 +16,7 @@ import { solveKey } from '../document/solved';
 import { alphaThreshold } from '../io/alpha';
 import { encodePng, preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
+import { isPixelArt } from '../io/pixel_art';
 import type { Drawings } from '../tools/machine';
 import { EditCommands } from './edit_commands';
 import { Editing, type EditingHost } from './editing';
@@ -44,6 +45,8 @@ export interface Work {
   /** Unfinished bars and polygons. */
   readonly drawings?: Drawings;
   readonly look?: Look;
+  /** Whether it is drawn as pixel art; without it, the picture decides. */
+  readonly pixelated?: boolean;
 }
 
 export const isWorkedOn = ({ record, drawings = [] }: Work): boolean =>
@@ -73,6 +76,8 @@ export class Workbench {
   readonly guarding: Guarding;
   readonly editing: Editing;
   readonly commands: EditCommands;
+  /** Whether the open picture is drawn as pixel art. */
+  pixelated = false;
   readonly #host: WorkbenchHost;
   #picture: Picture | null = null;
   #opening: Opening | null = null;
@@ -179,13 +184,16 @@ export class Workbench {
     return { name: `${stem(image.src)}.c2warp.json`, blob };
   }
 
-  /** The warped picture as PNG, at `scale` times the source's size, or grown to what is bent beyond that. */
-  async png(scale = 1, grow = false): Promise<Blob> {
+  /**
+   * The warped picture as PNG, at `scale` times the source's size, or grown to what is bent beyond that; `pixelated`, no
+   * colours are mixed.
+   */
+  async png(scale: number, grow: boolean, pixelated: boolean): Promise<Blob> {
     if (!this.#picture) throw new PictureError('There is no picture yet.');
     // The pose of the call: the page may go on to the next one meanwhile.
     const { project } = this.editing;
     const engine = await this.solving.engine();
-    const { width, height, rgba } = await engine.warp(project, scale, grow);
+    const { width, height, rgba } = await engine.warp(project, scale, grow, pixelated);
     return encodePng(width, height, rgba);
   }
 
@@ -214,7 +222,9 @@ export class Workbench {
 
   #snapshot(picture: Picture): NonNullable<Opening['before']> {
     const { editing } = this;
-    const work = { record: editing.record(), drawings: editing.machine.drawings, look: this.#host.look };
+    const { drawings } = editing.machine;
+    const { pixelated } = this;
+    const work = { record: editing.record(), drawings, look: this.#host.look, pixelated };
     return { picture, work };
   }
 
@@ -224,7 +234,8 @@ export class Workbench {
     return { record: { past: [], present, future: [] } };
   }
 
-  #put(picture: Picture, { record, drawings, look }: Work): void {
+  #put(picture: Picture, { record, drawings, look, pixelated }: Work): void {
+    this.pixelated = pixelated ?? isPixelArt(picture);
     // First, so that this picture is not fitted with the bounds of the previous one.
     this.solving.setPicture(picture);
     this.#show(picture, look);

@@ -52,6 +52,11 @@ export function bending(
     ${ringsOf(project).length > 0 ? lassoed(model, actions) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => actions.holdBoundary(on))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => actions.guard(on))}
+    ${
+      model.pixelated === null
+        ? nothing
+        : toggle('Pixel art', 'No colours are mixed.', model.pixelated, model, (on) => actions.pixelate(on))
+    }
   </details>`;
 }
 

@@ -53,6 +53,8 @@ export interface EditorModel {
   readonly beyond: boolean;
   /** `guarded`: the guard against folds is on. `holding`: it holds a drag back now. */
   readonly guarded: boolean;
+  /** Whether the picture is drawn as pixel art; null where it is too large for that. */
+  readonly pixelated: boolean | null;
   readonly holding: boolean;
   /** The corner in hand, of the only selected handle. */
   readonly corner: number | null;
@@ -153,6 +155,8 @@ export interface EditorActions {
   blend(blend: Blend): void;
   /** Sets whether drags stop where they would fold the picture. */
   guard(on: boolean): void;
+  /** Sets whether the picture is drawn as pixel art. */
+  pixelate(on: boolean): void;
   /** `finish` completes the line being drawn; `back` removes its last corner. */
   finish(): void;
   back(): void;

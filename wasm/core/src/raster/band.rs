@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use glam::{DVec2, Vec4};
 
+use super::drawing::Filter;
 use super::facet::{Facet, GRID, Mask};
 use super::texture::{OPAQUE, Texture};
 
@@ -45,12 +46,19 @@ impl Band {
 
     /// Draws a triangle over the current colours.
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
-        let rows = facet.rows(self.rows.end);
-        facet.cover(rows.start.max(self.rows.start)..rows.end, self.width, |x, row, mask| {
+        let (rows, width) = (facet.rows(self.rows.end), self.width);
+        let rows = rows.start.max(self.rows.start)..rows.end;
+        let mut shade = |x, row, mask| {
             let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
             let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
-            self.blend((row - self.rows.start) * self.width + x, mask, colour);
-        });
+            self.blend((row - self.rows.start) * width + x, mask, colour);
+        };
+        match texture.filter() {
+            Filter::Cubic => facet.cover(rows, width, shade),
+            Filter::Nearest => {
+                rows.for_each(|row| facet.centres(row, width).for_each(|x| shade(x, row, Mask::MAX)));
+            }
+        }
     }
 
     fn blend(&mut self, pixel: usize, mask: Mask, colour: Vec4) {

@@ -11,6 +11,12 @@ const MOST_TAPS: usize = 2 * (REACH * WIDEST) as usize + 2;
 /// Places between texels are rounded to 1/256, as on hardware, which also absorbs rounding errors beside a texel's centre.
 const FRACTIONS: f64 = 256.0;
 
+/// The texel that a place lies in, in texels from the border of a row of `length` texels.
+pub(super) fn nearest(place: f64, length: usize) -> usize {
+    let steps = (place.clamp(0.0, length as f64) * FRACTIONS + 0.5) as usize;
+    (steps / FRACTIONS as usize).min(length - 1)
+}
+
 /// Successive texels of a row or column, and the share of each.
 pub(super) struct Taps {
     pub(super) first: usize,
@@ -121,6 +127,12 @@ mod tests {
                 assert!((taps.shares().iter().sum::<f32>() - 1.0).abs() < 1e-6);
             }
         }
+    }
+
+    #[test]
+    fn a_place_between_two_texels_lies_in_the_second_but_for_rounding() {
+        let found = [-3.0, 0.2, 1.0, 3.0 - 1e-9, 3.0 + 1e-9, 4.99, 7.0].map(|place| nearest(place, 5));
+        assert_eq!(found, [0, 0, 1, 3, 3, 4, 4]);
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! top-left rule in fixed-point arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture
 //! has no seams. The picture is read premultiplied by a cubic, which keeps it sharper than the bilinear filter of hardware; where
 //! it shrinks, by one as wide as a pixel is there, along x and y. Colours are bytes without gamma correction, as in a browser's
-//! canvas.
+//! canvas. Pixel art is drawn without any of that, by [`Filter::Nearest`](drawing::Filter::Nearest).
 //!
 //! Only integers and f64 or f32 addition, multiplication, division and square roots are used (and `libm`'s logarithm): the
 //! result has the same bits on every machine.
@@ -19,6 +19,7 @@
 
 mod band;
 pub(crate) mod canvas;
+pub(crate) mod drawing;
 mod facet;
 mod footprint;
 mod kernel;
@@ -34,6 +35,7 @@ use glam::DVec2;
 
 use self::band::Band;
 use self::canvas::{Canvas, Frame};
+use self::drawing::Drawing;
 use self::facet::Facet;
 use self::texture::Texture;
 use self::warped::Warped;
@@ -67,16 +69,17 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// Draws a mesh from its rest places in the picture to its posed places.
 ///
 /// `rest` and `posed` are the mesh's vertices in image pixels, in the same number; `triangles` index them and are drawn in
-/// order, in either orientation. `scale` is pixels of the result per pixel of the picture.
+/// order, in either orientation.
 ///
 /// ```
-/// use c2warp::{Canvas, Picture, glam::DVec2, raster::warp};
+/// use c2warp::{Canvas, Drawing, Picture, glam::DVec2, raster::warp};
 ///
 /// let rgba: Vec<u8> = (0..16 * 8).flat_map(|i| [i, 2 * i, 0, 255]).collect();
 /// let picture = Picture::new(16, 8, &rgba)?;
 /// let rest = [(0.0, 0.0), (16.0, 0.0), (16.0, 8.0), (0.0, 8.0)].map(DVec2::from);
 /// let moved = rest.map(|corner| corner + DVec2::new(4.0, 0.0));
-/// let warped = warp(&picture, &rest, &moved, &[[0, 1, 2], [0, 2, 3]], 1.0, Canvas::Grown)?;
+/// let grown = Drawing { canvas: Canvas::Grown, ..Drawing::default() };
+/// let warped = warp(&picture, &rest, &moved, &[[0, 1, 2], [0, 2, 3]], grown)?;
 /// assert_eq!((warped.width, warped.height, warped.origin), (20, 8, [0, 0]));
 /// assert_eq!(warped.rgba[4 * 4..20 * 4], rgba[..16 * 4]);
 /// # Ok::<(), c2warp::Error>(())
@@ -96,8 +99,7 @@ pub fn warp(
     rest: &[DVec2],
     posed: &[DVec2],
     triangles: &[[u32; 3]],
-    scale: f64,
-    canvas: Canvas,
+    Drawing { scale, canvas, filter }: Drawing,
 ) -> Result<Warped, Error> {
     let picture_size = warped_size(picture.width(), picture.height(), scale)?;
     let mut facets = facets(rest, posed, triangles, scale);
@@ -107,7 +109,7 @@ pub fn warp(
     };
     facets.iter_mut().for_each(|facet| facet.move_by(frame.origin));
     let [width, height] = frame.size;
-    let texture = Texture::for_facets(*picture, &facets);
+    let texture = Texture::for_facets(*picture, filter, &facets);
     let bins = facets_by_band(&facets, height);
 
     let mut rgba = vec![0; width * height * 4];

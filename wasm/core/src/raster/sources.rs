@@ -8,6 +8,7 @@
 
 use glam::DVec2;
 
+use super::drawing::{Drawing, Filter};
 use super::facet::Mask;
 use super::texture::{OPAQUE, Texture};
 use super::warped::Warped;
@@ -44,14 +45,14 @@ pub fn sources(
     rest: &[DVec2],
     posed: &[DVec2],
     triangles: &[[u32; 3]],
-    scale: f64,
+    Drawing { scale, filter, .. }: Drawing,
     warped: &Warped,
 ) -> Vec<Source> {
     let [width, height] = [warped.width, warped.height].map(|side| side as usize);
     let origin = warped.origin.map(|side| side as usize);
     let mut facets = super::facets(rest, posed, triangles, scale);
     facets.iter_mut().for_each(|facet| facet.move_by(origin));
-    let texture = Texture::for_facets(*picture, &facets);
+    let texture = Texture::for_facets(*picture, filter, &facets);
     let origin = DVec2::from(origin.map(|side| side as f64));
     let mut sources = vec![Source::default(); width * height];
     let mut pixels = vec![Pixel::default(); width * height];
@@ -59,7 +60,7 @@ pub fn sources(
         let det = (1.0 / (facet.shown_area() * scale * scale)) as f32;
         for row in facet.rows(height) {
             let centres = facet.centres(row, width);
-            facet.cover(row..row + 1, width, |x, _, mask| {
+            let mut visit = |x: usize, mask: Mask| {
                 let (pixel, source) = (&mut pixels[row * width + x], &mut sources[row * width + x]);
                 let place = facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin);
                 let covers_centre = centres.contains(&x);
@@ -69,7 +70,11 @@ pub fn sources(
                 }
                 pixel.is_opaque |= is_opaque;
                 pixel.covered |= mask;
-            });
+            };
+            match filter {
+                Filter::Cubic => facet.cover(row..row + 1, width, |x, _, mask| visit(x, mask)),
+                Filter::Nearest => centres.clone().for_each(|x| visit(x, Mask::MAX)),
+            }
         }
     }
     for (source, pixel) in sources.iter_mut().zip(pixels) {
@@ -84,6 +89,7 @@ mod tests {
     use super::*;
 
     const SQUARE: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+    const GROWN: Drawing = Drawing { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
 
     fn corners(from: [f64; 2], to: [f64; 2]) -> [DVec2; 4] {
         let ([left, top], [right, bottom]) = (from, to);
@@ -95,11 +101,11 @@ mod tests {
         rest: &[DVec2],
         posed: &[DVec2],
         triangles: &[[u32; 3]],
-        scale: f64,
+        drawing: Drawing,
     ) -> (Warped, Vec<Source>) {
         let picture = Picture::new(8, 4, rgba).unwrap();
-        let warped = warp(&picture, rest, posed, triangles, scale, Canvas::Grown).unwrap();
-        let sources = sources(&picture, rest, posed, triangles, scale, &warped);
+        let warped = warp(&picture, rest, posed, triangles, drawing).unwrap();
+        let sources = sources(&picture, rest, posed, triangles, drawing, &warped);
         (warped, sources)
     }
 
@@ -108,7 +114,7 @@ mod tests {
         let rest = corners([0.0, 0.0], [8.0, 4.0]);
         // Twice as wide, half a pixel to the left, at one and a half times the size.
         let posed = rest.map(|p| DVec2::new(2.0 * p.x - 0.5, p.y));
-        let (warped, sources) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, 1.5);
+        let (warped, sources) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, Drawing { scale: 1.5, ..GROWN });
         assert_eq!((warped.width, warped.height, warped.origin), (25, 6, [1, 0]));
         for (pixel, source) in sources.iter().enumerate() {
             let at = DVec2::new((pixel % 25) as f64 - 0.5, (pixel / 25) as f64 + 0.5) / 1.5;
@@ -118,6 +124,11 @@ mod tests {
         }
         // From 0.25 px on, and up to 24.25.
         assert_eq!([sources[0].coverage, sources[1].coverage, sources[24].coverage], [0.75, 1.0, 0.25]);
+        // Pixel art has whole pixels.
+        let drawing = Drawing { scale: 1.5, filter: Filter::Nearest, ..GROWN };
+        let (warped, whole) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, drawing);
+        assert_eq!((warped.width, warped.origin), (24, [1, 0]));
+        assert!((0..24).all(|x| (whole[x].place, whole[x].coverage) == (sources[x].place, 1.0)));
     }
 
     #[test]
@@ -130,7 +141,7 @@ mod tests {
         let rest = [corners([4.0, 0.0], [8.0, 4.0]), corners([0.0, 0.0], [4.0, 4.0])].concat();
         let posed = [corners([4.0, 0.0], [8.0, 4.0]), corners([8.0, 0.0], [4.0, 4.0])].concat();
         let triangles = [SQUARE, SQUARE.map(|triangle| triangle.map(|v| v + 4))].concat();
-        let (_, sources) = found(&rgba, &rest, &posed, &triangles, 1.0);
+        let (_, sources) = found(&rgba, &rest, &posed, &triangles, GROWN);
         let row: Vec<_> = sources[8..16].iter().map(|source| (source.place[0], source.det, source.coverage)).collect();
         let nothing = (0.0, 0.0, 0.0);
         let (over, under) = (|x| (x, -1.0, 1.0), |x| (x, 1.0, 1.0));

@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use super::{Canvas, warped_size};
+use super::drawing::Filter;
+use super::{Canvas, Drawing, warped_size};
 use crate::error::Error;
 use crate::picture::Picture;
 
@@ -23,9 +24,11 @@ fn opaque(mut rgba: Vec<u8>) -> Vec<u8> {
     rgba
 }
 
+const GROWN: Drawing = Drawing { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
+
 /// The bytes alone.
 fn warp(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<u8> {
-    super::warp(picture, rest, posed, triangles, scale, Canvas::Picture).unwrap().rgba
+    super::warp(picture, rest, posed, triangles, Drawing { scale, ..Drawing::default() }).unwrap().rgba
 }
 
 fn picture(width: u32, height: u32, rgba: &[u8]) -> Picture<'_> {
@@ -266,7 +269,7 @@ fn sizes_that_make_no_picture_are_named() {
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9, 164.0] {
         assert!(matches!(warped_size(100, 50, scale), Err(Error::Scale { .. })), "{scale}");
         let rgba = opaque(noise(100, 50));
-        let warped = super::warp(&picture(100, 50, &rgba), &[], &[], &[], scale, Canvas::Picture);
+        let warped = super::warp(&picture(100, 50, &rgba), &[], &[], &[], Drawing { scale, ..Drawing::default() });
         assert!(matches!(warped, Err(Error::Scale { .. })), "{scale}");
     }
 }
@@ -277,7 +280,7 @@ fn a_grown_canvas_holds_what_is_cut_off_and_no_more() {
     let picture = picture(20, 12, &bytes);
     let (rest, triangles) = mesh(20.0, 12.0, 3);
     let moved = |by: DVec2| rest.iter().map(|&p| p + by).collect::<Vec<_>>();
-    let grown = |posed: &[DVec2]| super::warp(&picture, &rest, posed, &triangles, 1.0, Canvas::Grown).unwrap();
+    let grown = |posed: &[DVec2]| super::warp(&picture, &rest, posed, &triangles, GROWN).unwrap();
 
     let at_rest = grown(&rest);
     assert_eq!((at_rest.width, at_rest.height, at_rest.origin), (20, 12, [0, 0]));
@@ -311,7 +314,7 @@ fn a_grown_canvas_is_trimmed_to_what_is_seen() {
     let picture = picture(20, 20, &bytes);
     let (rest, triangles) = mesh(20.0, 20.0, 1);
     let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(15.0, -10.0)).collect();
-    let warped = super::warp(&picture, &rest, &posed, &triangles, 1.0, Canvas::Grown).unwrap();
+    let warped = super::warp(&picture, &rest, &posed, &triangles, GROWN).unwrap();
     assert_eq!((warped.width, warped.height, warped.origin), (27, 22, [0, 2]));
 }
 
@@ -321,6 +324,32 @@ fn a_canvas_that_would_grow_too_large_is_refused() {
     let picture = picture(4, 4, &bytes);
     let (rest, triangles) = mesh(4.0, 4.0, 1);
     let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(30_000.0, 0.0)).collect();
-    let refused = super::warp(&picture, &rest, &posed, &triangles, 1.0, Canvas::Grown);
+    let refused = super::warp(&picture, &rest, &posed, &triangles, GROWN);
     assert_eq!(refused, Err(Error::Canvas { width: 30_004, height: 4 }));
+}
+
+#[test]
+fn pixel_art_keeps_its_pixels() {
+    let rgba = opaque(noise(24, 18));
+    let (rest, triangles) = mesh(24.0, 18.0, 6);
+    let drawn = |posed: &[DVec2], scale| {
+        let drawing = Drawing { scale, filter: Filter::Nearest, ..Drawing::default() };
+        super::warp(&picture(24, 18, &rgba), &rest, posed, &triangles, drawing).unwrap().rgba
+    };
+    assert!(drawn(&rest, 1.0) == rgba);
+    // Half a pixel aside, centres lie between two pixels: the second is shown, everywhere.
+    let aside = drawn(&shifted(&rest, DVec2::new(0.5, 0.0)), 1.0);
+    assert!((1..24).all(|x| pixel(&aside, 24, x, 7) == pixel(&rgba, 24, x, 7)));
+    let large = drawn(&rest, 3.0);
+    assert!((0..72).all(|x| pixel(&large, 72, x, 25) == pixel(&rgba, 24, x / 3, 8)));
+    // Turned, squeezed and bent: pixels of the picture, or none.
+    let posed: Vec<DVec2> =
+        rest.iter().map(|p| DVec2::new(0.6 * p.x + 0.3 * p.y, p.y - 0.2 * p.x + libm::sin(p.x))).collect();
+    let known: std::collections::HashSet<[u8; 4]> = rgba.as_chunks().0.iter().copied().chain([[0; 4]]).collect();
+    for scale in [0.5, 1.0, 2.5] {
+        let warped = drawn(&posed, scale);
+        let pixels = warped.as_chunks::<4>().0;
+        assert!(pixels.iter().all(|pixel| known.contains(pixel)), "at scale {scale}");
+        assert!(pixels.iter().filter(|pixel| pixel[3] == 255).count() > pixels.len() / 3);
+    }
 }

@@ -1,13 +1,14 @@
-//! The picture as a texture, read at any place by a cubic as wide as a pixel is there.
+//! The picture as a texture, read at any place by a cubic as wide as a pixel is there, or by its nearest texel.
 //!
 //! Colours are premultiplied by their opacity on a scale from 0 to 255² = 65,025, on which the product of two bytes is exact:
 //! a read at the centre of a texel returns its bytes.
 
 use glam::{DVec2, Vec4};
 
+use super::drawing::Filter;
 use super::facet::Facet;
 use super::footprint::Footprint;
-use super::kernel::Taps;
+use super::kernel::{Taps, nearest};
 use crate::picture::Picture;
 
 /// Full opacity.
@@ -17,6 +18,7 @@ pub(super) const OPAQUE: f32 = 65_025.0;
 #[derive(Debug)]
 pub(super) struct Texture<'a> {
     picture: Picture<'a>,
+    filter: Filter,
     /// Half the size, a quarter of the size, and so on, as far as needed.
     reductions: Vec<Reduction>,
 }
@@ -30,13 +32,17 @@ struct Reduction {
 
 impl<'a> Texture<'a> {
     /// Prepares the levels of detail that facets read.
-    pub(super) fn for_facets(picture: Picture<'a>, facets: &[Facet]) -> Self {
-        Self::new(picture, facets.iter().map(|facet| facet.footprint().level).max().unwrap_or(0))
+    pub(super) fn for_facets(picture: Picture<'a>, filter: Filter, facets: &[Facet]) -> Self {
+        let level = |facet: &Facet| match filter {
+            Filter::Cubic => facet.footprint().level,
+            Filter::Nearest => 0,
+        };
+        Self::new(picture, filter, facets.iter().map(level).max().unwrap_or(0))
     }
 
     /// Prepares levels of detail up to `greatest`.
-    fn new(picture: Picture<'a>, greatest: u32) -> Self {
-        let mut texture = Self { picture, reductions: Vec::new() };
+    fn new(picture: Picture<'a>, filter: Filter, greatest: u32) -> Self {
+        let mut texture = Self { picture, filter, reductions: Vec::new() };
         let last = picture.width().max(picture.height()).ilog2();
         for level in 0..last.min(greatest) as usize {
             let next = texture.halved(level);
@@ -45,8 +51,22 @@ impl<'a> Texture<'a> {
         texture
     }
 
+    pub(super) fn filter(&self) -> Filter {
+        self.filter
+    }
+
     /// The colour around a place, in pixels of the picture; beyond the border, that of the border.
     pub(super) fn sample(&self, place: DVec2, footprint: Footprint) -> Vec4 {
+        match self.filter {
+            Filter::Cubic => self.filtered(place, footprint),
+            Filter::Nearest => {
+                let (width, height) = self.size(0);
+                self.texel(0, nearest(place.x, width), nearest(place.y, height))
+            }
+        }
+    }
+
+    fn filtered(&self, place: DVec2, footprint: Footprint) -> Vec4 {
         let level = (footprint.level as usize).min(self.reductions.len());
         let (width, height) = self.size(level);
         let taps = |place: f64, whole: u32, length: usize, width: f32| {

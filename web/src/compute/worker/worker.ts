@@ -60,8 +60,8 @@ async function handle(session: Session, request: Request): Promise<void> {
       return done(solution, buffers(solution));
     }
     case 'warp': {
-      const { project, scale, grow } = request.body;
-      const warped = session.warp(project, scale, grow);
+      const { project, scale, grow, pixelated } = request.body;
+      const warped = session.warp(project, scale, grow, pixelated);
       const { width, height } = warped;
       const rgba = warped.intoBytes();
       const pixels: Pixels = { width, height, rgba };
