@@ -1,5 +1,6 @@
 /** Opening, saving, exporting, coming back after a reload, and files that are refused. */
 import { mkdir } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
 import { decode, encode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
@@ -323,6 +324,66 @@ test('where the browser has no room to keep the work, that is told once, and aga
   await full(true);
   await page.keyboard.press('ArrowRight');
   await expect(editor.notice).toContainText('Save the project before you leave');
+});
+
+/** How many times the browser refuses to decode a picture, from the next load of the page on. */
+const undecoded = (page: Page, times: number) =>
+  page.addInitScript((times) => {
+    const { createImageBitmap } = globalThis;
+    let left = times;
+    globalThis.createImageBitmap = (async (...given: [ImageBitmapSource]) => {
+      if (given[0] instanceof Blob && given[0].size > 2000 && left-- > 0) throw new DOMException('no memory');
+      return createImageBitmap(...given);
+    }) as typeof createImageBitmap;
+  }, times);
+
+test('work that cannot be opened is told of, and is there once it can', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  const told = await editor.still(() => editor.told('left hand'));
+  await expect.poll(() => editor.kept()).toMatchObject({ step: 'Move left hand' });
+  await undecoded(page, 1);
+  await page.reload();
+  await expect(editor.notice).toContainText('gingerbread.png: The picture is damaged');
+  await editor.ready();
+  expect(await editor.told('left hand')).not.toEqual(told);
+  // The sample that stands there in its place is not written over it.
+  await editor.handle('head').click();
+  expect(await editor.kept()).toMatchObject({ step: 'Move left hand' });
+  await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
+  await editor.button('Back to gingerbread.png').click();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+});
+
+test('a file that is brought while work is coming back costs nothing', async ({ page }) => {
+  const answers = await Answers.of(page);
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  const told = await editor.still(() => editor.told('left hand'));
+  const kept = { picture: 'gingerbread.png', step: 'Move left hand' };
+  await expect.poll(() => editor.kept()).toMatchObject(kept);
+  await answers.hold();
+  await page.reload();
+  await expect(page.getByText('gingerbread.png', { exact: true })).toBeVisible();
+  await bring(editor, 'drop', png('words.png', Buffer.from('these are words')));
+  await expect(editor.notice).toContainText('words.png');
+  await answers.pass();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  expect(await editor.kept()).toMatchObject(kept);
+
+  await answers.hold();
+  await page.reload();
+  await expect(page.getByText('gingerbread.png', { exact: true })).toBeVisible();
+  await bring(editor, 'drop', png('disc.png', disc(96)));
+  await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
+  await answers.pass();
+  await expect(editor.status).toContainText('96 × 96 px');
+  await expect.poll(() => editor.kept()).toMatchObject({ picture: 'disc.png' });
+  // The way back outlives the page.
+  await page.reload();
+  await expect(editor.status).toContainText('96 × 96 px');
+  await editor.button('Back to gingerbread.png').click();
+  await expect.poll(() => editor.told('left hand')).toEqual(told);
 });
 
 test('the guard against folds stays on over a reload and a move', async ({ page }) => {

@@ -84,6 +84,10 @@ async function open(page: Page, body: string): Promise<Slow> {
 
 const warp = (page: Page) => page.locator('c2-warp');
 const picture = (page: Page) => warp(page).evaluate((element) => (element as C2Warp).project.image.src);
+const handles = (page: Page) =>
+  warp(page)
+    .first()
+    .evaluate((element) => (element as C2Warp).project.handles.map(({ id }) => id).join());
 const heard = (page: Page) => page.evaluate(() => Reflect.get(globalThis, 'heard') as string[]);
 
 test('an empty stage asks for a picture, and not while one is on its way', async ({ page }) => {
@@ -457,6 +461,105 @@ test('what no project can be is refused with the key, and shows nothing of it', 
     'middle',
     'open',
   ]);
+});
+
+test('a picture and a project that are set one after the other belong together', async ({ page }) => {
+  await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  await page.route('**/other.png', (route) => route.fulfill(file(64)));
+  await warp(page).evaluate((element) => {
+    const warp = element as C2Warp;
+    const image = { src: 'other.png', width: 64, height: 64 };
+    const handles = [{ id: 'far', kind: 'point', rest: [60, 60], posed: [60, 50] }] as const;
+    warp.src = '/other.png';
+    warp.project = { format: 'c2warp/1', image, handles };
+    warp.selection = ['far'];
+  });
+  await expect.poll(() => handles(page)).toBe('far');
+  expect(await picture(page)).toBe('other.png');
+  // Once it is solved.
+  const selection = () => warp(page).evaluate((element) => (element as C2Warp).selection.join());
+  await expect.poll(selection).toBe('far');
+  // It came with the picture, and is no step that could be undone.
+  await warp(page).evaluate((element) => (element as C2Warp).undo());
+  expect(await handles(page)).toBe('far');
+});
+
+test('a project that was set waits until it is used, or another comes with a picture', async ({ page }) => {
+  const slow = await open(page, `<c2-warp></c2-warp>`);
+  await page.evaluate((project) => {
+    const warp = document.querySelector('c2-warp') as C2Warp;
+    warp.project = project;
+    warp.src = '/slow.png';
+  }, PROJECT);
+  await warp(page).evaluate((element) => {
+    (element as C2Warp).src = '/fast.png';
+  });
+  await expect.poll(() => handles(page)).toBe('middle');
+  await slow.comes();
+  expect(await picture(page)).toBe('fast.png');
+
+  const ends = await page.evaluate(async (project) => {
+    const end = async (work: Promise<void>, { project }: C2Warp) =>
+      `${await work.then(
+        () => 'open',
+        (error) => error.code,
+      )} ${project.handles.map(({ id }) => id)}`;
+    const added = () => {
+      const warp = document.createElement('c2-warp');
+      document.body.append(warp);
+      warp.project = project;
+      return warp;
+    };
+    const [late, other] = [added(), added()];
+    const refused = await end(late.load(new Blob(['words'])), late);
+    await late.load('/fast.png');
+    await other.load('/fast.png', { ...project, handles: [{ ...project.handles[0], id: 'other' }] });
+    const ids = [late, other].map(({ project }) => project.handles.map(({ id }) => id).join());
+    return [refused, ...ids];
+  }, PROJECT);
+  expect(ends).toEqual(['picture ', 'middle', 'other']);
+});
+
+test('what cannot be loaded does not end what comes back with the element', async ({ page }) => {
+  await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  const end = await warp(page).evaluate(async (element) => {
+    const warp = element as C2Warp;
+    const frame = document.createElement('div');
+    document.body.append(frame);
+    frame.append(warp);
+    return warp.load(new Blob(['words'])).catch((error) => error.code);
+  });
+  expect(end).toBe('picture');
+  await expect.poll(() => handles(page)).toBe('middle');
+  expect(await picture(page)).toBe('fast.png');
+});
+
+test('a selection that the page sets ends a drag, which stays', async ({ page }) => {
+  const editor = new Editor(page);
+  await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
+  await expect.poll(() => heard(page)).toContain('load');
+  const at = await editor.place('middle');
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 60, at.y, { steps: 4 });
+  const told = await editor.still(() => editor.told('middle'));
+  await warp(page).evaluate((element) => {
+    (element as C2Warp).selection = [];
+  });
+  await page.mouse.move(at.x + 90, at.y);
+  await page.mouse.up();
+  expect(await editor.told('middle')).toEqual(told);
+  expect(await warp(page).evaluate((element) => (element as C2Warp).selection)).toEqual([]);
+  await expect(editor.button('Undo: move middle')).toBeEnabled();
+});
+
+test('no tool has the name of something else', async ({ page }) => {
+  const editor = new Editor(page);
+  await open(page, `<c2-warp src="/fast.png" project="/project.json" tool="constructor"></c2-warp>`);
+  await editor.handle('middle').click();
+  await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
 });
 
 test('a picture in its address has no name of it', async ({ page }) => {

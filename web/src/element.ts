@@ -32,8 +32,8 @@
  *
  * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a
  * folder, or a file that no longer exists), `picture` (not a picture, or not a readable one), `project` (the message
- * names the key), `image-size` (a project for a picture of another size), `engine` (the solver could not start), or a
- * refusal by the solver, such as `handle-outside`; its `handles` are then the ids of the handles that the message
+ * names the key), `image-size` (a project for a picture of another size), `engine` (the solver could not start), `webgl`
+ * (the browser has no WebGL2 to draw with), or a refusal by the solver, such as `handle-outside`; its `handles` are then the ids of the handles that the message
  * names.
  *
  * Setting `readonly` or `disabled`, and setting or removing `play`, cancels the drag, drawing or typed number in
@@ -41,7 +41,7 @@
  * keeps its document until it is connected again. Properties may be set before the element is connected, even before
  * it is defined. Importing this file without a DOM does nothing.
  */
-import type { PropertyValues, TemplateResult } from 'lit';
+import type { PropertyDeclaration, PropertyValues, TemplateResult } from 'lit';
 import { handleById } from './document/document';
 import { addHandle, freeId, putHandles, removeHandles } from './document/edits';
 import { checkedHandle } from './document/handle';
@@ -175,7 +175,7 @@ export class C2Warp extends TypedElement {
   set project(given: ProjectFile | string | null) {
     this.#initial.project = null;
     if (given === null || typeof given !== 'object') this.projectSource = given ?? null;
-    else if (this.#desk?.workbench.isOpen) this.#desk.workbench.set(given);
+    else if (this.#desk?.workbench.isOpen && !this.#initial.asks) this.#desk.workbench.set(given);
     else this.#initial.project = copied(given);
   }
 
@@ -191,7 +191,7 @@ export class C2Warp extends TypedElement {
     // Frameworks take a property back by setting it to undefined.
     const ids = given ?? [];
     if (!Array.isArray(ids)) throw new TypeError('selection: expected a list of ids');
-    if (this.#desk?.workbench.picture) this.#desk.workbench.editing.select(ids);
+    if (this.#desk?.workbench.picture && !this.#initial.asks) this.#desk.workbench.editing.put(ids);
     else this.#initial.selection = [...ids];
   }
 
@@ -207,7 +207,7 @@ export class C2Warp extends TypedElement {
       throw new TypeError('load: expected the address of a picture, or a Blob such as a File');
     }
     const given = project instanceof URL ? project.href : project;
-    await desk.files.shown(() => desk.files.load(picture, given ?? this.#initial.taken()));
+    await desk.files.shown(() => this.#initial.load(desk, picture, given));
     if (desk !== this.#desk) return;
     this.#emit('load', null);
   }
@@ -343,7 +343,7 @@ export class C2Warp extends TypedElement {
       },
       aside: this.#initial.aside,
       changed: () => this.requestUpdate(),
-      opened: () => this.#desk && this.#initial.settle(this.#desk),
+      opened: (given) => this.#desk && this.#initial.settle(this.#desk, given),
       again: () => this.#desk && void this.#initial.again(this.#desk),
       edited: (kind) => this.#edited(kind),
       emit: this.#emit,
@@ -397,9 +397,12 @@ export class C2Warp extends TypedElement {
     return shell(desk.model, desk.actions, desk.canvas);
   }
 
-  protected override willUpdate(changes: PropertyValues<this>): void {
+  /** Asks at once for what the attributes name, so that what a page sets next is for that. */
+  override requestUpdate(name?: PropertyKey, before?: unknown, options?: PropertyDeclaration): void {
+    super.requestUpdate(name, before, options);
     // The attributes of the first update are the initial content, not a change.
-    if (this.hasUpdated && this.#asks(changes)) this.#initial.ask();
+    const asks = name === 'src' || (name === 'projectSource' && this.projectSource !== null);
+    if (asks && this.hasUpdated && this.src && this[name] !== before) this.#initial.ask();
   }
 
   protected override updated(changes: PropertyValues<this>): void {

@@ -82,7 +82,7 @@ export class Engine {
    * @throws Error with a code and a message that names the offending key.
    */
   checkProject(text: string): Project {
-    return JSON.parse(checkedProject(text)) as Project;
+    return checkedProject(text);
   }
 
   /** Ends the worker; pending requests reject with `AbortError`. */

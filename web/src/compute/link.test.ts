@@ -47,7 +47,7 @@ describe('Link', () => {
   it('gives each request its own answer', async () => {
     const { link, worker } = linked();
     const first = link.send('picture', PICTURE);
-    const second = link.send('warp', { project: '{}', scale: 1, grow: false });
+    const second = link.send('warp', { project: '{}', scale: 1, grow: false, pixelated: false });
     worker(0).reply({ id: 2, kind: 'done', body: PICTURE });
     worker(0).reply({ id: 1, kind: 'done', body: null });
     expect(await first).toBeNull();
@@ -75,12 +75,12 @@ describe('Link', () => {
     const { link, worker } = linked();
     void link.send('picture', PICTURE);
     worker(0).reply({ id: 1, kind: 'done', body: null });
-    const warp = link.send('warp', { project: '{}', scale: 1, grow: false });
+    const warp = link.send('warp', { project: '{}', scale: 1, grow: false, pixelated: false });
     worker(0).reply({ kind: 'died', message: 'unreachable' });
     expect(worker(0).ended).toBe(true);
     expect(worker(1).requests()).toEqual([
       { id: 0, name: 'picture', body: PICTURE },
-      { id: 2, name: 'warp', body: { project: '{}', scale: 1, grow: false } },
+      { id: 2, name: 'warp', body: { project: '{}', scale: 1, grow: false, pixelated: false } },
     ]);
     worker(1).reply({ id: 2, kind: 'done', body: PICTURE });
     expect(await warp).toBe(PICTURE);
@@ -93,7 +93,7 @@ describe('Link', () => {
     worker(1).reply({ kind: 'died', message: 'unreachable' });
     await expect(solve).rejects.toMatchObject({ code: 'engine' });
     expect(workers).toHaveLength(2);
-    void link.send('warp', { project: 'good', scale: 1, grow: false });
+    void link.send('warp', { project: 'good', scale: 1, grow: false, pixelated: false });
     expect(worker(2).requests()).toHaveLength(1);
   });
 
@@ -103,6 +103,26 @@ describe('Link', () => {
     worker(0).reply({ kind: 'died', message: 'unreachable' });
     worker(1).reply({ kind: 'died', message: 'unreachable' });
     expect(workers).toHaveLength(2);
+  });
+
+  it('rejects what cannot be sent, and sends it to no successor', async () => {
+    const { link, worker } = linked();
+    const refused = new Error('out of memory');
+    worker(0).postMessage = () => {
+      throw refused;
+    };
+    await expect(link.send('picture', PICTURE)).rejects.toBe(refused);
+    const { postMessage } = FakeWorker.prototype;
+    worker(0).postMessage = postMessage;
+    const solve = link.send('solve', { project: '{}' });
+    worker(0).reply({ kind: 'died', message: 'unreachable' });
+    expect(
+      worker(1)
+        .requests()
+        .map(({ name }) => name),
+    ).toEqual(['solve']);
+    link.dispose();
+    await expect(solve).rejects.toMatchObject({ name: 'AbortError' });
   });
 
   it('rejects what is under way when disposed of, and starts no other worker', async () => {

@@ -54,10 +54,12 @@ export class Link {
   ): Promise<Messages[N][1]> {
     if (this.#disposed) return Promise.reject(superseded());
     const port = this.#port ?? this.#start();
-    if (name === 'picture') this.#picture = body as Messages['picture'][0];
     return new Promise((resolve, reject) => {
       const id = ++this.#lastId;
       const request = { id, name, body } as Request;
+      // Before all else: a body that cannot be sent is an answer.
+      port.postMessage(request);
+      if (name === 'picture') this.#picture = body as Messages['picture'][0];
       this.#pending.set(id, {
         request,
         resolve: (answer) => resolve(answer as Messages[N][1]),
@@ -65,7 +67,6 @@ export class Link {
         onProgress,
         deaths: 0,
       });
-      port.postMessage(request);
     });
   }
 

@@ -1,5 +1,6 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
+import type { Project } from '../document/project';
 import { ENGINE, EngineError } from './errors';
 import init, { Poser as GeneratedPoser, project_check } from './generated/c2warp';
 
@@ -33,9 +34,12 @@ export function createPoser(bytes: Uint8Array): Poser {
   return new GeneratedPoser(bytes);
 }
 
-/** The project file with every key written out. Requires the module to be loaded. */
-export function checkedProject(text: string): string {
-  return project_check(text);
+/**
+ * A project file's project, with every key written out. Requires the module to be loaded.
+ * @throws Error with a code and a message that names the offending key.
+ */
+export function checkedProject(text: string): Project {
+  return JSON.parse(project_check(text)) as Project;
 }
 
 /** Browsers throw a TypeError where nothing comes, and a CompileError also for a file that is cut off. */
@@ -58,9 +62,7 @@ async function compile(url: URL): Promise<WebAssembly.Module> {
   const type = response.headers.get('content-type') ?? '';
   // What development servers answer for a file that they do not have.
   if (type.startsWith('text/html')) throw new Error(`${url.pathname} is not there: a page is, in its place`);
-  // Streaming requires this type, which not every static server sends.
-  if (type.startsWith('application/wasm')) {
-    return WebAssembly.compileStreaming(response);
-  }
+  // Streaming requires this very type, which not every server sends.
+  if (type === 'application/wasm') return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());
 }

@@ -37,6 +37,19 @@ describe('how a picture bends', () => {
     ]);
   });
 
+  it('comes back to the detail and to the turns that it had in that mode', () => {
+    const before = detailed({ ...fresh, handles: [point('a', 0), point('b', 'auto')] }, 'fine');
+    const away = bent(before, 'harmonic');
+    expect(away.handles.map(({ rotation }) => rotation)).toEqual([0, 0]);
+    const added = { ...away, handles: [...away.handles, point('c', 0)] };
+    const back = bent(added, 'rigid', before);
+    expect(detailOf(back)).toBe('fine');
+    expect(back.handles.map(({ rotation }) => rotation)).toEqual([0, 'auto', 'auto']);
+    // What was turned meanwhile keeps its turn.
+    const turned = { ...away, handles: [point('a', 12), point('b', 0)] };
+    expect(bent(turned, 'rigid', before).handles.map(({ rotation }) => rotation)).toEqual([12, 'auto']);
+  });
+
   it('is harmonic where a file says nothing', () => {
     const { pose: _, ...bare }: Project = fresh;
     expect(modeOf(bare)).toBe('harmonic');

@@ -29,14 +29,22 @@ export const blended = (project: Project, blend: Blend): Project => ({
 /** The rotation of an unturned point. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
-/** The project in another mode. Unturned points take that mode's resting rotation; the others keep their turn. */
-export function bent(project: Project, mode: PoseMode): Project {
+/**
+ * The project in another mode. Unturned points take that mode's resting rotation; the others keep their turn.
+ *
+ * @param last what was last in that mode: its detail comes back, and points that were unturned in it are as they were.
+ */
+export function bent(project: Project, mode: PoseMode, last: Project | null = null): Project {
   const { support, density, rotation } = SETTINGS[mode];
+  const before = new Map(last?.handles.filter(isUnturned).map((handle) => [handle.id, handle.rotation]));
+  const resting = ({ id }: Handle) => before.get(id) ?? rotation;
   return {
     ...project,
     weighting: { ...project.weighting, support },
-    pose: { ...project.pose, mode, density },
-    handles: project.handles.map((handle) => (isUnturned(handle) ? { ...handle, rotation } : handle)),
+    pose: { ...project.pose, mode, density: last?.pose?.density ?? density },
+    handles: project.handles.map((handle) =>
+      isUnturned(handle) ? { ...handle, rotation: resting(handle) } : handle,
+    ),
   };
 }
 

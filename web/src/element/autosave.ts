@@ -1,31 +1,40 @@
 /** Saves the open work under a key, so that it survives a reload or a crash, and opens it again. */
 import { isEngineFailure } from '../compute/errors';
+import type { Files } from './files';
+import { isAbort } from './latest';
 import { StoredWork } from './stored_work';
 import { isWorkedOn, type Kept, type Workbench } from './workbench';
 
 export class Autosave {
   readonly #workbench: Workbench;
+  readonly #files: Files;
   #stored: StoredWork | null = null;
   #restoring = false;
+  /** Whether what is stored could not be opened: it stays until there is other work. */
+  #unread = false;
   readonly #lost: () => void;
   /** Whether the last attempt to store work has failed. */
   #failing = false;
 
   /** @param lost called when work is not stored any more: the browser refuses storage, or has no more of it. */
-  constructor(workbench: Workbench, lost: () => void) {
+  constructor(workbench: Workbench, files: Files, lost: () => void) {
     this.#workbench = workbench;
+    this.#files = files;
     this.#lost = lost;
   }
 
   /** Saves under this key from now on; null stops that. */
   use(key: string | null): void {
     this.#stored = key ? new StoredWork(key, (stored) => this.#tell(stored)) : null;
+    this.#unread = false;
     this.save();
   }
 
   save(): void {
     const { kept } = this.#workbench;
-    if (kept) this.#stored?.write(kept);
+    if (!kept || (this.#unread && !isWorkedOn(kept))) return;
+    this.#unread = false;
+    this.#stored?.write(kept, this.#files.left);
   }
 
   /** A picture that was opened and not touched is no loss. */
@@ -45,18 +54,27 @@ export class Autosave {
 
   /**
    * Opens the stored work.
-   * @returns the work, or null if there was none that could be opened.
-   * @throws Error with the code `engine` without a solver.
+   * @param failed takes why it could not be opened. The way back leads to it, and it stays stored until there is other work.
+   * @returns the work, or null if none is open.
+   * @throws Error with the code `engine` without a solver; DOMException `AbortError` once something else is open.
    */
-  async restore(reopen: (kept: Kept) => Promise<void>): Promise<Kept | null> {
-    const kept = await this.#stored?.read();
-    if (!kept) return null;
+  async restore(
+    reopen: (kept: Kept) => Promise<void>,
+    failed: (error: unknown) => void,
+  ): Promise<Kept | null> {
+    const stored = await this.#stored?.read();
+    if (!stored) return null;
+    const { kept, left } = stored;
+    this.#files.left = left;
     this.#restoring = true;
     try {
       await reopen(kept);
     } catch (error) {
-      // Without a solver nothing can be opened. Any other error means a document that this version does not accept.
-      if (isEngineFailure(error)) throw error;
+      // Without a solver nothing can be opened.
+      if (isEngineFailure(error) || isAbort(error)) throw error;
+      this.#unread = true;
+      this.#files.left = [...this.#files.left, kept];
+      failed(error);
       return null;
     } finally {
       this.#restoring = false;

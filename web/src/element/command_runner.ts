@@ -2,7 +2,7 @@
 import { selectedHandles } from '../document/document';
 import { posedHandles, poseText } from '../document/pose_text';
 import type { Vec } from '../geometry/vec';
-import { draws, TOOLS, type ToolName } from '../tools/machine';
+import { draws, places, TOOLS, type ToolName } from '../tools/machine';
 import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
@@ -57,7 +57,7 @@ export class CommandRunner {
       display.openSettings(false);
     }
     // With a placing tool Enter must reach the stage, not the focused handle.
-    if (tool !== 'select' && tool !== 'hand' && focus.isOnHandles) focus.hold(undefined);
+    if (places(tool) && focus.isOnHandles) focus.hold(undefined);
     this.#hideCrosshair();
   }
 
@@ -100,7 +100,7 @@ export class CommandRunner {
       const copied = posedHandles(text);
       if (!copied) return false;
       const told = workbench.commands.paste(copied);
-      if (told !== null) notices.notify({ kind: 'info', text: told });
+      if (told !== null) notices.notify({ kind: 'info', text: told, ofStep: true });
     } catch (error) {
       notices.notify({ kind: 'error', text: `This pose cannot be pasted: ${(error as Error).message}.` });
     }
@@ -146,9 +146,9 @@ export class CommandRunner {
       backward: () => edit(() => commands.raise(-1)),
       settings: () => display.openSettings(!display.settings),
       'select-all': () => {
-        const ids = editing.project.handles.map((handle) => handle.id);
-        editing.select(ids);
-        this.#host.notices.say(`${ids.length} handles selected`);
+        const { handles } = editing.project;
+        editing.select(handles.map(({ id }) => id));
+        if (handles.length > 0) this.#host.notices.say(`Selected ${handleWords(handles)}`);
       },
       compare: () => display.toggleBare('compare'),
       preview: () => display.toggleBare('preview'),
@@ -175,7 +175,7 @@ export class CommandRunner {
     const { workbench, notices, focus } = this.#host;
     const { editing, commands } = workbench;
     const told = commands.mirror();
-    if (told !== null) notices.notify({ kind: 'info', text: told });
+    if (told !== null) notices.notify({ kind: 'info', text: told, ofStep: true });
     // Keys act on what has the focus.
     if (focus.isOnHandles) focus.hold(editing.document.selection[0]);
   }
@@ -183,7 +183,10 @@ export class CommandRunner {
   /** Chooses a tool, and announces it if that was possible. */
   #take(tool: ToolName): void {
     this.choose(tool);
-    if (this.#host.workbench.editing.machine.tool === tool) this.#host.notices.say(COMMANDS[tool].label);
+    if (this.#host.workbench.editing.machine.tool !== tool) return;
+    this.#host.notices.say(COMMANDS[tool].label);
+    // Arrows and Enter place with it.
+    if (places(tool)) this.#host.focus.hold(undefined);
   }
 
   #hideCrosshair(): void {

@@ -103,21 +103,25 @@ export class Desk {
 
   /** Cancels a drag, drawing or input in progress, and the view of the picture alone. */
   stop(): void {
+    this.#parts.focus.untypeField();
     this.#stage?.stop();
     this.#parts.display.showBare(null);
   }
 
-  /** Opens the stored work. Returns whether there was any that could be opened. */
-  async restore(signal: AbortSignal): Promise<boolean> {
-    const kept = await this.autosave.restore((stored) => this.reopen(stored, signal));
+  /**
+   * Opens the stored work. Returns whether there was any that could be opened.
+   * @param failed takes why there was none. The way back leads to it, once something else is open.
+   */
+  async restore(failed: (error: unknown) => void): Promise<boolean> {
+    const kept = await this.autosave.restore((stored) => this.reopen(stored), failed);
     if (kept) this.#parts.hint.touched = kept.record.past.length > 0;
     return kept !== null;
   }
 
   /** Opens earlier work, with the guard as it was then. */
-  async reopen(kept: Kept, signal: AbortSignal): Promise<void> {
+  async reopen(kept: Kept): Promise<void> {
     this.workbench.guarding.on = kept.guarded;
-    await this.files.restore(kept, signal);
+    await this.files.restore(kept);
   }
 
   /** Fits the whole picture into view. */
@@ -182,6 +186,8 @@ export class Desk {
     const { editing } = this.workbench;
     const { selection } = editing.document;
     this.#parts.menu.follow();
+    const { focus } = this.#parts;
+    if (focus.corner && !selection.includes(focus.corner.id)) focus.corner = null;
     if (selection !== this.#listed) requestAnimationFrame(() => showSelected(this.#host.root));
     this.#listed = selection;
     if (kind === 'selection') {
@@ -195,6 +201,7 @@ export class Desk {
       if (kind !== 'pose' && editing.undoLabel !== null) hint.touched = true;
     }
     if (kind === 'change') {
+      this.notices.stepped();
       clearTimeout(this.#settling);
       this.#settling = setTimeout(() => editing.settle(), SETTLE_MS);
       if (this.#host.play) this.#contain();
@@ -232,23 +239,26 @@ export class Desk {
     const { editing, commands } = this.workbench;
     const left = commands.lasso(ring, hole);
     if (left === null) {
-      this.notices.notify({ kind: 'info', text: LASSO_EMPTY });
+      this.notices.notify({ kind: 'info', text: LASSO_EMPTY, ofStep: true });
       return;
     }
-    if (left > 0) this.notices.notify({ kind: 'info', text: leftOutText(left) });
+    if (left > 0) this.notices.notify({ kind: 'info', text: leftOutText(left), ofStep: true });
     else if (!editing.project.fix_boundary) {
       const action = { label: 'Hold its boundary', run: () => commands.holdBoundary(true) };
-      this.notices.notify({ kind: 'info', text: LASSO_LOOSE, action, passes: true });
+      this.notices.notify({ kind: 'info', text: LASSO_LOOSE, action, passes: true, ofStep: true });
     }
     this.commands.choose(editing.project.handles.length > 0 ? 'select' : 'point');
   }
 
-  /** Names ignored files. Selects the point tool for a picture without handles, unless the page sets a tool. */
+  /** Names ignored files. Selects the point tool for a picture without handles, and the other way round, unless the page sets a tool. */
   #received(ignored: readonly string[]): void {
     const { editing, picture } = this.workbench;
     if (ignored.length > 0) this.notices.notify({ kind: 'info', text: notOpenedText(ignored) });
-    const bare = picture !== null && editing.project.handles.length === 0;
-    if (bare && editing.machine.tool === 'select' && !this.#host.tool) this.commands.run('point');
+    if (!picture || this.#host.tool) return;
+    const bare = editing.project.handles.length === 0;
+    const { tool } = editing.machine;
+    if (bare && tool === 'select') this.commands.run('point');
+    if (!bare && tool === 'point') this.commands.run('select');
   }
 
   /** Names handles that lie partly outside the picture; called when a solve finds others than the solve before. */
@@ -256,7 +266,8 @@ export class Desk {
     const { document } = this.workbench.editing;
     const handles = ids.flatMap((id) => handleById(document, id) ?? []);
     if (handles.length === 0) return;
-    this.notices.notify({ kind: 'info', text: outsideText(handles.map(nameOf)) });
+    const text = outsideText(handles.map(nameOf), ringsOf(document.project).length > 0);
+    this.notices.notify({ kind: 'info', text, ofStep: true });
   }
 
   #looked(): void {

@@ -79,7 +79,7 @@ export class EditCommands {
     const bounds = this.#posing.restBounds();
     const before = this.#document;
     if (!bounds || before.selection.length === 0) return null;
-    const { document, left } = mirrored(before, bounds, (rest) => this.#posing.map(rest) !== null);
+    const { document, left } = mirrored(before, bounds, (rest) => this.#posing.bends(rest));
     const goes = document.selection.some((id) => !before.selection.includes(id));
     if (goes || !isSameWork(before, document)) {
       const label = `Mirror ${selectionName(before)}`;
@@ -218,7 +218,8 @@ export class EditCommands {
   bend(mode: PoseMode): void {
     if (mode === modeOf(this.#project)) return;
     const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend smoothly';
-    this.#editing.step(label, { ...this.#document, project: bent(this.#project, mode) });
+    const last = this.#editing.last((project) => modeOf(project) === mode);
+    this.#editing.step(label, { ...this.#document, project: bent(this.#project, mode, last) });
   }
 
   detail(detail: Detail): void {

@@ -104,25 +104,35 @@ export class Editing {
     this.#host.edited('selection');
   }
 
+  /** Selects handles for the page. That ends a press, whose changes stay. */
+  put(ids: readonly string[]): void {
+    if (this.machine.busy && this.#putDown()) this.#host.edited('change');
+    this.select(ids);
+  }
+
   toggle(id: string): void {
     const { selection } = this.document;
     this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id]);
   }
 
-  /** Commits a change as one undo step, and announces it. */
+  /** Commits a change as one undo step, and announces it, unless it changes nothing. */
   step(label: string, document: Document): void {
     this.#guarding.end();
-    this.commit(label, document);
-    this.#host.say(label);
+    if (this.commit(label, document)) this.#host.say(label);
   }
 
-  /** Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step. */
-  commit(label: string, document: Document, key: string | null = null): void {
-    if (!this.#history.step(label, document, key)) return;
+  /**
+   * Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step.
+   *
+   * @returns whether it has changed something.
+   */
+  commit(label: string, document: Document, key: string | null = null): boolean {
+    if (!this.#history.step(label, document, key)) return false;
     this.#travelled = null;
     // The current press would overwrite this step. Its changes so far are already a step of their own.
     if (this.machine.busy) this.apply(this.machine.cancel());
     this.#host.edited('change');
+    return true;
   }
 
   /** Poses handles without a step. A press goes on: the handles that it holds are left to it. */
@@ -141,6 +151,12 @@ export class Editing {
 
   redo(): void {
     this.#travel('redo', 'Redone', this.#history.redo());
+  }
+
+  /** The last project before the present one of which something is true. */
+  last(is: (project: Project) => boolean): Project | null {
+    const { values, at } = this.#history.timeline;
+    return values.slice(0, at).findLast(({ project }) => is(project))?.project ?? null;
   }
 
   /** The next nudge starts a new undo step. */
@@ -198,11 +214,11 @@ export class Editing {
     return left;
   }
 
-  /** Ends the current press and keeps its changes so far. */
-  #putDown(): void {
+  /** Ends the current press and keeps its changes so far. Returns whether there were any. */
+  #putDown(): boolean {
     this.#letGo(this.machine.cancel());
     this.#guarding.end();
-    this.#history.commit();
+    return this.#history.commit();
   }
 
   /** Drops the effects that end a press, except the one that clears its selection box. */

@@ -4,7 +4,7 @@ import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
 import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
-import { LatestRequest, unlessAborted } from './latest';
+import { isAbort, LatestRequest, unlessAborted } from './latest';
 import { fits, misfit, ofFile, type Picture, readPicture, sortFiles, stem } from './picture';
 import { isWorkedOn, type Kept, type Work, type Workbench } from './workbench';
 
@@ -18,8 +18,8 @@ export interface Aside {
 
 export interface FilesHost {
   changed(): void;
-  /** A picture is open, whether the page or a person opened it. */
-  opened(): void;
+  /** A picture is open, whether the page or a person opened it; `given`, with a project of its own. */
+  opened(given: boolean): void;
   notify(notice: Notice): void;
   report(error: unknown): void;
   /** Shows a long operation. Returns a function that ends the display. */
@@ -42,6 +42,9 @@ export class Files {
   readonly #host: FilesHost;
   readonly #aside: Aside;
   readonly #requests = new LatestRequest();
+  readonly #returns = new LatestRequest();
+  /** Work that is being brought back, until it or something else is open. */
+  #returning: Kept | null = null;
   /** A count, since an overtaken opening ends only after the next has begun. */
   #opening = 0;
 
@@ -101,19 +104,42 @@ export class Files {
     const given =
       text === undefined ? undefined : await unlessAborted(signal, this.#workbench.readProject(text));
     const { picture, work } = await this.#ready(file, name, signal, given);
-    await this.#open(picture, work);
+    await this.#open(picture, work, given !== undefined);
   }
 
-  async restore(kept: Kept, signal = this.overtake()): Promise<void> {
-    await this.#open(await this.#picture(kept.file, kept.name, signal), kept);
+  /**
+   * Brings work back. Something else that is opened meanwhile ends that only once it can be opened: nothing is lost to
+   * what cannot.
+   * @throws Error if it cannot be opened; DOMException `AbortError` once something else is open.
+   */
+  async restore(kept: Kept): Promise<void> {
+    const signal = this.#returns.next();
+    this.#returning = kept;
+    try {
+      const picture = await this.#picture(kept.file, kept.name, signal);
+      await this.#put(picture, kept, false);
+    } finally {
+      if (!signal.aborted) this.#returning = null;
+    }
+  }
+
+  /** Edited pictures that were replaced by others, oldest first: the way back leads to the last one. */
+  get left(): readonly Kept[] {
+    return this.#aside.left;
+  }
+
+  set left(left: readonly Kept[]) {
+    this.#aside.left = left;
   }
 
   /** Aborts what is being opened, and everything later. */
   dispose(): void {
     this.#requests.close();
+    this.#returns.close();
   }
 
   async save(): Promise<void> {
+    if (!this.#workbench.picture) return;
     await this.#guarded(async () => {
       const { name, blob } = this.#workbench.projectFile();
       await saveFile(blob, name, 'project');
@@ -130,9 +156,10 @@ export class Files {
     const end = this.#host.begin('Exporting');
     await this.#guarded(async () => {
       const cut = !grow && this.#host.cuts();
-      await saveFile(this.#host.png(grow), `${stem(picture.name)}-warped.png`, 'png');
-      if (!cut) return;
-      const action = { label: 'Export all', run: () => void this.export(true) };
+      const name = `${stem(picture.name)}-warped${grow ? '-all' : ''}.png`;
+      const saved = await saveFile(this.#host.png(grow), name, 'png');
+      if (!saved || !cut) return;
+      const action = { label: 'Export all', reads: true, run: () => void this.export(true) } as const;
       this.#host.notify({ kind: 'info', text: CUT, action, passes: true });
     });
     end();
@@ -145,7 +172,7 @@ export class Files {
     const given = project && (await this.#readProject(project));
     if (picture && signal) {
       const ready = await this.#ready(picture, picture.name || 'pasted.png', signal, given?.project);
-      await this.#openOther(ready.picture, ready.work);
+      await this.#openOther(ready.picture, ready.work, given !== undefined);
     } else if (given) this.#openProject(given.name, given.project);
   }
 
@@ -185,19 +212,40 @@ export class Files {
    * Opens a person's picture, and offers a way back to the previous one if it was edited.
    * @param left the edited pictures before that.
    */
-  async #openOther(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
-    const { kept } = this.#workbench;
-    await this.#open(picture, work, kept && isWorkedOn(kept) ? [...left, kept] : left);
+  async #openOther(picture: Picture, work?: Work, given = false, left = this.#aside.left): Promise<void> {
+    const kept = this.#returning ?? this.#workbench.kept;
+    await this.#open(picture, work, given, kept && isWorkedOn(kept) ? [...left, kept] : left);
+  }
+
+  /** Opens a picture in place of any work that is being brought back, which goes on where the picture is refused. */
+  async #open(picture: Picture, work?: Work, given = false, left = this.#aside.left): Promise<void> {
+    const returning = this.#returning;
+    if (returning) this.#returns.next();
+    try {
+      await this.#put(picture, work, given, left);
+      this.#returning = null;
+    } catch (error) {
+      if (returning && returning === this.#returning && !isAbort(error))
+        await this.restore(returning).catch(() => {
+          this.left = [...this.left, returning];
+        });
+      throw error;
+    }
   }
 
   /**
    * Opens a picture. Then, also after an error, offers the way back, or else asks for the waiting project's picture.
    */
-  async #open(picture: Picture, work?: Work, left = this.#aside.left): Promise<void> {
+  async #put(
+    picture: Picture,
+    work: Work | undefined,
+    given: boolean,
+    left = this.#aside.left,
+  ): Promise<void> {
     try {
       await this.#workbench.open(picture, work);
       this.#aside.left = left;
-      this.#host.opened();
+      this.#host.opened(given);
     } finally {
       if (this.#aside.left.length > 0) this.#offerBack();
       else this.#ask();
@@ -218,7 +266,8 @@ export class Files {
   async #back(kept: Kept): Promise<void> {
     const picture = await this.#picture(kept.file, kept.name, this.overtake());
     const others = this.#aside.left.filter((other) => other !== kept);
-    await this.#openOther(picture, kept, others);
+    await this.#openOther(picture, kept, false, others);
+    this.#host.received([]);
   }
 
   /** Decodes a picture, and pairs it with the given project or a waiting one of its size. */

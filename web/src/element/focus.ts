@@ -1,6 +1,6 @@
 import type { Hit } from '../tools/hit';
 import type { Corner } from '../ui/model';
-import { isField } from '../ui/untyped';
+import { isField, untype } from '../ui/untyped';
 
 /** What has the focus inside the editor, and what gets it. */
 export class Focus {
@@ -55,6 +55,12 @@ export class Focus {
   leaveField(): void {
     const active = this.#root.activeElement;
     if (active instanceof HTMLInputElement) active.blur();
+  }
+
+  /** Drops a number that is being typed. */
+  untypeField(): void {
+    const active = this.#root.activeElement;
+    if (active instanceof HTMLInputElement && isField(active)) untype(active);
   }
 
   /** Focuses a handle or one of its corners, or the stage without an id, so that keys go on working. */

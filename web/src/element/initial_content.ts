@@ -8,6 +8,7 @@ import type { ProjectFile } from '../document/project';
 import type { Desk } from './desk';
 import type { Emit } from './events';
 import type { Aside } from './files';
+import { isAbort } from './latest';
 import type { Kept } from './workbench';
 
 export interface InitialContentHost {
@@ -17,6 +18,12 @@ export interface InitialContentHost {
   readonly desk: Desk | null;
   readonly emit: Emit;
 }
+
+/** Whether an error is about the project, not about its picture, the solver, or something newer. */
+const isOfProject = (error: unknown): boolean =>
+  !isAbort(error) &&
+  !isEngineFailure(error) &&
+  !['address', 'file', 'picture'].includes((error as { code?: string }).code ?? '');
 
 const nothing = (): Aside => ({ awaiting: null, left: [] });
 
@@ -48,30 +55,49 @@ export class InitialContent {
     this.aside = nothing();
   }
 
-  /** Takes the project that was set before there was a picture: later calls return undefined. */
-  taken(): ProjectFile | undefined {
+  /** Whether the attributes have changed, and what they name is not open yet. */
+  get asks(): boolean {
+    return this.#asked !== null;
+  }
+
+  /**
+   * Opens a picture with the given project, or else with the one that was set before. That one waits on where it was not
+   * to blame.
+   */
+  async load(
+    { files }: Desk,
+    source: string | Blob,
+    given?: string | ProjectFile | null,
+    signal?: AbortSignal,
+  ): Promise<void> {
     const { project } = this;
-    this.project = null;
-    return project ?? undefined;
+    try {
+      await files.load(source, given ?? project ?? undefined, signal);
+    } catch (error) {
+      if (!given && project === this.project && isOfProject(error)) this.project = null;
+      throw error;
+    }
   }
 
   /** Opens the initial content after a connection, and emits `ready`. */
   async begin(desk: Desk, signal: AbortSignal): Promise<void> {
     const left = this.#left;
     const asked = this.#asked;
+    let unread: unknown;
     const opened = await this.#open(desk, async () => {
       if (asked) return this.#attributes(desk, signal);
-      if (left) await desk.reopen(left, signal);
-      else if (!(await desk.restore(signal))) return this.#attributes(desk, signal);
+      if (left) await desk.reopen(left);
+      else if (!(await desk.restore((error) => (unread = error)))) return this.#attributes(desk, signal);
       return true;
     });
     // The new picture could not be opened: return to the previous one.
-    if (asked && left && !opened) {
+    if (asked && left && !opened && !signal.aborted) {
       await this.#open(desk, async () => {
-        await desk.reopen(left, signal);
+        await desk.reopen(left);
         return true;
       });
     }
+    if (unread && desk === this.#host.desk) desk.notices.report(unread);
     if (desk === this.#host.desk) this.#host.emit('ready', null);
   }
 
@@ -87,17 +113,18 @@ export class InitialContent {
     const { kept } = desk.workbench;
     await this.#open(desk, async () => {
       if (!kept) return this.#attributes(desk, signal);
-      await desk.reopen(kept, signal);
+      await desk.reopen(kept);
       return true;
     });
   }
 
-  /** Applies to the open picture what the page set before. */
-  settle({ workbench, notices }: Desk): void {
-    const [project, selection] = [this.taken(), this.selection];
+  /** Applies to the open picture what the page set before; `given`, it came with a project. */
+  settle({ workbench, notices }: Desk, given: boolean): void {
+    const { project, selection } = this;
+    this.project = null;
     this.selection = null;
     try {
-      if (project) workbench.set(project);
+      if (project && !given) workbench.set(project);
     } catch (error) {
       notices.report(error);
     }
@@ -124,13 +151,11 @@ export class InitialContent {
   async #attributes(desk: Desk, signal: AbortSignal): Promise<boolean> {
     const { src, projectSource } = this.#host;
     if (!src) return false;
-    const [asked, project] = [this.#asked, this.taken()];
+    // What is overtaken asks for nothing, and is no answer to what was asked since.
+    signal.throwIfAborted();
+    const asked = this.#asked;
     try {
-      await desk.files.load(src, project ?? projectSource ?? undefined, signal);
-    } catch (error) {
-      // After a disconnection, or without a solver, the project is still needed, unless the page has set a newer one.
-      if (desk !== this.#host.desk || isEngineFailure(error)) this.project ??= project ?? null;
-      throw error;
+      await this.load(desk, src, this.project ?? projectSource, signal);
     } finally {
       if (desk === this.#host.desk && asked === this.#asked) this.#asked = null;
     }

@@ -5,6 +5,7 @@ import { type Camera, toImage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { hand } from '../tools/hand';
 import { type Hit, hit } from '../tools/hit';
+import { places } from '../tools/machine';
 import { withoutRings } from '../tools/pressing';
 import type { Effect, Press } from '../tools/state';
 import { Pointing, type StagePointer } from '../ui/pointing';
@@ -172,15 +173,16 @@ export class Input {
     }
   }
 
-  /** Opens the menu of what lies under a place, if there is one; not for a finger that stays where it places something. */
+  /** Opens the menu of what lies under a place, if there is one; not for a finger that places something there. */
   #menu(pointer: StagePointer, staying: boolean): boolean {
     const { workbench, permissions, areas, focus, menu } = this.#host;
     const { machine } = workbench.editing;
-    if (!menu.opens || (staying && machine.tool !== 'select' && machine.tool !== 'hand')) return false;
+    if (!menu.opens) return false;
     areas.coarse = pointer.coarse;
-    this.#apply(machine.cancel());
     const { at } = this.#press(pointer);
     const under = this.#hit(at, machine.tool === 'select', withoutRings(areas.scene));
+    if (staying && !under && places(machine.tool)) return false;
+    this.#apply(machine.cancel());
     if (permissions.playing && !under) return false;
     focus.leaveField();
     menu.open(under, at);

@@ -26,7 +26,7 @@ const ARROWS: Readonly<Record<string, Vec>> = {
 };
 
 /** Commands of the document, run even from a text field. */
-const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export'];
+const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export', 'export-all'];
 /** Left to a text field while it has uncommitted input. */
 const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 
@@ -53,7 +53,7 @@ export class Keyboard {
     root.addEventListener('pointerdown', () => keyed(false), { signal });
     root.addEventListener('keydown', (event) => this.#down(event as KeyboardEvent), { signal });
     root.addEventListener('keyup', (event) => this.#up(event as KeyboardEvent), { signal });
-    root.addEventListener('focusout', () => this.#letGo(), { signal });
+    root.addEventListener('focusout', (event) => this.#letGo(event as FocusEvent), { signal });
   }
 
   release(): void {
@@ -125,7 +125,8 @@ export class Keyboard {
   }
 
   /** Without the focus no `keyup` arrives: held keys count as released. */
-  #letGo(): void {
+  #letGo({ relatedTarget }: FocusEvent): void {
+    if (this.#root.contains(relatedTarget as Node | null)) return;
     this.#host.input.space(false);
     this.#host.display.showBare(null);
   }

@@ -24,6 +24,10 @@ export class LatestRequest {
   }
 }
 
+/** Whether an error says that something newer took the place of what was asked for. */
+export const isAbort = (error: unknown): boolean =>
+  error instanceof DOMException && error.name === 'AbortError';
+
 /** Settles as `work` does until the signal is aborted. @throws the signal's reason once it is. */
 export async function unlessAborted<T>(signal: AbortSignal, work: Promise<T>): Promise<T> {
   try {

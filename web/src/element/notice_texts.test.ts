@@ -6,6 +6,9 @@ describe('a notice', () => {
     expect(outsideText(['point a'])).toBe(
       'Only the part of point a on the picture bends it: the rest lies beside it.',
     );
+    expect(outsideText(['bar a'], true)).toBe(
+      'Only the part of bar a inside the lasso bends it: the rest lies beside it.',
+    );
     expect(outsideText(['a', 'b'])).toBe('Only the parts on the picture bend it of a and b.');
     expect(outsideText(['a', 'b', 'c'])).toBe('Only the parts on the picture bend it of a, b and c.');
   });

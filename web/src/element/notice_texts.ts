@@ -21,11 +21,15 @@ const listed = new Intl.ListFormat('en-GB');
 const named = (handles: readonly string[]): string =>
   listed.format(handles.length > 6 ? [...handles.slice(0, 5), `${handles.length - 5} more`] : handles);
 
-/** @param handles names of handles that lie partly outside the picture; at least one. */
-export function outsideText(handles: readonly string[]): string {
+/**
+ * @param handles names of handles that lie partly outside of what bends; at least one.
+ * @param lassoed whether that is what a lasso holds, not the picture.
+ */
+export function outsideText(handles: readonly string[], lassoed = false): string {
+  const where = lassoed ? 'inside the lasso' : 'on the picture';
   return handles.length === 1
-    ? `Only the part of ${handles[0]} on the picture bends it: the rest lies beside it.`
-    : `Only the parts on the picture bend it of ${named(handles)}.`;
+    ? `Only the part of ${handles[0]} ${where} bends it: the rest lies beside it.`
+    : `Only the parts ${where} bend it of ${named(handles)}.`;
 }
 
 export const SAME_THERE = 'The other side is the same: there is nothing to mirror.';

@@ -24,6 +24,36 @@ describe('a notice that disappears by itself', () => {
   });
 });
 
+describe('what is said about a step', () => {
+  const lost = { kind: 'info', text: 'One is gone.', ofStep: true } as const;
+
+  it('ends with the next one, unlike what is said about anything else', () => {
+    const { notices: it } = notices();
+    it.notify(lost);
+    it.stepped();
+    expect(it.notice).toBeNull();
+    it.notify({ kind: 'info', text: 'a word' });
+    it.stepped();
+    expect(it.notice?.text).toBe('a word');
+  });
+
+  it('is said together, each once, with what can be done about it', () => {
+    const { notices: it } = notices();
+    let held = false;
+    const run = () => {
+      held = true;
+    };
+    const action = { label: 'Hold', run };
+    it.notify({ ...lost, action, passes: true });
+    it.notify({ kind: 'info', text: 'Two lie beside it.', ofStep: true });
+    it.notify({ kind: 'info', text: 'Two lie beside it.', ofStep: true });
+    expect(it.notice?.text).toBe('One is gone. Two lie beside it.');
+    it.notice?.action?.run();
+    expect(held).toBe(true);
+    expect(it.notice).toBeNull();
+  });
+});
+
 describe('an error', () => {
   const error = new EngineError({ code: ENGINE, message: 'The solver could not be loaded' });
 

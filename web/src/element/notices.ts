@@ -5,6 +5,7 @@
 import { isEngineFailure } from '../compute/errors';
 import type { Notice, Progress } from '../ui/model';
 import type { Emit } from './events';
+import { isAbort } from './latest';
 import { refusalWords } from './wording';
 
 export interface NoticesHost {
@@ -22,6 +23,13 @@ export interface NoticesHost {
 const PASSING_MS = 6000;
 /** Long enough to decide, too. */
 const ANSWER_MS = 15_000;
+
+/** What is said about a step, with what was said about it before. */
+function joined(before: Notice | null, notice: Notice): Notice {
+  if (!before?.ofStep || !notice.ofStep) return notice;
+  if (before.text.includes(notice.text)) return before;
+  return { ...before, ...notice, text: `${before.text} ${notice.text}` };
+}
 
 export class Notices {
   readonly #host: NoticesHost;
@@ -52,15 +60,16 @@ export class Notices {
   }
 
   /** Shows a notice. Its action dismisses it; without an action, anything but an error disappears by itself. */
-  notify(notice: Notice): void {
+  notify(given: Notice): void {
+    const notice = joined(this.#passing, given);
     this.#pass();
     const { kind, action, passes = !action } = notice;
     const run = () => {
-      if (!passes && !this.#host.answerable) return;
+      if (kind === 'info' && !action?.reads && !this.#host.answerable) return;
       this.dismiss();
       action?.run();
     };
-    const shown = action ? { ...notice, action: { label: action.label, run } } : notice;
+    const shown = action ? { ...notice, action: { ...action, run } } : notice;
     if (!passes) this.#offer = shown;
     else if (kind === 'error') this.#error = shown;
     else {
@@ -77,10 +86,18 @@ export class Notices {
     this.#timer = setTimeout(() => this.dismiss(), this.#passing.action ? ANSWER_MS : PASSING_MS);
   }
 
+  /** Another step was done, undone or redone: closes what was said about the one before. */
+  stepped(): void {
+    if (!this.#passing?.ofStep) return;
+    this.#pass();
+    this.#host.changed();
+  }
+
   /** Closes the shown notice. */
   dismiss(): void {
-    if (this.#passing) this.#pass();
-    else if (this.#error) this.#error = null;
+    const { notice } = this;
+    if (notice === this.#passing) this.#pass();
+    else if (notice === this.#error) this.#error = null;
     else this.#offer = null;
     this.#host.changed();
   }
@@ -109,7 +126,7 @@ export class Notices {
    */
   report(thrown: unknown): void {
     const error = thrown instanceof Error ? thrown : new Error(String(thrown));
-    if (error.name === 'AbortError') return;
+    if (isAbort(error)) return;
     const run = isEngineFailure(error) ? this.#host.again : null;
     const action = run && ({ action: { label: 'Try again', run }, passes: true } as const);
     this.notify({ kind: 'error', text: refusalWords(error), ...action });

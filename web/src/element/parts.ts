@@ -28,8 +28,8 @@ export interface PartsHost extends Attributes {
   readonly hint: PageHint | null;
   /** The model has changed: render again. */
   changed(): void;
-  /** A picture is open, whether the page or a person opened it. */
-  opened(): void;
+  /** A picture is open, whether the page or a person opened it; `given`, with a project of its own. */
+  opened(given: boolean): void;
   /** Opens again what the solver has failed at. */
   again(): void;
   readonly emit: Emit;
@@ -112,7 +112,11 @@ export function partsOf(host: PartsHost, canvas: HTMLCanvasElement, reactions: R
   const bordering = new Bordering({ workbench, changed });
   const files = new Files(workbench, host.aside, {
     changed,
-    opened: () => host.opened(),
+    opened: (given) => {
+      host.opened(given);
+      // Now with the way back to what was open before.
+      autosave.saveOpened();
+    },
     notify: (notice) => notices.notify(notice),
     report: (error) => notices.report(error),
     begin: (label) => notices.begin(label),
@@ -120,7 +124,7 @@ export function partsOf(host: PartsHost, canvas: HTMLCanvasElement, reactions: R
     png: (grow) => workbench.png(1, grow, display.pixelated),
     received: (ignored) => reactions.received(ignored),
   });
-  const autosave = new Autosave(workbench, () => {
+  const autosave: Autosave = new Autosave(workbench, files, () => {
     if (!permissions.playing) notices.notify({ kind: 'error', text: NOT_KEPT });
   });
   const hint = new FirstHint({

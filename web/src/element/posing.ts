@@ -148,6 +148,14 @@ export class Posing {
     return locatePosed(current.data, this.motions(), blendOf(this.#history.present.project), rest);
   }
 
+  /** Whether a point of the original is part of what bends: not of the rim that is drawn around it. */
+  bends(rest: Vec): boolean {
+    const { current } = this.#solving;
+    if (!current) return false;
+    const { data } = current;
+    return spotAt(data, data.report.samples, data.positions, rest, 0)?.at === rest;
+  }
+
   /** Where the borders between cells are in the current pose: pieces × 2 ends × 2. */
   posed(borders: Borders): Float32Array {
     return posedBorders(borders, this.#positions());

@@ -5,7 +5,7 @@
  * immediate. Progress is reported only once a wait is noticeable.
  */
 import { Engine } from '../compute/engine';
-import { ENGINE } from '../compute/errors';
+import { ENGINE, EngineError } from '../compute/errors';
 import type { Poser } from '../compute/module';
 import type { CellBorders, Pixels, SolutionData, Stage } from '../compute/solution';
 import type { Project } from '../document/project';
@@ -158,17 +158,25 @@ export class Solving {
 
   async #solve(project: Project, key: string): Promise<void> {
     this.#expect(LABELS.begin);
+    let solved: Solved;
     try {
       const engine = await this.engine();
       if (key !== this.#wanted) return;
       const data = await engine.solve(project, (stage) => {
         if (key === this.#wanted) this.#expect(LABELS[stage]);
       });
-      const solved = { key, project, data, poser: engine.poser(data) };
-      this.#keep(solved);
-      if (key === this.#wanted) this.#show(solved);
+      solved = { key, project, data, poser: engine.poser(data) };
     } catch (thrown) {
       this.#fail(key, thrown);
+      return;
+    }
+    this.#keep(solved);
+    if (key !== this.#wanted) return;
+    try {
+      this.#show(solved);
+    } catch (thrown) {
+      // Such as graphics that are gone: the solver is not to blame.
+      this.#host.failed(thrown as Error);
     }
   }
 
@@ -177,7 +185,7 @@ export class Solving {
     if (error.name === 'AbortError' || key !== this.#wanted) return;
     this.#done();
     this.#wanted = this.#current?.key ?? null;
-    if ('code' in error && error.code !== ENGINE) this.#host.refused(key, error);
+    if (error instanceof EngineError && error.code !== ENGINE) this.#host.refused(key, error);
     else {
       // It may have given up the picture: the next solve starts another, which gets the picture anew.
       this.#stop();

@@ -146,7 +146,13 @@ export class Stage {
     const { editing } = workbench;
     // A hidden stage receives no more pointer moves.
     if (width === 0 || height === 0) editing.apply(editing.machine.cancel());
-    viewing.resize({ width, height }, focus.isInField && areas.press === 'tap');
+    viewing.resize(
+      { width, height },
+      {
+        typing: focus.isInField && areas.press === 'tap',
+        pressing: editing.machine.busy,
+      },
+    );
     this.#host.looked();
   }
 

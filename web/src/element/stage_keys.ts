@@ -3,6 +3,7 @@ import { handleById } from '../document/document';
 import { anchor, isLine } from '../document/handle';
 import { panned } from '../geometry/camera';
 import { scaled, type Vec } from '../geometry/vec';
+import { places } from '../tools/machine';
 import type { Press } from '../tools/state';
 import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
@@ -118,7 +119,6 @@ export class StageKeys {
 
   /** Whether the current tool places something on the picture. */
   get #places(): boolean {
-    const { tool } = this.#host.workbench.editing.machine;
-    return tool !== 'select' && tool !== 'hand';
+    return places(this.#host.workbench.editing.machine.tool);
   }
 }

@@ -1,6 +1,7 @@
 /**
- * The work stored under one key of the browser's storage: the picture, written once, and the document with its history,
- * unfinished drawings, whether the guard against folds is on, and whether it is drawn as pixel art. Tabs share the key: the last change of any of them is read, picture and
+ * The work stored under one key of the browser's storage: the picture, written once, the document with its history,
+ * unfinished drawings, whether the guard against folds is on, whether it is drawn as pixel art, and the last
+ * edited pictures that were open before. Tabs share the key: the last change of any of them is read, picture and
  * document together.
  *
  * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing fails:
@@ -20,13 +21,18 @@ interface KeptDocument
   readonly mark: string;
 }
 
+/** Of the pictures from before only the last few are stored: each takes as much room as its file. */
+const MOST_LEFT = 3;
+
 export class StoredWork {
   readonly #key: string;
   #file: Blob | null = null;
   /** Identifies the picture, so that a document is never restored with another tab's picture. */
   #mark = '';
   #writing: Promise<void> = Promise.resolve();
-  #next: Kept | null = null;
+  #next: readonly [kept: Kept, left: readonly Kept[]] | null = null;
+  /** The pictures from before that were stored last. */
+  #left: readonly Kept[] | null = null;
   readonly #told: (stored: boolean) => void;
 
   /** @param told called after each attempt to store a state. */
@@ -35,31 +41,42 @@ export class StoredWork {
     this.#told = told;
   }
 
-  async read(): Promise<Kept | null> {
+  /** Null where nothing is stored, or the browser refuses to tell. */
+  async read(): Promise<{ readonly kept: Kept; readonly left: readonly Kept[] } | null> {
     try {
-      const names = [`${this.#key}/picture`, `${this.#key}/document`];
-      const [picture, document] = (await readKept(names)) as [KeptPicture?, KeptDocument?];
+      const names = ['picture', 'document', 'left'].map((name) => `${this.#key}/${name}`);
+      const [picture, document, left = []] = (await readKept(names)) as [
+        KeptPicture?,
+        KeptDocument?,
+        (readonly Kept[])?,
+      ];
       if (!picture || picture.mark !== document?.mark) return null;
       const { file, name, mark } = picture;
       [this.#file, this.#mark] = [file, mark];
       const { record, drawings = [], guarded = false, pixelated } = document;
-      return { file, name, record, drawings, guarded, ...(pixelated !== undefined && { pixelated }) };
+      const kept = { file, name, record, drawings, guarded, ...(pixelated !== undefined && { pixelated }) };
+      this.#left = left;
+      return { kept, left };
     } catch {
       return null;
     }
   }
 
-  /** Writes a state. While one is being written, only the newest of the waiting states is kept. */
-  write(kept: Kept): void {
+  /**
+   * Writes a state. While one is being written, only the newest of the waiting states is kept.
+   * @param left edited pictures that were open before, oldest first.
+   */
+  write(kept: Kept, left: readonly Kept[]): void {
     const idle = this.#next === null;
-    this.#next = kept;
+    this.#next = [kept, left];
     if (idle) this.#writing = this.#writing.then(() => this.#writeNext());
   }
 
   async #writeNext(): Promise<void> {
-    const kept = this.#next;
+    const next = this.#next;
     this.#next = null;
-    if (!kept) return;
+    if (!next) return;
+    const [kept, left] = next;
     const { file, name, record, drawings = [], guarded, pixelated } = kept;
     if (file !== this.#file)
       [this.#file, this.#mark] = [file, `${performance.timeOrigin}+${performance.now()}`];
@@ -71,9 +88,13 @@ export class StoredWork {
     ];
     try {
       await writeKept(
-        { [`${this.#key}/document`]: document },
+        {
+          [`${this.#key}/document`]: document,
+          ...(left !== this.#left && { [`${this.#key}/left`]: left.slice(-MOST_LEFT) }),
+        },
         { name: markName, is: mark, values: { [`${this.#key}/picture`]: picture, [markName]: mark } },
       );
+      this.#left = left;
       this.#told(true);
     } catch {
       // Storage full or refused: editing goes on.

@@ -73,12 +73,13 @@ export class Viewing {
    * Ignores a hidden stage, which has no size.
    *
    * @param typing an on-screen keyboard may change the height: the picture does not move for that.
+   * @param pressing nor does it move under a press.
    */
-  resize(stage: Size, typing = false): void {
+  resize(stage: Size, { typing = false, pressing = false } = {}): void {
     if (!(stage.width > 0 && stage.height > 0)) return;
     const keyboard = typing && stage.width === this.stage.width;
     this.stage = stage;
-    if (keyboard) return;
+    if (keyboard || pressing) return;
     const { camera, stage: before } = this.#now;
     const by: Vec = [(stage.width - before.width) / 2, (stage.height - before.height) / 2];
     this.#now = { ...this.#now, stage, camera: panned(camera, by) };

@@ -58,6 +58,10 @@ describe('words', () => {
     expect(refusalWords(new EngineError({ code: 'bar-too-short', message: 'short', handles: ['a'] }))).toBe(
       'short',
     );
+    const along = (...handles: string[]) =>
+      refusalWords(new EngineError({ code: 'bars-overlap', message: 'along', handles }));
+    expect(along('bar-1', 'left-leg')).toMatch(/^“Bar 1” and “left leg” run along each other/i);
+    expect(along('polygon-1', 'polygon-1')).toMatch(/^“Polygon 1” runs back along itself/i);
     expect(refusalWords(new Error('no such file'))).toBe('no such file');
   });
 

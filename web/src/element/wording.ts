@@ -52,16 +52,22 @@ export function draftWords(draft: Draft | null): string {
 }
 
 /** By the codes of errors whose messages are in words of the solver and of project files. */
-const REFUSALS: Readonly<Record<string, (name: string) => string>> = {
+const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>> = {
   'handle-outside': (name) => `“${name}” lies outside the shape: place it on the picture.`,
   'on-held-boundary': (name) =>
     `“${name}” stands on the boundary, which is held: move it further inside, or free the boundary.`,
+  'bars-overlap': (name, other) =>
+    name === other
+      ? `“${name}” runs back along itself: its pieces may cross and touch, but not lie on one another.`
+      : `“${name}” and “${other}” run along each other: they may cross and touch, but not lie on one another.`,
 };
 
 /** An error in words of the editor. */
 export function refusalWords(error: Error): string {
   const { code, handles } = error as Partial<EngineError>;
-  const [id] = handles ?? [];
+  const [id, other = id] = handles ?? [];
   const words = REFUSALS[String(code)];
-  return words && id !== undefined ? words(nameOf({ id })) : error.message;
+  return words && id !== undefined && other !== undefined
+    ? words(nameOf({ id }), nameOf({ id: other }))
+    : error.message;
 }

@@ -5,8 +5,8 @@
  * handle that cannot be solved is taken back throughout the history, even that of a document just opened; any other
  * edit is taken back together with what was done since. The host shows the result.
  */
-import type { Engine } from '../compute/engine';
 import { EngineError } from '../compute/errors';
+import { checkedProject } from '../compute/module';
 import { type Document, isSameWork, newProject, openDocument } from '../document/document';
 import { checkedHandle } from '../document/handle';
 import { History, type HistoryRecord } from '../document/history';
@@ -81,8 +81,8 @@ export class Workbench {
   readonly #host: WorkbenchHost;
   #picture: Picture | null = null;
   #opening: Opening | null = null;
-  /** Null until started. Kept outside its promise so that `set` can check a project synchronously. */
-  #engine: Engine | null = null;
+  /** Whether the solver has started, so that `set` can check a project at once. */
+  #started = false;
 
   constructor(host: WorkbenchHost) {
     this.#host = host;
@@ -135,8 +135,8 @@ export class Workbench {
       this.#opening = { before, fresh: work ? null : picture, resolve, reject };
       this.#put(picture, work ?? this.#fresh(picture));
       this.solving.engine().then(
-        (engine) => {
-          this.#engine = engine;
+        () => {
+          this.#started = true;
         },
         () => {},
       );
@@ -155,7 +155,7 @@ export class Workbench {
 
   /** Whether a project can be set: a picture is open and the solver has started. */
   get isOpen(): boolean {
-    return this.#picture !== null && this.#engine !== null;
+    return this.#picture !== null && this.#started;
   }
 
   /**
@@ -163,8 +163,9 @@ export class Workbench {
    * @throws RangeError that names the invalid key, or if no picture of that size is open.
    */
   set(given: ProjectFile): void {
-    if (!this.#engine || !this.#picture) throw new RangeError('there is no picture yet to set a project for');
-    const project = this.#made(this.#engine, given);
+    if (!this.#started || !this.#picture)
+      throw new RangeError('there is no picture yet to set a project for');
+    const project = this.#made(given);
     const error = misfit(this.#picture, project);
     if (error) throw error;
     this.adopt(project, 'Set project');
@@ -173,7 +174,8 @@ export class Workbench {
   /** Parses a project file. @throws Error with a `code` and a message that names the invalid key. */
   async readProject(text: string): Promise<Project> {
     if (text.trim() === '') throw Object.assign(new Error('the file is empty'), { code: 'project' });
-    return checked((await this.solving.engine()).checkProject(text));
+    await this.solving.engine();
+    return checked(checkedProject(text));
   }
 
   /** The open project as a file, named after the picture. */
@@ -212,9 +214,9 @@ export class Workbench {
     this.#picture?.bitmap.close();
   }
 
-  #made(engine: Engine, given: ProjectFile): Project {
+  #made(given: ProjectFile): Project {
     try {
-      return checked(engine.checkProject(JSON.stringify(given)));
+      return checked(checkedProject(JSON.stringify(given)));
     } catch (cause) {
       throw cause instanceof RangeError ? cause : new RangeError((cause as Error).message, { cause });
     }
@@ -253,6 +255,7 @@ export class Workbench {
   #solved(solved: Solved, first: boolean): void {
     const opening = this.#opening;
     this.#opening = null;
+    this.#started = true;
     this.posing.forget();
     this.#host.solved(solved, first);
     if (!opening) return;

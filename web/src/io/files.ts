@@ -21,9 +21,14 @@ export function openFile(kind: Kind): Promise<FileWithHandle | undefined> {
 /**
  * Asks where to save a file of this name; saves nothing when the person cancels. Pass a blob that takes time to make as
  * a promise, since the browser only asks while the click that led here is fresh.
+ *
+ * @returns whether it was saved.
  */
-export async function saveFile(blob: Blob | Promise<Blob>, fileName: string, kind: Kind): Promise<void> {
-  await unlessCancelled(fileSave(blob, { ...KINDS[kind], fileName, id: kind }));
+export async function saveFile(blob: Blob | Promise<Blob>, fileName: string, kind: Kind): Promise<boolean> {
+  const saved = fileSave(blob, { ...KINDS[kind], fileName, id: kind }).then(() => true);
+  // Nobody waits for it once the person cancels.
+  if (blob instanceof Promise) blob.catch(() => {});
+  return (await unlessCancelled(saved)) ?? false;
 }
 
 async function unlessCancelled<T>(choice: Promise<T>): Promise<T | undefined> {

@@ -39,6 +39,12 @@ describe('readHeader', () => {
       size: { width: 40, height: 30 },
       complete: true,
     });
+    // Cameras leave stray bytes between segments; decoders pass over them.
+    expect(readHeader(bytes(start, [0, 0], frame, [0], scan, [0xff, 0xd9]))).toEqual({
+      kind: 'jpeg',
+      size: { width: 40, height: 30 },
+      complete: true,
+    });
     expect(readHeader(bytes(start, frame, scan)).complete).toBe(false);
     expect(readHeader(bytes(start)).complete).toBe(false);
   });

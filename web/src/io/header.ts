@@ -42,8 +42,8 @@ function jpeg(view: DataView): Header {
       size = { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
     }
     if (marker === START_OF_SCAN) return { kind: 'jpeg', size, complete: hasEndMarker(view, at) };
-    // Any number of fill bytes may stand before a marker.
-    at += marker === 0xffff ? 1 : 2 + view.getUint16(at + 2);
+    // Any number of fill bytes may stand before a marker, and decoders pass over stray ones too.
+    at += marker === 0xffff || marker < 0xff00 ? 1 : 2 + view.getUint16(at + 2);
   }
   return { kind: 'jpeg', size, complete: false };
 }

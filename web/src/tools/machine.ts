@@ -17,10 +17,14 @@ const NAMES = Object.keys(TOOLS) as ToolName[];
 /** Unfinished drawings, one of each tool at most. */
 export type Drawings = readonly Draft[];
 
-export const isToolName = (name: unknown): name is ToolName => typeof name === 'string' && name in TOOLS;
+export const isToolName = (name: unknown): name is ToolName =>
+  typeof name === 'string' && Object.hasOwn(TOOLS, name);
 
 /** Whether a tool draws something from press to press. */
 export const draws = (tool: ToolName): tool is Draft['kind'] => tool in CORNERS_NEEDED;
+
+/** Whether a tool places something on the picture. */
+export const places = (tool: ToolName): boolean => tool !== 'select' && tool !== 'hand';
 
 export class ToolMachine {
   #tool: ToolName = 'select';
@@ -101,9 +105,10 @@ export class ToolMachine {
 
   /** Cancels the current press and the drawings of all tools. */
   clear(): readonly Effect[] {
+    const waiting = this.waiting.length > 0 && !this.draft;
     const effects = this.bail();
     Object.assign(this.#resting, TOOLS);
-    return effects;
+    return waiting ? [...effects, { type: 'drafted', draft: null }] : effects;
   }
 
   /** Cancels the current press and replaces all drawings. */

@@ -42,6 +42,8 @@ const FIELDS: readonly HandleField[] = [
     unit: '',
     step: 1,
     digits: 2,
+    least: DEPTHS.least,
+    most: DEPTHS.most,
     tip: `What lies over what, from ${DEPTHS.least} at the back to ${DEPTHS.most} in front`,
     read: depthOf,
   },

@@ -105,9 +105,12 @@ export interface Progress {
 export interface Notice {
   readonly kind: 'error' | 'info';
   readonly text: string;
-  readonly action?: { readonly label: string; run(): void };
+  /** `reads`: it changes nothing, and is there for who may change nothing. */
+  readonly action?: { readonly label: string; readonly reads?: true; run(): void };
   /** With an action that can be had again, or is no edit: gives way as if it had none. */
   readonly passes?: true;
+  /** It is about the last step: others about that join it, and the next step ends it. */
+  readonly ofStep?: true;
 }
 
 export type OverlayFlags = Readonly<

@@ -21,7 +21,7 @@ function card(model: EditorModel, actions: EditorActions): TemplateResult | type
     @focusout=${() => actions.linger(false)}
   >
     <p title=${text}>${shortened(text)}</p>
-    ${action ? html`<button type="button" class="link" ?disabled=${model.readonly && kind === 'info'} @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
+    ${action ? html`<button type="button" class="link" ?disabled=${model.readonly && kind === 'info' && !action.reads} @click=${() => action.run()}>${shortened(action.label)}</button>` : nothing}
     <button type="button" class="button small" aria-label="Dismiss" @click=${() => actions.dismiss()}>
       ${icon('close')}
     </button>

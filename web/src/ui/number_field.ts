@@ -1,6 +1,5 @@
 /** A number of the selected handles or of a corner, to be typed or stepped. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { DEPTHS } from '../document/handle';
 import type { EditorActions, EditorModel } from './model';
 import { untyped } from './untyped';
 
@@ -24,14 +23,31 @@ export const PLACE = { unit: 'px', step: 1, digits: 1, digitKeys: true } as cons
 /** Limit of typed pixels and degrees: far beyond any picture. */
 const MOST = 1e6;
 
-/** A number as people write it, with a point or a comma. */
-export const numberOf = (text: string): number =>
-  text.trim() === '' ? Number.NaN : Number(text.trim().replace(',', '.').replace('−', '-'));
+/** Commas between thousands, as the editor itself writes them. */
+const THOUSANDS = /^-?[1-9]\d{0,2}(,\d{3})+(\.\d*)?$/;
 
-const expected = ({ label, least, most }: FieldLook): string =>
-  least === undefined || most === undefined
+/** A number as people write it, with a point or a comma. */
+export function numberOf(text: string): number {
+  const plain = text.trim().replace('−', '-');
+  if (plain === '') return Number.NaN;
+  return Number(THOUSANDS.test(plain) ? plain.replaceAll(',', '') : plain.replace(',', '.'));
+}
+
+const expected = ({ label, least, most }: FieldLook, value: number): string => {
+  if (least !== undefined && most !== undefined) return `${label} takes a number from ${least} to ${most}.`;
+  return Number.isNaN(value)
     ? `${label} takes a number, such as 120 or −3.5.`
-    : `${label} takes a number from ${least} to ${most}.`;
+    : `${label} takes a number up to ${MOST.toLocaleString('en-GB')}.`;
+};
+
+/** The press that brings the focus selects the number, to be typed over; the next one sets the caret. */
+function selectAll(event: MouseEvent): void {
+  const input = event.currentTarget as HTMLInputElement;
+  if ((input.getRootNode() as ShadowRoot).activeElement === input) return;
+  event.preventDefault();
+  input.focus();
+  input.select();
+}
 
 /** Steps per arrow key in a field. */
 const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
@@ -61,7 +77,7 @@ export function numberField(
       set(() => value);
       return;
     }
-    if (input.value.trim() !== '' && input.value !== shared) actions.refuse(expected(look));
+    if (input.value.trim() !== '' && input.value !== shared) actions.refuse(expected(look, value));
     input.value = shared;
   };
   const onKey = (event: KeyboardEvent) => {
@@ -89,7 +105,7 @@ export function numberField(
       aria-valuenow=${shared || nothing}
       aria-valuemin=${look.least ?? nothing}
       aria-valuemax=${look.most ?? nothing}
-      aria-label="${look.label} (${look.unit || `${DEPTHS.least} to ${DEPTHS.most}`})"
+      aria-label="${look.label} (${look.unit || `${look.least} to ${look.most}`})"
       aria-description=${look.tip ?? nothing}
       placeholder="mixed"
       .value=${untyped(shared)}
@@ -97,6 +113,7 @@ export function numberField(
       @change=${commit}
       @input=${(event: Event) => event.stopPropagation()}
       @keydown=${onKey}
+      @mousedown=${selectAll}
     /><span class="unit" aria-hidden="true">${look.unit}</span>
   </label>`;
 }

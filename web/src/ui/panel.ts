@@ -18,7 +18,7 @@ import { fields } from './fields';
 import { handleList } from './handle_list';
 import { icon } from './icons';
 import type { EditorActions, EditorModel } from './model';
-import { FROM_BOTTOM } from './style/sizes';
+import { FROM_BOTTOM, SHEET } from './style/sizes';
 
 export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
   const selected = selectedHandles(model.document);
@@ -36,14 +36,18 @@ export function panel(model: EditorModel, actions: EditorActions): TemplateResul
   </section>`;
 }
 
-/** Room for a handle's dot above the sheet, CSS pixels. */
+/** Room for a handle's dot beside the sheet, CSS pixels. */
 const DOT = 14;
 
-/** Whether the centre of the selection lies where the sheet would: with numbers, in the lower half of the stage. */
-function isLow(selected: readonly Handle[], { camera, stage: { height }, numbers }: EditorModel): boolean {
-  if (selected.length === 0) return false;
-  const [, y] = toStage(camera, groupCentre(selected));
-  return y > (numbers ? height / 2 : Math.max(height / 2, height - FROM_BOTTOM.aboveSheet - DOT));
+/** Whether the sheet would cover what it is about at the bottom of the stage, and less so at its top. */
+function isLow(selected: readonly Handle[], { camera, stage, numbers, corner }: EditorModel): boolean {
+  const [first] = selected;
+  if (!first) return false;
+  const inHand = corner !== null && isLine(first) ? first.posed[corner] : undefined;
+  const [, y] = toStage(camera, inHand ?? groupCentre(selected));
+  const sheet = numbers ? (inHand ? SHEET.ofCorner : SHEET.numbers) : SHEET.line;
+  const [low, high] = [stage.height - FROM_BOTTOM.sheet - sheet - DOT, SHEET.top + sheet + DOT];
+  return y > Math.max(low, (low + high) / 2);
 }
 
 function properties(selected: readonly Handle[], model: EditorModel, actions: EditorActions): TemplateResult {

@@ -11,6 +11,15 @@ const typed = new WeakSet<EventTarget>();
 
 export const isTyped = (field: EventTarget): boolean => typed.has(field);
 
+/** What each field is bound to. */
+const bound = new WeakMap<EventTarget, string>();
+
+/** Puts back what a field is bound to, in place of what is being typed. */
+export function untype(field: HTMLInputElement): void {
+  typed.delete(field);
+  field.value = bound.get(field) ?? field.value;
+}
+
 class Untyped extends Directive {
   #listening = false;
 
@@ -21,6 +30,7 @@ class Untyped extends Directive {
   override update({ element }: PropertyPart, [value]: [string]): string | typeof noChange {
     const input = element as HTMLInputElement;
     if (!this.#listening) this.#listen(input);
+    bound.set(input, value);
     // Set here: Lit compares with the value it set last, not with what was typed since.
     if (!isTyped(input) && input.value !== value) input.value = value;
     return noChange;
