@@ -416,6 +416,8 @@ test('of two tabs the one that changed last comes back, whole', async ({ page, c
   const other = await context.newPage();
   const second = await Editor.open(other);
   await expect(second.button('Undo: move left hand')).toBeEnabled();
+  await second.handle('head').click();
+  await expect.poll(() => second.kept()).toMatchObject({ selection: ['head'] });
   await first.choose(png('disc.png', disc(96)));
   await expect(first.status).toContainText('96 × 96 px');
   await page.keyboard.press('p');
@@ -426,6 +428,8 @@ test('of two tabs the one that changed last comes back, whole', async ({ page, c
   await second.dragHandle('right hand', { x: -20, y: -40 });
   const later = { picture: 'gingerbread.png', step: 'Move right hand' };
   await expect.poll(() => second.kept()).toMatchObject(later);
+  const told = page.getByText('Something was changed in another tab since');
+  await expect(told).toBeVisible();
   for (const tab of [page, other]) {
     await tab.reload();
     const editor = new Editor(tab);

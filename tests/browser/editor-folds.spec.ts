@@ -91,6 +91,11 @@ test('depth is set by number, buttons and keys, each taken back by undo', async 
   await expect(editor.handle('right hand')).toHaveAttribute('aria-label', /depth 2/);
   await editor.field('depth').fill('40');
   await editor.field('depth').press('Enter');
+  await expect(page.getByText('Depth takes a number from -10 to 10.')).toBeVisible();
+  await expect(editor.field('depth')).toHaveValue('2');
+  expect(await depth()).toBe(2);
+  await editor.field('depth').fill('10');
+  await editor.field('depth').press('Enter');
   await expect.poll(depth).toBe(10);
   await expect(editor.button(/^Bring forward$/)).toBeDisabled();
   await editor.button(/Undo: set depth/).click();

@@ -14,7 +14,7 @@ test('Tab goes from handle to handle, and arrow keys move what has the focus', a
     await page.keyboard.press(key);
   const told = await editor.still(() => editor.told('left hand'));
   expect(told).toMatchObject({ x: 125, y: 506 });
-  await expect(page.getByText(`left hand: x 125, y 506, rotation ${told.rotation} degrees`)).toBeAttached();
+  await expect(page.getByText(`left hand: x 125, y 506, rotation ${told.rotation} degree`)).toBeAttached();
 
   // Nudges in a row are one step.
   await page.keyboard.press('Control+z');
@@ -433,6 +433,89 @@ test('the crosshair stays in view, is told, and goes with Escape or another tool
   await expect(crosshair).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(crosshair).toBeHidden();
+});
+
+test('a tool that is chosen by keys places with them at once, wherever the focus was', async ({ page }) => {
+  const editor = await Editor.open(page);
+  for (const choose of [
+    async () => {
+      await editor.button('Save the project file').focus();
+      await page.keyboard.press('p');
+    },
+    async () => {
+      await editor.button('Add a point handle').focus();
+      await page.keyboard.press('Enter');
+    },
+  ]) {
+    const count = await editor.handles.count();
+    await choose();
+    for (let step = 0; step < count - 4; step++) await page.keyboard.press('Shift+ArrowDown');
+    await page.keyboard.press('Enter');
+    await expect(editor.handles).toHaveCount(count + 1);
+    await page.keyboard.press('Escape');
+  }
+});
+
+test('the list of keys opens by its button or a key, and closes by Escape, which takes back nothing', async ({
+  page,
+}) => {
+  const editor = await Editor.open(page);
+  const keys = page.getByRole('dialog', { name: 'Keys' });
+  await editor.handle('head').focus();
+  await page.keyboard.press('?');
+  await expect(keys).toBeVisible();
+  await expect(keys).toContainText('Mirror to the other side');
+  await page.keyboard.press('Escape');
+  await expect(keys).toBeHidden();
+  await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
+  await editor.button('Keys').click();
+  await expect(keys).toBeVisible();
+  await page.mouse.click(300, 600);
+  await expect(keys).toBeHidden();
+  // All of it can be read in little room.
+  await page.setViewportSize({ width: 700, height: 420 });
+  await page.keyboard.press('?');
+  await keys.getByText('Redo').scrollIntoViewIfNeeded();
+  await expect(keys.getByText('Redo')).toBeInViewport();
+});
+
+test('the original is shown while its button is held, whatever has the focus', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  await editor.field('x').focus();
+  const { x, y } = await editor.middle(editor.button('Hold to compare with the original'));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await editor.drawn();
+  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await page.mouse.up();
+  await expect(page.getByText('Original', { exact: true })).toBeHidden();
+});
+
+test('a number that is being typed is dropped where the picture is set to play', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  const told = await editor.told('head');
+  await editor.field('x').fill('222');
+  await page.locator('c2-warp').evaluate((element) => {
+    (element as C2Warp).play = true;
+  });
+  await expect.poll(() => editor.told('head')).toEqual(told);
+  expect((await editor.inProject('head'))?.posed).toEqual([told.x, told.y]);
+});
+
+test('a press that enters a field selects its number, to be typed over', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.handle('head').click();
+  await editor.field('x').click();
+  await page.keyboard.type('1,024');
+  await page.keyboard.press('Enter');
+  await expect.poll(async () => (await editor.inProject('head'))?.posed[0]).toBe(1024);
+  await editor.field('x').click();
+  await page.keyboard.type('2000000');
+  await page.keyboard.press('Enter');
+  await expect(page.getByText('X takes a number up to 1,000,000.')).toBeVisible();
 });
 
 test('every control has a name', async ({ page }) => {

@@ -429,6 +429,11 @@ test.describe('by fingers', () => {
     await send(session, 'End');
     await expect(editor.handles).toHaveCount(6);
     await expect(menu(page)).toHaveCount(0);
+    // With the same tool on one that is there it opens.
+    await send(session, 'Start', [head]);
+    await expect(menu(page)).toHaveAccessibleName('head');
+    await send(session, 'End');
+    await expect(editor.handles).toHaveCount(6);
   });
 
   test('one that moves drags at once, and two navigate', async ({ page }) => {

@@ -405,6 +405,11 @@ export class C2Warp extends TypedElement {
     if (asks && this.hasUpdated && this.src && this[name] !== before) this.#initial.ask();
   }
 
+  protected override willUpdate(changes: PropertyValues<this>): void {
+    // A field that goes commits what is typed.
+    if (changes.has('play') || changes.has('readonly') || changes.has('disabled')) this.#desk?.untype();
+  }
+
   protected override updated(changes: PropertyValues<this>): void {
     const desk = this.#desk;
     if (!desk) return;

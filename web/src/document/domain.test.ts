@@ -23,7 +23,7 @@ const project = (...handles: readonly Handle[]): Project => ({
 const drawn = (from: Project, ring: readonly Vec[], hole = false): Project => {
   const after = lassoed(from, ring, hole);
   if (!after) throw new Error('nothing in it');
-  return after;
+  return after.project;
 };
 const ids = ({ handles }: Project) => handles.map(({ id }) => id);
 
@@ -90,6 +90,8 @@ describe('a second lasso', () => {
     // A hole around a hole takes its place; one that sticks out is none.
     expect(ringsOf(drawn(holed, square(60, 60, 80), true))).toHaveLength(2);
     expect(ringsOf(drawn(holed, square(60, 60, 200), true))).toHaveLength(1);
+    const cut = (side: number) => lassoed(holed, square(60, 60, side), true)?.cut;
+    expect([cut(80), cut(200)]).toEqual([true, false]);
     // What it takes the place of goes with its holes.
     expect(ringsOf(drawn(holed, square(120, 120, 90)))).toHaveLength(1);
   });

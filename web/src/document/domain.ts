@@ -2,7 +2,7 @@
 import { isInside } from '../geometry/polyline';
 import { areaOf, clipped, isWithin, meet, type Ring, simple, touches } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
-import { corners, isLine, roundedVec } from './handle';
+import { corners, isClosed, isLine, roundedVec } from './handle';
 import type { Domain, Handle, Project } from './project';
 
 /** Rings smaller than this were not meant: square pixels. */
@@ -17,17 +17,22 @@ export const ringsOf = ({ domain }: Project): readonly Ring[] =>
   domain?.kind === 'polygon' ? domain.rings : [];
 
 /**
- * The project with the domain inside a ring drawn by hand, or with a hole there; null if the ring holds nothing of the
- * picture. Rings elsewhere stay, and those that it meets give way to it. Handles outside are left out.
+ * The project with the domain inside a ring drawn by hand, or with a hole there if it lies inside of what bends, and whether it has
+ * been cut; null if the ring holds nothing of the picture. Rings elsewhere stay, and those that it meets give way to it. Handles outside are left out.
  */
-export function lassoed(project: Project, drawn: Ring, hole: boolean): Project | null {
+export function lassoed(
+  project: Project,
+  drawn: Ring,
+  hole: boolean,
+): { readonly project: Project; readonly cut: boolean } | null {
   const { width, height } = project.image;
   const ring = simple(clipped(drawn, { min: [0, 0], max: [width, height] })).map(roundedVec);
   if (areaOf(ring) < LEAST_AREA) return null;
   const before = ringsOf(project);
-  const rings = (hole && withHole(before, ring)) || [...elsewhere(before, ring), ring];
+  const holed = hole ? withHole(before, ring) : null;
+  const rings = holed ?? [...elsewhere(before, ring), ring];
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  return { ...project, domain: { kind: 'polygon', rings }, handles };
+  return { project: { ...project, domain: { kind: 'polygon', rings }, handles }, cut: holed !== null };
 }
 
 /** Null where the ring does not lie within what is there. */
@@ -50,7 +55,7 @@ const isInsideOf = (rings: readonly Ring[], p: Vec): boolean =>
 /** Whether some of the handle rests inside. */
 const isOn = (rings: readonly Ring[], handle: Handle): boolean => {
   const rest = corners(handle, 'rest');
-  const closed = handle.kind === 'polygon';
+  const closed = isClosed(handle.kind);
   return (
     rest.some((p) => isInsideOf(rings, p)) ||
     (isLine(handle) && rings.some((ring) => touches(rest, closed, ring)))

@@ -1,6 +1,6 @@
 /** Poses between two poses of the same handles, for a guard to try when the second one goes too far. */
 import { centre } from '../geometry/polyline';
-import { add, rotated, scaled, subtract, type Vec } from '../geometry/vec';
+import { add, between as pointBetween, rotated, subtract, type Vec } from '../geometry/vec';
 import {
   corners,
   isLine,
@@ -33,7 +33,7 @@ export function between(from: Project, to: Project, share: number, turns: Turns)
 function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
   const [start, end] = [rotationOf(from, turns), rotationOf(to, turns)];
   const turn = start + share * (end - start);
-  const middle = mix(centre(corners(from)), centre(corners(to)), share);
+  const middle = pointBetween(centre(corners(from)), centre(corners(to)), share);
   const growth = scaleOf(to) - scaleOf(from);
   const common = {
     ...(typeof to.rotation === 'number' ? { rotation: rounded(turn) } : {}),
@@ -58,8 +58,6 @@ function turnedBetween(
   return b.map((corner, k) => {
     const before = rotated(subtract(a[k] ?? heart, heart), turn - start);
     const after = rotated(subtract(corner, goal), turn - end);
-    return roundedVec(add(middle, mix(before, after, share)));
+    return roundedVec(add(middle, pointBetween(before, after, share)));
   });
 }
-
-const mix = (a: Vec, b: Vec, share: number): Vec => add(scaled(a, 1 - share), scaled(b, share));

@@ -3,6 +3,7 @@ import { selectedHandles } from '../document/document';
 import { posedHandles, poseText } from '../document/pose_text';
 import type { Vec } from '../geometry/vec';
 import { draws, places, TOOLS, type ToolName } from '../tools/machine';
+import { pressAt } from '../tools/state';
 import { COMMANDS, type CommandName } from '../ui/commands';
 import type { Crosshair } from './crosshair';
 import type { Display } from './display';
@@ -30,6 +31,8 @@ export interface CommandRunnerHost {
   /** Copies the pose to the clipboard; pastes what is there. */
   copy(): void;
   paste(): void;
+  /** Shows the list of keys, or hides it. */
+  toggleKeys(): void;
   /** Camera, crosshair or drawing changed. */
   looked(): void;
 }
@@ -156,6 +159,7 @@ export class CommandRunner {
       actual: () => look(() => viewing.actual()),
       'zoom-in': () => look(() => viewing.zoom(1)),
       'zoom-out': () => look(() => viewing.zoom(-1)),
+      keys: () => this.#host.toggleKeys(),
       bail: () => this.bail(),
     };
   }
@@ -164,7 +168,7 @@ export class CommandRunner {
   #addPoint(at: Vec): void {
     const { workbench, areas, focus } = this.#host;
     const { editing } = workbench;
-    const press = { at, stage: at, shift: false, alt: false };
+    const press = pressAt(at);
     editing.apply(editing.machine.down(press, areas.bareScene, TOOLS.point));
     editing.apply(editing.machine.up(press, areas.bareScene));
     focus.hold(editing.document.selection[0]);

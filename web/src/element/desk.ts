@@ -101,9 +101,13 @@ export class Desk {
     this.#parts.checks.posed();
   }
 
+  /** Drops a number that is being typed. */
+  untype(): void {
+    this.#parts.focus.untypeField();
+  }
+
   /** Cancels a drag, drawing or input in progress, and the view of the picture alone. */
   stop(): void {
-    this.#parts.focus.untypeField();
     this.#stage?.stop();
     this.#parts.display.showBare(null);
   }
@@ -152,6 +156,7 @@ export class Desk {
     this.#parts.reaching.dispose();
     this.#surroundings.release();
     this.#stage?.dispose();
+    this.autosave.release();
     this.files.dispose();
     this.workbench.dispose();
   }
@@ -208,7 +213,8 @@ export class Desk {
     }
     if (kind !== 'input' && kind !== 'pose') this.autosave.save();
     this.#host.edited(kind);
-    this.#host.changed();
+    // What an animation out of sight says of its handles is asked for once it is seen.
+    if (kind !== 'pose' || this.#stage?.drawing?.seen) this.#host.changed();
   }
 
   /** Keeps the selected handles within view, so that they can be moved back. */

@@ -10,6 +10,8 @@ export interface DrawingHost {
   motions(): Float32Array | null;
   blend(): Blend;
   heat(): HeatMap | null;
+  /** It is seen again, after the handles have moved out of sight. */
+  came(): void;
 }
 
 /** Margin around the viewport within which a canvas is drawn, so that it is before it is visible. */
@@ -33,7 +35,9 @@ export class Drawing {
       this.#seen = entries.at(-1)?.isIntersecting ?? false;
       if (this.#seen) this.#renderer.wake();
       else this.#renderer.sleep();
-      if (this.#seen && !this.#posed) this.look();
+      if (!this.#seen || this.#posed) return;
+      this.look();
+      host.came();
     };
     this.#watching = new IntersectionObserver(tell, { rootMargin: AROUND });
     this.#watching.observe(canvas);
@@ -48,6 +52,10 @@ export class Drawing {
     this.#renderer.setSolution(data);
     this.pose();
     this.look();
+  }
+
+  get seen(): boolean {
+    return this.#seen;
   }
 
   /** The handles have moved. Out of sight this waits, so that an animation there costs nothing. */

@@ -171,11 +171,12 @@ export class EditCommands {
    * or null if the ring holds nothing of the picture.
    */
   lasso(ring: readonly Vec[], hole: boolean): number | null {
-    const project = lassoed(this.#project, ring, hole);
-    if (!project) return null;
+    const found = lassoed(this.#project, ring, hole);
+    if (!found) return null;
+    const { project, cut } = found;
     const left = this.#project.handles.length - project.handles.length;
     const document = selectHandles({ ...this.#document, project }, this.#document.selection);
-    this.#editing.step(hole ? 'Cut a hole' : 'Bend what is inside', document);
+    this.#editing.step(cut ? 'Cut a hole' : 'Bend what is inside', document);
     return left;
   }
 

@@ -62,7 +62,7 @@ export class Files {
   /** Opens a picture or project from the file picker. */
   async choose(): Promise<void> {
     await this.#guarded(async () => {
-      const file = await openFile('any');
+      const file = await openFile();
       if (file) await this.shown(() => this.#take([file]));
     });
   }

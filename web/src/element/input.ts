@@ -48,6 +48,8 @@ export class Input {
   readonly #pointing: Pointing;
   #space = false;
   #hovered: Vec | null = null;
+  /** Whether the last press was on something that was there before. */
+  #pressed = false;
   /** The last pointer position, and the camera at that moment. */
   #pointer: { readonly at: StagePointer; readonly camera: Camera } | null = null;
 
@@ -147,7 +149,10 @@ export class Input {
     focus.leaveField();
     crosshair.at = null;
     const once = pans || this.#pans ? hand : undefined;
-    this.#apply(workbench.editing.machine.down(this.#press(pointer), areas.scene, once));
+    const press = this.#press(pointer);
+    const { machine } = workbench.editing;
+    this.#pressed = this.#hit(press.at, machine.tool === 'select', withoutRings(areas.scene)) !== null;
+    this.#apply(machine.down(press, areas.scene, once));
   }
 
   #up(pointer: StagePointer): void {
@@ -179,10 +184,10 @@ export class Input {
     const { machine } = workbench.editing;
     if (!menu.opens) return false;
     areas.coarse = pointer.coarse;
+    if (staying && places(machine.tool) && !this.#pressed) return false;
+    this.#apply(machine.cancel());
     const { at } = this.#press(pointer);
     const under = this.#hit(at, machine.tool === 'select', withoutRings(areas.scene));
-    if (staying && !under && places(machine.tool)) return false;
-    this.#apply(machine.cancel());
     if (permissions.playing && !under) return false;
     focus.leaveField();
     menu.open(under, at);

@@ -15,6 +15,9 @@ export const leftOutText = (count: number): string =>
 export const NOT_KEPT =
   'Your work is not kept in this browser: it grants no storage, or has no more of it. Save the project before you leave.';
 
+export const OVERWRITTEN =
+  'Something was changed in another tab since: a reload brings back the work of that one. Any change here makes it this one again.';
+
 const listed = new Intl.ListFormat('en-GB');
 
 /** Names in a sentence, of many the first few: all handles of another picture would cover this one. */

@@ -12,7 +12,7 @@ import { FirstHint, type PageHint } from './first_hint';
 import { Focus } from './focus';
 import { HitAreas } from './hit_areas';
 import { LineCommands } from './line_commands';
-import { NOT_KEPT } from './notice_texts';
+import { NOT_KEPT, OVERWRITTEN } from './notice_texts';
 import { Notices } from './notices';
 import { type Attributes, Permissions } from './permissions';
 import { PoseChecks } from './pose_checks';
@@ -124,8 +124,11 @@ export function partsOf(host: PartsHost, canvas: HTMLCanvasElement, reactions: R
     png: (grow) => workbench.png(1, grow, display.pixelated),
     received: (ignored) => reactions.received(ignored),
   });
-  const autosave: Autosave = new Autosave(workbench, files, () => {
-    if (!permissions.playing) notices.notify({ kind: 'error', text: NOT_KEPT });
+  const autosave: Autosave = new Autosave(workbench, files, {
+    lost: () => {
+      if (!permissions.playing) notices.notify({ kind: 'error', text: NOT_KEPT });
+    },
+    overwritten: () => notices.notify({ kind: 'info', text: OVERWRITTEN }),
   });
   const hint = new FirstHint({
     workbench,
@@ -158,6 +161,7 @@ export function partsOf(host: PartsHost, canvas: HTMLCanvasElement, reactions: R
     lines,
     copy: () => host.copy(),
     paste: () => host.paste(),
+    toggleKeys: () => host.root.querySelector<HTMLElement>('#keys')?.togglePopover(),
   });
   const menu = new ContextMenu({ ...shared, root: host.root, commands });
   const stageKeys = new StageKeys({ ...shared, lines, menu });

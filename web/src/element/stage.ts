@@ -123,6 +123,7 @@ export class Stage {
         }),
         motions: () => posing.motions(),
         blend: () => blendOf(editing.project),
+        came: () => this.#host.looked(),
         heat: () => {
           if (display.bare || display.lassoing) return null;
           const { reach, coverage } = display.overlays;

@@ -4,7 +4,7 @@ import { anchor, isLine } from '../document/handle';
 import { panned } from '../geometry/camera';
 import { scaled, type Vec } from '../geometry/vec';
 import { places } from '../tools/machine';
-import type { Press } from '../tools/state';
+import { pressAt } from '../tools/state';
 import type { ContextMenu } from './context_menu';
 import type { Crosshair } from './crosshair';
 import type { Focus } from './focus';
@@ -31,8 +31,6 @@ export interface StageKeysHost {
 
 /** CSS pixels that an arrow key moves the picture for each pixel that it would nudge. */
 const PAN = 40;
-
-const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
 
 /** Each method returns whether the key was handled: if not, it is left to the page. */
 export class StageKeys {

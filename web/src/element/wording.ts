@@ -2,7 +2,16 @@
 import type { EngineError } from '../compute/errors';
 import { type Document, selectedHandles } from '../document/document';
 import { groupCentre, groupTurn } from '../document/group';
-import { DEPTHS, depthOf, nameOf, rotationOf, rounded, scaleOf, type Turns } from '../document/handle';
+import {
+  DEPTHS,
+  depthOf,
+  nameOf,
+  rotationOf,
+  rounded,
+  scaleOf,
+  type Turns,
+  turnWords,
+} from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
 import type { Draft } from '../tools/state';
 
@@ -23,10 +32,10 @@ export function placeWords(document: Document, turns: Turns): string {
   const [first, ...more] = selected;
   if (!first) return '';
   const [x, y] = groupCentre(selected).map(Math.round);
-  const turn = Math.round(more.length > 0 ? groupTurn(selected) : rotationOf(first, turns));
+  const turn = more.length > 0 ? groupTurn(selected) : rotationOf(first, turns);
   const [scale, ...others] = new Set(selected.map((handle) => rounded(scaleOf(handle))));
   const scaled = scale === 1 || others.length > 0 ? '' : `, scale ${scale}`;
-  return `${handleWords(selected)}: x ${x}, y ${y}, rotation ${turn} degrees${scaled}`;
+  return `${handleWords(selected)}: x ${x}, y ${y}, ${turnWords(turn)}${scaled}`;
 }
 
 /** Where a corner of a bar or polygon is; its index counts from 0. */

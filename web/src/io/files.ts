@@ -13,9 +13,9 @@ const KINDS = {
 
 type Kind = keyof typeof KINDS;
 
-/** Asks for a file to open; undefined when the person cancels. */
-export function openFile(kind: Kind): Promise<FileWithHandle | undefined> {
-  return unlessCancelled(fileOpen({ ...KINDS[kind], multiple: false, id: kind }));
+/** Asks for a picture or a project to open; undefined when the person cancels. */
+export function openFile(): Promise<FileWithHandle | undefined> {
+  return unlessCancelled(fileOpen({ ...KINDS.any, multiple: false, id: 'any' }));
 }
 
 /**

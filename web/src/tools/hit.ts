@@ -1,6 +1,6 @@
 /** Hit testing of a press: a handle, one of its corners, the ring of what is selected or the grip on it, or nothing. */
 
-import { anchor, isLine } from '../document/handle';
+import { anchor, isClosed, isLine } from '../document/handle';
 import type { Handle } from '../document/project';
 import { distanceToLine, isInside } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
@@ -93,13 +93,13 @@ const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({
   hit: { part: 'handle', id: handle.id },
   away: isLine(handle)
     ? Math.min(
-        distanceToLine(handle.posed, handle.kind === 'polygon', at),
+        distanceToLine(handle.posed, isClosed(handle.kind), at),
         selected ? distance(anchor(handle), at) : Number.POSITIVE_INFINITY,
       )
     : Number.POSITIVE_INFINITY,
 });
 
 const body = (handle: Handle, at: Vec): readonly Reach[] =>
-  handle.kind === 'polygon' && isInside(handle.posed, at)
+  isLine(handle) && isClosed(handle.kind) && isInside(handle.posed, at)
     ? [{ hit: { part: 'handle', id: handle.id }, away: 0 }]
     : [];

@@ -8,7 +8,7 @@ import { addHandle, freeId } from '../document/edits';
 import { rounded, roundedVec } from '../document/handle';
 import type { PointHandle, Project } from '../document/project';
 import type { Spot } from '../geometry/spot';
-import { add, subtract } from '../geometry/vec';
+import { add, distance, subtract } from '../geometry/vec';
 import { moving } from './moving';
 import { type Outcome, outcome, type Press, type Scene, type State } from './state';
 
@@ -32,7 +32,7 @@ export function pointHandle(project: Project, { at, rest, rotation, scale }: Spo
 
 export function placed(press: Press, scene: Scene, rest: State): Outcome {
   const spot = scene.place(press.at);
-  if (!spot) return outcome(rest, { type: 'miss', at: press.at });
+  if (!spot) return outcome(rest, { type: 'miss' });
   const handle = pointHandle(scene.document.project, spot);
   const document = addHandle(scene.document, handle);
   return outcome(
@@ -47,8 +47,8 @@ const placing = (origin: Scene['document'], id: string, from: Press, rest: State
   const state: State = {
     ...drag,
     move: (press, scene) => {
-      const slipped = Math.hypot(press.at[0] - from.at[0], press.at[1] - from.at[1]) <= scene.grips.slop;
-      return slipped ? outcome(state) : (drag.move?.(press, scene) ?? outcome(state));
+      const stays = distance(press.at, from.at) <= scene.grips.slop;
+      return stays ? outcome(state) : (drag.move?.(press, scene) ?? outcome(state));
     },
   };
   return state;

@@ -14,6 +14,9 @@ import type { Spot } from '../geometry/spot';
 import type { Vec } from '../geometry/vec';
 
 /** A pointer at one moment. */
+/** A press by keys at a place, image pixels. */
+export const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
+
 export interface Press {
   /** In image pixels of the posed picture. */
   readonly at: Vec;
@@ -79,7 +82,7 @@ export type Effect =
   | { readonly type: 'select'; readonly ids: readonly string[] }
   | { readonly type: 'box'; readonly box: Box | null }
   | { readonly type: 'pan'; readonly by: Vec }
-  | { readonly type: 'miss'; readonly at: Vec }
+  | { readonly type: 'miss' }
   /** A corner was set or taken back. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }
   /** A lasso was closed. */

@@ -41,6 +41,7 @@ export const COMMANDS = {
   'zoom-in': { label: 'Zoom in', icon: 'plus', keys: ['+', '='] },
   'zoom-out': { label: 'Zoom out', icon: 'minus', keys: ['-'] },
   settings: { label: 'How the picture bends', icon: 'settings', keys: [] },
+  keys: { label: 'Keys', icon: 'keys', keys: ['?'] },
   bail: { label: 'Cancel', icon: 'close', keys: ['Escape'] },
 } as const satisfies Record<string, Command> & Record<ToolName, Command>;
 
@@ -96,6 +97,9 @@ export type KeyPress = Pick<KeyboardEvent, 'key' | 'code' | 'ctrlKey' | 'metaKey
 const MAC = /Mac|iPhone|iPad/;
 const SYMBOLS: Readonly<Record<string, string>> = { Delete: 'Del', Escape: 'Esc', '-': '−' };
 
+/** The key that is `Mod`. */
+export const modifier = (platform: string): string => (MAC.test(platform) ? '⌘' : 'Ctrl');
+
 /** The first key of a command as a tooltip shows it, or an empty text. */
 export function keyHint(name: CommandName, platform: string): string {
   const key = COMMANDS[name].keys[0] ?? '';
@@ -104,7 +108,7 @@ export function keyHint(name: CommandName, platform: string): string {
     .split('+')
     .filter((part) => part !== '')
     .map((part) => {
-      if (part === 'Mod') return mac ? '⌘' : 'Ctrl';
+      if (part === 'Mod') return modifier(platform);
       if (part === 'Shift' && mac) return '⇧';
       return SYMBOLS[part] ?? part;
     })

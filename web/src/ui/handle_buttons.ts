@@ -15,6 +15,7 @@ import {
   rounded,
   scaleOf,
   type Turns,
+  turnWords,
 } from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
 import { toStage } from '../geometry/camera';
@@ -31,7 +32,7 @@ export function handleLabel(handle: Handle, turns: Turns): string {
     ...(isLine(handle) ? [`${handle.kind} with ${handle.posed.length} corners`] : []),
     `x ${Math.round(x)}`,
     `y ${Math.round(y)}`,
-    `rotation ${Math.round(rotationOf(handle, turns))} degrees`,
+    turnWords(rotationOf(handle, turns)),
     ...(scale === 1 ? [] : [`scale ${scale}`]),
     ...(depth === 0 ? [] : [`depth ${depth}`]),
   ].join(', ');

@@ -3,7 +3,7 @@
  * lines of bars and polygons, and the rotation ring of the selected handle, or of several as one.
  */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
-import { anchor, corners, isInPlace, isLine, rotationOf } from '../document/handle';
+import { anchor, corners, isClosed, isInPlace, isLine, rotationOf } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import { type Size, toStage } from '../geometry/camera';
 import { distance, type Vec } from '../geometry/vec';
@@ -43,7 +43,7 @@ function lineMarks(
   { camera, stage, playing }: EditorModel,
   selected: boolean,
 ): SVGTemplateResult {
-  const closed = handle.kind === 'polygon';
+  const closed = isClosed(handle.kind);
   const places = (of: 'rest' | 'posed') => corners(handle, of).map((corner) => toStage(camera, corner));
   const [rest, posed] = [places('rest'), `M${places('posed').join('L')}${closed ? 'Z' : ''}`];
   return svg`

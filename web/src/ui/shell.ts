@@ -4,6 +4,7 @@ import { bubble } from './bubble';
 import { contextMenu } from './context_menu';
 import { draftBar } from './drawing';
 import { emptyStage } from './empty';
+import { keysCard } from './keys';
 import { legends } from './legends';
 import type { EditorActions, EditorModel } from './model';
 import { notice } from './notice';
@@ -31,7 +32,7 @@ export function shell(model: EditorModel, actions: EditorActions, canvas: HTMLCa
       ${model.bare === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, actions)}
     </div>
     ${contextMenu(model, actions)}
-    ${playing ? nothing : statusLine(model, actions)}
+    ${playing ? nothing : html`${keysCard(model)} ${statusLine(model, actions)}`}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>
   </div>
   ${model.disabled ? disabledStage(model) : nothing}`;

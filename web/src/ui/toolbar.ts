@@ -4,6 +4,7 @@ import { commandButton, type Look } from './command_button';
 import type { CommandName } from './commands';
 import { holdButton } from './hold_button';
 import { icon } from './icons';
+import { keysButton } from './keys';
 import type { EditorActions, EditorModel } from './model';
 import { overlayMenu } from './overlay_menu';
 
@@ -25,7 +26,7 @@ export function topBar(model: EditorModel, actions: EditorActions): TemplateResu
       ${holdButton('compare', model, actions)} ${overlayMenu(model, actions)}
     </div>
     <span class="title" title=${model.picture?.name ?? ''}>${model.picture?.name ?? ''}</span>
-    ${themeButton(model, actions)}
+    ${keysButton()} ${themeButton(model, actions)}
   </div>`;
 }
 

@@ -15,6 +15,7 @@ import { forcedStyle } from './forced';
 import { handleListStyle } from './handle_list';
 import { handlesStyle } from './handles';
 import { hintsStyle } from './hints';
+import { keysStyle } from './keys';
 import { legendsStyle } from './legends';
 import { marksStyle } from './marks';
 import { menuStyle } from './menu';
@@ -42,6 +43,7 @@ export const editorStyle = [
   shellStyle,
   toolbarStyle,
   menuStyle,
+  keysStyle,
   toolStripStyle,
   panelStyle,
   fieldsStyle,

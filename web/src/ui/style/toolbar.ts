@@ -70,6 +70,7 @@ export const toolbarStyle = css`
     }
     .brand,
     .title,
+    .keys-button,
     .top .theme {
       display: none;
     }

@@ -1,0 +1,105 @@
+/** The list of keys: opened by its button or by "?", closed by Escape or a press beside it. */
+import { html, type TemplateResult } from 'lit';
+import { COMMANDS, type CommandName, keyHint, modifier } from './commands';
+import { icon } from './icons';
+import type { EditorModel } from './model';
+
+/** A command, or keys that are none: as they are written, and what they do. `Mod` is Ctrl, and Cmd on a Mac. */
+type Row = CommandName | readonly [keys: string, what: string];
+
+const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
+  [
+    'Tools',
+    [
+      'select',
+      'point',
+      'bar',
+      'polygon',
+      'lasso',
+      'hand',
+      ['Enter', 'Finish a drawing, or place at the crosshair'],
+      ['Shift', 'Draw by 45°, turn by 15°'],
+    ],
+  ],
+  [
+    'Selection',
+    [
+      ['Tab', 'Next handle'],
+      ['Shift click', 'One more, or one less'],
+      'select-all',
+      ['Shift F10', 'Menu'],
+      'bail',
+    ],
+  ],
+  [
+    'Handles',
+    [
+      ['arrows', 'Move by 1 px, with Shift by 10'],
+      [', and .', 'Turn by 1°, with Shift by 15; with Alt, scale'],
+      ['Alt drag', 'Turn'],
+      'reset',
+      'mirror',
+      'copy',
+      'paste',
+      'forward',
+      'backward',
+      'add-corner',
+      'remove-corner',
+      'remove',
+    ],
+  ],
+  [
+    'View',
+    [
+      ['Space drag', 'Pan'],
+      ['Mod wheel', 'Zoom'],
+      'fit',
+      'actual',
+      'zoom-in',
+      'zoom-out',
+      'compare',
+      'preview',
+    ],
+  ],
+  ['Document', ['open', 'save', 'export', 'export-all', 'undo', 'redo']],
+];
+
+export const keysButton = (): TemplateResult => html`<button
+  type="button"
+  class="button keys-button"
+  part="button"
+  popovertarget="keys"
+  data-tip=${COMMANDS.keys.label}
+  data-keys="?"
+  aria-label=${COMMANDS.keys.label}
+  aria-keyshortcuts="?"
+>
+  ${icon('keys')}
+</button>`;
+
+export const keysCard = ({ platform }: EditorModel): TemplateResult => html`<div
+  id="keys"
+  class="card keys"
+  part="menu"
+  popover
+  role="dialog"
+  aria-label=${COMMANDS.keys.label}
+  tabindex="-1"
+>
+  <div class="columns">
+    ${GROUPS.map(
+      ([title, rows]) => html`<section>
+        <h3>${title}</h3>
+        <dl>${rows.map((row) => line(row, platform))}</dl>
+      </section>`,
+    )}
+  </div>
+</div>`;
+
+function line(row: Row, platform: string): TemplateResult {
+  const [keys, what] =
+    typeof row === 'string'
+      ? [keyHint(row, platform), COMMANDS[row].label]
+      : [row[0].replace('Mod', modifier(platform)), row[1]];
+  return html`<div><dt>${what}</dt><dd>${keys}</dd></div>`;
+}
