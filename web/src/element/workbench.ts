@@ -270,6 +270,8 @@ export class Workbench {
     // Restored work may contain a step that was never solved: only that step goes.
     const left = this.editing.withdraw(key, named, this.solving.current?.project ?? null);
     if (left || !opening) {
+      // Neither with the project that it came with nor without: there is nothing to hold.
+      if (!left && !this.solving.current) this.#close();
       this.#host.report(error);
       return;
     }
@@ -277,11 +279,13 @@ export class Workbench {
     if (opening.before) this.#put(opening.before.picture, opening.before.work);
     else if (this.#picture && this.editing.project.handles.length > 0) {
       this.#put(this.#picture, this.#fresh(this.#picture));
-    } else {
-      this.solving.setPicture(null);
-      this.#show(null);
-    }
+    } else this.#close();
     opening.reject(opening.fresh ? inEditorsWords(error, opening.fresh.name) : error);
+  }
+
+  #close(): void {
+    this.solving.setPicture(null);
+    this.#show(null);
   }
 
   #failed(error: Error): void {

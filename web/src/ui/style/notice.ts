@@ -18,10 +18,10 @@ export const noticeStyle = css`
   .notice.error {
     border-left-color: var(--_danger);
   }
-  /* Beside a long action too its words stay whole. */
+  /* Beside a long action too its words stay whole; in units that count for the width of the card, where percents do not. */
   .notice p {
     flex: 1;
-    min-width: min(9em, 50%);
+    min-width: min(9em, 30cqw);
   }
   .notice .link {
     min-width: 0;
