@@ -61,6 +61,8 @@ test('methods do what tools do', async ({ page }) => {
     const png = await warp.toBlob(0.25);
     const { width, height } = await createImageBitmap(png);
     warp.updateHandle('right-hand', { posed: [1200, 516] });
+    const canvas = await warp.toCanvas(0.25);
+    const alpha = canvas.getContext('2d')?.getImageData(128, 65, 1, 1).data[3];
     const grown = await createImageBitmap(await warp.toBlob(0.25, { grow: true }));
     warp.undo();
     return {
@@ -68,6 +70,7 @@ test('methods do what tools do', async ({ page }) => {
       handles,
       selection: warp.selection,
       size: [width, height],
+      canvas: [canvas.width, canvas.height, alpha],
       grown: [grown.width > 256 + 40, grown.height],
       left: warp.project.handles.length,
     };
@@ -77,6 +80,7 @@ test('methods do what tools do', async ({ page }) => {
     handles: ['head', 'left-hand', 'right-hand', 'left-foot', 'right-foot', 'handle-1'],
     selection: ['head'],
     size: [256, 320],
+    canvas: [256, 320, 255],
     grown: [true, 320],
     left: 5,
   });

@@ -61,6 +61,7 @@ import { FocusKeeper } from './element/focus_keeper';
 import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
 import type { Vec } from './geometry/vec';
+import { encodePng, onCanvas } from './io/encode';
 import { isToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
@@ -87,6 +88,14 @@ export type C2WarpProps = {
   project?: ProjectFile | string | null | undefined;
   selection?: readonly string[] | null | undefined;
 };
+
+/** How a warped picture is drawn. */
+export interface WarpOptions {
+  /** As much larger as it takes to hold what is bent beyond the picture. */
+  readonly grow?: boolean;
+  /** For pixel art: no colours are mixed. As it is shown unless given. */
+  readonly pixelated?: boolean | undefined;
+}
 
 export class C2Warp extends TypedElement {
   static override styles = editorStyle;
@@ -291,11 +300,18 @@ export class C2Warp extends TypedElement {
    * @throws Error if no picture is open, the element is not connected, or the result would be too large. DOMException
    * AbortError if another picture is opened, or the element is removed, first.
    */
-  async toBlob(
-    scale = 1,
-    { grow = false, pixelated }: { readonly grow?: boolean; readonly pixelated?: boolean | undefined } = {},
-  ): Promise<Blob> {
-    return this.#present.png(scale, grow, pixelated);
+  async toBlob(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<Blob> {
+    const { width, height, rgba } = await this.#present.warped(scale, grow, pixelated);
+    return encodePng(width, height, rgba);
+  }
+
+  /**
+   * The same on a canvas of the page's document, to be drawn on, or given on as an image of another type.
+   * @throws as `toBlob`.
+   */
+  async toCanvas(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<HTMLCanvasElement> {
+    const { width, height, rgba } = await this.#present.warped(scale, grow, pixelated);
+    return onCanvas(this.ownerDocument, width, height, rgba);
   }
 
   /** Fits the whole picture into view. */

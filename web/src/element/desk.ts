@@ -5,6 +5,7 @@
  * The element hosts the desk and renders its model. Everything that holds a worker, a WebGL context or a listener
  * belongs to the desk, so that `dispose` releases all of it.
  */
+import type { Pixels } from '../compute/solution';
 import { handleById, selectedHandles } from '../document/document';
 import { ringsOf } from '../document/domain';
 import { corners, nameOf } from '../document/handle';
@@ -145,8 +146,8 @@ export class Desk {
   }
 
   /** The warped picture, drawn as pixel art or not: without a word of that, as it is shown. */
-  png(scale: number, grow: boolean, pixelated = this.#parts.display.pixelated): Promise<Blob> {
-    return this.workbench.png(scale, grow, pixelated);
+  warped(scale: number, grow: boolean, pixelated = this.#parts.display.pixelated): Promise<Pixels> {
+    return this.workbench.warped(scale, grow, pixelated);
   }
 
   dispose(): void {

@@ -1,6 +1,8 @@
 /** Opens and saves files: picker, drop, paste and address. Errors are reported and never cost the open work. */
+import type { Pixels } from '../compute/solution';
 import type { Project, ProjectFile } from '../document/project';
 import { fetchFile, fileName } from '../io/address';
+import { encodePng } from '../io/encode';
 import { openFile, saveFile } from '../io/files';
 import { readBytes } from '../io/read';
 import type { Notice } from '../ui/model';
@@ -31,7 +33,7 @@ export interface FilesHost {
   /** Whether an export would cut off part of the posed picture. */
   cuts(): boolean;
   /** The warped picture, of the size of the original, or grown to hold all of it. */
-  png(grow: boolean): Promise<Blob>;
+  warped(grow: boolean): Promise<Pixels>;
 }
 
 const CUT =
@@ -157,12 +159,17 @@ export class Files {
     await this.#guarded(async () => {
       const cut = !grow && this.#host.cuts();
       const name = `${stem(picture.name)}-warped${grow ? '-all' : ''}.png`;
-      const saved = await saveFile(this.#host.png(grow), name, 'png');
+      const saved = await saveFile(this.#png(grow), name, 'png');
       if (!saved || !cut) return;
       const action = { label: 'Export all', reads: true, run: () => void this.export(true) } as const;
       this.#host.notify({ kind: 'info', text: CUT, action, passes: true });
     });
     end();
+  }
+
+  async #png(grow: boolean): Promise<Blob> {
+    const { width, height, rgba } = await this.#host.warped(grow);
+    return encodePng(width, height, rgba);
   }
 
   async #receive(files: readonly File[]): Promise<void> {

@@ -121,7 +121,7 @@ export function partsOf(host: PartsHost, canvas: HTMLCanvasElement, reactions: R
     report: (error) => notices.report(error),
     begin: (label) => notices.begin(label),
     cuts: () => workbench.posing.beyond(),
-    png: (grow) => workbench.png(1, grow, display.pixelated),
+    warped: (grow) => workbench.warped(1, grow, display.pixelated),
     received: (ignored) => reactions.received(ignored),
   });
   const autosave: Autosave = new Autosave(workbench, files, {

@@ -7,6 +7,7 @@
  */
 import { EngineError } from '../compute/errors';
 import { checkedProject } from '../compute/module';
+import type { Pixels } from '../compute/solution';
 import { type Document, isSameWork, newProject, openDocument } from '../document/document';
 import { checkedHandle } from '../document/handle';
 import { History, type HistoryRecord } from '../document/history';
@@ -14,7 +15,7 @@ import type { Project, ProjectFile } from '../document/project';
 import { projectText } from '../document/project_text';
 import { solveKey } from '../document/solved';
 import { alphaThreshold } from '../io/alpha';
-import { encodePng, preparePng } from '../io/encode';
+import { preparePng } from '../io/encode';
 import { PictureError } from '../io/picture_error';
 import { isPixelArt } from '../io/pixel_art';
 import type { Drawings } from '../tools/machine';
@@ -187,16 +188,15 @@ export class Workbench {
   }
 
   /**
-   * The warped picture as PNG, at `scale` times the source's size, or grown to what is bent beyond that; `pixelated`, no
-   * colours are mixed.
+   * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that;
+   * `pixelated`, no colours are mixed.
    */
-  async png(scale: number, grow: boolean, pixelated: boolean): Promise<Blob> {
+  async warped(scale: number, grow: boolean, pixelated: boolean): Promise<Pixels> {
     if (!this.#picture) throw new PictureError('There is no picture yet.');
     // The pose of the call: the page may go on to the next one meanwhile.
     const { project } = this.editing;
     const engine = await this.solving.engine();
-    const { width, height, rgba } = await engine.warp(project, scale, grow, pixelated);
-    return encodePng(width, height, rgba);
+    return engine.warp(project, scale, grow, pixelated);
   }
 
   /** Cancels the running solve, and takes back the edit, undo or redo that required it. */

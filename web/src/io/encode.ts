@@ -21,6 +21,24 @@ export function preparePng(): Worker {
   return made;
 }
 
+/**
+ * A canvas of this size with a picture on it, which it premultiplies.
+ * @param rgba Straight alpha, rows from the top.
+ */
+export function onCanvas(
+  document: Document,
+  width: number,
+  height: number,
+  rgba: Uint8Array<ArrayBuffer>,
+): HTMLCanvasElement {
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const bytes = new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.length);
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('This browser has no 2D canvas.');
+  context.putImageData(new ImageData(bytes, width, height), 0, 0);
+  return canvas;
+}
+
 /** @param rgba Straight alpha, rows from the top. Transferred to the worker: pass a copy to keep the original. */
 export async function encodePng(width: number, height: number, rgba: Uint8Array<ArrayBuffer>): Promise<Blob> {
   const encoder = preparePng();

@@ -135,6 +135,16 @@ describe('select', () => {
     expect(bench.history.undoLabel).toBeNull();
   });
 
+  it('keeps to steps of 45° with Shift', () => {
+    bench.down([0, 0]);
+    bench.move([40, 6], { shift: true });
+    expect(bench.posed('a')).toEqual([40, 0]);
+    bench.move([-20, 21], { shift: true });
+    expect(bench.posed('a')).toEqual([-20.5, 20.5]);
+    bench.move([40, 6]);
+    expect(bench.posed('a')).toEqual([40, 6]);
+  });
+
   it('moves nothing by a trembling click', () => {
     bench.drag([0, 0], [2, 0]);
     expect(bench.posed('a')).toEqual([0, 0]);

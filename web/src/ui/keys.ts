@@ -18,7 +18,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'lasso',
       'hand',
       ['Enter', 'Finish a drawing, or place at the crosshair'],
-      ['Shift', 'Draw by 45°, turn by 15°'],
+      ['Shift', 'Draw and move by 45°, turn by 15°'],
     ],
   ],
   [
