@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::command::succeed;
+use crate::command::{command, refuse, succeed};
 use crate::tables::table;
 use crate::workplace::Workplace;
 
@@ -47,6 +47,46 @@ fn the_map_for_compositors_is_that_of_the_result() {
         }
     }
     assert!(inside > 1000 && beside > 1000, "{inside} and {beside}");
+}
+
+#[test]
+fn a_map_on_standard_output_is_the_map_alone() {
+    let place = Workplace::with("strip");
+    let origin = succeed(place.folder(), &format!("{WARP} --grow"));
+    let run = command(place.folder(), "warp scene.c2warp.json -o out.png --stmap - --grow").output().unwrap();
+    assert!(run.stdout == std::fs::read(place.file("map.exr")).unwrap());
+    assert_eq!(run.stderr, origin);
+}
+
+#[test]
+fn picture_and_map_are_never_one_file() {
+    let place = Workplace::with("strip");
+    std::fs::create_dir(place.file("inner")).unwrap();
+    for other in ["same", "./same", "inner/../same"] {
+        let line = refuse(place.folder(), &format!("warp scene.c2warp.json -o same --stmap {other}"));
+        assert!(line.contains("same"), "{line}");
+        assert!(!place.file("same").exists());
+    }
+}
+
+#[test]
+fn what_is_drawn_out_at_the_border_has_finite_numbers_within_the_picture() {
+    // The rim of a hole at the border has triangles without area at rest.
+    let place = Workplace::with("strip").changed(|project| {
+        project["domain"] = serde_json::json!({ "kind": "alpha", "threshold": 0.5 });
+    });
+    let mut picture = place.picture("strip.png");
+    let (width, height) = picture.dimensions();
+    for (x, y, pixel) in picture.enumerate_pixels_mut() {
+        pixel[3] = if y + 1 == height && x % 16 < 3 || x % 24 == 0 && y == 0 { 0 } else { 255 };
+    }
+    picture.save(place.file("strip.png")).unwrap();
+    succeed(place.folder(), WARP);
+    let (_, _, map) = stmap(&place.file("map.exr"));
+    assert_eq!(map.len(), (width * height) as usize);
+    for [u, v, det, _] in map {
+        assert!((0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) && det.abs() < 1e6, "{u}, {v}, {det}");
+    }
 }
 
 #[test]

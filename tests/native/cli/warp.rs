@@ -6,7 +6,7 @@ use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageDecoder, ImageEncoder, ImageReader, RgbImage, Rgba};
 
-use crate::command::{command, succeed};
+use crate::command::{command, refuse, succeed};
 use crate::workplace::Workplace;
 
 const WARP: &str = "warp scene.c2warp.json -o out.png";
@@ -109,6 +109,19 @@ fn a_grown_result_holds_all_of_the_picture_and_tells_its_origin() {
     }
     assert_eq!(succeed(place.folder(), &format!("{WARP} --grow --scale 0.5")), b"10,0\n");
     assert_eq!(place.picture("out.png").dimensions(), (58, 27));
+}
+
+#[test]
+fn what_is_too_far_out_to_be_drawn_is_refused_where_all_is_asked_for() {
+    for far in [1e6, 1.2e6, 9e6] {
+        let place = Workplace::with("strip").changed(|project| {
+            let handles = project["handles"].as_array_mut().unwrap();
+            handles.truncate(1);
+            handles[0]["posed"] = serde_json::json!([far, 20.0]);
+        });
+        let line = refuse(place.folder(), &format!("{WARP} --grow"));
+        assert!(line.contains("all of the warped picture would take"), "{line}");
+    }
 }
 
 #[test]

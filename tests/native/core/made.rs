@@ -108,6 +108,8 @@ fn a_pose_is_of_its_own_solution_alone() {
     let pose = |poser: &Poser| poser.pose(&project.handles, Blend::Linear).expect("handles that were solved");
     let again = Poser::from_bytes(&solution.poser().to_bytes()).expect("the bytes of a poser");
     assert!(solution.map(&pose(&again), DVec2::splat(200.0)).is_some());
+    let longer = [solution.poser().to_bytes(), vec![0]].concat();
+    assert_eq!(Poser::from_bytes(&longer).map(drop), Err(Error::PoserBytes));
     let foreign = pose(other.poser());
     let uses: [&dyn Fn(); 4] = [
         &|| assert!(solution.map(&foreign, DVec2::splat(200.0)).is_none()),

@@ -32,6 +32,14 @@ impl Output {
         Ok(Self { path: path.to_owned(), target })
     }
 
+    /// Whether both are the same file, by whatever names, or standard output.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        match (&self.target, &other.target) {
+            (Target::File(file), Target::File(other)) => file.place() == other.place(),
+            _ => is_standard_output(&self.path) && is_standard_output(&other.path) || self.path == other.path,
+        }
+    }
+
     /// Writes what `write` does; a file stays as it was if that fails.
     pub(crate) fn finish(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
         match self.target {
@@ -91,6 +99,13 @@ struct Replacement {
 }
 
 impl Replacement {
+    /// The path without links and detours in its folder.
+    fn place(&self) -> PathBuf {
+        let folder = self.path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+        self.path.file_name().map_or(folder.clone(), |name| folder.join(name))
+    }
+
     fn create(&self) -> io::Result<(File, TempPath)> {
         let folder = self.path.parent().unwrap_or(Path::new(""));
         let mut names = tempfile::Builder::new();

@@ -24,7 +24,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
     scale: f64,
     /// Grow the result to hold what is bent beyond the picture's own rectangle, and print where that rectangle's upper left
-    /// corner lies in it: X,Y in pixels; on standard error if the picture goes to standard output
+    /// corner lies in it: X,Y in pixels; on standard error if the picture or its map goes to standard output
     #[arg(long)]
     grow: bool,
     /// Draw pixel art: each pixel of the result is one of the picture, or none; no colour is mixed, no edge is smooth
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let path = &arguments.output;
     check_name(path, ImageFormat::Png)?;
     let output = scene.output(path)?;
-    let stmap = arguments.stmap.as_deref().map(|path| stmap_output(&scene, path, &arguments.output)).transpose()?;
+    let stmap = arguments.stmap.as_deref().map(|path| stmap_output(&scene, path, &output)).transpose()?;
 
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
@@ -63,23 +63,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if arguments.grow {
         let [left, top] = warped.origin;
         let origin = format!("{left},{top}\n");
-        let printed = if output::is_standard_output(path) {
-            io::stderr().write_all(origin.as_bytes())
-        } else {
-            io::stdout().write_all(origin.as_bytes())
-        };
+        let taken =
+            [Some(path), arguments.stmap.as_ref()].into_iter().flatten().any(|path| output::is_standard_output(path));
+        let printed =
+            if taken { io::stderr().write_all(origin.as_bytes()) } else { io::stdout().write_all(origin.as_bytes()) };
         printed.map_err(CliError::Print)?;
     }
     Ok(())
 }
 
 /// Where the map goes: not where the picture does.
-fn stmap_output(scene: &Scene, path: &Path, picture: &Path) -> Result<Output, CliError> {
+fn stmap_output(scene: &Scene, path: &Path, picture: &Output) -> Result<Output, CliError> {
     check_name(path, ImageFormat::OpenExr)?;
-    if path == picture || output::is_standard_output(path) && output::is_standard_output(picture) {
+    let output = scene.output(path)?;
+    if output.is_same(picture) {
         return Err(CliError::SameOutput { path: path.to_owned() });
     }
-    scene.output(path)
+    Ok(output)
 }
 
 /// Refuses a name that is that of another type.

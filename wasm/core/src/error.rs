@@ -90,7 +90,8 @@ pub enum Error {
     },
     /// No pixel reaches the threshold.
     #[error(
-        "no pixel of the picture is opaque at the threshold {threshold}: lower domain.threshold or warp the whole image"
+        "no pixel of the picture is opaque at the threshold {}: lower domain.threshold or warp the whole image",
+        Number(*threshold)
     )]
     NothingOpaque {
         /// The alpha threshold, in (0, 1].
@@ -98,7 +99,8 @@ pub enum Error {
     },
     /// Only specks reach the threshold.
     #[error(
-        "only {specks} specks of the picture are opaque at the threshold {threshold}: lower domain.threshold or warp the whole image"
+        "only {specks} specks of the picture are opaque at the threshold {}: lower domain.threshold or warp the whole image",
+        Number(*threshold)
     )]
     OnlySpecks {
         /// The alpha threshold, in (0, 1].
@@ -483,6 +485,7 @@ impl Error {
             | Self::OnHeldBoundary { id }
             | Self::TooManyHandles { id, .. }
             | Self::TooManyCorners { id, .. }
+            | Self::PoseMissing { id }
             | Self::PoseShape { id, .. }
             | Self::PoseNotFinite { id } => vec![id],
             Self::HandlesTooClose { first, second, .. } | Self::BarsOverlap { first, second } => {

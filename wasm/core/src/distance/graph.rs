@@ -28,6 +28,9 @@ impl Graph {
     }
 
     /// The edges of a mesh of `nodes` vertices, whose `triangles` list the indices of their corners.
+    ///
+    /// # Panics
+    /// If a triangle refers to a vertex that does not exist.
     #[must_use]
     pub fn of_triangles(nodes: usize, triangles: &[[u32; 3]]) -> Self {
         let sides = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)));

@@ -20,7 +20,7 @@ use super::Ring;
 use crate::{min_entry::MinEntry, segment::segment_distance};
 
 /// Greatest distance of an original point from the simplified outline, in pixels. Below the half pixel that is visible on an
-/// edge; a circle of radius 100 px keeps some 40 corners.
+/// edge; a disc of radius 100 px keeps some 56 corners.
 const TOLERANCE: f64 = 0.35;
 
 /// Costs are rounded to this many pixels, above rounding errors and far below the tolerance: so they are the same in a mirror

@@ -48,16 +48,26 @@ impl Band {
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
         let (rows, width) = (facet.rows(self.rows.end), self.width);
         let rows = rows.start.max(self.rows.start)..rows.end;
-        let mut shade = |x, row, mask| {
+        let (origin, first) = (self.origin, self.rows.start);
+        let colour = |x: usize, row: usize| {
             let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-            let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
-            self.blend((row - self.rows.start) * width + x, mask, colour);
+            texture.sample(facet.source(place - origin), facet.footprint())
         };
+        let pixel = |x: usize, row: usize| (row - first) * width + x;
         match texture.filter() {
-            Filter::Cubic => facet.cover(rows, width, shade),
+            Filter::Cubic => facet.cover(rows, width, |x, row, mask| self.blend(pixel(x, row), mask, colour(x, row))),
             Filter::Nearest => {
-                rows.for_each(|row| facet.centres(row, width).for_each(|x| shade(x, row, Mask::MAX)));
+                for (row, x) in rows.flat_map(|row| facet.centres(row, width).map(move |x| (row, x))) {
+                    self.put(pixel(x, row), colour(x, row));
+                }
             }
+        }
+    }
+
+    /// In place of what is there, so that no colours are mixed.
+    fn put(&mut self, pixel: usize, colour: Vec4) {
+        if colour.w != 0.0 {
+            self.pixels[pixel] = colour;
         }
     }
 

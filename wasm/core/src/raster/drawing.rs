@@ -28,6 +28,7 @@ pub enum Filter {
     #[default]
     Cubic,
     /// A pixel of the result is that pixel of the picture which its centre shows, or none: no colour is mixed, as pixel art asks for.
+    /// What is translucent takes the place of what it lies over.
     Nearest,
 }
 

@@ -15,8 +15,15 @@ pub(super) type Mask = u16;
 const SUBPIXELS: f64 = 256.0;
 /// Distance between samples in subpixels; the first sample is half of that inside the pixel.
 const SAMPLE_STEP: i64 = 64;
+/// Least area of the picture that a pixel shows, in pixels of it: anything less is the rounding of none.
+const LEAST_SHOWN: f64 = 1e-9;
 /// Greatest coordinate of a corner: keeps every product below 2⁶⁰.
 const FARTHEST_PX: f64 = 1_048_576.0;
+
+/// Whether a place is near enough to be drawn at; NaN is not.
+pub(super) fn is_in_range(p: DVec2) -> bool {
+    p.abs().max_element() <= FARTHEST_PX
+}
 
 /// A triangle with its corners in pixels of the result, relative to the picture's rectangle until it is
 /// [moved](Facet::move_by).
@@ -33,8 +40,7 @@ pub(super) struct Facet {
 impl Facet {
     /// `None` for a triangle that covers nothing: without area, or with a corner out of range.
     pub(super) fn new(rest: [DVec2; 3], posed: [DVec2; 3]) -> Option<Self> {
-        // Written so that NaN is out of range, too.
-        if !posed.iter().all(|p| p.abs().max_element() <= FARTHEST_PX) {
+        if !posed.into_iter().all(is_in_range) {
             return None;
         }
         let mut corners = posed.map(|p| (p * SUBPIXELS).round().to_array().map(|x| x as i64));
@@ -82,9 +88,11 @@ impl Facet {
         self.inverse * place + self.origin
     }
 
-    /// The area of the picture that a pixel shows, negative where the triangle is turned over.
-    pub(super) fn shown_area(&self) -> f64 {
-        self.inverse.determinant()
+    /// How areas grow from the picture to the result, negative where the triangle is turned over; 0 where a line of the picture is
+    /// drawn out to an area, as at its border.
+    pub(super) fn growth(&self) -> f64 {
+        let shown = self.inverse.determinant();
+        if shown.abs() < LEAST_SHOWN { 0.0 } else { 1.0 / shown }
     }
 
     /// The rows of pixels that the triangle may touch.

@@ -102,6 +102,9 @@ pub fn warp(
     Drawing { scale, canvas, filter }: Drawing,
 ) -> Result<Warped, Error> {
     let picture_size = warped_size(picture.width(), picture.height(), scale)?;
+    if canvas == Canvas::Grown {
+        check_reach(posed, triangles, scale)?;
+    }
     let mut facets = facets(rest, posed, triangles, scale);
     let frame = match canvas {
         Canvas::Picture => Frame::of_picture(picture_size),
@@ -127,6 +130,17 @@ pub fn warp(
     let origin = frame.origin.map(|side| side as u32);
     let warped = Warped { width: width as u32, height: height as u32, origin, rgba };
     Ok(warped.trimmed(picture_size))
+}
+
+/// Refuses a mesh of which a part is too far out to be drawn.
+fn check_reach(posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Result<(), Error> {
+    let corners = || triangles.iter().flatten().map(|&vertex| posed[vertex as usize] * scale);
+    if corners().all(facet::is_in_range) {
+        return Ok(());
+    }
+    let (low, high) = corners().fold((DVec2::ZERO, DVec2::ZERO), |(low, high), p| (low.min(p), high.max(p)));
+    let [width, height] = (high - low).to_array().map(|side| side.ceil() as u64);
+    Err(Error::Canvas { width, height })
 }
 
 /// What a mesh draws, relative to the picture's rectangle.

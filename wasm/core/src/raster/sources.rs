@@ -18,9 +18,10 @@ use crate::picture::Picture;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Source {
-    /// The place of the picture that the pixel's centre shows, in pixels of the picture.
+    /// The place of the picture that the pixel's centre shows, in pixels of the picture; never beyond its border.
     pub place: [f32; 2],
-    /// How areas grow there, in pixels of the picture: the determinant of the Jacobian, negative where the picture is turned over.
+    /// How areas grow there, in pixels of the picture: the determinant of the Jacobian, negative where the picture is turned over, and 0
+    /// where its border is drawn out.
     pub det: f32,
     /// The share of the pixel that triangles cover.
     pub coverage: f32,
@@ -54,15 +55,17 @@ pub fn sources(
     facets.iter_mut().for_each(|facet| facet.move_by(origin));
     let texture = Texture::for_facets(*picture, filter, &facets);
     let origin = DVec2::from(origin.map(|side| side as f64));
+    let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
     let mut sources = vec![Source::default(); width * height];
     let mut pixels = vec![Pixel::default(); width * height];
     for facet in &facets {
-        let det = (1.0 / (facet.shown_area() * scale * scale)) as f32;
+        let det = (facet.growth() / (scale * scale)) as f32;
         for row in facet.rows(height) {
             let centres = facet.centres(row, width);
             let mut visit = |x: usize, mask: Mask| {
                 let (pixel, source) = (&mut pixels[row * width + x], &mut sources[row * width + x]);
-                let place = facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin);
+                let place =
+                    facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin).clamp(DVec2::ZERO, size);
                 let covers_centre = centres.contains(&x);
                 let is_opaque = covers_centre && texture.sample(place, facet.footprint()).w > OPAQUE / 2.0;
                 if is_opaque || covers_centre && !pixel.is_opaque || pixel.covered == 0 {
@@ -118,7 +121,8 @@ mod tests {
         assert_eq!((warped.width, warped.height, warped.origin), (25, 6, [1, 0]));
         for (pixel, source) in sources.iter().enumerate() {
             let at = DVec2::new((pixel % 25) as f64 - 0.5, (pixel / 25) as f64 + 0.5) / 1.5;
-            let expected = DVec2::new((at.x + 0.5) / 2.0, at.y).as_vec2();
+            // The centres of the outermost pixels are not covered: what they show is the border.
+            let expected = DVec2::new(((at.x + 0.5) / 2.0).clamp(0.0, 8.0), at.y).as_vec2();
             assert!((expected - glam::Vec2::from(source.place)).length() < 1e-6, "{pixel}: {source:?}");
             assert!((source.det - 2.0).abs() < 1e-6 && source.coverage > 0.0, "{pixel}: {source:?}");
         }

@@ -353,3 +353,15 @@ fn pixel_art_keeps_its_pixels() {
         assert!(pixels.iter().filter(|pixel| pixel[3] == 255).count() > pixels.len() / 3);
     }
 }
+
+#[test]
+fn translucent_pixel_art_takes_the_place_of_what_it_lies_over() {
+    let rgba: Vec<u8> = [[200, 0, 0, 255], [0, 0, 200, 100]].into_iter().cycle().take(16).flatten().collect();
+    let side = |x: f64| [(x, 0.0), (x + 1.0, 0.0), (x + 1.0, 8.0), (x, 8.0)].map(DVec2::from);
+    let rest = [side(0.0), side(1.0)].concat();
+    let posed = [side(0.0), side(0.0)].concat();
+    let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+    let drawing = Drawing { filter: Filter::Nearest, ..Drawing::default() };
+    let warped = super::warp(&picture(2, 8, &rgba), &rest, &posed, &triangles, drawing).unwrap().rgba;
+    assert_eq!(pixel(&warped, 2, 0, 3), [0, 0, 200, 100]);
+}

@@ -1,7 +1,9 @@
 //! The triangular lattice inside the domain (section V-B).
 //!
-//! Cost: O(n) for n nodes of the bounding box, and the rows that each edge of the outline crosses. Limits: the number of
-//! samples is approximate.
+//! Cost: O(n log n) for n nodes inside, and the rows that each edge of the outline crosses, however far apart islands are. Limits:
+//! the number of samples is approximate.
+
+use std::{collections::BTreeMap, ops::Range};
 
 use glam::DVec2;
 
@@ -52,9 +54,25 @@ pub(super) fn inner_points(
     for &[a, b] in bones {
         lattice.clear_around(&mut inside, a, b, clearance);
     }
-    let nodes = (0..lattice.rows).flat_map(|row| (0..lattice.columns).map(move |column| (row, column)));
-    nodes.filter(|&(row, column)| inside[row * lattice.columns + column]).map(|(r, c)| lattice.node(r, c)).collect()
+    let nodes = inside.iter().flat_map(|(&row, runs)| runs.iter().flat_map(move |run| run.nodes(row)));
+    nodes.map(|(row, column)| lattice.node(row, column)).collect()
 }
+
+/// Successive nodes of a row, and whether each lies inside.
+struct Run {
+    columns: Range<usize>,
+    inside: Vec<bool>,
+}
+
+impl Run {
+    /// Row and column of the nodes that lie inside.
+    fn nodes(&self, row: usize) -> impl Iterator<Item = (usize, usize)> {
+        self.columns.clone().zip(&self.inside).filter(|(_, inside)| **inside).map(move |(column, _)| (row, column))
+    }
+}
+
+/// The runs of each row that has some, ascending: a domain may be some specks in a large box.
+type Rows = BTreeMap<usize, Vec<Run>>;
 
 /// The lattice over a domain's bounding box; one node lies at its centre.
 struct Lattice {
@@ -88,53 +106,69 @@ impl Lattice {
         row.abs_diff(self.rows / 2) % 2 == 1
     }
 
-    /// Whether each node lies inside the domain, row by row, by the even-odd rule.
-    fn inside(&self, domain: &Domain) -> Vec<bool> {
-        let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); self.rows];
+    /// The nodes between the crossings of each row with the outline, and whether they lie inside the domain, by the even-odd rule.
+    fn inside(&self, domain: &Domain) -> Rows {
+        let mut crossings: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
         for (a, b) in domain.edges() {
             let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
             for row in self.rows_within(low.y, high.y) {
                 let y = self.node(row, 0).y;
                 if low.y <= y && y < high.y {
-                    crossings[row].push(low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x));
+                    crossings.entry(row).or_default().push(low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x));
                 }
             }
         }
-        let mut inside = vec![false; self.rows * self.columns];
-        for (row, crossings) in crossings.iter_mut().enumerate() {
-            crossings.sort_by(f64::total_cmp);
-            for span in crossings.chunks_exact(2) {
-                for column in self.columns_within(row, span[0], span[1]) {
-                    let x = self.node(row, column).x;
-                    // A node between two spans, close to both, is visited twice.
-                    inside[row * self.columns + column] |= span[0] < x && x < span[1];
+        crossings.into_iter().map(|(row, crossings)| (row, self.runs(row, crossings))).collect()
+    }
+
+    /// The runs of a row between its crossings with the outline.
+    fn runs(&self, row: usize, mut crossings: Vec<f64>) -> Vec<Run> {
+        crossings.sort_by(f64::total_cmp);
+        let mut runs: Vec<Run> = Vec::new();
+        for span in crossings.chunks_exact(2) {
+            let columns = self.columns_within(row, span[0], span[1]);
+            // A node between two spans, close to both, is of both.
+            let run = match runs.last_mut() {
+                Some(last) if last.columns.end >= columns.start => last,
+                _ => {
+                    runs.push(Run { columns: columns.start..columns.start, inside: Vec::new() });
+                    runs.last_mut().expect("one has just been added")
                 }
+            };
+            run.columns.end = run.columns.end.max(columns.end);
+            run.inside.resize(run.columns.len(), false);
+            for column in columns {
+                let x = self.node(row, column).x;
+                run.inside[column - run.columns.start] |= span[0] < x && x < span[1];
             }
         }
-        inside
+        runs
     }
 
     /// Unmarks the nodes nearer to a segment than `clearance`.
-    fn clear_around(&self, inside: &mut [bool], a: DVec2, b: DVec2, clearance: f64) {
+    fn clear_around(&self, inside: &mut Rows, a: DVec2, b: DVec2, clearance: f64) {
         let (low, high) = (a.min(b) - clearance, a.max(b) + clearance);
-        for row in self.rows_within(low.y, high.y) {
-            for column in self.columns_within(row, low.x, high.x) {
-                let p = self.node(row, column);
-                if segment_distance(p, a, b) < clearance {
-                    inside[row * self.columns + column] = false;
+        for (&row, runs) in inside.range_mut(self.rows_within(low.y, high.y)) {
+            let columns = self.columns_within(row, low.x, high.x);
+            let first = runs.partition_point(|run| run.columns.end <= columns.start);
+            for run in runs[first..].iter_mut().take_while(|run| run.columns.start < columns.end) {
+                for column in columns.start.max(run.columns.start)..columns.end.min(run.columns.end) {
+                    if segment_distance(self.node(row, column), a, b) < clearance {
+                        run.inside[column - run.columns.start] = false;
+                    }
                 }
             }
         }
     }
 
     /// Rows that may lie between two heights.
-    fn rows_within(&self, low: f64, high: f64) -> std::ops::Range<usize> {
+    fn rows_within(&self, low: f64, high: f64) -> Range<usize> {
         let step = |y: f64| (y - self.centre.y) / (self.spacing * ROW) + (self.rows / 2) as f64;
         range(step(low), step(high), self.rows)
     }
 
     /// Columns of a row that may lie between two abscissas.
-    fn columns_within(&self, row: usize, low: f64, high: f64) -> std::ops::Range<usize> {
+    fn columns_within(&self, row: usize, low: f64, high: f64) -> Range<usize> {
         let shift = if self.is_shifted(row) { 0.5 } else { 0.0 };
         let step = |x: f64| (x - self.centre.x) / self.spacing - shift + (self.columns / 2) as f64;
         range(step(low), step(high), self.columns)
@@ -142,8 +176,9 @@ impl Lattice {
 }
 
 /// The integers from just below `low` to just above `high`, within `0..count`.
-fn range(low: f64, high: f64, count: usize) -> std::ops::Range<usize> {
-    (low.floor().max(0.0) as usize)..((high.ceil() + 1.0).max(0.0) as usize).min(count)
+fn range(low: f64, high: f64, count: usize) -> Range<usize> {
+    let end = ((high.ceil() + 1.0).max(0.0) as usize).min(count);
+    (low.floor().max(0.0) as usize).min(end)..end
 }
 
 #[cfg(test)]
@@ -158,6 +193,20 @@ mod tests {
             let found = area / (x * x) + 2000.0 / x;
             assert!((found - 10_000.0).abs() < 1e-6, "{found} of an area of {area}");
         }
+    }
+
+    #[test]
+    fn specks_far_apart_take_no_lattice_between_them() {
+        let square = |at: f64| {
+            let corners = [(at, at), (at + 1.0, at), (at + 1.0, at + 1.0), (at, at + 1.0)];
+            corners.map(DVec2::from).to_vec()
+        };
+        let domain = Domain::from_polygon(&[square(10.0), square(3000.0)], 4000, 4000).expect("two squares");
+        // Over all of the box these would be 50 billion nodes.
+        let found = inner_points(&domain, &[], spacing(&domain, 10_000), &[], &[]);
+        assert!((9_000..11_000).contains(&found.len()), "{}", found.len());
+        let halves = found.iter().filter(|p| p.x < 100.0).count();
+        assert!(halves.abs_diff(found.len() / 2) < 200, "{halves} of {}", found.len());
     }
 
     #[test]
