@@ -576,6 +576,26 @@ fn a_held_boundary_stays() {
 }
 
 #[test]
+fn a_round_boundary_is_held_by_as_many_sites_as_its_surroundings_ask_for() {
+    let sites = [60, 1200].map(|corners| {
+        let corner = |k: i32| 200.0 + 170.0 * DVec2::from_angle(f64::from(k) / f64::from(corners) * TAU);
+        let ring: Vec<DVec2> = (0..corners).map(corner).collect();
+        let mut project = project(std::slice::from_ref(&ring), &[], Support::Smooth);
+        project.fix_boundary = true;
+        let (left, right) = ((160.0, 200.0).into(), (250.0, 200.0).into());
+        project.handles = vec![handle(0, left, left + DVec2::new(-10.0, 8.0), 0.0), handle(1, right, right, 20.0)];
+        let (solution, pose) = posed(&project);
+        for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+            for p in [*a, a.lerp(*b, 0.3)] {
+                assert!(goes(&solution, &pose, p).distance(p) <= 1e-9, "{p}");
+            }
+        }
+        solution.sites().iter().filter(|site| site.kind == SiteKind::Boundary).count()
+    });
+    assert!(sites[1] < 100 && sites[1].abs_diff(sites[0]) < 20, "{sites:?}");
+}
+
+#[test]
 fn a_bar_is_cut_where_a_held_boundary_comes_near_in_its_middle() {
     let ring = [(0.0, 0.0), (190.0, 0.0), (200.0, 200.0), (210.0, 0.0), (400.0, 0.0), (400.0, 400.0), (0.0, 400.0)];
     // The bar touches the tip of the notch, or passes it by.

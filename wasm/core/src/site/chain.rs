@@ -53,7 +53,15 @@ impl Chain {
             (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE
         };
         let sharp: Vec<f64> = (0..n).filter(|&i| is_sharp(i)).map(|i| self.lengths[i]).collect();
-        if sharp.is_empty() { self.lengths[..n].to_vec() } else { sharp }
+        if sharp.is_empty() { self.extremes() } else { sharp }
+    }
+
+    /// Arc lengths of the leftmost, rightmost, uppermost and lowest corners: the same in a mirror image.
+    fn extremes(&self) -> Vec<f64> {
+        let [low, high] = [DVec2::min, DVec2::max].map(|of| self.corners.iter().copied().fold(self.corners[0], of));
+        let slack = TIE * (high - low).max_element();
+        let is_extreme = |p: DVec2| (p - low).min(high - p).min_element() <= slack;
+        self.corners.iter().zip(&self.lengths).filter(|(p, _)| is_extreme(**p)).map(|(_, &length)| length).collect()
     }
 
     /// The arc length nearest to `length` that is clear of both ends, by a third of what is free there.
