@@ -33,8 +33,8 @@
  * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a
  * folder, or a file that no longer exists), `picture` (not a picture, or not a readable one), `project` (the message
  * names the key), `image-size` (a project for a picture of another size), `engine` (the solver could not start), `webgl`
- * (the browser has no WebGL2 to draw with), or a refusal by the solver, such as `handle-outside`; its `handles` are then the ids of the handles that the message
- * names.
+ * (the browser has no WebGL2 to draw with), or a refusal by the solver, such as `handle-outside`; its `handles` are then
+ * the ids of the handles that the message names.
  *
  * Setting `readonly` or `disabled`, and setting or removing `play`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and

@@ -17,8 +17,9 @@ export const ringsOf = ({ domain }: Project): readonly Ring[] =>
   domain?.kind === 'polygon' ? domain.rings : [];
 
 /**
- * The project with the domain inside a ring drawn by hand, or with a hole there if it lies inside of what bends, and whether it has
- * been cut; null if the ring holds nothing of the picture. Rings elsewhere stay, and those that it meets give way to it. Handles outside are left out.
+ * The project with the domain inside a ring drawn by hand, or with a hole there if it lies inside of what bends, and
+ * whether it has been cut; null if the ring holds nothing of the picture. Rings elsewhere stay, and those that it meets
+ * give way to it. Handles outside are left out.
  */
 export function lassoed(
   project: Project,

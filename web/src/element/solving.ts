@@ -12,6 +12,7 @@ import type { Project } from '../document/project';
 import { followedHandles, solveKey } from '../document/solved';
 import type { Size } from '../geometry/camera';
 import type { SolvedLabel } from '../ui/model';
+import { isAbort } from './latest';
 
 /** A solution and the project that was solved. */
 export interface Solved {
@@ -182,7 +183,7 @@ export class Solving {
 
   #fail(key: string, thrown: unknown): void {
     const error = thrown instanceof Error ? thrown : new Error(String(thrown));
-    if (error.name === 'AbortError' || key !== this.#wanted) return;
+    if (isAbort(error) || key !== this.#wanted) return;
     this.#done();
     this.#wanted = this.#current?.key ?? null;
     if (error instanceof EngineError && error.code !== ENGINE) this.#host.refused(key, error);

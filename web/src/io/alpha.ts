@@ -1,4 +1,5 @@
 /** The alpha from which on a picture is warped, so that nothing visible is left out. */
+import type { Rgba } from './pixels';
 
 /** Halfway up an edge that is hard or fades within a few pixels: the outline runs where the eye sees it. */
 const EDGE = 128;
@@ -8,12 +9,6 @@ const RIM = 3;
 const FAINT = 6;
 /** More faint pixels than this beyond the rim are a shadow or a veil, fewer are dust. */
 const DUST = 64;
-
-interface Rgba {
-  readonly width: number;
-  readonly height: number;
-  readonly rgba: Uint8Array;
-}
 
 /** The threshold, in (0, 1]; `null` where the picture is opaque. Soft shadows and veils need a low one. */
 export function alphaThreshold(picture: Rgba): number | null {

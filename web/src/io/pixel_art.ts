@@ -1,14 +1,9 @@
 /** Tells pixel art from other pictures, so that its pixels stay what they are when it bends. */
+import type { Rgba } from './pixels';
 
 const MOST_SIDE = 256;
 /** Few enough that smoothed edges, which have a shade for every step, are none. */
 const MOST_COLOURS = 64;
-
-interface Rgba {
-  readonly width: number;
-  readonly height: number;
-  readonly rgba: Uint8Array;
-}
 
 /** Whether a picture is small enough for pixel art. */
 export const isSmall = ({ width, height }: Pick<Rgba, 'width' | 'height'>): boolean =>

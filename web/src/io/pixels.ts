@@ -4,6 +4,13 @@
  */
 import { PictureError } from './picture_error';
 
+/** A picture in straight alpha, rows from the top. */
+export interface Rgba {
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8Array;
+}
+
 const TILE = 2048;
 
 /** How long the context waits for the next picture. Making one for each would slow down pages of many pictures. */

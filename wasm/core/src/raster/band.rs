@@ -48,20 +48,15 @@ impl Band {
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
         let (rows, width) = (facet.rows(self.rows.end), self.width);
         let rows = rows.start.max(self.rows.start)..rows.end;
-        let (origin, first) = (self.origin, self.rows.start);
-        let colour = |x: usize, row: usize| {
+        facet.cover(rows, width, texture.filter(), |x, row, mask| {
             let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-            texture.sample(facet.source(place - origin), facet.footprint())
-        };
-        let pixel = |x: usize, row: usize| (row - first) * width + x;
-        match texture.filter() {
-            Filter::Cubic => facet.cover(rows, width, |x, row, mask| self.blend(pixel(x, row), mask, colour(x, row))),
-            Filter::Nearest => {
-                for (row, x) in rows.flat_map(|row| facet.centres(row, width).map(move |x| (row, x))) {
-                    self.put(pixel(x, row), colour(x, row));
-                }
+            let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
+            let pixel = (row - self.rows.start) * width + x;
+            match texture.filter() {
+                Filter::Cubic => self.blend(pixel, mask, colour),
+                Filter::Nearest => self.put(pixel, colour),
             }
-        }
+        });
     }
 
     /// In place of what is there, so that no colours are mixed.

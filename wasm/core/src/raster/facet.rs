@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use glam::{DMat2, DVec2};
 
+use super::drawing::Filter;
 use super::footprint::Footprint;
 
 /// Coverage samples along a pixel's side.
@@ -103,10 +104,21 @@ impl Facet {
         row(top)..row(bottom + SUBPIXELS as i64 - 1)
     }
 
-    /// Calls `visit` with each pixel of some rows of which the triangle covers a sample: its column, its row, and the samples.
+    /// Calls `visit` with each pixel of some rows of which the triangle covers a sample, or its centre for [`Filter::Nearest`], which
+    /// stands for all of it: its column, its row, and the samples.
     #[inline]
-    pub(super) fn cover(&self, rows: Range<usize>, width: usize, mut visit: impl FnMut(usize, usize, Mask)) {
+    pub(super) fn cover(
+        &self,
+        rows: Range<usize>,
+        width: usize,
+        filter: Filter,
+        mut visit: impl FnMut(usize, usize, Mask),
+    ) {
         for row in rows {
+            if filter == Filter::Nearest {
+                self.centres(row, width).for_each(|x| visit(x, row, Mask::MAX));
+                continue;
+            }
             let spans: [Range<usize>; GRID] =
                 std::array::from_fn(|i| self.span(SAMPLE_STEP, row * GRID + i, width * GRID));
             let covered = spans.iter().filter(|span| !span.is_empty());

@@ -8,7 +8,7 @@
 
 use glam::DVec2;
 
-use super::drawing::{Drawing, Filter};
+use super::drawing::Drawing;
 use super::facet::Mask;
 use super::texture::{OPAQUE, Texture};
 use super::warped::Warped;
@@ -62,7 +62,7 @@ pub fn sources(
         let det = (facet.growth() / (scale * scale)) as f32;
         for row in facet.rows(height) {
             let centres = facet.centres(row, width);
-            let mut visit = |x: usize, mask: Mask| {
+            facet.cover(row..row + 1, width, filter, |x, _, mask| {
                 let (pixel, source) = (&mut pixels[row * width + x], &mut sources[row * width + x]);
                 let place =
                     facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin).clamp(DVec2::ZERO, size);
@@ -73,11 +73,7 @@ pub fn sources(
                 }
                 pixel.is_opaque |= is_opaque;
                 pixel.covered |= mask;
-            };
-            match filter {
-                Filter::Cubic => facet.cover(row..row + 1, width, |x, _, mask| visit(x, mask)),
-                Filter::Nearest => centres.clone().for_each(|x| visit(x, Mask::MAX)),
-            }
+            });
         }
     }
     for (source, pixel) in sources.iter_mut().zip(pixels) {
@@ -88,7 +84,7 @@ pub fn sources(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Canvas, warp};
+    use super::super::{Canvas, drawing::Filter, warp};
     use super::*;
 
     const SQUARE: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
