@@ -207,8 +207,8 @@ export class C2Warp extends TypedElement {
   /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
    * @throws Error with a `code` if the picture cannot be opened; the previous one stays open, and where there was none, the
-   * picture without the handles that the solver refuses. DOMException AbortError
-   * if another is opened or the element is removed first. TypeError if `source` is neither an address nor a Blob.
+   * picture without the handles that the solver refuses. DOMException AbortError if another is opened or the element is
+   * removed first. TypeError if `source` is neither an address nor a Blob.
    */
   async load(source: string | URL | Blob, project?: string | URL | ProjectFile | null): Promise<void> {
     const desk = this.#present;

@@ -1,6 +1,6 @@
 /** Room for the cards over the stage, in the layouts of `ui/style/layouts.ts`, which measure the stage with its bars. */
 import type { Insets, Size } from '../geometry/camera';
-import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, TOOLS } from '../ui/style/sizes';
+import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, TOOLS } from '../ui/style/sizes';
 
 /** The layout that the insets depend on. */
 export interface Cards {
@@ -28,7 +28,7 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Card
   if (width < PHONE) {
     // Too low for room beside the sheet: the sheet may cover the picture.
     if (whole < LOW.phone) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
-    return { ...even(16), bottom: sheet ? FROM_BOTTOM.aboveSheet : FROM_BOTTOM.aboveTools };
+    return { ...even(16), bottom: sheet ? FROM_BOTTOM.sheet + SHEET.line : FROM_BOTTOM.aboveTools };
   }
   if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: PANEL.narrow };
   if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: PANEL.narrow };

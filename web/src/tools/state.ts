@@ -14,9 +14,6 @@ import type { Spot } from '../geometry/spot';
 import type { Vec } from '../geometry/vec';
 
 /** A pointer at one moment. */
-/** A press by keys at a place, image pixels. */
-export const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
-
 export interface Press {
   /** In image pixels of the posed picture. */
   readonly at: Vec;
@@ -25,6 +22,9 @@ export interface Press {
   readonly shift: boolean;
   readonly alt: boolean;
 }
+
+/** A press by keys at a place, image pixels. */
+export const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
 
 /** Sizes of the hit areas, image pixels: they depend on the zoom and on finger or mouse. */
 export interface Grips {

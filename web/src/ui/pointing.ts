@@ -3,8 +3,9 @@
  *
  * One pointer works the tool; with space, the middle button or a second finger it navigates instead. A second finger
  * cancels what the first began: two fingers never edit. A right click, or a finger that stays, asks for the menu; once
- * that finger moves, it goes on as the press that it was. With the owner `page`, gestures that hold no handle are left to the page, which scrolls by wheel or finger, zooms by pinch,
- * and shows its menu. Places are CSS pixels of the stage, however the page scales it.
+ * that finger moves, it goes on as the press that it was. With the owner `page`, gestures that hold no handle are left
+ * to the page, which scrolls by wheel or finger, zooms by pinch, and shows its menu. Places are CSS pixels of the
+ * stage, however the page scales it.
  */
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';

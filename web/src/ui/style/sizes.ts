@@ -34,5 +34,5 @@ export const PANEL = { wide: 260, narrow: 248 } as const;
 /** On a phone, the heights of the sheet: of one line, of numbers, of numbers with those of a corner; and where it begins at the top. */
 export const SHEET = { line: 62, numbers: 160, ofCorner: 250, top: 12 } as const;
 
-/** On a phone, from the bottom of the stage: where the sheet begins, and what is clear of the tools and of a sheet of one line. */
-export const FROM_BOTTOM = { sheet: 74, aboveTools: 76, aboveSheet: 136 } as const;
+/** On a phone, from the bottom of the stage: where the sheet begins, and what is clear of the tools. */
+export const FROM_BOTTOM = { sheet: 74, aboveTools: 76 } as const;
