@@ -1,7 +1,7 @@
 //! Meshes that the caller brings.
 
 use c2warp::{
-    Error, GivenMesh, Solution,
+    Error, InputMesh, Solution,
     project::{PoseMode, Rotation, Support},
     solve_mesh,
 };
@@ -31,13 +31,13 @@ fn grid(columns: u32, rows: u32, spacing: f64) -> (Vec<DVec2>, Triangles) {
 }
 
 fn solved_on(mesh: (Vec<DVec2>, Triangles), places: &[DVec2]) -> Solution {
-    let mesh = GivenMesh::new(mesh.0, mesh.1).expect("a mesh");
+    let mesh = InputMesh::new(mesh.0, mesh.1).expect("a mesh");
     solve_mesh(&project(&[], places, Support::Paper), &mesh).expect("a scene that can be solved")
 }
 
 fn refusal(vertices: &[(f64, f64)], triangles: &[[u32; 3]]) -> Error {
     let vertices = vertices.iter().copied().map(DVec2::from).collect();
-    let error = GivenMesh::new(vertices, triangles.to_vec()).expect_err("no mesh");
+    let error = InputMesh::new(vertices, triangles.to_vec()).expect_err("no mesh");
     assert!(matches!(error.code(), "mesh" | "domain"));
     error
 }
@@ -50,7 +50,7 @@ proptest! {
         let project = project(&rings, &places, support);
         let own = solved(&project).expect("a valid scene");
         let (vertices, triangles) = own_mesh(&own);
-        let mesh = GivenMesh::new(vertices, triangles).expect("the solver's meshes are meshes");
+        let mesh = InputMesh::new(vertices, triangles).expect("the solver's meshes are meshes");
         let given = solve_mesh(&project, &mesh).expect("solved before");
         prop_assert_eq!(given.vertices(), own.vertices());
         prop_assert_eq!(given.domain().rings().len(), own.domain().rings().len());
@@ -95,7 +95,7 @@ fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
     let moves = [((0.06, 0.2), (0.1, 0.3)), ((0.52, 0.21), (0.52, 0.02)), ((0.94, 0.2), (0.9, 0.34))];
     let bent = |by: DVec2| {
         let (vertices, triangles) = grid(41, 17, 0.025);
-        let mesh = GivenMesh::new(vertices.iter().map(|&p| p + by).collect(), triangles).expect("a mesh");
+        let mesh = InputMesh::new(vertices.iter().map(|&p| p + by).collect(), triangles).expect("a mesh");
         let mut project = project(&[], &[], Support::Smooth);
         (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 40);
         for (id, (rest, posed)) in moves.into_iter().enumerate() {
@@ -170,7 +170,7 @@ fn coarse_and_needle_like_meshes_are_solved_too() {
 #[test]
 fn handles_beside_the_mesh_and_on_its_held_boundary_are_refused() {
     let (vertices, triangles) = grid(4, 4, 10.0);
-    let mesh = GivenMesh::new(vertices, triangles).expect("a mesh");
+    let mesh = InputMesh::new(vertices, triangles).expect("a mesh");
     let mut outside = project(&[], &[(5.0, 5.0).into(), (30.5, 5.0).into()], Support::Paper);
     let expected = Error::HandleOutside { id: "h1".into(), x: 30.5, y: 5.0 };
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle outside"), expected);
@@ -182,9 +182,9 @@ fn handles_beside_the_mesh_and_on_its_held_boundary_are_refused() {
 }
 
 #[test]
-fn bars_and_a_held_boundary_move_a_given_mesh_too() {
+fn bars_and_a_held_boundary_move_an_input_mesh_too() {
     let (vertices, triangles) = grid(21, 21, 10.0);
-    let mesh = GivenMesh::new(vertices, triangles).expect("a mesh");
+    let mesh = InputMesh::new(vertices, triangles).expect("a mesh");
     let mut project = project(&[], &[], Support::Smooth);
     project.fix_boundary = true;
     project.handles = vec![bar("bar", &[(60.0, 100.0), (140.0, 100.0)], &[(60.0, 110.0), (140.0, 90.0)])];

@@ -1,7 +1,7 @@
 //! Projects that are made in code rather than read: the same rules hold for them, whatever solves them.
 
 use c2warp::{
-    Drawing, Error, GivenMesh, Picture,
+    Drawing, Error, InputMesh, Picture,
     cloud::PointCloud,
     distances,
     domain::Domain,
@@ -33,7 +33,7 @@ fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
     let rgba = vec![255; (SIZE * SIZE * 4) as usize];
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
     let corners: Vec<DVec2> = RING.map(DVec2::from).to_vec();
-    let mesh = GivenMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]]).expect("a square");
+    let mesh = InputMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]]).expect("a square");
     let grid = (0..400).map(|i| DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 20.0).collect();
     let cloud = PointCloud::new(grid, 8).expect("a grid");
     let changes: [Refused; 7] = [

@@ -49,7 +49,7 @@ mod bone;
 pub mod cloud;
 pub mod distance;
 pub mod domain;
-mod given_mesh;
+mod input_mesh;
 mod outline;
 pub mod pose;
 mod sample;
@@ -76,7 +76,7 @@ pub use glam;
 
 // The problem.
 pub use error::Error;
-pub use given_mesh::GivenMesh;
+pub use input_mesh::InputMesh;
 pub use picture::Picture;
 
 // Solving it.
@@ -104,7 +104,7 @@ mod tests {
     fn what_a_program_holds_goes_from_thread_to_thread() {
         fn check<T: Send + Sync + std::fmt::Debug>() {}
         fn check_clone<T: Clone>() {}
-        check::<(Error, GivenMesh, Picture<'_>, Solution, Solver, Warped, Report)>();
+        check::<(Error, InputMesh, Picture<'_>, Solution, Solver, Warped, Report)>();
         check::<(cloud::PointCloud, cloud::CloudSolution, domain::Domain, project::Project)>();
         check::<(distance::Navigation, distance::Distances<'_>, pose::Poser, pose::Pose, weight::SparseWeights)>();
         check_clone::<(Solution, cloud::CloudSolution, distance::Navigation, distance::Distances<'_>, pose::Pose)>();

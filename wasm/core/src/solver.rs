@@ -10,7 +10,7 @@ use crate::{
     distance::{Navigation, Propagation},
     domain::Domain,
     error::Error,
-    given_mesh::GivenMesh,
+    input_mesh::InputMesh,
     outline::{Outline, OutlineKey},
     picture::Picture,
     pose::{HarmonicFields, Poser, Quadrature},
@@ -343,7 +343,7 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
-pub fn solve_mesh(project: &Project, mesh: &GivenMesh) -> Result<Solution, Error> {
+pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error> {
     let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
     let rest = request.rest(&outline)?;
     let scouts = scouts(&mut Grounds::default(), &outline, &rest, &request);

@@ -90,7 +90,7 @@ impl Domain {
 
     /// The inside of rings by the even-odd rule, without a picture: places in pixels, each coordinate from −1,000,000 to 1,000,000.
     ///
-    /// Tolerances are in pixels, as for a [`GivenMesh`](crate::GivenMesh): scale up rings in units of 0 to 1 to some hundreds of pixels.
+    /// Tolerances are in pixels, as for an [`InputMesh`](crate::InputMesh): scale up rings in units of 0 to 1 to some hundreds of pixels.
     ///
     /// ```
     /// use c2warp::{domain::Domain, glam::DVec2};

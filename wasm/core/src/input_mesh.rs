@@ -27,13 +27,13 @@ const STRAIGHT: f64 = 1e-12;
 /// A checked triangle mesh, for [`solve_mesh`](crate::solve_mesh).
 ///
 /// ```
-/// use c2warp::{GivenMesh, project::{Handle, Project}, solve_mesh};
+/// use c2warp::{InputMesh, project::{Handle, Project}, solve_mesh};
 ///
 /// // Four columns and three rows of vertices, 10 px apart.
 /// let vertices = (0..12).map(|i| [f64::from(i % 4) * 10.0, f64::from(i / 4) * 10.0].into()).collect();
 /// let quads = [0, 1, 2, 4, 5, 6];
 /// let triangles = quads.iter().flat_map(|&a| [[a, a + 1, a + 5], [a, a + 5, a + 4]]).collect();
-/// let mesh = GivenMesh::new(vertices, triangles)?;
+/// let mesh = InputMesh::new(vertices, triangles)?;
 /// let left = Handle::point("left", [2.0, 9.0]);
 /// let right = Handle::point("right", [30.0, 10.0]).posed_at([[30.0, 15.0]]);
 /// // Of any size: the picture plays no part.
@@ -46,14 +46,14 @@ const STRAIGHT: f64 = 1e-12;
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct GivenMesh {
+pub struct InputMesh {
     mesh: Triangulation,
     /// The vertices along the boundary.
     rings: Vec<Vec<u32>>,
     pub(crate) outline: Arc<Outline>,
 }
 
-impl GivenMesh {
+impl InputMesh {
     /// Checks a mesh. Places are in pixels, each coordinate from −1,000,000 to 1,000,000; triangles may have either orientation
     /// and are reoriented where necessary.
     ///
