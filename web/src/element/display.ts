@@ -1,7 +1,7 @@
 /** What is shown besides the document: overlays, the picture alone while a key is held, opened settings, the selection box. */
 import type { Box } from '../geometry/box';
 import type { BareView } from '../ui/commands';
-import type { OverlayFlags } from '../ui/model';
+import type { OverlayFlags } from '../ui/overlays';
 import type { Permissions } from './permissions';
 import type { Workbench } from './workbench';
 

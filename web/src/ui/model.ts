@@ -10,7 +10,7 @@ import type { Vec } from '../geometry/vec';
 import type { ToolName } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
 import type { BareView, CommandName } from './commands';
-import type { FoldedMesh, SiteGraph } from './overlays';
+import type { FoldedMesh, OverlayFlags, SiteGraph } from './overlays';
 
 export interface EditorModel {
   readonly document: Document;
@@ -112,10 +112,6 @@ export interface Notice {
   /** It is about the last step: others about that join it, and the next step ends it. */
   readonly ofStep?: true;
 }
-
-export type OverlayFlags = Readonly<
-  Record<'mesh' | 'cells' | 'sites' | 'graph' | 'folds' | 'reach' | 'coverage', boolean>
->;
 
 /** A corner of a bar or polygon, counted from 0. */
 export interface Corner {

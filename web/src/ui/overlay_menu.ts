@@ -1,7 +1,8 @@
 /** The menu of overlays: a button, and a check box for each. */
 import { html, type TemplateResult } from 'lit';
 import { icon } from './icons';
-import type { EditorActions, EditorModel, OverlayFlags } from './model';
+import type { EditorActions, EditorModel } from './model';
+import type { OverlayFlags } from './overlays';
 
 /** The name of each overlay, and what it shows. */
 const OVERLAYS = {

@@ -3,7 +3,11 @@ import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { type Camera, toStage } from '../geometry/camera';
 import { sitePlace } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
-import type { OverlayFlags } from './model';
+
+/** Which overlays are shown. */
+export type OverlayFlags = Readonly<
+  Record<'mesh' | 'cells' | 'sites' | 'graph' | 'folds' | 'reach' | 'coverage', boolean>
+>;
 
 /** The sites of a solution in their current pose. */
 export interface SiteGraph {
