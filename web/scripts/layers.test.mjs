@@ -12,7 +12,7 @@ const MAY = {
   tools: ['geometry', 'document'],
   ui: ['geometry', 'document', 'tools'],
   render: ['geometry', 'twgl.js'],
-  compute: ['document'],
+  compute: ['geometry', 'document'],
   io: [],
   element: ['geometry', 'document', 'tools', 'ui', 'render', 'compute', 'io'],
 };

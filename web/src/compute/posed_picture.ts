@@ -1,0 +1,113 @@
+/**
+ * A solved picture that answers where its parts go in a pose.
+ *
+ * The types alone: they import neither the DOM nor the module, so that pure code can name them. A picture belongs to one
+ * solution and never changes. Every query depends on its arguments alone; the module caches the pose that was asked
+ * about last. Places are image pixels, angles degrees.
+ */
+import type { Turns } from '../document/handle';
+import type { Project } from '../document/project';
+import type { Box } from '../geometry/box';
+import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
+import type { Vec } from '../geometry/vec';
+import type { CellBorders } from './solution';
+
+/** The mesh and the weights of one solution. Holds memory of the module until {@link PosedPicture.free}. */
+export interface PosedPicture {
+  /**
+   * The picture posed as in a project. Handles of the solution that the project lacks, or has with other corners, keep
+   * the pose that they were solved with. Handles that are not solved yet move nothing.
+   * @throws EngineError if no such pose exists, such as a bar of no length. Show the last pose then.
+   */
+  pose(project: Project): Pose;
+
+  /** The number of triangles that a pose turns over, counted up to `limit` + 1; infinite if no such pose exists. */
+  foldCount(project: Project, limit?: number): number;
+
+  /**
+   * The farthest pose on the way between two poses that folds at most `allowed` triangles, within 2⁻⁸ of the way.
+   * Each handle moves straight and turns steadily. The pose of `from` is taken to be allowed.
+   */
+  foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose;
+
+  /** Like {@link foldLimit}, for handles that turn and scale together about one centre. */
+  groupFoldLimit(way: GroupWay, allowed: number): LimitedPose;
+
+  /**
+   * Vertices: how far each follows a move of the selected handles. 1 moves as far as they do, 0 stays.
+   * Null if the solution has none of them.
+   * @throws EngineError if no such pose exists.
+   */
+  reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null;
+
+  /** Vertices: the number of sites that move each, as a fraction of `MOST_COVERAGE`. Always the same array. */
+  coverage(): Float32Array<ArrayBuffer>;
+
+  /** The bounding box at rest, without the rim; null without vertices. */
+  restBounds(): Box | null;
+
+  /** Whether a point of the original bends. The rim that is drawn around it does not. */
+  bends(rest: Vec): boolean;
+
+  /** Bytes of the module's memory that the picture takes. */
+  readonly bytes: number;
+
+  /** Releases the module's memory. No query may follow. */
+  free(): void;
+}
+
+/** One pose of a {@link PosedPicture}. Queries are computed at first use. */
+export interface Pose {
+  /** The project that was posed. */
+  readonly project: Project;
+  /** Sites × 12 for the graphics card, see `MOTION_STRIDE`. */
+  readonly motions: Float32Array<ArrayBuffer>;
+  /** Triangles × 3 in drawing order. Poses of the same depths return the same array. */
+  readonly triangles: Uint32Array;
+  /** Vertices × 2: the posed mesh. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** The turn of each automatic handle, rounded as in the document. */
+  readonly turns: Turns;
+  /** The number of triangles that are turned over, without the rim. */
+  readonly foldCount: number;
+
+  /** Triangles × 3: those that are turned over. */
+  foldedTriangles(): Uint32Array<ArrayBuffer>;
+  /** Where a point of the original goes; null outside the mesh. */
+  map(rest: Vec): MappedPoint | null;
+  /** The point of the original that is drawn at a place; null beside the picture. */
+  locate(posed: Vec): LocatedPoint | null;
+  /** Like {@link locate}; beside the picture its nearest part continues. Null without triangles. */
+  locateNear(posed: Vec): LocatedPoint | null;
+  /** Where a handle can be placed: at a place, or at the nearest one that bends, at most `within` away. */
+  placement(posed: Vec, within: number): Placement | null;
+  /** The bounding box of the posed picture and its static background, without the rim; null without vertices. */
+  bounds(): Box | null;
+  /** Pieces × 2 ends × 2: the borders between cells, posed. */
+  borders(borders: CellBorders): Float32Array<ArrayBuffer>;
+}
+
+/** The way of handles that turn and scale together. All else is as in `to`. */
+export interface GroupWay {
+  /** The project before anything was turned or scaled. */
+  readonly origin: Project;
+  /** Ids of the handles that turn and scale. */
+  readonly selection: readonly string[];
+  readonly to: Project;
+  /** Turn in degrees and scale of the group, from `origin`: the allowed one, and the wanted one. */
+  readonly start: GroupPose;
+  readonly end: GroupPose;
+}
+
+export interface GroupPose {
+  readonly turn: number;
+  readonly scale: number;
+}
+
+/** How far handles can go. */
+export interface LimitedPose {
+  /** The wanted project itself if all of the way is allowed. */
+  readonly project: Project;
+  /** Of the way: 0 is its start, 1 its end. */
+  readonly fraction: number;
+}
