@@ -704,8 +704,8 @@ const at = (id: string, rest: unknown) => ({ id, kind: 'point', rest, posed: [51
 
 const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] = [
   ['an empty file', png('empty.png', Buffer.alloc(0)), /empty\.png: The file is empty/],
-  ['a text', png('notes.txt', Buffer.from('no picture')), /notes\.txt: This is not a picture/],
-  ['a truncated picture', png('cut.png', disc(64).subarray(0, 200)), /cut\.png: The picture is cut off/],
+  ['a text', png('notes.txt', Buffer.from('no picture')), /notes\.txt: The file is not a picture/],
+  ['a truncated picture', png('cut.png', disc(64).subarray(0, 200)), /cut\.png: The picture is incomplete/],
   ['one pixel', png('dot.png', disc(1)), /dot\.png: .*at least 2 × 2/],
   [
     'a picture without an opaque pixel',
@@ -752,7 +752,7 @@ for (const [title, name] of [
     for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
       await devtools.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
     }
-    await expect(editor.notice).toContainText(`${name}: This cannot be read: it is a folder`);
+    await expect(editor.notice).toContainText(`${name}: The file cannot be read: it is a folder`);
     await expect(editor.handles).toHaveCount(5);
   });
 }

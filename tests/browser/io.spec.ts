@@ -112,9 +112,13 @@ test('a picture whose pixels cannot be read is refused, and nothing of it stays 
 
 const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp][] = [
   ['an empty file', () => new Blob([]), /^The file is empty\.$/],
-  ['a text', () => new Blob(['hello, I am no picture']), /^This is not a picture/],
-  ['a drawing', () => new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>']), /^An SVG is a drawing/],
-  ['a PNG cut short', async () => (await harness.drawnPicture()).slice(0, 2000), /^The picture is cut off/],
+  ['a text', () => new Blob(['hello, I am no picture']), /^The file is not a picture/],
+  ['a drawing', () => new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>']), /^SVG files have no pixels/],
+  [
+    'a PNG cut short',
+    async () => (await harness.drawnPicture()).slice(0, 2000),
+    /^The picture is incomplete/,
+  ],
   [
     'a JPEG cut short',
     async () => {
@@ -122,7 +126,7 @@ const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp
       canvas.getContext('2d')?.fillRect(0, 0, 90, 200);
       return (await canvas.convertToBlob({ type: 'image/jpeg' })).slice(0, -200);
     },
-    /^The picture is cut off/,
+    /^The picture is incomplete/,
   ],
   [
     'a damaged PNG',
@@ -132,11 +136,11 @@ const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp
     },
     /^The picture is damaged/,
   ],
-  ['one pixel', () => harness.encodePng(1, 1, new Uint8Array(4)), /1 × 1 px; at least 2 × 2/],
+  ['one pixel', () => harness.encodePng(1, 1, new Uint8Array(4)), /1 × 1 px\. It must be at least 2 × 2/],
   [
     'a strip of 20,000 × 20 px',
     () => harness.encodePng(20_000, 20, new Uint8Array(20_000 * 20 * 4)),
-    /20000 × 20 px; a side may have 16,384 px at most/,
+    /20000 × 20 px\. A side can be at most 16,384 px/,
   ],
 ];
 

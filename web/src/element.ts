@@ -61,7 +61,7 @@ import { FocusKeeper } from './element/focus_keeper';
 import { InitialContent } from './element/initial_content';
 import { Receiving } from './element/receiving';
 import type { Vec } from './geometry/vec';
-import { encodePng, onCanvas } from './io/encode';
+import { encodePng, pictureCanvas } from './io/encode';
 import { isToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
@@ -311,7 +311,7 @@ export class C2Warp extends TypedElement {
    */
   async toCanvas(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<HTMLCanvasElement> {
     const { width, height, rgba } = await this.#present.warped(scale, grow, pixelated);
-    return onCanvas(this.ownerDocument, width, height, rgba);
+    return pictureCanvas(this.ownerDocument, width, height, rgba);
   }
 
   /** Fits the whole picture into view. */

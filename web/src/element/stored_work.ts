@@ -7,7 +7,7 @@
  * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing fails:
  * the owner is told.
  */
-import { readKept, writeKept } from '../io/storage';
+import { readStored, writeStored } from '../io/storage';
 import type { Kept } from './workbench';
 
 interface KeptPicture extends Pick<Kept, 'file' | 'name'> {
@@ -45,7 +45,7 @@ export class StoredWork {
   async read(): Promise<{ readonly kept: Kept; readonly left: readonly Kept[] } | null> {
     try {
       const names = ['picture', 'document', 'left'].map((name) => `${this.#key}/${name}`);
-      const [picture, document, left = []] = (await readKept(names)) as [
+      const [picture, document, left = []] = (await readStored(names)) as [
         KeptPicture?,
         KeptDocument?,
         (readonly Kept[])?,
@@ -87,7 +87,7 @@ export class StoredWork {
       { record, drawings, guarded, ...(pixelated !== undefined && { pixelated }), mark },
     ];
     try {
-      await writeKept(
+      await writeStored(
         {
           [`${this.#key}/document`]: document,
           ...(left !== this.#left && { [`${this.#key}/left`]: left.slice(-MOST_LEFT) }),

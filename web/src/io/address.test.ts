@@ -1,20 +1,20 @@
 import { describe, expect, it } from 'vitest';
 import { fetchFile, fileName } from './address';
 
-describe('the name in an address', () => {
-  it('is its last part', () => {
+describe('fileName', () => {
+  it('returns the last part of the address', () => {
     expect(fileName('https://a.example/b/my%20cat.png?large#top')).toBe('my cat.png');
     expect(fileName('100%.png')).toBe('100%.png');
   });
 
-  it('is none of what an address holds itself', () => {
+  it('ignores the content of data and blob addresses', () => {
     expect(fileName('data:image/png;base64,iVBO/Rw0K')).toBe('picture.png');
     expect(fileName('blob:https://a.example/4fdb')).toBe('picture.png');
   });
 });
 
-describe('a file by its address', () => {
-  it('is refused with a code where it cannot be had', async () => {
+describe('fetchFile', () => {
+  it('rejects with a code if the file cannot be loaded', async () => {
     const { signal } = new AbortController();
     await expect(fetchFile('data:,hello', signal).then((file) => file.text())).resolves.toBe('hello');
     await expect(fetchFile('nowhere:/cat.png', signal)).rejects.toMatchObject({

@@ -1,6 +1,6 @@
-/** Files by their addresses. */
+/** Loads files by URL. */
 
-/** A file that cannot be loaded. The message can be shown to the person. */
+/** A file cannot be loaded. The message is for the user. */
 export class AddressError extends Error {
   readonly code = 'address';
 
@@ -10,19 +10,23 @@ export class AddressError extends Error {
   }
 }
 
-/** The last part of an address or path. `data:` and `blob:` addresses hold no name: `picture.png` stands for it. */
+/** Returns the last part of a URL or path; `picture.png` for `data:` and `blob:` URLs, which have no name. */
 export function fileName(address: string): string {
   if (/^\s*(data|blob):/i.test(address)) return 'picture.png';
-  const written = address.split(/[?#]/)[0]?.split('/').at(-1) ?? '';
+  const name = address.split(/[?#]/)[0]?.split('/').at(-1) ?? '';
   try {
-    return decodeURIComponent(written) || 'picture';
+    return decodeURIComponent(name) || 'picture';
   } catch {
-    // A percent sign that encodes no character.
-    return written;
+    // A stray percent sign.
+    return name;
   }
 }
 
-/** @throws AddressError where the file cannot be loaded; AbortError where the signal is aborted. */
+/**
+ * Returns the file at a URL.
+ *
+ * @throws AddressError if the file cannot be loaded; AbortError if the signal is aborted.
+ */
 export async function fetchFile(address: string, signal: AbortSignal): Promise<Blob> {
   try {
     const response = await fetch(address, { signal });
@@ -33,7 +37,7 @@ export async function fetchFile(address: string, signal: AbortSignal): Promise<B
   } catch (cause) {
     if (cause instanceof AddressError || signal.aborted) throw cause;
     throw new AddressError(
-      `${fileName(address)} could not be loaded: is the address right, and the network there?`,
+      `${fileName(address)} could not be loaded. Check the address and the network connection.`,
       { cause },
     );
   }

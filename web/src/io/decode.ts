@@ -1,6 +1,6 @@
 /**
- * Decodes a picture with the browser's own decoders: turned upright by its EXIF data, and converted to sRGB from its
- * colour profile. A picture without either keeps its bytes.
+ * Decodes pictures with the browser's decoders, which apply the EXIF orientation and convert colour profiles to sRGB.
+ * A picture with neither keeps its exact bytes.
  */
 import { type Header, readHeader } from './header';
 import { checkSize } from './limits';
@@ -18,27 +18,31 @@ export interface DecodedPicture {
 }
 
 /**
- * @throws PictureError where the file is no picture, incomplete, or of a size that cannot be opened; ReadError where it
- * cannot be read.
+ * Returns the picture in a file.
+ *
+ * @throws PictureError if the file is not a picture, is incomplete, or has an unsupported size.
+ * @throws ReadError if the bytes cannot be read.
  */
 export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   if (file.size === 0) throw new PictureError('The file is empty.');
   const { kind, size, complete } = readHeader(await readBytes(file));
   if (kind === 'svg') {
-    throw new PictureError('An SVG is a drawing without pixels: export it as PNG, and open that.');
+    throw new PictureError('SVG files have no pixels. Export the drawing as PNG and open the PNG.');
   }
-  // Before decoding: a small file can hold more pixels than memory does.
+  // Checked before decoding: a small file can hold more pixels than fit in memory.
   if (size) checkSize(size.width, size.height);
-  if (!complete) throw new PictureError('The picture is cut off: the end of the file is missing.');
+  if (!complete) {
+    throw new PictureError('The picture is incomplete: the end of the file is missing. Get the file again.');
+  }
 
   const straight = await bitmapOf(file, 'none', kind);
   let bitmap: ImageBitmap | undefined;
   try {
     checkSize(straight.width, straight.height);
-    if (kind !== 'jpeg') bitmapsKeepColours ??= await keepsColours();
+    if (kind !== 'jpeg') bitmapsKeepColours ??= await probeBitmapColours();
     const image = kind === 'jpeg' || bitmapsKeepColours ? null : await imageOf(file);
     const rgba = straightPixels(image ?? straight, straight.width, straight.height);
-    // Last: the caller closes this bitmap, so nothing may fail after it. A JPEG has no alpha, and is decoded once.
+    // The caller closes this bitmap, so nothing may fail after this line. A JPEG has no alpha: decode it once.
     bitmap = kind === 'jpeg' ? straight : await bitmapOf(file, 'premultiply', kind);
     return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
   } finally {
@@ -50,23 +54,26 @@ async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', ki
   try {
     return await createImageBitmap(file, { premultiplyAlpha });
   } catch (error) {
-    // Firefox makes no bitmap of some photographs with EXIF data that it decodes for an image element.
+    // Firefox fails here for some photographs with EXIF data, but decodes them in an image element.
     const image = kind === 'jpeg' ? await imageOf(file) : null;
     if (image) return await createImageBitmap(image, { premultiplyAlpha });
     throw new PictureError(
       kind === 'other'
-        ? 'This is not a picture that the browser can show: PNG, JPEG and WebP work everywhere.'
-        : 'The picture is damaged, or of a kind that this browser cannot show.',
+        ? 'The file is not a picture that this browser can read. Use PNG, JPEG or WebP.'
+        : 'The picture is damaged, or this browser cannot read it. Save it again as PNG, JPEG or WebP.',
       { cause: error },
     );
   }
 }
 
-/** Of this browser; found out with the first picture that may be transparent. */
+/** Set by the first picture that can have transparency. */
 let bitmapsKeepColours: boolean | undefined;
 
-/** False in WebKit, whose bitmaps have colours that were premultiplied and divided again; those of images have not. */
-async function keepsColours(): Promise<boolean> {
+/**
+ * Whether bitmaps keep the exact colours of translucent pixels. WebKit premultiplies them and divides again; its image
+ * elements keep the colours.
+ */
+async function probeBitmapColours(): Promise<boolean> {
   const colour = Uint8ClampedArray.of(200, 100, 50, 1);
   const bitmap = await createImageBitmap(new ImageData(colour, 1, 1), { premultiplyAlpha: 'none' });
   try {
@@ -76,7 +83,7 @@ async function keepsColours(): Promise<boolean> {
   }
 }
 
-/** The file in an image element; null where it cannot be decoded, or the page's policy forbids it. */
+/** Returns an image element with the file, or `null` if decoding fails or the page's policy forbids it. */
 async function imageOf(file: Blob): Promise<HTMLImageElement | null> {
   const image = new Image();
   image.src = URL.createObjectURL(file);

@@ -1,4 +1,4 @@
-/** Files that the person chooses: by the browser's file system access where available, else by up- and download. */
+/** Opens and saves files that the user picks: with the File System Access API, or else by upload and download. */
 import { type FileWithHandle, fileOpen, fileSave } from 'browser-fs-access';
 
 const KINDS = {
@@ -13,20 +13,19 @@ const KINDS = {
 
 type Kind = keyof typeof KINDS;
 
-/** Asks for a picture or a project to open; undefined when the person cancels. */
+/** Asks for a picture or a project to open. Returns undefined if the user cancels. */
 export function openFile(): Promise<FileWithHandle | undefined> {
   return unlessCancelled(fileOpen({ ...KINDS.any, multiple: false, id: 'any' }));
 }
 
 /**
- * Asks where to save a file of this name; saves nothing when the person cancels. Pass a blob that takes time to make as
- * a promise, since the browser only asks while the click that led here is fresh.
+ * Asks where to save a file, and saves it. Returns false if the user cancels.
  *
- * @returns whether it was saved.
+ * Browsers ask only shortly after a click: pass a blob that takes time to make as a promise.
  */
 export async function saveFile(blob: Blob | Promise<Blob>, fileName: string, kind: Kind): Promise<boolean> {
   const saved = fileSave(blob, { ...KINDS[kind], fileName, id: kind }).then(() => true);
-  // Nobody waits for it once the person cancels.
+  // After a cancel, nobody awaits the blob.
   if (blob instanceof Promise) blob.catch(() => {});
   return (await unlessCancelled(saved)) ?? false;
 }

@@ -65,7 +65,7 @@ describe('readHeader', () => {
     expect(webp(22, 'VP8X', extended).size).toEqual({ width: 256, height: 128 });
   });
 
-  it('tells a drawing from anything else', () => {
+  it('recognizes SVG drawings', () => {
     expect(readHeader(bytes('<?xml version="1.0"?><svg/>')).kind).toBe('svg');
     expect(readHeader(bytes('  <svg xmlns="…"/>')).kind).toBe('svg');
     expect(readHeader(bytes([0xef, 0xbb, 0xbf], '<svg/>')).kind).toBe('svg');

@@ -1,15 +1,14 @@
 /**
- * Reads a picture file before it is decoded: its kind, its size, and whether it is complete. Browsers show as much of a
- * truncated file as there is; a tool must not take half a picture for a whole one.
+ * Reads the kind and size of a picture file before it is decoded, and whether the file is complete. The check is needed
+ * because browsers show truncated pictures without an error.
  *
- * Supports PNG, JPEG and WebP, by their specifications (PNG 3rd edition §5, ITU T.81 annex B, the WebP container).
- * Other kinds are left to the browser.
+ * Supports PNG (3rd edition, §5), JPEG (ITU T.81, annex B) and WebP (the WebP container). Other kinds count as complete.
  */
 export interface Header {
   readonly kind: 'png' | 'jpeg' | 'webp' | 'svg' | 'other';
-  /** Undefined where the file ends before its size, or the kind is not supported. */
+  /** Undefined if the file ends before its size, or the kind is not supported. */
   readonly size: { readonly width: number; readonly height: number } | undefined;
-  /** False where the file ends before the picture does. */
+  /** False if the file ends before the picture does. */
   readonly complete: boolean;
 }
 
@@ -26,7 +25,7 @@ export function readHeader(file: ArrayBuffer): Header {
 
 function png(view: DataView): Header {
   const size = view.byteLength >= 24 ? { width: view.getUint32(16), height: view.getUint32(20) } : undefined;
-  // A chunk is its length, its name, its data and a checksum.
+  // A chunk consists of length, name, data and checksum.
   for (let at = 8; at + 12 <= view.byteLength; at += 12 + view.getUint32(at)) {
     if (startsWith(view, 'IEND', at + 4)) return { kind: 'png', size, complete: true };
   }
@@ -42,7 +41,7 @@ function jpeg(view: DataView): Header {
       size = { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
     }
     if (marker === START_OF_SCAN) return { kind: 'jpeg', size, complete: hasEndMarker(view, at) };
-    // Any number of fill bytes may stand before a marker, and decoders pass over stray ones too.
+    // Markers may follow fill bytes, and decoders skip stray bytes too.
     at += marker === 0xffff || marker < 0xff00 ? 1 : 2 + view.getUint16(at + 2);
   }
   return { kind: 'jpeg', size, complete: false };
@@ -50,11 +49,11 @@ function jpeg(view: DataView): Header {
 
 const START_OF_SCAN = 0xffda;
 
-/** SOF0 to SOF15, except DHT, JPG and DAC, whose codes lie among them. */
+/** Whether a marker is SOF0 to SOF15. DHT, JPG and DAC have codes in the same range. */
 const isFrame = (marker: number): boolean =>
   marker >= 0xffc0 && marker <= 0xffcf && marker !== 0xffc4 && marker !== 0xffc8 && marker !== 0xffcc;
 
-/** Searches from the scan on, since a thumbnail before it has its own end marker. */
+/** Searches from the scan on: a thumbnail before the scan has its own end marker. */
 function hasEndMarker(view: DataView, from: number): boolean {
   for (let at = view.byteLength - 2; at >= from; at--) {
     if (view.getUint8(at) === 0xff && view.getUint8(at + 1) === 0xd9) return true;
@@ -88,7 +87,7 @@ function webpSize(view: DataView): Header['size'] {
 
 const startsWith = (view: DataView, text: string, at = 0): boolean => latin(view, at, text.length) === text;
 
-/** Bytes decoded as Latin-1; fewer where the file ends. */
+/** Decodes up to `length` bytes as Latin-1; fewer at the end of the file. */
 function latin(view: DataView, at: number, length: number): string {
   const end = Math.min(at + length, view.byteLength);
   return at < end ? String.fromCharCode(...new Uint8Array(view.buffer, at, end - at)) : '';

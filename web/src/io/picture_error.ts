@@ -1,4 +1,4 @@
-/** A file that cannot be opened as a picture. The message can be shown: it says what is wrong, and the limit. */
+/** A file cannot be opened as a picture. The message is for the user: it names the problem and the limit. */
 export class PictureError extends Error {
   readonly code = 'picture';
 

@@ -1,15 +1,15 @@
-/** Tells pixel art from other pictures, so that its pixels stay what they are when it bends. */
+/** Detects pixel art, which is warped without mixing the colours of its pixels. */
 import type { Rgba } from './pixels';
 
-const MOST_SIDE = 256;
-/** Few enough that smoothed edges, which have a shade for every step, are none. */
-const MOST_COLOURS = 64;
+const MAX_SIDE = 256;
+/** Pictures with antialiased edges have more colours. */
+const MAX_COLOURS = 64;
 
 /** Whether a picture is small enough for pixel art. */
 export const isSmall = ({ width, height }: Pick<Rgba, 'width' | 'height'>): boolean =>
-  Math.max(width, height) <= MOST_SIDE;
+  Math.max(width, height) <= MAX_SIDE;
 
-/** Whether a picture is small, of few colours, and nowhere translucent. */
+/** Whether a picture is small, has few colours and no translucent pixel. */
 export function isPixelArt(picture: Rgba): boolean {
   if (!isSmall(picture)) return false;
   const { rgba } = picture;
@@ -19,7 +19,7 @@ export function isPixelArt(picture: Rgba): boolean {
     if (alpha === 0) continue;
     if (alpha < 255) return false;
     colours.add((r << 16) | (g << 8) | b);
-    if (colours.size > MOST_COLOURS) return false;
+    if (colours.size > MAX_COLOURS) return false;
   }
   return true;
 }

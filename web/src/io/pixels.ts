@@ -1,6 +1,6 @@
 /**
- * The exact bytes of a picture in straight alpha. A 2D canvas would premultiply and round them, and lose the colours
- * under transparent pixels; a WebGL texture keeps them.
+ * Reads the exact bytes of a picture in straight alpha, through a WebGL texture. A 2D canvas would premultiply and round,
+ * and lose the colours of transparent pixels.
  */
 import { PictureError } from './picture_error';
 
@@ -11,31 +11,35 @@ export interface Rgba {
   readonly rgba: Uint8Array;
 }
 
+const NO_WEBGL =
+  'This browser cannot read pictures with WebGL2. Switch on hardware acceleration or use another browser.';
+
 const TILE = 2048;
 
-/** How long the context waits for the next picture. Making one for each would slow down pages of many pictures. */
-const KEPT_MS = 1000;
+/** How long an idle context is kept. A new context per picture would slow down pages with many pictures. */
+const KEEP_CONTEXT_MS = 1000;
 
 let context: WebGL2RenderingContext | null = null;
-let letGo: ReturnType<typeof setTimeout> | undefined;
+let releaseTimer: ReturnType<typeof setTimeout> | undefined;
 
 /**
- * @param picture Decoded without premultiplying, of this width and height.
- * @returns RGBA, rows from the top.
- * @throws PictureError where the browser has no WebGL2 to read it with, or loses the context meanwhile.
+ * Returns the pixels of a picture: RGBA in straight alpha, rows from the top.
+ *
+ * @param picture Decoded without premultiplying, `width` × `height` pixels.
+ * @throws PictureError if the browser has no WebGL2, or loses the context meanwhile.
  */
 export function straightPixels(
   picture: ImageBitmap | HTMLImageElement,
   width: number,
   height: number,
 ): Uint8Array<ArrayBuffer> {
-  context = ready(context) ?? created();
+  context = usable(context) ?? createContext();
   const gl = context;
-  clearTimeout(letGo);
-  letGo = setTimeout(() => gl.getExtension('WEBGL_lose_context')?.loseContext(), KEPT_MS);
+  clearTimeout(releaseTimer);
+  releaseTimer = setTimeout(() => gl.getExtension('WEBGL_lose_context')?.loseContext(), KEEP_CONTEXT_MS);
   const pixels = new Uint8Array(width * height * 4);
   gl.pixelStorei(gl.PACK_ROW_LENGTH, width);
-  // In tiles, since a picture may be larger than the largest texture.
+  // Read in tiles, since a picture can be larger than the largest texture.
   for (let y = 0; y < height; y += TILE) {
     for (let x = 0; x < width; x += TILE) {
       readTile(gl, picture, pixels, [x, y, Math.min(TILE, width - x), Math.min(TILE, height - y)]);
@@ -43,17 +47,19 @@ export function straightPixels(
   }
   // A lost context reads as zeros.
   if (gl.isContextLost()) {
-    throw new PictureError('The browser has lost its graphics while it read the picture: open it once more.');
+    throw new PictureError(
+      'The graphics context was lost while the picture was read. Open the picture again.',
+    );
   }
   return pixels;
 }
 
-const ready = (gl: WebGL2RenderingContext | null) => (gl?.isContextLost() ? null : gl);
+const usable = (gl: WebGL2RenderingContext | null) => (gl?.isContextLost() ? null : gl);
 
-function created(): WebGL2RenderingContext {
-  // Not an OffscreenCanvas: WebKitGTK and older Safaris give those no WebGL.
+function createContext(): WebGL2RenderingContext {
+  // An OffscreenCanvas has no WebGL in WebKitGTK and older Safaris.
   const gl = document.createElement('canvas').getContext('webgl2', { antialias: false, depth: false });
-  if (!gl) throw new PictureError('This browser has no WebGL2 to read a picture with.');
+  if (!gl) throw new PictureError(NO_WEBGL);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   return gl;

@@ -1,16 +1,19 @@
-/** Reads files that the person gave: these may be folders, or moved or changed by the time they are read. */
+/** Reads files from the user. Such a file can be a folder, or can be moved or changed before it is read. */
 
-/** A file that cannot be read. The message can be shown to the person. */
+/** A file cannot be read. The message is for the user. */
 export class ReadError extends Error {
   readonly code = 'file';
 
   constructor(options?: ErrorOptions) {
-    super('This cannot be read: it is a folder, or a file that was moved or changed meanwhile.', options);
+    super(
+      'The file cannot be read: it is a folder, or it was moved or changed. Choose the file again.',
+      options,
+    );
     this.name = 'ReadError';
   }
 }
 
-/** @throws ReadError where the bytes cannot be read. */
+/** @throws ReadError if the bytes cannot be read. */
 export async function readBytes(file: Blob): Promise<ArrayBuffer> {
   try {
     return await file.arrayBuffer();
