@@ -1,7 +1,7 @@
 //! What lies over what where a picture covers itself.
 
 use c2warp::{
-    Drawing, Picture, Solution,
+    Picture, ResampleOptions, Solution,
     pose::Pose,
     project::{Project, Support},
 };
@@ -40,7 +40,7 @@ fn drawn(project: &Project) -> Vec<u8> {
     let (solution, pose) = posed(project);
     let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at % SIZE < SIZE / 2 { RED } else { BLUE }).collect();
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
-    solution.warped(&picture, &pose, Drawing::default()).expect("a fair size").rgba
+    solution.warped(&picture, &pose, ResampleOptions::default()).expect("a fair size").rgba
 }
 
 /// How many pixels around the place where the legs cross are red, and how many blue.
@@ -74,7 +74,7 @@ fn one_bar_covers_another_whole() {
         let (solution, pose) = posed(&project);
         let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at / SIZE < 150 { RED } else { BLUE }).collect();
         let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
-        let rgba = solution.warped(&picture, &pose, Drawing::default()).expect("a fair size").rgba;
+        let rgba = solution.warped(&picture, &pose, ResampleOptions::default()).expect("a fair size").rgba;
         let along = (140..320).map(|x| ((200 * SIZE + x) * 4) as usize);
         let colours: Vec<&[u8]> = along.map(|at| &rgba[at..at + 4]).collect();
         assert!(colours.iter().all(|colour| *colour == colours[0]), "{colours:?}");

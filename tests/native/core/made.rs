@@ -1,7 +1,7 @@
 //! Projects that are made in code rather than read: the same rules hold for them, whatever solves them.
 
 use c2warp::{
-    Drawing, Error, InputMesh, Picture,
+    Error, InputMesh, Picture, ResampleOptions,
     cloud::PointCloud,
     distances,
     domain::Domain,
@@ -132,7 +132,10 @@ fn what_cannot_be_drawn_is_refused() {
     let rgba = vec![255; (SIZE * SIZE * 4) as usize];
     let refused = |width: u32, height: u32, scale: f64| {
         let picture = Picture::new(width, height, &rgba).expect("a picture");
-        solution.warped(&picture, &pose, Drawing { scale, ..Drawing::default() }).expect_err("no picture").code()
+        solution
+            .warped(&picture, &pose, ResampleOptions { scale, ..ResampleOptions::default() })
+            .expect_err("no picture")
+            .code()
     };
     for scale in [0.0, f64::NAN, -1.0, 1e9] {
         assert_eq!(refused(SIZE, SIZE, scale), "scale");
@@ -141,8 +144,10 @@ fn what_cannot_be_drawn_is_refused() {
     let moved = made_with(DVec2::splat(120.0));
     let foreign = solved(&moved).expect("a valid scene").poser().pose(&moved.handles, Blend::Linear).expect("finite");
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
-    assert_eq!(solution.warped(&picture, &foreign, Drawing::default()), Err(Error::PoseOfAnother));
-    let warped = solution.warped(&picture, &pose, Drawing { scale: 0.5, ..Drawing::default() }).expect("half the size");
+    assert_eq!(solution.warped(&picture, &foreign, ResampleOptions::default()), Err(Error::PoseOfAnother));
+    let warped = solution
+        .warped(&picture, &pose, ResampleOptions { scale: 0.5, ..ResampleOptions::default() })
+        .expect("half the size");
     assert_eq!((warped.width, warped.height, warped.rgba.len() as u32), (SIZE / 2, SIZE / 2, SIZE * SIZE));
 }
 

@@ -2,7 +2,7 @@
 //! solved must have weights that sum to 1.
 
 use c2warp::{
-    Drawing, Error, Picture,
+    Error, Picture, ResampleOptions,
     project::{DomainSpec, ImageRef, Project, Support},
     solve,
 };
@@ -104,7 +104,7 @@ fn a_sprite_at_rest_keeps_every_pixel() {
         let project = Project::for_picture(width, height).with_handles([handle(0, place, place, 0.0)]);
         let solution = solve(&project, &picture).expect("a sprite");
         let pose = solution.pose(&project).expect("at rest");
-        let warped = solution.warped(&picture, &pose, Drawing::default()).expect("a picture");
+        let warped = solution.warped(&picture, &pose, ResampleOptions::default()).expect("a picture");
         let apart = warped.rgba.iter().zip(&rgba).filter(|(now, before)| now != before).count();
         assert_eq!(apart, 0, "case {case}: {width} × {height}, grain {grain}");
     }

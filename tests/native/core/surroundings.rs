@@ -1,7 +1,7 @@
 //! What lies around a domain that a project draws by rings: it stays, and no seam shows.
 
 use c2warp::{
-    Drawing, Picture, Solution, Warped,
+    Picture, ResampleOptions, Solution, Warped,
     project::{DomainSpec, Handle, Project},
     solve,
 };
@@ -35,7 +35,7 @@ fn warped(project: &Project, rgba: &[u8]) -> (Solution, Warped) {
     let picture = Picture::new(WIDTH, HEIGHT, rgba).expect("a picture");
     let solution = solve(project, &picture).expect("a solution");
     let pose = solution.pose(project).expect("a pose");
-    let warped = solution.warped(&picture, &pose, Drawing::default()).expect("a picture");
+    let warped = solution.warped(&picture, &pose, ResampleOptions::default()).expect("a picture");
     (solution, warped)
 }
 

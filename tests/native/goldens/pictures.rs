@@ -5,7 +5,7 @@
 
 use std::{fs, path::PathBuf};
 
-use c2warp::{Drawing, project::Shape, raster, solve};
+use c2warp::{ResampleOptions, project::Shape, raster, solve};
 use c2warp_tests::Scene;
 use glam::DVec2;
 use image::RgbaImage;
@@ -28,7 +28,8 @@ fn warped(scene: &Scene) -> RgbaImage {
         .pose(&scene.project.handles, scene.project.pose.blend)
         .expect("as many handles as were solved");
     let (rest, posed) = (solution.vertices(), solution.posed_vertices(&pose));
-    let warped = raster::warp(&picture, rest, &posed, solution.triangles(), Drawing::default()).expect("a fair size");
+    let warped =
+        raster::warp(&picture, rest, &posed, solution.triangles(), ResampleOptions::default()).expect("a fair size");
     RgbaImage::from_raw(warped.width, warped.height, warped.rgba).expect("as many bytes as pixels")
 }
 

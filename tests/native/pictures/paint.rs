@@ -1,4 +1,4 @@
-//! Drawing by formulas: a picture is a function from a place to a colour, sampled 4 by 4 times a pixel.
+//! Paints pictures from formulas: a picture is a function from a point to a colour, with 4×4 samples a pixel.
 
 use glam::DVec2;
 use image::{Rgba, RgbaImage};

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use c2warp::{Drawing, Picture, raster};
+use c2warp::{Picture, ResampleOptions, raster};
 use embedded_graphics::{
     Drawable, Pixel,
     draw_target::DrawTarget,
@@ -107,7 +107,7 @@ impl Frame {
             &fine.vertices,
             &to_picture,
             &fine.triangles,
-            Drawing { scale, ..Drawing::default() },
+            ResampleOptions { scale, ..ResampleOptions::default() },
         )
         .expect("a fair size");
         let whole = RgbaImage::from_raw(warped.width, warped.height, warped.rgba).expect("as many bytes as pixels");

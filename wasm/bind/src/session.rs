@@ -1,7 +1,7 @@
 //! Solves in a worker: one picture, and one project after another.
 
 use c2warp::{
-    Canvas, Drawing, Error, Filter, Inspection, Picture, Solver, Stage, StageTimes, project::Project, raster,
+    Canvas, Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes, project::Project, raster,
 };
 use wasm_bindgen::prelude::*;
 
@@ -93,7 +93,7 @@ impl Session {
     pub fn warp(&mut self, project_json: &str, scale: f64, grow: bool, pixelated: bool) -> Result<Warped, JsValue> {
         let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
         let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
-        let warped = self.try_warp(project_json, Drawing { scale, canvas, filter });
+        let warped = self.try_warp(project_json, ResampleOptions { scale, canvas, filter });
         warped.map(Warped::from).map_err(|error| to_js(&error))
     }
 
@@ -130,15 +130,15 @@ impl Session {
         Ok(Some(stage.name()))
     }
 
-    fn try_warp(&mut self, project_json: &str, drawing: Drawing) -> Result<c2warp::Warped, Error> {
+    fn try_warp(&mut self, project_json: &str, options: ResampleOptions) -> Result<c2warp::Warped, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
         // A solve takes time that a scale which is none is not worth.
-        raster::warped_size(width, height, drawing.scale)?;
+        raster::warped_size(width, height, options.scale)?;
         self.try_solve(&project)?;
         let solution = self.solver.solution().expect("it has just been solved");
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, drawing)
+        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, options)
     }
 
     /// The solution of a project, which may be that of the last solve.

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use c2warp::{Canvas, Drawing, Filter, Warped, raster};
+use c2warp::{Canvas, Filter, ResampleOptions, Warped, raster};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageResult};
 
@@ -48,15 +48,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
 
     let solution = scene.solve()?;
     let pose = scene.pose(&solution)?;
-    let drawing = Drawing {
+    let options = ResampleOptions {
         scale: arguments.scale,
         canvas: if arguments.grow { Canvas::Grown } else { Canvas::Picture },
         filter: if arguments.pixelated { Filter::Nearest } else { Filter::Cubic },
     };
-    let warped = solution.warped(&picture, &pose, drawing).map_err(|reason| scene.refused(reason))?;
+    let warped = solution.warped(&picture, &pose, options).map_err(|reason| scene.refused(reason))?;
     output.finish(|writer| writer.write_all(&png(&warped, scene.profile()).map_err(io::Error::other)?))?;
     if let Some(stmap) = stmap {
-        let sources = solution.sources(&picture, &pose, drawing, &warped).map_err(|reason| scene.refused(reason))?;
+        let sources = solution.sources(&picture, &pose, options, &warped).map_err(|reason| scene.refused(reason))?;
         let file = stmap::exr(&picture, &warped, &sources);
         stmap.finish(|writer| writer.write_all(&file.map_err(io::Error::other)?))?;
     }

@@ -87,8 +87,7 @@ pub use stage::{Stage, StageTimes};
 pub use bone::Outside;
 pub use cell_borders::BorderPiece;
 pub use raster::{
-    canvas::Canvas,
-    drawing::{Drawing, Filter},
+    options::{Canvas, Filter, ResampleOptions},
     sources::Source,
     warped::Warped,
 };

@@ -16,7 +16,7 @@ use crate::{
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
     project::Project,
-    raster::{self, drawing::Drawing, sources::Source, warped::Warped},
+    raster::{self, options::ResampleOptions, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     request::check_picture,
@@ -299,9 +299,9 @@ impl Solution {
     /// # Errors
     /// [`Error::Scale`]; [`Error::Canvas`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
     /// [`Error::PoseOfAnother`].
-    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, drawing: Drawing) -> Result<Warped, Error> {
+    pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Warped, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
-        raster::warp(picture, &rest, &posed, &triangles, drawing)
+        raster::warp(picture, &rest, &posed, &triangles, options)
     }
 
     /// Where the pixels of a warped picture come from, in rows from top to bottom: [`raster::sources`] of what [`warped`](Self::warped)
@@ -313,11 +313,11 @@ impl Solution {
         &self,
         picture: &Picture<'_>,
         pose: &Pose,
-        drawing: Drawing,
+        options: ResampleOptions,
         warped: &Warped,
     ) -> Result<Vec<Source>, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
-        Ok(raster::sources(picture, &rest, &posed, &triangles, drawing, warped))
+        Ok(raster::sources(picture, &rest, &posed, &triangles, options, warped))
     }
 
     /// All that a pose draws: the surroundings and the mesh, or, where there is no handle, the picture as it is.

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use glam::{DVec2, Vec4};
 
-use super::drawing::Filter;
 use super::facet::{Facet, GRID, Mask};
+use super::options::Filter;
 use super::texture::{OPAQUE, Texture};
 
 const SAMPLES: usize = GRID * GRID;

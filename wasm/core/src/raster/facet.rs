@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use glam::{DMat2, DVec2};
 
-use super::drawing::Filter;
 use super::footprint::Footprint;
+use super::options::Filter;
 
 /// Coverage samples along a pixel's side.
 pub(super) const GRID: usize = 4;
@@ -24,6 +24,19 @@ const FARTHEST_PX: f64 = 1_048_576.0;
 /// Whether a place is near enough to be drawn at; NaN is not.
 pub(super) fn is_in_range(p: DVec2) -> bool {
     p.abs().max_element() <= FARTHEST_PX
+}
+
+/// Returns the facets of a mesh, relative to the picture's rectangle. Triangles that cover nothing are left out.
+///
+/// # Panics
+/// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
+pub(super) fn mesh_facets(rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<Facet> {
+    assert_eq!(rest.len(), posed.len(), "each vertex has a rest position and a posed position");
+    let facet = |triangle: &[u32; 3]| {
+        let corners = triangle.map(|vertex| vertex as usize);
+        Facet::new(corners.map(|i| rest[i]), corners.map(|i| posed[i] * scale))
+    };
+    triangles.iter().filter_map(facet).collect()
 }
 
 /// A triangle with its corners in pixels of the result, relative to the picture's rectangle until it is

@@ -5,7 +5,7 @@
 //! top-left rule in fixed-point arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture
 //! has no seams. The picture is read premultiplied by a cubic, which keeps it sharper than the bilinear filter of hardware; where
 //! it shrinks, by one as wide as a pixel is there, along x and y. Colours are bytes without gamma correction, as in a browser's
-//! canvas. Pixel art is drawn without any of that, by [`Filter::Nearest`](drawing::Filter::Nearest).
+//! canvas. Pixel art is drawn without any of that, by [`Filter::Nearest`](options::Filter::Nearest).
 //!
 //! Only integers and f64 or f32 addition, multiplication, division and square roots are used (and `libm`'s logarithm): the
 //! result has the same bits on every machine.
@@ -18,11 +18,11 @@
 //! opacity become transparent black, whatever their colour.
 
 mod band;
-pub(crate) mod canvas;
-pub(crate) mod drawing;
 mod facet;
 mod footprint;
+mod frame;
 mod kernel;
+pub(crate) mod options;
 pub(crate) mod sources;
 #[cfg(test)]
 mod tests;
@@ -34,9 +34,9 @@ pub use self::sources::sources;
 use glam::DVec2;
 
 use self::band::Band;
-use self::canvas::{Canvas, Frame};
-use self::drawing::Drawing;
-use self::facet::Facet;
+use self::facet::{Facet, mesh_facets};
+use self::frame::Frame;
+use self::options::{Canvas, ResampleOptions};
 use self::texture::Texture;
 use self::warped::Warped;
 use crate::{
@@ -72,13 +72,13 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// order, in either orientation.
 ///
 /// ```
-/// use c2warp::{Canvas, Drawing, Picture, glam::DVec2, raster::warp};
+/// use c2warp::{Canvas, ResampleOptions, Picture, glam::DVec2, raster::warp};
 ///
 /// let rgba: Vec<u8> = (0..16 * 8).flat_map(|i| [i, 2 * i, 0, 255]).collect();
 /// let picture = Picture::new(16, 8, &rgba)?;
 /// let rest = [(0.0, 0.0), (16.0, 0.0), (16.0, 8.0), (0.0, 8.0)].map(DVec2::from);
 /// let moved = rest.map(|corner| corner + DVec2::new(4.0, 0.0));
-/// let grown = Drawing { canvas: Canvas::Grown, ..Drawing::default() };
+/// let grown = ResampleOptions { canvas: Canvas::Grown, ..ResampleOptions::default() };
 /// let warped = warp(&picture, &rest, &moved, &[[0, 1, 2], [0, 2, 3]], grown)?;
 /// assert_eq!((warped.width, warped.height, warped.origin), (20, 8, [0, 0]));
 /// assert_eq!(warped.rgba[4 * 4..20 * 4], rgba[..16 * 4]);
@@ -99,13 +99,13 @@ pub fn warp(
     rest: &[DVec2],
     posed: &[DVec2],
     triangles: &[[u32; 3]],
-    Drawing { scale, canvas, filter }: Drawing,
+    ResampleOptions { scale, canvas, filter }: ResampleOptions,
 ) -> Result<Warped, Error> {
     let picture_size = warped_size(picture.width(), picture.height(), scale)?;
     if canvas == Canvas::Grown {
         check_reach(posed, triangles, scale)?;
     }
-    let mut facets = facets(rest, posed, triangles, scale);
+    let mut facets = mesh_facets(rest, posed, triangles, scale);
     let frame = match canvas {
         Canvas::Picture => Frame::of_picture(picture_size),
         Canvas::Grown => Frame::of_picture(picture_size).around(&facets)?,
@@ -141,16 +141,6 @@ fn check_reach(posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Result<()
     let (low, high) = corners().fold((DVec2::ZERO, DVec2::ZERO), |(low, high), p| (low.min(p), high.max(p)));
     let [width, height] = (high - low).to_array().map(|side| side.ceil() as u64);
     Err(Error::Canvas { width, height })
-}
-
-/// What a mesh draws, relative to the picture's rectangle.
-fn facets(rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<Facet> {
-    assert_eq!(rest.len(), posed.len(), "each vertex has a place at rest and a posed one");
-    let facet = |triangle: &[u32; 3]| {
-        let corners = triangle.map(|vertex| vertex as usize);
-        Facet::new(corners.map(|i| rest[i]), corners.map(|i| posed[i] * scale))
-    };
-    triangles.iter().filter_map(facet).collect()
 }
 
 /// The facets that touch each band of rows, in drawing order.

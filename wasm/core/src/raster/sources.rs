@@ -8,8 +8,8 @@
 
 use glam::DVec2;
 
-use super::drawing::Drawing;
-use super::facet::Mask;
+use super::facet::{Mask, mesh_facets};
+use super::options::ResampleOptions;
 use super::texture::{OPAQUE, Texture};
 use super::warped::Warped;
 use crate::picture::Picture;
@@ -46,12 +46,12 @@ pub fn sources(
     rest: &[DVec2],
     posed: &[DVec2],
     triangles: &[[u32; 3]],
-    Drawing { scale, filter, .. }: Drawing,
+    ResampleOptions { scale, filter, .. }: ResampleOptions,
     warped: &Warped,
 ) -> Vec<Source> {
     let [width, height] = [warped.width, warped.height].map(|side| side as usize);
     let origin = warped.origin.map(|side| side as usize);
-    let mut facets = super::facets(rest, posed, triangles, scale);
+    let mut facets = mesh_facets(rest, posed, triangles, scale);
     facets.iter_mut().for_each(|facet| facet.move_by(origin));
     let texture = Texture::for_facets(*picture, filter, &facets);
     let origin = DVec2::from(origin.map(|side| side as f64));
@@ -84,11 +84,14 @@ pub fn sources(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Canvas, drawing::Filter, warp};
+    use super::super::{
+        options::{Canvas, Filter},
+        warp,
+    };
     use super::*;
 
     const SQUARE: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-    const GROWN: Drawing = Drawing { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
+    const GROWN: ResampleOptions = ResampleOptions { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
 
     fn corners(from: [f64; 2], to: [f64; 2]) -> [DVec2; 4] {
         let ([left, top], [right, bottom]) = (from, to);
@@ -100,11 +103,11 @@ mod tests {
         rest: &[DVec2],
         posed: &[DVec2],
         triangles: &[[u32; 3]],
-        drawing: Drawing,
+        options: ResampleOptions,
     ) -> (Warped, Vec<Source>) {
         let picture = Picture::new(8, 4, rgba).unwrap();
-        let warped = warp(&picture, rest, posed, triangles, drawing).unwrap();
-        let sources = sources(&picture, rest, posed, triangles, drawing, &warped);
+        let warped = warp(&picture, rest, posed, triangles, options).unwrap();
+        let sources = sources(&picture, rest, posed, triangles, options, &warped);
         (warped, sources)
     }
 
@@ -113,7 +116,8 @@ mod tests {
         let rest = corners([0.0, 0.0], [8.0, 4.0]);
         // Twice as wide, half a pixel to the left, at one and a half times the size.
         let posed = rest.map(|p| DVec2::new(2.0 * p.x - 0.5, p.y));
-        let (warped, sources) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, Drawing { scale: 1.5, ..GROWN });
+        let (warped, sources) =
+            found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, ResampleOptions { scale: 1.5, ..GROWN });
         assert_eq!((warped.width, warped.height, warped.origin), (25, 6, [1, 0]));
         for (pixel, source) in sources.iter().enumerate() {
             let at = DVec2::new((pixel % 25) as f64 - 0.5, (pixel / 25) as f64 + 0.5) / 1.5;
@@ -125,8 +129,8 @@ mod tests {
         // From 0.25 px on, and up to 24.25.
         assert_eq!([sources[0].coverage, sources[1].coverage, sources[24].coverage], [0.75, 1.0, 0.25]);
         // Pixel art has whole pixels.
-        let drawing = Drawing { scale: 1.5, filter: Filter::Nearest, ..GROWN };
-        let (warped, whole) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, drawing);
+        let options = ResampleOptions { scale: 1.5, filter: Filter::Nearest, ..GROWN };
+        let (warped, whole) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, options);
         assert_eq!((warped.width, warped.origin), (24, [1, 0]));
         assert!((0..24).all(|x| (whole[x].place, whole[x].coverage) == (sources[x].place, 1.0)));
     }

@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use super::drawing::Filter;
-use super::{Canvas, Drawing, warped_size};
+use super::options::{Canvas, Filter, ResampleOptions};
+use super::warped_size;
 use crate::error::Error;
 use crate::picture::Picture;
 
@@ -24,11 +24,11 @@ fn opaque(mut rgba: Vec<u8>) -> Vec<u8> {
     rgba
 }
 
-const GROWN: Drawing = Drawing { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
+const GROWN: ResampleOptions = ResampleOptions { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
 
 /// The bytes alone.
 fn warp(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<u8> {
-    super::warp(picture, rest, posed, triangles, Drawing { scale, ..Drawing::default() }).unwrap().rgba
+    super::warp(picture, rest, posed, triangles, ResampleOptions { scale, ..ResampleOptions::default() }).unwrap().rgba
 }
 
 fn picture(width: u32, height: u32, rgba: &[u8]) -> Picture<'_> {
@@ -269,7 +269,13 @@ fn sizes_that_make_no_picture_are_named() {
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9, 164.0] {
         assert!(matches!(warped_size(100, 50, scale), Err(Error::Scale { .. })), "{scale}");
         let rgba = opaque(noise(100, 50));
-        let warped = super::warp(&picture(100, 50, &rgba), &[], &[], &[], Drawing { scale, ..Drawing::default() });
+        let warped = super::warp(
+            &picture(100, 50, &rgba),
+            &[],
+            &[],
+            &[],
+            ResampleOptions { scale, ..ResampleOptions::default() },
+        );
         assert!(matches!(warped, Err(Error::Scale { .. })), "{scale}");
     }
 }
@@ -333,8 +339,8 @@ fn pixel_art_keeps_its_pixels() {
     let rgba = opaque(noise(24, 18));
     let (rest, triangles) = mesh(24.0, 18.0, 6);
     let drawn = |posed: &[DVec2], scale| {
-        let drawing = Drawing { scale, filter: Filter::Nearest, ..Drawing::default() };
-        super::warp(&picture(24, 18, &rgba), &rest, posed, &triangles, drawing).unwrap().rgba
+        let options = ResampleOptions { scale, filter: Filter::Nearest, ..ResampleOptions::default() };
+        super::warp(&picture(24, 18, &rgba), &rest, posed, &triangles, options).unwrap().rgba
     };
     assert!(drawn(&rest, 1.0) == rgba);
     // Half a pixel aside, centres lie between two pixels: the second is shown, everywhere.
@@ -361,7 +367,7 @@ fn translucent_pixel_art_takes_the_place_of_what_it_lies_over() {
     let rest = [side(0.0), side(1.0)].concat();
     let posed = [side(0.0), side(0.0)].concat();
     let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
-    let drawing = Drawing { filter: Filter::Nearest, ..Drawing::default() };
-    let warped = super::warp(&picture(2, 8, &rgba), &rest, &posed, &triangles, drawing).unwrap().rgba;
+    let options = ResampleOptions { filter: Filter::Nearest, ..ResampleOptions::default() };
+    let warped = super::warp(&picture(2, 8, &rgba), &rest, &posed, &triangles, options).unwrap().rgba;
     assert_eq!(pixel(&warped, 2, 0, 3), [0, 0, 200, 100]);
 }

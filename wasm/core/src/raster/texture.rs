@@ -5,10 +5,10 @@
 
 use glam::{DVec2, Vec4};
 
-use super::drawing::Filter;
 use super::facet::Facet;
 use super::footprint::Footprint;
 use super::kernel::{Taps, nearest};
+use super::options::Filter;
 use crate::picture::Picture;
 
 /// Full opacity.

@@ -1,4 +1,4 @@
-//! The rectangle that a warped picture shows.
+//! The rectangle of the result, relative to the picture's own rectangle.
 
 use super::facet::Facet;
 use crate::{
@@ -6,22 +6,12 @@ use crate::{
     limits::{MAX_PIXELS, MAX_SIDE},
 };
 
-/// How much of a warped picture is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Canvas {
-    /// The picture's own rectangle; what is bent beyond it is cut off.
-    #[default]
-    Picture,
-    /// The picture's own rectangle, grown on every side to where nothing more is drawn.
-    Grown,
-}
-
-/// The result in drawing: pixels around the picture's own rectangle, and in all.
+/// A rectangle of pixels around the picture's own rectangle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Frame {
-    /// Of the picture's upper left corner, in the result.
+    /// The picture's upper left corner, in pixels from the upper left corner of the frame.
     pub(super) origin: [usize; 2],
+    /// Width and height in pixels.
     pub(super) size: [usize; 2],
 }
 
@@ -31,10 +21,10 @@ impl Frame {
         Self { origin: [0; 2], size: [width as usize, height as usize] }
     }
 
-    /// Grown to hold triangles whose corners are relative to the picture's rectangle.
+    /// The smallest frame around this one and `facets`, which are relative to the picture's rectangle.
     ///
     /// # Errors
-    /// [`Error::Canvas`].
+    /// [`Error::Canvas`] if the frame would exceed the largest size of a picture.
     pub(super) fn around(self, facets: &[Facet]) -> Result<Self, Error> {
         let (mut least, mut greatest) = ([0; 2], self.size.map(|side| side as i64));
         for facet in facets {

@@ -1,0 +1,49 @@
+//! Options for resampling a picture through a warp.
+
+/// How a warped picture is resampled. The defaults keep the picture's size and rectangle, and filter smoothly.
+///
+/// ```
+/// use c2warp::{Canvas, Filter, ResampleOptions};
+///
+/// let sprite = ResampleOptions { scale: 4.0, filter: Filter::Nearest, ..ResampleOptions::default() };
+/// assert_eq!(sprite.canvas, Canvas::Picture);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResampleOptions {
+    /// Pixels of the result per pixel of the picture.
+    pub scale: f64,
+    /// The rectangle of the result.
+    pub canvas: Canvas,
+    /// The reconstruction filter.
+    pub filter: Filter,
+}
+
+/// The rectangle that a warped picture occupies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Canvas {
+    /// The picture's own rectangle. Anything bent beyond it is cut off.
+    #[default]
+    Picture,
+    /// The picture's own rectangle, grown on every side to hold all that is drawn.
+    Grown,
+}
+
+/// How colours between pixels are reconstructed, and whether edges are smooth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Filter {
+    /// A cubic, widened where the picture shrinks. Edges are antialiased.
+    #[default]
+    Cubic,
+    /// The nearest pixel, for pixel art. Each pixel of the result is one pixel of the picture, or empty.
+    ///
+    /// No colours are mixed: a translucent pixel replaces the pixel below it.
+    Nearest,
+}
+
+impl Default for ResampleOptions {
+    fn default() -> Self {
+        Self { scale: 1.0, canvas: Canvas::default(), filter: Filter::default() }
+    }
+}
