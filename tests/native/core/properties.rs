@@ -98,7 +98,7 @@ proptest! {
         }
     }
 
-    /// However few samples there are: cells are found on a few scouts, and many of them are narrower than those are apart.
+    /// However few samples there are: cells are found on a few coarse samples, and many of them are narrower than those are apart.
     #[test]
     fn no_point_of_a_cell_is_farther_than_its_radius((rings, places, support) in scenes()) {
         let mut project = project(&rings, &places, support);

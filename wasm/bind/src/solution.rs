@@ -55,7 +55,7 @@ fn flat(points: impl Iterator<Item = [f64; 2]>) -> Vec<f32> {
 
 #[wasm_bindgen]
 impl Solution {
-    /// Vertices × 2: rest places in image pixels, the samples first, then the rim.
+    /// Vertices × 2: rest places in image pixels, the samples first, then the skirt.
     #[wasm_bindgen(getter)]
     pub fn positions(&self) -> Vec<f32> {
         self.positions.clone()

@@ -1,8 +1,8 @@
 //! Everything that can be refused, in one enum: what was wrong, where, and what to do about it.
 
 use crate::{
+    display_number::DisplayNumber,
     limits,
-    number::Number,
     project::{Form, ProjectError},
 };
 
@@ -91,7 +91,7 @@ pub enum Error {
     /// No pixel reaches the threshold.
     #[error(
         "no pixel of the picture is opaque at the threshold {}: lower domain.threshold or warp the whole image",
-        Number(*threshold)
+        DisplayNumber(*threshold)
     )]
     NothingOpaque {
         /// The alpha threshold, in (0, 1].
@@ -100,7 +100,7 @@ pub enum Error {
     /// Only specks reach the threshold.
     #[error(
         "only {specks} specks of the picture are opaque at the threshold {}: lower domain.threshold or warp the whole image",
-        Number(*threshold)
+        DisplayNumber(*threshold)
     )]
     OnlySpecks {
         /// The alpha threshold, in (0, 1].
@@ -109,7 +109,7 @@ pub enum Error {
         specks: usize,
     },
     /// A point of a ring outside the picture.
-    #[error("domain.rings[{ring}][{point}] = ({}, {}) lies outside the picture of {width}×{height} px", Number(*.x), Number(*.y))]
+    #[error("domain.rings[{ring}][{point}] = ({}, {}) lies outside the picture of {width}×{height} px", DisplayNumber(*.x), DisplayNumber(*.y))]
     RingOutsidePicture {
         /// Index of the ring.
         ring: usize,
@@ -180,7 +180,7 @@ pub enum Error {
         corners: usize,
     },
     /// A handle outside the domain.
-    #[error("handle “{id}” at ({}, {}) lies outside the domain: place it on the picture's opaque part", Number(*.x), Number(*.y))]
+    #[error("handle “{id}” at ({}, {}) lies outside the domain: place it on the picture's opaque part", DisplayNumber(*.x), DisplayNumber(*.y))]
     HandleOutside {
         /// Id of the handle.
         id: String,
@@ -289,7 +289,7 @@ pub enum Error {
         id: String,
     },
     /// A point that should lie in the domain.
-    #[error("the point ({}, {}) lies outside the domain", Number(*.x), Number(*.y))]
+    #[error("the point ({}, {}) lies outside the domain", DisplayNumber(*.x), DisplayNumber(*.y))]
     PointOutside {
         /// The point.
         x: f64,

@@ -14,7 +14,7 @@ use crate::{
     domain::{Domain, Ring},
     error::Error,
     limits::MAX_COORDINATE,
-    outline::Outline,
+    prepared_domain::PreparedDomain,
     sample::Samples,
     triangulation::{NONE, Triangulation},
 };
@@ -50,7 +50,7 @@ pub struct InputMesh {
     mesh: Triangulation,
     /// The vertices along the boundary.
     rings: Vec<Vec<u32>>,
-    pub(crate) outline: Arc<Outline>,
+    pub(crate) outline: Arc<PreparedDomain>,
 }
 
 impl InputMesh {
@@ -103,7 +103,7 @@ impl InputMesh {
         let domain =
             Domain::from_oriented(corners.iter().map(|ring| ring.iter().map(place).collect::<Ring>()).collect());
         let domain = domain.map_err(|error| in_terms_of(error, &corners))?;
-        Ok(Self { mesh, rings, outline: Arc::new(Outline::hard(domain)) })
+        Ok(Self { mesh, rings, outline: Arc::new(PreparedDomain::hard(domain)) })
     }
 
     /// The vertices as samples.

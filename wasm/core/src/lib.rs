@@ -30,16 +30,16 @@
 //! ```
 
 // What is given.
+mod display_number;
 mod error;
 pub mod limits;
-mod number;
 mod picture;
 pub mod project;
 
 // Geometry and containers that know nothing of warping.
-mod extremes;
 mod grid;
 mod min_entry;
+mod min_max;
 mod rows;
 mod segment;
 mod triangulation;
@@ -50,8 +50,8 @@ pub mod cloud;
 pub mod distance;
 pub mod domain;
 mod input_mesh;
-mod outline;
 pub mod pose;
+mod prepared_domain;
 mod sample;
 pub mod site;
 pub mod weight;

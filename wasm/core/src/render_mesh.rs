@@ -1,4 +1,4 @@
-//! The drawn mesh: the samples' mesh and the rim around it, in drawing order.
+//! The drawn mesh: the samples' mesh and the skirt around it, in drawing order.
 
 use std::collections::HashMap;
 
@@ -14,26 +14,26 @@ use crate::{
 /// Triangles, drawn later ones over earlier ones as long as no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RenderMesh {
-    /// Rest places: the samples, then the rim's vertices.
+    /// Rest places: the samples, then the skirt's vertices.
     pub(crate) vertices: Vec<DVec2>,
     /// Triangles × 3 vertex indices.
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl RenderMesh {
-    /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each part's rim
+    /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each part's skirt
     /// before its mesh: where the picture covers itself, one part covers the other completely, in any order of the handles.
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
-        let Samples { mesh, rim, .. } = samples;
-        let layers = [&rim.triangles, &mesh.triangles];
+        let Samples { mesh, skirt, .. } = samples;
+        let layers = [&skirt.triangles, &mesh.triangles];
         // The first corner of every triangle is a sample. Rows are sorted by part, then by layer.
         let parts = leading.iter().max().map_or(0, |&last| last as usize + 1);
         let row = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
         let of_layer = |layer: usize| layers[layer].iter().map(move |t| (row(layer, t), *t));
         let triangles = Rows::from_pairs(parts * layers.len(), || (0..layers.len()).flat_map(of_layer)).into_items();
         let mut vertices = mesh.vertices;
-        vertices.reserve_exact(rim.vertices.len());
-        vertices.extend_from_slice(&rim.vertices);
+        vertices.reserve_exact(skirt.vertices.len());
+        vertices.extend_from_slice(&skirt.vertices);
         Self { vertices, triangles }
     }
 }

@@ -4,12 +4,12 @@ use glam::DVec2;
 
 use crate::{
     bone::{Line, Outside, Skeleton},
-    distance::OutlineTriangle,
+    distance::NavTriangle,
     error::Error,
     limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
-    outline::Outline,
     picture::Picture,
     pose::Solved,
+    prepared_domain::PreparedDomain,
     project::{Form, Handle, PoseMode, Project, Shape, Weighting},
     site::PointSite,
 };
@@ -41,7 +41,7 @@ struct PointHandle {
 
 /// The rest places of all handles in the domain, checked.
 #[derive(Debug)]
-pub(crate) struct Rest<P = OutlineTriangle> {
+pub(crate) struct Rest<P = NavTriangle> {
     /// Point handles from top to bottom, so that the result does not depend on their order in the project.
     pub(crate) points: Vec<PointSite<P>>,
     pub(crate) skeleton: Skeleton,
@@ -106,7 +106,7 @@ impl Request {
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
     /// [`Error::BarsOverlap`].
-    pub(crate) fn rest(&self, outline: &Outline) -> Result<Rest, Error> {
+    pub(crate) fn rest(&self, outline: &PreparedDomain) -> Result<Rest, Error> {
         let navigation = &outline.navigation;
         let mut rest = self.points_at(|p| navigation.locate(p))?;
         if self.fix_boundary {

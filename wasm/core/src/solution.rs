@@ -12,9 +12,9 @@ use crate::{
     drawing_order::drawn_triangles,
     error::Error,
     inverse,
-    outline::Outline,
     picture::Picture,
     pose::{HarmonicFields, Mapped, Pose, Poser},
+    prepared_domain::PreparedDomain,
     project::Project,
     raster::{self, options::ResampleOptions, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
@@ -53,7 +53,7 @@ pub struct Solution {
     pub(crate) sites: Vec<Site>,
     pub(crate) graph: SiteGraph,
     pub(crate) harmonic: HarmonicFields,
-    /// Number of samples: the first vertices of the mesh; the others are the rim's.
+    /// Number of samples: the first vertices of the mesh; the others are the skirt's.
     pub(crate) samples: usize,
     /// The nearest site of each sample, [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
@@ -64,7 +64,7 @@ pub struct Solution {
     pub(crate) outside: Vec<Outside>,
     pub(crate) poser: Poser,
     pub(crate) functions: WeightFunctions,
-    pub(crate) outline: Arc<Outline>,
+    pub(crate) outline: Arc<PreparedDomain>,
 }
 
 /// All that a pose draws, in order.
@@ -76,7 +76,7 @@ struct Drawn {
 
 /// What is drawn.
 impl Solution {
-    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the rim, a skirt of some pixels around
+    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt, a skirt of some pixels around
     /// soft edges.
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {

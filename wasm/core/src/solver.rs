@@ -11,13 +11,13 @@ use crate::{
     domain::Domain,
     error::Error,
     input_mesh::InputMesh,
-    outline::{Outline, OutlineKey},
     picture::Picture,
     pose::{HarmonicFields, Poser, Quadrature},
+    prepared_domain::{DomainKey, PreparedDomain},
     project::{PoseMode, Project},
     render_mesh::{RenderMesh, leading_parts},
     request::{Request, Rest, check_picture},
-    sample::{Grounds, Samples, Scouts, scouts_wanted},
+    sample::{CoarseSamples, Samples, SamplingCache, coarse_sample_count},
     site::{Obstacles, Regions, Scores, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
     stage::Stage,
@@ -26,7 +26,7 @@ use crate::{
 };
 
 /// Solves projects of one picture, stage by stage, and keeps for the next solve what does not depend on point handles: the
-/// outline, and the samples and scouts without handles.
+/// outline, and the samples and coarse samples without handles.
 ///
 /// A picture is identified by its size: another one of the same size needs a new solver.
 ///
@@ -58,9 +58,9 @@ pub struct Solver {
 /// What does not depend on point handles.
 #[derive(Debug)]
 struct Kept {
-    key: OutlineKey,
-    outline: Arc<Outline>,
-    grounds: Grounds,
+    key: DomainKey,
+    outline: Arc<PreparedDomain>,
+    cache: SamplingCache,
 }
 
 /// A solve in progress.
@@ -79,7 +79,7 @@ enum Progress {
     Sampled {
         rest: Rest,
         samples: Samples,
-        scouts: Scouts,
+        coarse: CoarseSamples,
     },
     Divided {
         rest: Rest,
@@ -98,7 +98,7 @@ struct Divided {
 /// A solution, and what it is of.
 #[derive(Debug)]
 struct Solved {
-    key: OutlineKey,
+    key: DomainKey,
     request: Request,
     solution: Solution,
 }
@@ -122,10 +122,10 @@ impl Solver {
         self.work = None;
         check_picture(project.image.size(), picture)?;
         let request = Request::new(project)?;
-        let key = OutlineKey::of(project);
+        let key = DomainKey::of(project);
         if self.kept.as_ref().is_none_or(|kept| kept.key != key) {
-            let outline = Arc::new(Outline::new(project.domain.as_ref(), picture)?);
-            self.kept = Some(Kept { key, outline, grounds: Grounds::default() });
+            let outline = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture)?);
+            self.kept = Some(Kept { key, outline, cache: SamplingCache::default() });
         }
         self.work = Some(Work { request, progress: Progress::Begun });
         Ok(())
@@ -137,19 +137,19 @@ impl Solver {
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
     /// [`Error::BarsOverlap`], [`Error::TooManySites`]. The solve is then over; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
-        let Self { kept: Some(Kept { key, outline, grounds }), propagation, work, solved } = self else {
+        let Self { kept: Some(Kept { key, outline, cache }), propagation, work, solved } = self else {
             return Ok(None);
         };
         let Some(Work { request, progress }) = work.take() else { return Ok(None) };
         let (stage, progress) = match progress {
             Progress::Begun => (Stage::Domain, Progress::Located(request.rest(outline)?)),
             Progress::Located(rest) => {
-                let samples = samples(grounds, outline, &rest, &request);
-                let scouts = scouts(grounds, outline, &rest, &request);
-                (Stage::Sampling, Progress::Sampled { rest, samples, scouts })
+                let samples = samples(cache, outline, &rest, &request);
+                let coarse = coarse_samples(cache, outline, &rest, &request);
+                (Stage::Sampling, Progress::Sampled { rest, samples, coarse })
             }
-            Progress::Sampled { rest, samples, scouts } => {
-                let divided = divide(propagation, outline, &scouts, &rest, &request)?;
+            Progress::Sampled { rest, samples, coarse } => {
+                let divided = divide(propagation, outline, &coarse, &rest, &request)?;
                 (Stage::Regions, Progress::Divided { rest, samples, divided })
             }
             Progress::Divided { rest, samples, divided } => {
@@ -172,7 +172,7 @@ impl Solver {
     #[must_use]
     pub fn has_solved(&self, project: &Project) -> bool {
         self.solved.as_ref().is_some_and(|solved| {
-            solved.key == OutlineKey::of(project) && Request::new(project).is_ok_and(|other| other == solved.request)
+            solved.key == DomainKey::of(project) && Request::new(project).is_ok_and(|other| other == solved.request)
         })
     }
 
@@ -184,25 +184,30 @@ impl Solver {
 }
 
 /// The samples, of [`Stage::Sampling`].
-fn samples(grounds: &mut Grounds, outline: &Outline, rest: &Rest, request: &Request) -> Samples {
-    let Outline { domain, navigation, fading, .. } = outline;
-    let ground = grounds.of_samples(domain, navigation, &rest.bones(), request.samples, *fading);
-    ground.with_sites(domain, navigation, &rest.sites())
+fn samples(cache: &mut SamplingCache, outline: &PreparedDomain, rest: &Rest, request: &Request) -> Samples {
+    let PreparedDomain { domain, navigation, fading, .. } = outline;
+    let base = cache.of_samples(domain, navigation, &rest.bones(), request.samples, *fading);
+    base.with_sites(domain, navigation, &rest.sites())
 }
 
-/// The scouts, of [`Stage::Sampling`] too.
-fn scouts(grounds: &mut Grounds, outline: &Outline, rest: &Rest, request: &Request) -> Scouts {
-    let Outline { domain, navigation, .. } = outline;
-    let count = scouts_wanted(request.samples, request.density);
-    let ground = grounds.of_scouts(domain, navigation, &rest.bones(), count);
-    Scouts::new(ground, domain, navigation, &rest.sites())
+/// The coarse samples, of [`Stage::Sampling`] too.
+fn coarse_samples(
+    cache: &mut SamplingCache,
+    outline: &PreparedDomain,
+    rest: &Rest,
+    request: &Request,
+) -> CoarseSamples {
+    let PreparedDomain { domain, navigation, .. } = outline;
+    let count = coarse_sample_count(request.samples, request.density);
+    let base = cache.of_coarse(domain, navigation, &rest.bones(), count);
+    CoarseSamples::new(base, domain, navigation, &rest.sites())
 }
 
 /// The cells, of [`Stage::Regions`].
 fn divide(
     propagation: &mut Propagation,
-    outline: &Outline,
-    scouts: &Scouts,
+    outline: &PreparedDomain,
+    coarse: &CoarseSamples,
     rest: &Rest,
     request: &Request,
 ) -> Result<Divided, Error> {
@@ -210,7 +215,7 @@ fn divide(
     let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
     let held = request.fix_boundary.then_some(&outline.domain);
     let obstacles = Obstacles { skeleton, tracks, held };
-    let mut regions = Regions::new(navigation, scouts, &obstacles, propagation);
+    let mut regions = Regions::new(navigation, coarse, &obstacles, propagation);
     regions.insert_real_sites(&rest.points)?;
     let scores = insert_virtual_sites(&mut regions, request.density)?;
     regions.measure_cells();
@@ -224,7 +229,7 @@ fn divide(
 /// The weights and all that follows from them, of [`Stage::Weights`].
 fn weigh(
     propagation: &mut Propagation,
-    outline: Arc<Outline>,
+    outline: Arc<PreparedDomain>,
     request: &Request,
     rest: Rest,
     samples: Samples,
@@ -251,7 +256,7 @@ fn weigh(
     let poser = Poser::new(&sites, &graph, &harmonic, skeleton, solved, request.mode, quadrature);
     let count = samples.len();
     let leading = leading_parts(&nearest, &sites, &harmonic);
-    weights.extend_as(&samples.rim.owners);
+    weights.extend_as(&samples.skirt.owners);
     let surroundings = outline.surrounding.map(|size| Surroundings::new(&samples, size)).unwrap_or_default();
     let mesh = RenderMesh::new(samples, &leading);
     Solution {
@@ -325,20 +330,20 @@ pub fn distances(
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Error> {
-    let (request, outline) = (Request::new(project)?, Arc::new(Outline::hard(domain.clone())));
+    let (request, outline) = (Request::new(project)?, Arc::new(PreparedDomain::hard(domain.clone())));
     let rest = request.rest(&outline)?;
-    let mut grounds = Grounds::default();
-    let samples = samples(&mut grounds, &outline, &rest, &request);
-    let scouts = scouts(&mut grounds, &outline, &rest, &request);
+    let mut cache = SamplingCache::default();
+    let samples = samples(&mut cache, &outline, &rest, &request);
+    let coarse = coarse_samples(&mut cache, &outline, &rest, &request);
     let mut propagation = Propagation::default();
-    let divided = divide(&mut propagation, &outline, &scouts, &rest, &request)?;
+    let divided = divide(&mut propagation, &outline, &coarse, &rest, &request)?;
     Ok(weigh(&mut propagation, outline, &request, rest, samples, divided))
 }
 
 /// Solves a project in one call on a mesh from the caller: its vertices are the samples, and the only vertices of the
 /// solution's mesh, in the caller's order. Handles need not lie on vertices.
 ///
-/// The project's picture and domain are ignored, and its number of samples is the upper limit for the scouts, on which cells
+/// The project's picture and domain are ignored, and its number of samples is the upper limit for the coarse samples, on which cells
 /// are located.
 ///
 /// # Errors
@@ -346,9 +351,9 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
 pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error> {
     let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
     let rest = request.rest(&outline)?;
-    let scouts = scouts(&mut Grounds::default(), &outline, &rest, &request);
+    let coarse = coarse_samples(&mut SamplingCache::default(), &outline, &rest, &request);
     let mut propagation = Propagation::default();
-    let divided = divide(&mut propagation, &outline, &scouts, &rest, &request)?;
+    let divided = divide(&mut propagation, &outline, &coarse, &rest, &request)?;
     Ok(weigh(&mut propagation, outline, &request, rest, mesh.samples(), divided))
 }
 

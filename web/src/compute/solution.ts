@@ -1,6 +1,6 @@
 /** The result of a solve: flat arrays for drawing and for the overlays, and a report of what the solver did. */
 export interface SolutionData {
-  /** Vertices × 2: rest places, image pixels; first the samples, then the vertices around the rim. */
+  /** Vertices × 2: rest places, image pixels; first the samples, then the vertices of the skirt. */
   readonly positions: Float32Array<ArrayBuffer>;
   /** Triangles × 3: vertices, in drawing order while no handle has a depth. */
   readonly triangles: Uint32Array<ArrayBuffer>;

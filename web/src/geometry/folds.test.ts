@@ -26,7 +26,7 @@ describe('folds', () => {
     expect(foldCount(mirrored, skin.positions)).toBe(0);
   });
 
-  it('do not count beyond the rim, nor beyond a limit', () => {
+  it('do not count beyond the skirt, nor beyond a limit', () => {
     expect(foldCount(foldingMesh(skin, 1), pulled)).toBe(0);
     const over = Float32Array.of(0, 0, 0, 1, 1, 1, 1, 0);
     expect(foldCount(mesh, over)).toBe(2);

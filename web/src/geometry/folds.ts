@@ -1,5 +1,5 @@
 /**
- * Where a pose folds the picture: triangles that have turned over. As in the solver, triangles around the rim do not
+ * Where a pose folds the picture: triangles that have turned over. As in the solver, triangles around the skirt do not
  * count: these slivers turn over where the outline merely bends.
  *
  * Cost: linear in the triangles; 20,000 take a fraction of a millisecond.

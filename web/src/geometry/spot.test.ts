@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Skin } from './skin';
 import { spotAt } from './spot';
 
-/** A unit square of two triangles, and a rim of one more that goes 2 beyond its right side. */
+/** A unit square of two triangles, and a skirt of one more that goes 2 beyond its right side. */
 const skin: Skin = {
   positions: Float32Array.of(0, 0, 1, 0, 1, 1, 0, 1, 3, 0.5),
   triangles: Uint32Array.of(1, 4, 2, 0, 1, 2, 0, 2, 3),
@@ -24,7 +24,7 @@ describe('spotAt', () => {
     expect(found?.scale).toBeCloseTo(2);
   });
 
-  it('leads from the rim onto what bends, a little inside', () => {
+  it('leads from the skirt onto what bends, a little inside', () => {
     const found = spot(13, 1, 0);
     expect(found?.at[0]).toBeGreaterThan(11.8);
     expect(found?.at[0]).toBeLessThan(12);
@@ -41,9 +41,9 @@ describe('spotAt', () => {
     expect(corner?.rest[1]).toBeLessThan(1);
   });
 
-  it('is on what lies under a rim, where something does', () => {
+  it('is on what lies under a skirt, where something does', () => {
     const covered = posed.slice();
-    // The rim goes back over the square.
+    // The skirt goes back over the square.
     covered.set([10, 1], 8);
     expect(spotAt(skin, SAMPLES, covered, [11.5, 1], 0)?.at).toEqual([11.5, 1]);
   });

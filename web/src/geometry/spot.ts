@@ -1,5 +1,5 @@
 /**
- * Where a handle can be placed under the pointer: on what bends. The rim around it, which soft edges are drawn on, holds
+ * Where a handle can be placed under the pointer: on what bends. The skirt around it, which soft edges are drawn on, holds
  * none.
  */
 import {
@@ -25,7 +25,7 @@ export interface Spot extends Located {
 const INWARDS = 0.05;
 
 /**
- * The spot at a place; in the rim, and up to `within` beside the picture, the nearest one. Of the skin the first `samples`
+ * The spot at a place; in the skirt, and up to `within` beside the picture, the nearest one. Of the skin the first `samples`
  * vertices bend. Cost: linear in the triangles.
  */
 export function spotAt(
@@ -38,11 +38,11 @@ export function spotAt(
   const { positions, triangles } = skin;
   const bends = (index: number) => triangles.subarray(index, index + 3).every((vertex) => vertex < samples);
   const here = (index: number) => cornersOf(posed, triangles, index);
-  const rim = allNear(triangles, posed, at, 0).filter(
+  const skirt = allNear(triangles, posed, at, 0).filter(
     (index) => !bends(index) && barycentric(...here(index), at),
   );
   // The first corner of every triangle is a sample.
-  const reach = Math.max(within, ...rim.map((index) => distance(at, here(index)[0])));
+  const reach = Math.max(within, ...skirt.map((index) => distance(at, here(index)[0])));
   const spots = allNear(triangles, posed, at, reach)
     .filter(bends)
     .map((index) => ({ index, ...nearestShares(here(index), at) }))

@@ -3,11 +3,11 @@ import type { Rgba } from './pixels';
 
 /** Half opaque. On hard edges, and edges that fade within a few pixels, the eye sees the outline here. */
 const EDGE = 128;
-/** Pixels that the solver draws beyond the outline, for soft edges (`WIDTH` in `sample/rim.rs`). */
-const RIM = 3;
+/** Pixels that the solver draws beyond the outline, for soft edges (`WIDTH` in `sample/skirt.rs`). */
+const SKIRT = 3;
 /** Smaller alphas are invisible. */
 const FAINT = 6;
-/** More translucent pixels than this beyond the rim are a shadow or a veil; fewer are dust. */
+/** More translucent pixels than this beyond the skirt are a shadow or a veil; fewer are dust. */
 const DUST = 64;
 
 /**
@@ -28,11 +28,11 @@ export function alphaThreshold(picture: Rgba): number | null {
   return opaque ? null : 0.5;
 }
 
-/** Whether a pixel lies within the rim of a pixel that is at least half opaque. */
+/** Whether a pixel lies within the skirt of a pixel that is at least half opaque. */
 function isNearEdge({ width, height, rgba }: Rgba, pixel: number): boolean {
   const [x, y] = [pixel % width, Math.floor(pixel / width)];
-  for (let row = Math.max(0, y - RIM); row <= Math.min(height - 1, y + RIM); row++) {
-    for (let column = Math.max(0, x - RIM); column <= Math.min(width - 1, x + RIM); column++) {
+  for (let row = Math.max(0, y - SKIRT); row <= Math.min(height - 1, y + SKIRT); row++) {
+    for (let column = Math.max(0, x - SKIRT); column <= Math.min(width - 1, x + SKIRT); column++) {
       if ((rgba[(row * width + column) * 4 + 3] ?? 0) >= EDGE) return true;
     }
   }

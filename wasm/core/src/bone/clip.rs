@@ -10,11 +10,11 @@ use crate::{
     domain::Domain,
     limits::{HELD_CLEARANCE, MAX_SIDE},
     segment::{distance_between, segment_distance},
-    triangulation::ON_OUTLINE,
+    triangulation::OUTLINE_TOLERANCE,
 };
 
 /// Parts shorter than this, in pixels, are left out on either side: a line along the outline is not cut to dust.
-const SHORTEST: f64 = ON_OUTLINE;
+const SHORTEST: f64 = OUTLINE_TOLERANCE;
 /// So many of [`SHORTEST`] before an end it is seen whether the way there is inside: past what a corner at the end allows for.
 const AT_END: f64 = 8.0;
 /// An end this near to that of its piece, in pixels, stays joined with what the piece is joined with, though it lies beside it: a bar
@@ -57,7 +57,7 @@ fn inside(domain: &Domain, navigation: &Navigation, a: DVec2, b: DVec2) -> Vec<[
         let wall = d - c;
         let area = along.perp_dot(wall);
         let (share, on_wall) = ((c - a).perp_dot(wall) / area, (c - a).perp_dot(along) / area);
-        let slack = ON_OUTLINE / wall.length();
+        let slack = OUTLINE_TOLERANCE / wall.length();
         // Parallel walls give no number; their ends are ends of others, also for what runs along just beside them.
         if share > 0.0 && share < 1.0 && (-slack..=1.0 + slack).contains(&on_wall) {
             stops.push(share);
@@ -113,7 +113,7 @@ fn last(holds: impl Fn(f64) -> bool, mut holding: f64, mut failing: f64) -> f64 
 /// The parts of a segment in the domain that are no nearer to the outline than `clearance`.
 fn clear_of_outline(domain: &Domain, a: DVec2, b: DVec2, clearance: f64) -> Vec<[f64; 2]> {
     // With room for rounding.
-    let is_near = |&(c, d): &(DVec2, DVec2)| distance_between([a, b], [c, d]) < clearance + ON_OUTLINE;
+    let is_near = |&(c, d): &(DVec2, DVec2)| distance_between([a, b], [c, d]) < clearance + OUTLINE_TOLERANCE;
     let near: Vec<(DVec2, DVec2)> = domain.edges().filter(is_near).collect();
     let is_clear = |share: f64| {
         let p = a.lerp(b, share);

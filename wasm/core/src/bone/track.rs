@@ -4,15 +4,15 @@ use glam::DVec2;
 
 use super::Bone;
 use crate::{
-    distance::{DistanceField, Navigation, OutlineTriangle},
-    triangulation::ON_OUTLINE,
+    distance::{DistanceField, NavTriangle, Navigation},
+    triangulation::OUTLINE_TOLERANCE,
 };
 
 /// A bone on the navigation mesh.
 #[derive(Debug, Clone)]
 pub(crate) struct Track {
     pub(crate) island: usize,
-    pieces: Vec<(OutlineTriangle, DVec2, DVec2)>,
+    pieces: Vec<(NavTriangle, DVec2, DVec2)>,
 }
 
 impl Track {
@@ -41,7 +41,7 @@ fn within_triangle(a: DVec2, b: DVec2, corners: [DVec2; 3]) -> Option<[f64; 2]> 
         let (corner, side) = (corners[k], corners[(k + 1) % 3] - corners[k]);
         let (at_a, at_b) = (side.perp_dot(a - corner), side.perp_dot(b - corner));
         // Along the outline a bone may lie beside it by what counts as on it.
-        if at_a.max(at_b) < -ON_OUTLINE * side.length() {
+        if at_a.max(at_b) < -OUTLINE_TOLERANCE * side.length() {
             return None;
         }
         if at_a.max(at_b) < 0.0 {

@@ -8,7 +8,7 @@
 
 use super::PointCloud;
 use crate::{
-    distance::{DistanceField, OutlineTriangle},
+    distance::{DistanceField, NavTriangle},
     error::Error,
     limits::MAX_SITES,
     site::{Site, SiteGraph, SiteKind, allowed_score, score},
@@ -63,7 +63,7 @@ impl<'a> Regions<'a> {
             support_radius: 0.0,
             island: self.cloud.part[at] as usize,
             // A cloud has no triangles: its distances are those of the graph.
-            triangle: OutlineTriangle(NONE),
+            triangle: NavTriangle(NONE),
             field: DistanceField { source: rest, bound: 0.0, triangles: Vec::new(), windows: Vec::new() },
         });
     }

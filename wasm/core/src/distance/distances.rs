@@ -2,13 +2,13 @@
 
 use glam::DVec2;
 
-use super::{DistanceField, Navigation, OutlineTriangle, Propagation};
+use super::{DistanceField, NavTriangle, Navigation, Propagation};
 use crate::error::Error;
 
 /// A point of a domain, located: of distances from many sources to one point, the costly half is done once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Located {
-    triangle: OutlineTriangle,
+    triangle: NavTriangle,
     point: DVec2,
 }
 

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::{Navigation, OutlineTriangle};
+use super::{NavTriangle, Navigation};
 use crate::segment::segment_distance;
 
 /// Points this far outside a window, in pixels, still count as inside. Windows meet along rays; a point on such a ray must
@@ -125,7 +125,7 @@ impl DistanceField {
 
     /// The intrinsic distance to a point, infinite beyond the bound and where no path leads.
     #[inline]
-    pub(crate) fn distance(&self, triangle: OutlineTriangle, p: DVec2) -> f64 {
+    pub(crate) fn distance(&self, triangle: NavTriangle, p: DVec2) -> f64 {
         let mut best = f64::INFINITY;
         for window in self.windows_in(triangle) {
             if window.nearest >= best {
@@ -140,12 +140,12 @@ impl DistanceField {
     }
 
     /// How the shortest path reaches a point, if the distance is within the bound.
-    pub(crate) fn path_end(&self, triangle: OutlineTriangle, p: DVec2) -> Option<PathEnd> {
+    pub(crate) fn path_end(&self, triangle: NavTriangle, p: DVec2) -> Option<PathEnd> {
         self.path_end_in(self.windows_in(triangle), p)
     }
 
     /// The distance to a point and its gradient, if the distance is within the bound.
-    pub(crate) fn slope(&self, triangle: OutlineTriangle, p: DVec2) -> Option<(f64, DVec2)> {
+    pub(crate) fn slope(&self, triangle: NavTriangle, p: DVec2) -> Option<(f64, DVec2)> {
         let windows = self.windows_in(triangle);
         self.path_end_in(windows, p).map(|path| (path.distance, path.gradient_in(windows, p)))
     }
@@ -172,7 +172,7 @@ impl DistanceField {
     }
 
     /// The ends of all known paths to a point: the shortest one, and others that are shortest nearby.
-    pub(crate) fn path_ends(&self, triangle: OutlineTriangle, p: DVec2) -> impl Iterator<Item = PathEnd> + '_ {
+    pub(crate) fn path_ends(&self, triangle: NavTriangle, p: DVec2) -> impl Iterator<Item = PathEnd> + '_ {
         let seeing = self.windows_in(triangle).iter().filter(move |window| window.sees(p));
         seeing.map(move |window| PathEnd {
             distance: window.offset + window.source.distance(p),
@@ -182,7 +182,7 @@ impl DistanceField {
     }
 
     /// The point halfway along the shortest path to a point, if the distance is within the bound.
-    pub(crate) fn halfway(&self, navigation: &Navigation, triangle: OutlineTriangle, p: DVec2) -> Option<DVec2> {
+    pub(crate) fn halfway(&self, navigation: &Navigation, triangle: NavTriangle, p: DVec2) -> Option<DVec2> {
         let mut path = self.path_end(triangle, p)?;
         let (half, mut end) = (path.distance / 2.0, p);
         while path.offset > half {
@@ -197,7 +197,7 @@ impl DistanceField {
 
     /// The least distance to a point of the segment from `a` to `b`, which lies in one triangle; infinite beyond the bound and
     /// where no path leads.
-    pub(crate) fn distance_to_segment(&self, triangle: OutlineTriangle, a: DVec2, b: DVec2) -> f64 {
+    pub(crate) fn distance_to_segment(&self, triangle: NavTriangle, a: DVec2, b: DVec2) -> f64 {
         let mut best = f64::INFINITY;
         for window in self.windows_in(triangle) {
             if window.nearest >= best {
@@ -217,7 +217,7 @@ impl DistanceField {
         (0..self.triangles.len()).map(|at| (self.triangles[at].0, self.range_at(at))).filter(nearest)
     }
 
-    fn windows_in(&self, triangle: OutlineTriangle) -> &[Window] {
+    fn windows_in(&self, triangle: NavTriangle) -> &[Window] {
         match self.triangles.binary_search_by_key(&triangle.0, |&(triangle, _)| triangle) {
             Ok(at) => self.windows(self.range_at(at)),
             Err(_) => &[],
@@ -240,12 +240,12 @@ impl DistanceField {
 pub(crate) struct CachedLookup<'a> {
     field: &'a DistanceField,
     /// The last triangle and its windows.
-    last: Option<(OutlineTriangle, &'a [Window])>,
+    last: Option<(NavTriangle, &'a [Window])>,
 }
 
 impl CachedLookup<'_> {
     /// As [`DistanceField::path_end`].
-    pub(crate) fn path_end(&mut self, triangle: OutlineTriangle, p: DVec2) -> Option<PathEnd> {
+    pub(crate) fn path_end(&mut self, triangle: NavTriangle, p: DVec2) -> Option<PathEnd> {
         let windows = match self.last {
             Some((known, windows)) if known == triangle => windows,
             _ => self.field.windows_in(triangle),

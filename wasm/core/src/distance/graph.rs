@@ -1,7 +1,7 @@
 //! The paper's approximation of intrinsic distance: Dijkstra's algorithm on a graph over the samples (section V-B).
 //!
 //! Kept as the reference: it overestimates by some 10 % on average however dense the samples are, because its paths follow edges.
-//! Point clouds, which have no outline, have nothing better. Scouts use the graph for adjacency only.
+//! Point clouds, which have no outline, have nothing better. Coarse samples use the graph for adjacency only.
 //!
 //! Cost: O(n log n) for the distances from one source to n nodes.
 

@@ -36,6 +36,6 @@ mod propagate;
 
 pub use distances::{Distances, Located};
 pub(crate) use field::{DistanceField, PathEnd, WINDOW_SLACK, Window};
+pub(crate) use navigation::NavTriangle;
 pub use navigation::Navigation;
-pub(crate) use navigation::OutlineTriangle;
 pub(crate) use propagate::Propagation;

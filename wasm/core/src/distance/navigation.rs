@@ -9,14 +9,14 @@ use crate::{
     domain::Domain,
     rows::Rows,
     segment::nearest_on_segment,
-    triangulation::{Locator, NONE, Triangulation, depth_in},
+    triangulation::{Locator, NONE, Triangulation, signed_depth},
 };
 
 /// A triangle of the navigation mesh, of which a point that is asked for lies in one.
 ///
 /// Locating a point is the costly half of a distance query, so samples store their triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct OutlineTriangle(pub(crate) u32);
+pub(crate) struct NavTriangle(pub(crate) u32);
 
 /// Turns smaller than this (sine of the angle) are straight: no path becomes shorter by bending there.
 const STRAIGHT: f64 = 1e-12;
@@ -74,18 +74,18 @@ impl Navigation {
 
     /// The triangle of a point, or `None` outside the domain; up to a millionth of a pixel outside the outline counts as
     /// rounding.
-    pub(crate) fn triangle_at(&self, p: DVec2) -> Option<OutlineTriangle> {
-        self.locator.locate(&self.mesh, p).map(|t| OutlineTriangle(t as u32))
+    pub(crate) fn triangle_at(&self, p: DVec2) -> Option<NavTriangle> {
+        self.locator.locate(&self.mesh, p).map(|t| NavTriangle(t as u32))
     }
 
     /// The triangle of a point from the caller, and the point inside it: moved onto the outline where it lies outside by no more
     /// than [`triangle_at`](Self::triangle_at) allows. `None` outside.
-    pub(crate) fn locate(&self, p: DVec2) -> Option<(OutlineTriangle, DVec2)> {
+    pub(crate) fn locate(&self, p: DVec2) -> Option<(NavTriangle, DVec2)> {
         self.triangle_at(p).map(|triangle| (triangle, self.onto(triangle, p)))
     }
 
     /// The point of a triangle that is nearest to `p`, or the corner next to it. Usually `p` itself.
-    pub(crate) fn onto(&self, triangle: OutlineTriangle, p: DVec2) -> DVec2 {
+    pub(crate) fn onto(&self, triangle: NavTriangle, p: DVec2) -> DVec2 {
         let corners = self.mesh.corners(triangle.0 as usize);
         let edges = (0..3).map(|k| (corners[k], corners[(k + 1) % 3]));
         let beyond = edges.filter(|&(a, b)| (b - a).perp_dot(p - a) < 0.0);
@@ -96,25 +96,25 @@ impl Navigation {
     }
 
     /// Whether a point of a triangle lies, within rounding, on its border, and so perhaps in another one as well.
-    pub(crate) fn is_on_edge(&self, triangle: OutlineTriangle, p: DVec2) -> bool {
-        depth_in(self.mesh.corners(triangle.0 as usize), p) <= OUTSIDE_SLACK
+    pub(crate) fn is_on_edge(&self, triangle: NavTriangle, p: DVec2) -> bool {
+        signed_depth(self.mesh.corners(triangle.0 as usize), p) <= OUTSIDE_SLACK
     }
 
     /// The triangles that meet at a corner of the outline.
-    pub(crate) fn around(&self, corner: DVec2) -> impl Iterator<Item = OutlineTriangle> + '_ {
+    pub(crate) fn around(&self, corner: DVec2) -> impl Iterator<Item = NavTriangle> + '_ {
         let is_corner = move |&v: &u32| self.mesh.vertices[v as usize] == corner;
         let of_triangle = self.triangle_at(corner).map(|triangle| self.mesh.triangles[triangle.0 as usize]);
         let known = of_triangle.into_iter().flatten().find(is_corner);
-        known.into_iter().flat_map(|v| self.fan(v as usize)).map(|&(t, _)| OutlineTriangle(t))
+        known.into_iter().flat_map(|v| self.fan(v as usize)).map(|&(t, _)| NavTriangle(t))
     }
 
     /// All triangles with their corners.
-    pub(crate) fn triangles(&self) -> impl Iterator<Item = (OutlineTriangle, [DVec2; 3])> + '_ {
-        (0..self.mesh.triangles.len()).map(|t| (OutlineTriangle(t as u32), self.mesh.corners(t)))
+    pub(crate) fn triangles(&self) -> impl Iterator<Item = (NavTriangle, [DVec2; 3])> + '_ {
+        (0..self.mesh.triangles.len()).map(|t| (NavTriangle(t as u32), self.mesh.corners(t)))
     }
 
     /// Index of the connected part of the domain that a triangle lies in.
-    pub(crate) fn island_of(&self, triangle: OutlineTriangle) -> usize {
+    pub(crate) fn island_of(&self, triangle: NavTriangle) -> usize {
         self.island[triangle.0 as usize] as usize
     }
 

@@ -13,7 +13,7 @@ use glam::DVec2;
 
 use super::{
     field::{DistanceField, Window},
-    navigation::{Navigation, OutlineTriangle},
+    navigation::{NavTriangle, Navigation},
 };
 use crate::{min_entry::MinEntry, segment::segment_distance, triangulation::NONE};
 
@@ -54,7 +54,7 @@ impl Propagation {
     pub(crate) fn field(
         &mut self,
         navigation: &Navigation,
-        triangle: OutlineTriangle,
+        triangle: NavTriangle,
         source: DVec2,
         bound: f64,
     ) -> DistanceField {
@@ -87,7 +87,7 @@ impl Propagation {
 
     /// Opens windows over all of the triangle that contains the source and out of it; also over those across an edge or
     /// corner that the source lies on.
-    fn start(&mut self, navigation: &Navigation, triangle: OutlineTriangle, source: DVec2, bound: f64) {
+    fn start(&mut self, navigation: &Navigation, triangle: NavTriangle, source: DVec2, bound: f64) {
         let mesh = &navigation.mesh;
         let mut around = vec![triangle.0];
         let mut next = 0;
@@ -334,7 +334,7 @@ mod tests {
                 for k in (0..3).filter(|&k| neighbours[k] != NONE) {
                     for share in [0.0, 1e-6, 1e-3, 0.2, 0.4, 0.6, 0.8, 1.0] {
                         let p = corners[k].lerp(corners[(k + 1) % 3], share);
-                        let [here, there] = [t as u32, neighbours[k]].map(|t| field.distance(OutlineTriangle(t), p));
+                        let [here, there] = [t as u32, neighbours[k]].map(|t| field.distance(NavTriangle(t), p));
                         // Both may cut a corner by a billionth of a pixel.
                         prop_assert!((here - there).abs() < 1e-7, "{source} → {p}: {here} and {there}");
                     }

@@ -4,11 +4,11 @@ use glam::DVec2;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::cursor::Cursor;
 use super::path::Path;
-use super::place::Place;
 use super::points::{self, Point};
 use super::{ProjectError, rules};
-use crate::number::Number;
+use crate::display_number::DisplayNumber;
 
 /// How the domain is found in the picture.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -37,14 +37,14 @@ impl DomainSpec {
     /// The default threshold.
     pub(crate) const THRESHOLD: f64 = 0.5;
 
-    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         #[derive(Clone, Copy)]
         enum Kind {
             Image,
             Alpha,
             Polygon,
         }
-        let domain = place.object()?;
+        let domain = value.object()?;
         let kind = domain.required("kind")?.one_of(&[
             ("image", Kind::Image),
             ("alpha", Kind::Alpha),
@@ -57,7 +57,7 @@ impl DomainSpec {
             }
             Kind::Alpha => {
                 domain.only(&["kind", "threshold"])?;
-                Ok(Self::Alpha { threshold: domain.or("threshold", Self::THRESHOLD, |place| place.number())? })
+                Ok(Self::Alpha { threshold: domain.or("threshold", Self::THRESHOLD, |value| value.number())? })
             }
             Kind::Polygon => {
                 domain.only(&["kind", "rings"])?;
@@ -85,7 +85,7 @@ impl DomainSpec {
         let domain = Path::Top.key("domain");
         domain
             .key("threshold")
-            .refuse(format_args!("expected a number above 0 and up to 1, found {}", Number(threshold)))
+            .refuse(format_args!("expected a number above 0 and up to 1, found {}", DisplayNumber(threshold)))
     }
 
     /// Whether these are rings, wherever they lie.
@@ -103,6 +103,6 @@ fn default_threshold() -> f64 {
     DomainSpec::THRESHOLD
 }
 
-fn rings(place: Place<'_>) -> Result<Vec<Vec<DVec2>>, ProjectError> {
-    place.list("a list of rings", |ring| ring.points())
+fn rings(value: Cursor<'_>) -> Result<Vec<Vec<DVec2>>, ProjectError> {
+    value.list("a list of rings", |ring| ring.points())
 }

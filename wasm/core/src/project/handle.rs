@@ -6,11 +6,11 @@ use glam::DVec2;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::cursor::{Cursor, Object};
 use super::path::Path;
-use super::place::{Object, Place};
 use super::points::{self, Point};
 use super::{ProjectError, Rotation, left_out, rules};
-use crate::number::Number;
+use crate::display_number::DisplayNumber;
 
 /// A handle, where it rests and where it was taken.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -121,7 +121,7 @@ impl Handle {
     pub fn posed_at(mut self, places: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
         let places: Vec<DVec2> = places.into_iter().map(Into::into).collect();
         let posed = self.shape.posed_mut();
-        assert_eq!(places.len(), posed.len(), "each corner is posed at one place");
+        assert_eq!(places.len(), posed.len(), "expected one place for each corner");
         posed.copy_from_slice(&places);
         self
     }
@@ -147,15 +147,15 @@ impl Handle {
         self
     }
 
-    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
-        let handle = place.object()?;
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        let handle = value.object()?;
         handle.only(&["id", "kind", "rest", "posed", "rotation", "scale", "depth"])?;
         Ok(Self {
             id: handle.required("id")?.text()?.to_owned(),
             shape: Shape::read(handle)?,
             rotation: handle.or("rotation", Rotation::default(), Rotation::read)?,
-            scale: handle.or("scale", default_scale(), |place| place.number())?,
-            depth: handle.or("depth", 0.0, |place| place.number())?,
+            scale: handle.or("scale", default_scale(), |value| value.number())?,
+            depth: handle.or("depth", 0.0, |value| value.number())?,
         })
     }
 
@@ -169,7 +169,9 @@ impl Handle {
         }
         rules::finite(&at.key("scale"), self.scale)?;
         if self.scale <= 0.0 {
-            return at.key("scale").refuse(format_args!("expected a number above 0, found {}", Number(self.scale)));
+            return at
+                .key("scale")
+                .refuse(format_args!("expected a number above 0, found {}", DisplayNumber(self.scale)));
         }
         rules::finite(&at.key("depth"), self.depth)
     }
@@ -231,7 +233,7 @@ impl Shape {
         match kind {
             Kind::Point => {
                 let rest = handle.required("rest")?.point()?;
-                Ok(Self::Point { rest, posed: handle.or("posed", rest, |place| place.point())? })
+                Ok(Self::Point { rest, posed: handle.or("posed", rest, |value| value.point())? })
             }
             Kind::Bar => {
                 let (rest, posed) = lines(handle)?;
@@ -266,6 +268,6 @@ impl Shape {
 /// `rest` and `posed` of a handle that is a line.
 fn lines(handle: Object<'_>) -> Result<(Vec<DVec2>, Vec<DVec2>), ProjectError> {
     let rest = handle.required("rest")?.points()?;
-    let posed = handle.or("posed", rest.clone(), |place| place.points())?;
+    let posed = handle.or("posed", rest.clone(), |value| value.points())?;
     Ok((rest, posed))
 }

@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::cursor::Cursor;
 use super::path::Path;
-use super::place::Place;
 use super::{ProjectError, rules};
 
 /// What the solver can warp is less; a project may be read without its picture.
@@ -34,8 +34,8 @@ impl ImageRef {
         Self { src: src.into(), width, height }
     }
 
-    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
-        let image = place.object()?;
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        let image = value.object()?;
         image.only(&["src", "width", "height"])?;
         Ok(Self {
             src: image.required("src")?.text()?.to_owned(),

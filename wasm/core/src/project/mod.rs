@@ -27,6 +27,7 @@
 //! # Ok::<(), c2warp::project::ProjectError>(())
 //! ```
 
+mod cursor;
 mod domain;
 mod error;
 mod form;
@@ -34,7 +35,6 @@ mod handle;
 mod image;
 mod layout;
 mod path;
-mod place;
 mod points;
 mod pose;
 mod rotation;
@@ -58,9 +58,9 @@ pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
 pub use self::weighting::{Filling, Support, Weighting};
 
+use self::cursor::Cursor;
 use self::layout::Layout;
 use self::path::Path;
-use self::place::Place;
 use self::value::Value;
 
 /// With fewer samples cells would be poorly resolved.
@@ -170,7 +170,7 @@ impl Project {
     /// Any deviation from the format, with the path of the offending key.
     pub fn from_json(text: &str) -> Result<Self, ProjectError> {
         let value = Value::parse(text)?;
-        let top = Place::top(&value);
+        let top = Cursor::top(&value);
         let project = top.object()?;
         // Checked first, since a later version may have unknown keys.
         let format = project.required("format").and_then(Format::read)?;
@@ -179,10 +179,10 @@ impl Project {
             format,
             image: project.required("image").and_then(ImageRef::read)?,
             domain: project.optional("domain").map(DomainSpec::read).transpose()?,
-            samples: project.or("samples", default_samples(), |place| place.whole_number(&SAMPLES))?,
+            samples: project.or("samples", default_samples(), |value| value.whole_number(&SAMPLES))?,
             weighting: project.or("weighting", Weighting::default(), Weighting::read)?,
             pose: project.or("pose", PoseSpec::default(), PoseSpec::read)?,
-            fix_boundary: project.or("fix_boundary", false, |place| place.bool())?,
+            fix_boundary: project.or("fix_boundary", false, |value| value.bool())?,
             handles: project.required("handles").and_then(handles)?,
         };
         project.check()?;
@@ -221,7 +221,7 @@ impl Project {
 /// # Errors
 /// As [`Project::from_json`], with paths that begin at the list: `[2].rest[0]`.
 pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
-    let handles = handles(Place::top(&Value::parse(text)?))?;
+    let handles = handles(Cursor::top(&Value::parse(text)?))?;
     handle::check(&handles, &Path::Top)?;
     Ok(handles)
 }
@@ -231,15 +231,15 @@ pub(crate) fn check_handles(handles: &[Handle]) -> Result<(), ProjectError> {
     handle::check(handles, &Path::Top.key("handles"))
 }
 
-fn handles(place: Place<'_>) -> Result<Vec<Handle>, ProjectError> {
-    place.list("a list of handles", Handle::read)
+fn handles(value: Cursor<'_>) -> Result<Vec<Handle>, ProjectError> {
+    value.list("a list of handles", Handle::read)
 }
 
 impl Format {
-    fn read(place: Place<'_>) -> Result<Self, ProjectError> {
-        match place.text()? {
+    fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        match value.text()? {
             "c2warp/1" => Ok(Self::V1),
-            other => place.refuse(format_args!("expected \"c2warp/1\", found {other:?}")),
+            other => value.refuse(format_args!("expected \"c2warp/1\", found {other:?}")),
         }
     }
 }

@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::cursor::Cursor;
 use super::path::Path;
-use super::place::Place;
 use super::{ProjectError, rules};
 
 /// Greatest density: half of the greatest number of sites, so that the sites that handles require have room.
@@ -52,18 +52,18 @@ pub enum Blend {
 }
 
 impl PoseSpec {
-    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
-        let pose = place.object()?;
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        let pose = value.object()?;
         pose.only(&["mode", "blend", "density"])?;
         let default = Self::default();
         Ok(Self {
-            mode: pose.or("mode", default.mode, |place| {
-                place.one_of(&[("harmonic", PoseMode::Harmonic), ("rigid", PoseMode::Rigid)])
+            mode: pose.or("mode", default.mode, |value| {
+                value.one_of(&[("harmonic", PoseMode::Harmonic), ("rigid", PoseMode::Rigid)])
             })?,
-            blend: pose.or("blend", default.blend, |place| {
-                place.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
+            blend: pose.or("blend", default.blend, |value| {
+                value.one_of(&[("linear", Blend::Linear), ("rigid", Blend::Rigid)])
             })?,
-            density: pose.or("density", default.density, |place| place.whole_number(&(0..=MAX_DENSITY)))?,
+            density: pose.or("density", default.density, |value| value.whole_number(&(0..=MAX_DENSITY)))?,
         })
     }
 

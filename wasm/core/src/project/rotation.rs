@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 
 use super::ProjectError;
-use super::place::Place;
+use super::cursor::Cursor;
 
 /// The rotation of a handle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,13 +30,13 @@ impl From<f64> for Rotation {
 }
 
 impl Rotation {
-    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
-        if place.text().is_ok_and(|text| text == "auto") {
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        if value.text().is_ok_and(|text| text == "auto") {
             return Ok(Self::Auto);
         }
-        match place.number() {
+        match value.number() {
             Ok(degrees) => Ok(Self::Degrees(degrees)),
-            Err(_) => place.expected("a number of degrees or \"auto\""),
+            Err(_) => value.expected("a number of degrees or \"auto\""),
         }
     }
 }

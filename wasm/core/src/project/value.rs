@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
 use super::ProjectError;
-use crate::number::Number;
+use crate::display_number::DisplayNumber;
 
 /// One JSON value.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ impl fmt::Display for Value {
         match self {
             Value::Null => f.write_str("null"),
             Value::Bool(value) => write!(f, "{value}"),
-            Value::Number(value) => Number(*value).fmt(f),
+            Value::Number(value) => DisplayNumber(*value).fmt(f),
             Value::Text(text) if text.chars().count() <= LONGEST_QUOTE => write!(f, "{text:?}"),
             Value::Text(_) => f.write_str("a long text"),
             Value::List(items) if items.is_empty() => f.write_str("an empty list"),

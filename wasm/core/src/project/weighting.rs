@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::cursor::Cursor;
 use super::path::Path;
-use super::place::Place;
 use super::{ProjectError, rules};
-use crate::number::Number;
+use crate::display_number::DisplayNumber;
 
 /// α of the smallest supports.
 const LEAST_FACTOR: u32 = 0;
@@ -81,19 +81,19 @@ impl Default for Weighting {
 }
 
 impl Weighting {
-    pub(super) fn read(place: Place<'_>) -> Result<Self, ProjectError> {
-        let weighting = place.object()?;
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        let weighting = value.object()?;
         weighting.only(&["shape_factor", "degree", "filling", "support"])?;
         let default = Self::default();
         Ok(Self {
-            shape_factor: weighting.or("shape_factor", default.shape_factor, |place| place.number())?,
+            shape_factor: weighting.or("shape_factor", default.shape_factor, |value| value.number())?,
             degree: weighting
-                .or("degree", default.degree, |place| place.whole_number(&(LEAST_DEGREE..=MOST_DEGREE)))?,
-            filling: weighting.or("filling", default.filling, |place| {
-                place.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
+                .or("degree", default.degree, |value| value.whole_number(&(LEAST_DEGREE..=MOST_DEGREE)))?,
+            filling: weighting.or("filling", default.filling, |value| {
+                value.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
             })?,
-            support: weighting.or("support", default.support, |place| {
-                place.one_of(&[("paper", Support::Paper), ("smooth", Support::Smooth)])
+            support: weighting.or("support", default.support, |value| {
+                value.one_of(&[("paper", Support::Paper), ("smooth", Support::Smooth)])
             })?,
         })
     }
@@ -103,7 +103,7 @@ impl Weighting {
         if !(f64::from(LEAST_FACTOR)..=f64::from(MOST_FACTOR)).contains(&shape_factor) {
             return at.key("shape_factor").refuse(format_args!(
                 "expected a number from {LEAST_FACTOR} to {MOST_FACTOR}, found {}",
-                Number(shape_factor)
+                DisplayNumber(shape_factor)
             ));
         }
         rules::whole_number(&at.key("degree"), degree, &(LEAST_DEGREE..=MOST_DEGREE))

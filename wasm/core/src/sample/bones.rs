@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use super::lattice::LATTICE_CLEARANCE;
-use crate::{domain::Domain, grid::Grid, triangulation::ON_OUTLINE};
+use crate::{domain::Domain, grid::Grid, triangulation::OUTLINE_TOLERANCE};
 
 /// Spacing along a bone, over that of the lattice: less than twice the distance that other samples keep from the bone, so
 /// that the circle over two neighbours is empty and the edge between them belongs to the Delaunay mesh.
@@ -33,7 +33,7 @@ pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing
             known.insert(p, p);
             // A point on the outline lies between two samples of it.
             let may_be_on_it = outline.around(p, spacing).next().is_some();
-            let is_on_it = may_be_on_it && domain.distance_to_outline(p) <= ON_OUTLINE;
+            let is_on_it = may_be_on_it && domain.distance_to_outline(p) <= OUTLINE_TOLERANCE;
             if is_on_it { &mut on_outline } else { &mut *vertices }.push(p);
         }
     }
@@ -43,14 +43,14 @@ pub(super) fn add_bones(vertices: &mut Vec<DVec2>, bones: &[[DVec2; 2]], spacing
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::outline::Outline;
+    use crate::sample::outline::OutlineSamples;
 
     #[test]
     fn samples_of_bones_are_apart_and_none_is_missing() {
         let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)].map(DVec2::from).to_vec();
         let domain = Domain::from_polygon(&[ring], 100, 80).expect("a rectangle");
         let spacing = 2.0;
-        let outline = Outline::new(&domain, spacing).vertices;
+        let outline = OutlineSamples::new(&domain, spacing).vertices;
         // Close together, across one another, short, along the outline and up to it.
         let mut bones: Vec<[DVec2; 2]> = (0..60)
             .map(|i| f64::from(i) * 0.7)
@@ -66,7 +66,7 @@ mod tests {
             let pieces = (a.distance(b) / (BONE_SPACING * spacing)).ceil().max(1.0);
             for p in (0..=pieces as u32).map(|i| a.lerp(b, f64::from(i) / pieces)) {
                 if inner.iter().chain(&outer).all(|q: &DVec2| q.distance(p) >= MIN_DISTANCE * spacing) {
-                    let is_within = domain.distance_to_outline(p) > ON_OUTLINE;
+                    let is_within = domain.distance_to_outline(p) > OUTLINE_TOLERANCE;
                     if is_within { &mut inner } else { &mut outer }.push(p);
                 }
             }

@@ -1,28 +1,28 @@
 //! 𝒫: points all over the domain, with a constrained Delaunay mesh over them (section V-B).
 //!
-//! Samples are the vertices of the drawn mesh; a separate, coarser set, the scouts, locates cells. Distances and weights do
+//! Samples are the vertices of the drawn mesh; a separate, coarser set, the coarse samples, locates cells. Distances and weights do
 //! not depend on either: they are evaluated.
 
+mod base;
 mod bones;
-mod ground;
-mod grounds;
+mod cache;
+mod coarse;
 mod lattice;
 mod outline;
 mod refine;
-mod rim;
-mod scouts;
+mod skirt;
 
 use glam::DVec2;
 
 use crate::{
-    distance::{Navigation, OutlineTriangle},
+    distance::{NavTriangle, Navigation},
     triangulation::Triangulation,
 };
 
-pub(crate) use ground::Ground;
-pub(crate) use grounds::Grounds;
-pub(crate) use rim::Rim;
-pub(crate) use scouts::{Scouts, scouts_wanted};
+pub(crate) use base::BaseSamples;
+pub(crate) use cache::SamplingCache;
+pub(crate) use coarse::{CoarseSamples, coarse_sample_count};
+pub(crate) use skirt::Skirt;
 
 /// Samples of a domain.
 #[derive(Debug, Clone)]
@@ -30,11 +30,11 @@ pub(crate) struct Samples {
     /// The mesh over the samples.
     pub(crate) mesh: Triangulation,
     /// The triangle of the navigation mesh that each sample lies in.
-    pub(crate) outline_triangles: Vec<OutlineTriangle>,
+    pub(crate) nav_triangles: Vec<NavTriangle>,
     /// Chains of samples along the outline, as closed rings in the order of the domain's rings.
     pub(crate) outline: Vec<Vec<u32>>,
     /// The skirt around the mesh, for soft edges.
-    pub(crate) rim: Rim,
+    pub(crate) skirt: Skirt,
     /// Distance between samples away from the outline and from close sites, in pixels.
     pub(crate) spacing: f64,
 }
@@ -48,8 +48,8 @@ impl Samples {
         spacing: f64,
     ) -> Self {
         let triangle = |&p: &DVec2| navigation.triangle_at(p).expect("samples lie in the domain");
-        let outline_triangles = mesh.vertices.iter().map(triangle).collect();
-        Self { mesh, outline_triangles, outline, rim: Rim::default(), spacing }
+        let nav_triangles = mesh.vertices.iter().map(triangle).collect();
+        Self { mesh, nav_triangles, outline, skirt: Skirt::default(), spacing }
     }
 
     /// Number of samples.

@@ -4,7 +4,7 @@ use crate::domain::{Domain, edges};
 use glam::DVec2;
 
 /// The outline's samples.
-pub(super) struct Outline {
+pub(super) struct OutlineSamples {
     pub(super) vertices: Vec<DVec2>,
     /// Segments of the outline between samples.
     pub(super) segments: Vec<[usize; 2]>,
@@ -12,7 +12,7 @@ pub(super) struct Outline {
     pub(super) rings: Vec<Vec<u32>>,
 }
 
-impl Outline {
+impl OutlineSamples {
     /// Samples a domain's outline.
     pub(super) fn new(domain: &Domain, spacing: f64) -> Self {
         let mut outline = Self { vertices: Vec::new(), segments: Vec::new(), rings: Vec::new() };

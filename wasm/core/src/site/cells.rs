@@ -1,51 +1,51 @@
-//! 𝒱(h_i): which scouts are nearer to a site than to any other (section III-B).
+//! 𝒱(h_i): which coarse samples are nearer to a site than to any other (section III-B).
 //!
-//! Cells are updated as sites are inserted: a new site takes over the scouts around it that are nearer to it, and no others
-//! are visited. Cost of an insertion: its cell, a margin of one scout around it, and the cells that lose scouts to it.
+//! Cells are updated as sites are inserted: a new site takes over the coarse samples around it that are nearer to it, and no others
+//! are visited. Cost of an insertion: its cell, a margin of one coarse sample around it, and the cells that lose coarse samples to it.
 
 use glam::DVec2;
 
 use super::visit_stamps::VisitStamps;
-use crate::{distance::PathEnd, sample::Scouts, triangulation::NONE};
+use crate::{distance::PathEnd, sample::CoarseSamples, triangulation::NONE};
 
-/// The cells of all sites, over the scouts.
+/// The cells of all sites, over the coarse samples.
 #[derive(Debug, Clone)]
 pub(crate) struct Cells {
-    /// The nearest site of each scout; [`NONE`] on an island without sites.
+    /// The nearest site of each coarse sample; [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
-    /// The distance of each scout to that site.
+    /// The distance of each coarse sample to that site.
     pub(crate) distance: Vec<f64>,
     /// The last vertex at which the path from that site bends.
     pub(crate) pseudo_source: Vec<DVec2>,
-    /// The scouts of each cell as linked lists: the first scout of each site, and the next scout of each scout.
+    /// The coarse samples of each cell as linked lists: the first coarse sample of each site, and the next coarse sample of each coarse sample.
     first: Vec<u32>,
     next: Vec<u32>,
-    /// The farthest scout of each cell, or [`NONE`].
+    /// The farthest coarse sample of each cell, or [`NONE`].
     farthest: Vec<u32>,
-    /// The scouts that the last insertion visited.
+    /// The coarse samples that the last insertion visited.
     seen: VisitStamps,
     stack: Vec<u32>,
 }
 
 impl Cells {
-    pub(crate) fn new(scouts: usize) -> Self {
+    pub(crate) fn new(coarse: usize) -> Self {
         Self {
-            nearest: vec![NONE; scouts],
-            distance: vec![f64::INFINITY; scouts],
-            pseudo_source: vec![DVec2::ZERO; scouts],
+            nearest: vec![NONE; coarse],
+            distance: vec![f64::INFINITY; coarse],
+            pseudo_source: vec![DVec2::ZERO; coarse],
             first: Vec::new(),
-            next: vec![NONE; scouts],
+            next: vec![NONE; coarse],
             farthest: Vec::new(),
-            seen: VisitStamps::new(scouts),
+            seen: VisitStamps::new(coarse),
             stack: Vec::new(),
         }
     }
 
-    /// Inserts a site at `rest`: its cell consists of the scouts nearer to it than to all sites before. `start` are the scouts
-    /// around the site, `path_end` gives the path from the site to a scout.
+    /// Inserts a site at `rest`: its cell consists of the coarse samples nearer to it than to all sites before. `start` are the coarse samples
+    /// around the site, `path_end` gives the path from the site to a coarse sample.
     pub(crate) fn insert(
         &mut self,
-        scouts: &Scouts,
+        coarse: &CoarseSamples,
         (rest, start): (DVec2, [u32; 3]),
         mut path_end: impl FnMut(usize) -> Option<PathEnd>,
     ) {
@@ -61,16 +61,16 @@ impl Cells {
             if !self.seen.mark(sample) {
                 continue;
             }
-            // The path to a scout of the cell crosses triangles whose corners are at most an edge away from the path.
+            // The path to a coarse sample of the cell crosses triangles whose corners are at most an edge away from the path.
             let known = self.distance[at];
-            let margin = known + 2.0 * scouts.reach[at];
+            let margin = known + 2.0 * coarse.reach[at];
             // No path is shorter than the straight line.
-            if rest.distance_squared(scouts.mesh.vertices[at]) > margin * margin {
+            if rest.distance_squared(coarse.mesh.vertices[at]) > margin * margin {
                 continue;
             }
             let Some(PathEnd { distance: d, pseudo_source, .. }) = path_end(at) else { continue };
             if d < margin {
-                self.stack.extend(scouts.graph.of(at));
+                self.stack.extend(coarse.graph.of(at));
             }
             if d < known {
                 let loser = self.nearest[at];
@@ -87,13 +87,13 @@ impl Cells {
             first = self.release(loser, site, first);
         }
         if losers.is_empty() && farthest != NONE {
-            // The first site of an island: there is no list to take scouts from.
+            // The first site of an island: there is no list to take coarse samples from.
             first = self.collect(site);
         }
         (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
     }
 
-    /// Moves the scouts that `site` took from `loser` to the list that begins with `first`. Returns the new first.
+    /// Moves the coarse samples that `site` took from `loser` to the list that begins with `first`. Returns the new first.
     fn release(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
         let (mut kept, mut farthest, mut radius) = (NONE, NONE, -1.0);
         let mut sample = self.first[loser as usize];
@@ -121,18 +121,18 @@ impl Cells {
         first
     }
 
-    /// Whether the last insertion visited all three scouts. The new cell has no point in any other triangle.
-    pub(crate) fn saw(&self, scouts: [u32; 3]) -> bool {
-        scouts.iter().all(|&at| self.seen.has(at))
+    /// Whether the last insertion visited all three coarse samples. The new cell has no point in any other triangle.
+    pub(crate) fn saw(&self, coarse: [u32; 3]) -> bool {
+        coarse.iter().all(|&at| self.seen.has(at))
     }
 
-    /// The scouts of a site's cell.
+    /// The coarse samples of a site's cell.
     pub(crate) fn of(&self, site: usize) -> impl Iterator<Item = usize> + '_ {
         let some = |sample: u32| (sample != NONE).then_some(sample as usize);
         std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
     }
 
-    /// The farthest scout of a cell; `None` for a cell that contains no scout.
+    /// The farthest coarse sample of a cell; `None` for a cell that contains no coarse sample.
     pub(crate) fn farthest_sample(&self, site: usize) -> Option<usize> {
         (self.farthest[site] != NONE).then_some(self.farthest[site] as usize)
     }

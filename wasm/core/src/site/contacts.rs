@@ -4,11 +4,11 @@
 //! halfway shares the way out, and its motion is free. Algorithm 1 looks at the farthest point of a cell, which is on its open side: a
 //! narrow gap between two bars would be the last to be divided.
 //!
-//! Each is found between two scouts and lies on the border itself. Where along the border, they decide: it is where the edge between
-//! them leads across it. So these sites change where the lattice of scouts does: where the picture is turned, or its outline has one more
+//! Each is found between two coarse samples and lies on the border itself. Where along the border, they decide: it is where the edge between
+//! them leads across it. So these sites change where the lattice of coarse samples does: where the picture is turned, or its outline has one more
 //! corner.
 //!
-//! Cost: each time that real sites are new, a look at every triangle of scouts, and for each scout on the border of a cell at the real sites
+//! Cost: each time that real sites are new, a look at every triangle of coarse samples, and for each coarse sample on the border of a cell at the real sites
 //! that are about as near as its own; for each pair of them that two handles meet between, at all sites. Afterwards a look at the contacts
 //! that are left and the sites that are new.
 
@@ -61,59 +61,59 @@ impl Regions<'_> {
             let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
             pairs.extend(edges.iter().flat_map(ends).filter(|&[a, b]| a < b && are_apart([a, b])));
         };
-        self.scouts.mesh.polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
+        self.coarse.mesh.polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
         // Most come from both sides.
         pairs.sort_unstable();
         pairs.dedup();
         let nearest = self.nearest_handles(pairs.as_flattened());
-        let contacts = |pair: [u32; 2]| self.contacts_between(pair, pair.map(|scout| &nearest[&scout][..]));
+        let contacts = |pair: [u32; 2]| self.contacts_between(pair, pair.map(|sample| &nearest[&sample][..]));
         pairs.iter().flat_map(|&pair| contacts(pair)).collect()
     }
 
-    /// Where the cells meet that two scouts are in, if those are of two handles.
+    /// Where the cells meet that two coarse samples are in, if those are of two handles.
     fn contacts_between<'a>(
         &'a self,
-        scouts: [u32; 2],
+        coarse: [u32; 2],
         [of_a, of_b]: [&'a [usize]; 2],
     ) -> impl Iterator<Item = FarPoint> + 'a {
         let sites = of_a.iter().flat_map(move |&s| of_b.iter().map(move |&t| [s, t]));
         sites.filter_map(move |[s, t]| {
             let (a, b) = (&self.sites[s], &self.sites[t]);
             let are_apart = s != t && self.is_obstacle(t, a.island, self.body(a.kind));
-            let scouts = scouts.map(|scout| scout as usize);
-            are_apart.then(|| self.on_border(self.between(scouts, a, b), a, b)).flatten()
+            let coarse = coarse.map(|sample| sample as usize);
+            are_apart.then(|| self.on_border(self.between(coarse, a, b), a, b)).flatten()
         })
     }
 
-    /// For each of some scouts, the real sites nearest to it, ascending: several where it is on a border, as on an axis of
+    /// For each of some coarse samples, the real sites nearest to it, ascending: several where it is on a border, as on an axis of
     /// symmetry.
-    fn nearest_handles(&self, scouts: &[u32]) -> HashMap<u32, Vec<usize>> {
-        let distances = scouts.iter().map(|&scout| self.cells.distance[scout as usize]);
+    fn nearest_handles(&self, coarse: &[u32]) -> HashMap<u32, Vec<usize>> {
+        let distances = coarse.iter().map(|&sample| self.cells.distance[sample as usize]);
         // The average radius of a query, which then touches a few cells of the grid.
-        let side = (distances.sum::<f64>() / scouts.len() as f64).max(MIN_SEPARATION);
+        let side = (distances.sum::<f64>() / coarse.len() as f64).max(MIN_SEPARATION);
         let real = self.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
         let grid = Grid::new(side, real.map(|(at, site)| (site.rest, at)));
-        let nearest = |scout: usize| {
-            let (triangle, p) = (self.scouts.outline_triangles[scout], self.scouts.mesh.vertices[scout]);
-            let within = self.cells.distance[scout] * (1.0 + TIE);
+        let nearest = |sample: usize| {
+            let (triangle, p) = (self.coarse.nav_triangles[sample], self.coarse.mesh.vertices[sample]);
+            let within = self.cells.distance[sample] * (1.0 + TIE);
             let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(triangle, p) <= within;
             let mut near: Vec<usize> = grid.around(p, within).filter(|&at| is_near(&self.sites[at])).collect();
             near.sort_unstable();
             near
         };
         let mut known = HashMap::new();
-        for &scout in scouts {
-            known.entry(scout).or_insert_with(|| nearest(scout as usize));
+        for &sample in coarse {
+            known.entry(sample).or_insert_with(|| nearest(sample as usize));
         }
         known
     }
 
-    /// About where the border of two sites is between two scouts, one in the cell of each.
-    fn between(&self, scouts: [usize; 2], s: &Site, t: &Site) -> DVec2 {
-        let [a, b] = scouts.map(|scout| self.scouts.mesh.vertices[scout]);
+    /// About where the border of two sites is between two coarse samples, one in the cell of each.
+    fn between(&self, coarse: [usize; 2], s: &Site, t: &Site) -> DVec2 {
+        let [a, b] = coarse.map(|sample| self.coarse.mesh.vertices[sample]);
         // By how much the other site is farther: both nearly linear along the edge.
-        let off_a = t.field.distance(self.scouts.outline_triangles[scouts[0]], a) - self.cells.distance[scouts[0]];
-        let off_b = s.field.distance(self.scouts.outline_triangles[scouts[1]], b) - self.cells.distance[scouts[1]];
+        let off_a = t.field.distance(self.coarse.nav_triangles[coarse[0]], a) - self.cells.distance[coarse[0]];
+        let off_b = s.field.distance(self.coarse.nav_triangles[coarse[1]], b) - self.cells.distance[coarse[1]];
         let share = off_a / (off_a + off_b);
         a.lerp(b, if share.is_finite() { share } else { 0.5 })
     }
@@ -145,44 +145,44 @@ mod tests {
         distance::{Navigation, Propagation},
         domain::Domain,
         project::{Handle, Project},
-        sample::{Ground, Scouts},
+        sample::{BaseSamples, CoarseSamples},
         site::{Obstacles, SiteKind},
         solve,
     };
 
     #[test]
-    fn the_nearest_handles_of_scouts_are_those_that_a_look_at_all_finds() {
+    fn the_nearest_handles_of_samples_are_those_that_a_look_at_all_finds() {
         let domain = Domain::rectangle(200, 150);
         let navigation = Navigation::new(&domain);
         let scattered = (0..20)
             .map(f64::from)
             .map(|i| DVec2::new((0.618_033_988_75 * i).fract() * 200.0, (0.754_877_666_25 * i).fract() * 50.0));
-        // Two on both sides of an axis, on which there are scouts.
+        // Two on both sides of an axis, on which there are coarse samples.
         let points: Vec<DVec2> =
             [(95.0, 100.0), (105.0, 100.0)].map(DVec2::from).into_iter().chain(scattered).collect();
-        let ground = Ground::new(&domain, &navigation, &[], 1500, None);
-        let scouts = Scouts::new(&ground, &domain, &navigation, &points);
+        let base = BaseSamples::new(&domain, &navigation, &[], 1500, None);
+        let coarse = CoarseSamples::new(&base, &domain, &navigation, &points);
         let skeleton = Skeleton::default();
         let obstacles = Obstacles { skeleton: &skeleton, tracks: Vec::new(), held: None };
         let mut propagation = Propagation::default();
-        let mut regions = Regions::new(&navigation, &scouts, &obstacles, &mut propagation);
+        let mut regions = Regions::new(&navigation, &coarse, &obstacles, &mut propagation);
         let free = [(30.0, 120.0), (170.0, 120.0)].map(|p| (DVec2::from(p), SiteKind::Virtual));
         let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
         for (p, kind) in (0..).zip(&points).map(point).chain(free) {
             let (triangle, p) = navigation.locate(p).expect("inside");
             regions.insert(p, triangle, kind);
         }
-        let all: Vec<u32> = (0..scouts.len() as u32).collect();
+        let all: Vec<u32> = (0..coarse.len() as u32).collect();
         let nearest = regions.nearest_handles(&all);
         let mut found = [0; 3];
-        for scout in all {
-            let at = scout as usize;
+        for sample in all {
+            let at = sample as usize;
             let within = regions.cells.distance[at] * (1.0 + TIE);
             let is_near =
-                |site: &Site| site.field.distance(scouts.outline_triangles[at], scouts.mesh.vertices[at]) <= within;
+                |site: &Site| site.field.distance(coarse.nav_triangles[at], coarse.mesh.vertices[at]) <= within;
             let real = |&at: &usize| regions.sites[at].kind.is_real() && is_near(&regions.sites[at]);
             let plain: Vec<usize> = (0..regions.sites.len()).filter(real).collect();
-            assert_eq!(nearest[&scout], plain, "scout {scout}");
+            assert_eq!(nearest[&sample], plain, "sample {sample}");
             found[plain.len().min(2)] += 1;
         }
         assert!(found.iter().all(|&count| count > 3), "{found:?}");

@@ -21,7 +21,7 @@ mod visit_stamps;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use crate::distance::{DistanceField, OutlineTriangle};
+use crate::distance::{DistanceField, NavTriangle};
 
 pub(crate) use graph::SiteGraph;
 pub(crate) use obstacles::Obstacles;
@@ -76,7 +76,7 @@ impl SiteKind {
 
 /// The site of a point handle that is about to be inserted.
 #[derive(Debug)]
-pub(crate) struct PointSite<P = OutlineTriangle> {
+pub(crate) struct PointSite<P = NavTriangle> {
     pub(crate) rest: DVec2,
     pub(crate) triangle: P,
     /// Index of the handle in the project.
@@ -108,7 +108,7 @@ pub struct Site {
     /// without end. So the cell may reach a little farther. The supports of the two bones, which may overlap, cover the rest.
     pub(crate) in_nook: bool,
     pub(crate) island: usize,
-    pub(crate) triangle: OutlineTriangle,
+    pub(crate) triangle: NavTriangle,
     pub(crate) field: DistanceField,
 }
 

@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::{Regions, Site, SiteKind};
 use crate::{
     bone::{Skeleton, Track},
-    distance::{DistanceField, OutlineTriangle},
+    distance::{DistanceField, NavTriangle},
     domain::Domain,
     segment::nearest_on_segment,
 };
@@ -47,7 +47,7 @@ impl Regions<'_> {
     pub(super) fn make_room(
         &mut self,
         rest: DVec2,
-        triangle: OutlineTriangle,
+        triangle: NavTriangle,
         kind: SiteKind,
         field: &DistanceField,
     ) -> Room {
@@ -63,7 +63,7 @@ impl Regions<'_> {
 
     /// Updates the separation and clearance of all sites for a site about to be inserted. Returns its distance to the nearest
     /// site outside its body, and to the nearest real one.
-    fn update_separations(&mut self, rest: DVec2, triangle: OutlineTriangle, kind: SiteKind) -> (f64, f64) {
+    fn update_separations(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) -> (f64, f64) {
         let (island, body) = (self.navigation.island_of(triangle), self.body(kind));
         let (mut separation, mut clearance) = (f64::INFINITY, f64::INFINITY);
         for at in 0..self.sites.len() {
@@ -106,7 +106,7 @@ impl Regions<'_> {
     }
 
     /// Whether a place lies between two bones that meet, both no farther than `within`.
-    pub(super) fn is_in_nook(&mut self, p: DVec2, triangle: OutlineTriangle, within: f64) -> bool {
+    pub(super) fn is_in_nook(&mut self, p: DVec2, triangle: NavTriangle, within: f64) -> bool {
         let bones = &self.obstacles.skeleton.bones;
         let near: Vec<(usize, DVec2)> = bones
             .iter()

@@ -1,6 +1,6 @@
 //! Sites with their distance fields and cells: the state of Algorithm 1.
 //!
-//! Cost of an insertion: a distance field up to its bound, the scouts of the cells around it, and a pass over all sites.
+//! Cost of an insertion: a distance field up to its bound, the coarse samples of the cells around it, and a pass over all sites.
 
 use glam::DVec2;
 
@@ -13,8 +13,8 @@ use super::{
     visit_stamps::VisitStamps,
 };
 use crate::{
-    distance::{DistanceField, Navigation, OutlineTriangle, Propagation},
-    sample::Scouts,
+    distance::{DistanceField, NavTriangle, Navigation, Propagation},
+    sample::CoarseSamples,
 };
 
 /// Reach of the fields of real sites, and of all fields where there are bones, over the largest cell: as far as nearly all
@@ -24,7 +24,7 @@ const FIELD_REACH: f64 = 1.75;
 /// All sites with their distance fields and cells.
 pub(crate) struct Regions<'a> {
     pub(crate) navigation: &'a Navigation,
-    pub(crate) scouts: &'a Scouts,
+    pub(crate) coarse: &'a CoarseSamples,
     pub(super) obstacles: &'a Obstacles<'a>,
     pub(crate) sites: Vec<Site>,
     pub(super) chains: Vec<Chain>,
@@ -32,7 +32,7 @@ pub(crate) struct Regions<'a> {
     /// Farthest points of each cell, as far as known.
     pub(super) far: Vec<Far>,
     pub(super) pieces: Pieces,
-    /// The triangle of the scouts' mesh that contains each site.
+    /// The triangle of the coarse samples' mesh that contains each site.
     pub(super) home: Vec<u32>,
     /// The triangles that the current search has visited.
     pub(super) searched: VisitStamps,
@@ -42,41 +42,41 @@ pub(crate) struct Regions<'a> {
 impl<'a> Regions<'a> {
     pub(crate) fn new(
         navigation: &'a Navigation,
-        scouts: &'a Scouts,
+        coarse: &'a CoarseSamples,
         obstacles: &'a Obstacles<'a>,
         propagation: &'a mut Propagation,
     ) -> Self {
         Self {
             navigation,
-            scouts,
+            coarse,
             obstacles,
             sites: Vec::new(),
             chains: Vec::new(),
-            cells: Cells::new(scouts.len()),
+            cells: Cells::new(coarse.len()),
             far: Vec::new(),
-            pieces: Pieces::new(scouts.mesh.triangles.len()),
+            pieces: Pieces::new(coarse.mesh.triangles.len()),
             home: Vec::new(),
-            searched: VisitStamps::new(scouts.mesh.triangles.len()),
+            searched: VisitStamps::new(coarse.mesh.triangles.len()),
             propagation,
         }
     }
 
     /// Inserts a site at a point of the domain.
-    pub(crate) fn insert(&mut self, rest: DVec2, triangle: OutlineTriangle, kind: SiteKind) {
+    pub(crate) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) {
         let island = self.navigation.island_of(triangle);
-        // No scout of the island is farther than this from its nearest site, so the new cell reaches no farther either.
+        // No coarse sample of the island is farther than this from its nearest site, so the new cell reaches no farther either.
         let island_sites = (0..self.sites.len()).filter(|&i| self.sites[i].island == island);
         let radius = island_sites.map(|i| self.sampled_radius(i)).reduce(f64::max);
         let reaches_beyond_cell = kind.is_real() || !self.obstacles.tracks.is_empty();
         let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
-        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.scouts.longest_edge));
+        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * self.coarse.longest_edge));
         let field = self.field(rest, triangle, bound);
         let Room { separation, clearance, in_nook } = self.make_room(rest, triangle, kind, &field);
-        let scouts = self.scouts;
-        let home = scouts.triangle_at(rest);
+        let coarse = self.coarse;
+        let home = coarse.triangle_at(rest);
         let mut lookup = field.cached_lookup();
-        let path_end = |at: usize| lookup.path_end(scouts.outline_triangles[at], scouts.mesh.vertices[at]);
-        self.cells.insert(scouts, (rest, scouts.mesh.triangles[home]), path_end);
+        let path_end = |at: usize| lookup.path_end(coarse.nav_triangles[at], coarse.mesh.vertices[at]);
+        self.cells.insert(coarse, (rest, coarse.mesh.triangles[home]), path_end);
         self.sites.push(Site {
             rest,
             kind,
@@ -93,12 +93,12 @@ impl<'a> Regions<'a> {
         pieces.insert(self);
         self.pieces = pieces;
         self.keep_far_points();
-        self.far.push(Far::Within(radius.map_or(f64::INFINITY, |radius| radius + self.scouts.longest_edge)));
+        self.far.push(Far::Within(radius.map_or(f64::INFINITY, |radius| radius + self.coarse.longest_edge)));
         self.home.push(home as u32);
     }
 
     /// The distance field of a point, up to a bound.
-    pub(super) fn field(&mut self, from: DVec2, triangle: OutlineTriangle, bound: f64) -> DistanceField {
+    pub(super) fn field(&mut self, from: DVec2, triangle: NavTriangle, bound: f64) -> DistanceField {
         self.propagation.field(self.navigation, triangle, from, bound)
     }
 
@@ -112,13 +112,13 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// The cell radius over the scouts: a lower bound of the true one.
+    /// The cell radius over the coarse samples: a lower bound of the true one.
     pub(crate) fn sampled_radius(&self, site: usize) -> f64 {
         self.cells.farthest_sample(site).map_or(0.0, |sample| self.cells.distance[sample])
     }
 
     /// The nearest site of a point, and its distance; `None` on an island without sites.
-    pub(crate) fn nearest(&self, triangle: OutlineTriangle, p: DVec2) -> Option<(f64, &Site)> {
+    pub(crate) fn nearest(&self, triangle: NavTriangle, p: DVec2) -> Option<(f64, &Site)> {
         self.sites.iter().fold(None, |nearest, site| {
             let known = nearest.map_or(f64::INFINITY, |(known, _)| known);
             let distance = if site.rest.distance(p) < known { site.field.distance(triangle, p) } else { f64::INFINITY };

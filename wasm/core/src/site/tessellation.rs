@@ -17,7 +17,7 @@ use glam::DVec2;
 
 use super::{PointSite, Regions, SiteKind, TIE, chain::Chain, farthest::FarPoint};
 use crate::{
-    distance::{Navigation, OutlineTriangle},
+    distance::{NavTriangle, Navigation},
     domain::Domain,
     error::Error,
     limits::MAX_SITES,
@@ -33,7 +33,7 @@ const NEAR_ENOUGH: f64 = 0.05;
 /// A site about to be inserted.
 struct NewSite {
     rest: DVec2,
-    triangle: OutlineTriangle,
+    triangle: NavTriangle,
     kind: SiteKind,
     /// The chain that the site belongs to, and its arc length there.
     on_chain: Option<(usize, f64)>,

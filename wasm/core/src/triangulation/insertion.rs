@@ -9,7 +9,7 @@
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
 
-use super::{NONE, ON_OUTLINE, Triangulation, depth_in};
+use super::{NONE, OUTLINE_TOLERANCE, Triangulation, signed_depth};
 
 /// The result of an insertion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Inserted {
 }
 
 impl Triangulation {
-    /// Inserts a vertex into the region, within [`ON_OUTLINE`]; if it is that near to a boundary edge, onto that edge. `near`
+    /// Inserts a vertex into the region, within [`OUTLINE_TOLERANCE`]; if it is that near to a boundary edge, onto that edge. `near`
     /// is a triangle not far from it.
     pub(crate) fn insert(&mut self, near: usize, p: DVec2) -> Inserted {
         let t = self.triangle_at(near, p);
@@ -44,13 +44,13 @@ impl Triangulation {
         let distance = |v: &u32| self.vertices[*v as usize].distance(p);
         let nearest = corners.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let nearest = nearest.expect("a triangle has corners");
-        if distance(&nearest) <= ON_OUTLINE {
+        if distance(&nearest) <= OUTLINE_TOLERANCE {
             return Inserted::Known(nearest);
         }
         for k in 0..3 {
             let [a, b] = [corners[k], corners[(k + 1) % 3]].map(|v| self.vertices[v as usize]);
             let along = b - a;
-            if self.neighbours[t][k] == NONE && along.perp_dot(p - a) <= ON_OUTLINE * along.length() {
+            if self.neighbours[t][k] == NONE && along.perp_dot(p - a) <= OUTLINE_TOLERANCE * along.length() {
                 let at = a + along * ((p - a).dot(along) / along.length_squared());
                 let between = [corners[k], corners[(k + 1) % 3]];
                 return Inserted::OnBoundary { vertex: self.split_edge(t, k, at), between };
@@ -68,7 +68,7 @@ impl Triangulation {
     /// The triangle that contains a point, or, for a point outside the region, the nearest one. `near` is a triangle not far
     /// from it.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
-        let depth = |t: usize| depth_in(self.corners(t), p);
+        let depth = |t: usize| signed_depth(self.corners(t), p);
         let mut t = near;
         // In a Delaunay triangulation such a walk visits no triangle twice; but the region need not be convex.
         for _ in 0..self.triangles.len() {
@@ -78,7 +78,7 @@ impl Triangulation {
                 return t;
             }
             let Some(k) = (0..3).find(|&k| beyond[k] && neighbours[k] != NONE) else {
-                if depth(t) >= -ON_OUTLINE {
+                if depth(t) >= -OUTLINE_TOLERANCE {
                     return t;
                 }
                 break;

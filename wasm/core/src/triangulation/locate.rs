@@ -9,11 +9,11 @@ use std::iter;
 use glam::DVec2;
 
 use super::Triangulation;
-use crate::{extremes::lesser, rows::Rows};
+use crate::{min_max::fast_min, rows::Rows};
 
 /// Points this far outside every triangle, in pixels, still count as inside: above the rounding of a point computed to lie on
 /// the outline, and far below what is visible.
-pub(crate) const ON_OUTLINE: f64 = 1e-6;
+pub(crate) const OUTLINE_TOLERANCE: f64 = 1e-6;
 
 /// An index over the triangles of one mesh.
 #[derive(Debug, Clone)]
@@ -43,12 +43,12 @@ impl Locator {
         grid
     }
 
-    /// The triangle that contains a point, within [`ON_OUTLINE`].
+    /// The triangle that contains a point, within [`OUTLINE_TOLERANCE`].
     pub(crate) fn locate(&self, mesh: &Triangulation, p: DVec2) -> Option<usize> {
         let (x, y) = self.cell_of(p)?;
-        let mut best = (-ON_OUTLINE, None);
+        let mut best = (-OUTLINE_TOLERANCE, None);
         for &t in self.cells.row(y * self.columns + x) {
-            let depth = depth_in(mesh.corners(t as usize), p);
+            let depth = signed_depth(mesh.corners(t as usize), p);
             if depth >= 0.0 {
                 return Some(t as usize);
             }
@@ -70,22 +70,22 @@ impl Locator {
 
     fn cell_of(&self, p: DVec2) -> Option<(usize, usize)> {
         let cell = (p - self.low) / self.cell;
-        let slack = ON_OUTLINE / self.cell;
+        let slack = OUTLINE_TOLERANCE / self.cell;
         let inside =
             |c: f64, n: usize| (c >= -slack && c <= n as f64 + slack).then(|| (c.max(0.0) as usize).min(n - 1));
         Some((inside(cell.x, self.columns)?, inside(cell.y, self.rows)?))
     }
 
-    /// Calls `visit` with every cell that a triangle, widened by [`ON_OUTLINE`], may touch.
+    /// Calls `visit` with every cell that a triangle, widened by [`OUTLINE_TOLERANCE`], may touch.
     fn for_cells(&self, corners: [DVec2; 3], mut visit: impl FnMut(usize)) {
         let [a, b, c] = corners;
         let index = |p: DVec2| ((p - self.low) / self.cell).max(DVec2::ZERO);
-        let (first, last) = (index(a.min(b).min(c) - ON_OUTLINE), index(a.max(b).max(c) + ON_OUTLINE));
-        let reach = self.cell * std::f64::consts::FRAC_1_SQRT_2 + ON_OUTLINE;
+        let (first, last) = (index(a.min(b).min(c) - OUTLINE_TOLERANCE), index(a.max(b).max(c) + OUTLINE_TOLERANCE));
+        let reach = self.cell * std::f64::consts::FRAC_1_SQRT_2 + OUTLINE_TOLERANCE;
         for y in first.y as usize..=(last.y as usize).min(self.rows - 1) {
             for x in first.x as usize..=(last.x as usize).min(self.columns - 1) {
                 let centre = self.low + (DVec2::new(x as f64, y as f64) + 0.5) * self.cell;
-                if depth_in(corners, centre) >= -reach {
+                if signed_depth(corners, centre) >= -reach {
                     visit(y * self.columns + x);
                 }
             }
@@ -94,7 +94,7 @@ impl Locator {
 }
 
 /// Distance of a point to the nearest line of a triangle's edges, negative outside.
-pub(crate) fn depth_in([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
+pub(crate) fn signed_depth([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
     let side = |from: DVec2, to: DVec2| (to - from).perp_dot(p - from) / (to - from).length();
-    lesser(lesser(side(a, b), side(b, c)), side(c, a))
+    fast_min(fast_min(side(a, b), side(b, c)), side(c, a))
 }

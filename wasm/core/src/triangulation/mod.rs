@@ -11,7 +11,7 @@ use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, mitigate_underflow};
 
 pub(crate) use insertion::Inserted;
-pub(crate) use locate::{Locator, ON_OUTLINE, depth_in};
+pub(crate) use locate::{Locator, OUTLINE_TOLERANCE, signed_depth};
 
 /// "No triangle" in [`Triangulation::neighbours`].
 pub(crate) const NONE: u32 = u32::MAX;

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     bone::Skeleton,
-    distance::{Navigation, OutlineTriangle},
+    distance::{NavTriangle, Navigation},
     rows::Rows,
     sample::Samples,
     site::Site,
@@ -66,7 +66,7 @@ impl WeightFunctions {
     ///
     /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, behind a hole for
     /// example, weights have a crease and several gradients: their mean is returned.
-    pub(crate) fn at(&self, sites: &[Site], triangle: OutlineTriangle, p: DVec2) -> Vec<Influence> {
+    pub(crate) fn at(&self, sites: &[Site], triangle: NavTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
         for Reaching { site, windows } in self.reaching_in(triangle) {
@@ -97,7 +97,7 @@ impl WeightFunctions {
         &self,
         navigation: &Navigation,
         sites: &[Site],
-        (triangle, p): (OutlineTriangle, DVec2),
+        (triangle, p): (NavTriangle, DVec2),
         step: f64,
     ) -> Vec<Influence> {
         let mut here = self.at(sites, triangle, p);
@@ -127,7 +127,7 @@ impl WeightFunctions {
         self.sharing.share_out_rows(&samples.mesh.vertices, &mut swept.weights);
         let islands: HashSet<usize> = sites.iter().map(|site| site.island).collect();
         for sample in (0..samples.len()).filter(|&sample| swept.sums[sample] == 0.0) {
-            let (triangle, p) = (samples.outline_triangles[sample], samples.mesh.vertices[sample]);
+            let (triangle, p) = (samples.nav_triangles[sample], samples.mesh.vertices[sample]);
             if islands.contains(&navigation.island_of(triangle)) {
                 // Fields reach over their cells.
                 let distances = (0..).zip(sites).map(|(number, site)| (site.field.distance(triangle, p), number));
@@ -139,7 +139,7 @@ impl WeightFunctions {
         swept
     }
 
-    fn reaching_in(&self, triangle: OutlineTriangle) -> &[Reaching] {
+    fn reaching_in(&self, triangle: NavTriangle) -> &[Reaching] {
         self.reaching.row(triangle.0 as usize)
     }
 }
@@ -150,7 +150,7 @@ mod tests {
     use crate::{
         Picture,
         project::{Filling, Project},
-        sample::Ground,
+        sample::BaseSamples,
         solve,
     };
 
@@ -174,8 +174,8 @@ mod tests {
         let mut sites = solution.sites.clone();
         sites.iter_mut().filter(|site| site.rest.x > 50.0).for_each(|site| site.support_radius = 0.0);
         let handles: Vec<DVec2> = sites.iter().filter(|site| site.kind.is_real()).map(|site| site.rest).collect();
-        let ground = Ground::new(solution.domain(), navigation, &[], 500, None);
-        let samples = ground.with_sites(solution.domain(), navigation, &handles);
+        let base = BaseSamples::new(solution.domain(), navigation, &[], 500, None);
+        let samples = base.with_sites(solution.domain(), navigation, &handles);
         let functions =
             WeightFunctions::new(navigation, &sites, &Skeleton::default(), Basis::new(5, Filling::default()));
         let Swept { sums, nearest, .. } = functions.of_samples(navigation, &sites, &samples);

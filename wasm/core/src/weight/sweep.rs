@@ -9,7 +9,7 @@ use glam::DVec2;
 
 use super::{Basis, SparseWeights};
 use crate::{
-    distance::{OutlineTriangle, WINDOW_SLACK, Window},
+    distance::{NavTriangle, WINDOW_SLACK, Window},
     sample::Samples,
     site::Site,
     triangulation::NONE,
@@ -51,7 +51,7 @@ pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
     sites: &[Site],
     samples: &Samples,
     basis: &Basis,
-    reaching: impl Fn(OutlineTriangle) -> R,
+    reaching: impl Fn(NavTriangle) -> R,
 ) -> Swept {
     let count = samples.len();
     let mut swept = Swept {
@@ -62,7 +62,7 @@ pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
     let mut columns: Vec<Column> = Vec::new();
     let mut batch = Batch { low: DVec2::ZERO, high: DVec2::ZERO, x: [0.0; BATCH], y: [0.0; BATCH], count: 0 };
     let mut rest = &samples.mesh.vertices[..];
-    for same in samples.outline_triangles.chunk_by(|a, b| a == b) {
+    for same in samples.nav_triangles.chunk_by(|a, b| a == b) {
         let (mut of_triangle, after) = rest.split_at(same.len());
         rest = after;
         while !of_triangle.is_empty() {

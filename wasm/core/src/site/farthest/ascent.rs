@@ -5,14 +5,14 @@
 //! replaced by its tangent plane, as in successive linear programming) finds it: each step ascends one of the site's cones as
 //! far as, by the tangent planes, it remains the minimum. It converges as Newton's method does.
 //!
-//! So the places of virtual sites hardly depend on where the scouts happen to lie.
+//! So the places of virtual sites hardly depend on where the coarse samples happen to lie.
 //!
 //! Cost: for each of about five steps all pairs of cones, or for more than [`MAX_SIDES_IN_PAIRS`] cones a few passes over
 //! them.
 
 use glam::DVec2;
 
-use crate::extremes::greater;
+use crate::min_max::fast_max;
 
 /// A cone `offset + |p − apex|`: the length of the paths that bend last at one pseudo-source.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +77,7 @@ fn ascend_once(
     fork: Fork,
 ) -> Option<(DVec2, bool)> {
     let [a, b, c] = *corners;
-    let longest = greater(greater(a.distance(b), b.distance(c)), c.distance(a));
+    let longest = fast_max(fast_max(a.distance(b), b.distance(c)), c.distance(a));
     let (mut p, mut forked) = (from, false);
     let mut cones = Cones { own: Vec::with_capacity(CAPACITY), others: Vec::with_capacity(CAPACITY) };
     let mut sides = Vec::with_capacity(2 * CAPACITY);
@@ -120,7 +120,7 @@ fn constrain(
 ) {
     let up = own.gradient;
     // The greatest component of a step within the triangle in a direction.
-    let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, greater);
+    let extent = |normal: DVec2| corners.iter().map(|&v| normal.dot(v - p)).fold(f64::NEG_INFINITY, fast_max);
     let below = others.map(|other| Constraint::new(up, up - other.gradient, other.value - own.value));
     sides.clear();
     sides.extend(below.filter(|side| side.limit < extent(side.normal)));

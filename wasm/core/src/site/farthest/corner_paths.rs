@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use crate::{
-    distance::{DistanceField, OutlineTriangle, PathEnd},
-    extremes::lesser,
+    distance::{DistanceField, NavTriangle, PathEnd},
+    min_max::fast_min,
 };
 
 /// The paths to the corners; `None` where none leads, or only one beyond the field's bound.
@@ -12,9 +12,9 @@ use crate::{
 pub(super) struct CornerPaths(pub(super) [Option<PathEnd>; 3]);
 
 impl CornerPaths {
-    pub(super) fn new(field: &DistanceField, corners: &[DVec2; 3], outline_triangles: &[OutlineTriangle; 3]) -> Self {
+    pub(super) fn new(field: &DistanceField, corners: &[DVec2; 3], nav_triangles: &[NavTriangle; 3]) -> Self {
         let mut field = field.cached_lookup();
-        Self([0, 1, 2].map(|k| field.path_end(outline_triangles[k], corners[k])))
+        Self([0, 1, 2].map(|k| field.path_end(nav_triangles[k], corners[k])))
     }
 
     /// Those to the corners of a part: 0 to 2 are the corners of the whole, 3 to 5 those of the triangle between their midpoints.
@@ -45,7 +45,7 @@ impl CornerPaths {
 
     /// The minimum of the known distances and these.
     pub(super) fn nearer(&self, known: &[f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|k| lesser(known[k], self.distance(k)))
+        [0, 1, 2].map(|k| fast_min(known[k], self.distance(k)))
     }
 
     /// Whether the site may be the nearest somewhere between corners with these distances to their nearest sites and edges no

@@ -1,8 +1,8 @@
 //! The farthest points of cells, where Algorithm 1 inserts its sites (section IV-A).
 //!
-//! They are those of the cell itself, not of the scouts in it, and are looked for only in cells that may be the worst, in three steps:
+//! They are those of the cell itself, not of the coarse samples in it, and are looked for only in cells that may be the worst, in three steps:
 //!
-//! - `triangles`: which triangles of the scouts' mesh may contain them;
+//! - `triangles`: which triangles of the coarse samples' mesh may contain them;
 //! - `search`: the best of these first, subdivided into [`pieces`] by branch and bound, each a [`piece`] with an upper bound from the
 //!   paths to its corners (`corner_paths`);
 //! - `ascent`: in a piece that is small enough, up the cones of the distance to where they meet.
@@ -17,7 +17,7 @@ mod triangles;
 use glam::DVec2;
 
 use super::{Regions, Site};
-use crate::{distance::OutlineTriangle, extremes::greater};
+use crate::{distance::NavTriangle, min_max::fast_max};
 
 pub(crate) use pieces::Pieces;
 
@@ -28,7 +28,7 @@ pub(super) const SAME_POINT: f64 = 1e-8;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FarPoint {
     pub(super) at: DVec2,
-    pub(super) triangle: OutlineTriangle,
+    pub(super) triangle: NavTriangle,
     pub(super) distance: f64,
 }
 
@@ -36,9 +36,9 @@ pub(super) struct FarPoint {
 pub(super) enum Far {
     /// No farther than this.
     Within(f64),
-    /// No farther than `scout`, the farthest scout when this was found, or in one of `triangles`, each with an upper bound,
+    /// No farther than `farthest_sample`, the farthest coarse sample when this was found, or in one of `triangles`, each with an upper bound,
     /// descending.
-    InTriangles { scout: f64, triangles: Vec<(u32, f64)> },
+    InTriangles { farthest_sample: f64, triangles: Vec<(u32, f64)> },
     /// These, all at the same distance from the site: at least one.
     Known(Vec<FarPoint>),
 }
@@ -49,12 +49,12 @@ impl Regions<'_> {
     pub(super) fn refine_farthest(&mut self, site: usize) {
         let radius = self.sampled_radius(site);
         self.far[site] = match std::mem::replace(&mut self.far[site], Far::Within(f64::INFINITY)) {
-            // If the cell has lost its farthest scout since, the points may be in other triangles.
-            Far::InTriangles { scout, triangles } if scout <= radius => {
+            // If the cell has lost its farthest coarse sample since, the points may be in other triangles.
+            Far::InTriangles { farthest_sample, triangles } if farthest_sample <= radius => {
                 Far::Known(self.farthest_points(site, &triangles))
             }
             Far::Within(_) | Far::InTriangles { .. } => {
-                Far::InTriangles { scout: radius, triangles: self.triangles_of(site, radius) }
+                Far::InTriangles { farthest_sample: radius, triangles: self.triangles_of(site, radius) }
             }
             known @ Far::Known(_) => known,
         }
@@ -72,8 +72,8 @@ impl Regions<'_> {
     pub(super) fn greatest_radius(&self, site: usize) -> f64 {
         match &self.far[site] {
             Far::Within(radius) => *radius,
-            Far::InTriangles { scout, triangles } => {
-                triangles.first().map_or(*scout, |&(_, upper_bound)| greater(upper_bound, *scout))
+            Far::InTriangles { farthest_sample, triangles } => {
+                triangles.first().map_or(*farthest_sample, |&(_, upper_bound)| fast_max(upper_bound, *farthest_sample))
             }
             Far::Known(points) => points[0].distance,
         }

@@ -1,4 +1,4 @@
-//! A part of a triangle of scouts, with the sites that may be nearest in it and an upper bound of the distance.
+//! A part of a triangle of coarse samples, with the sites that may be nearest in it and an upper bound of the distance.
 
 use glam::{DVec2, DVec3};
 
@@ -9,8 +9,8 @@ use super::{
     corner_paths::{CornerPaths, nearest_by_sources},
 };
 use crate::{
-    distance::{DistanceField, OutlineTriangle},
-    extremes::{greater, lesser},
+    distance::{DistanceField, NavTriangle},
+    min_max::{fast_max, fast_min},
     triangulation::NONE,
 };
 
@@ -29,7 +29,7 @@ pub(super) const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 
 /// A piece of the domain, and bounds of the distances in it.
 pub(super) struct Piece {
     corners: [DVec2; 3],
-    outline_triangles: [OutlineTriangle; 3],
+    nav_triangles: [NavTriangle; 3],
     /// Every site that may be the nearest somewhere in the piece, ascending.
     pub(super) sites: Vec<u32>,
     /// Paths from these sites, in the same order. Empty where there are parts, which have better ones.
@@ -48,42 +48,32 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    /// The piece of a triangle of scouts.
-    pub(super) fn of_scouts(regions: &Regions, triangle: u32) -> Self {
-        let (scouts, cells) = (regions.scouts, &regions.cells);
-        let vertices = scouts.mesh.triangles[triangle as usize].map(|v| v as usize);
-        let (corners, outline_triangles) =
-            (vertices.map(|v| scouts.mesh.vertices[v]), vertices.map(|v| scouts.outline_triangles[v]));
+    /// The piece of a triangle of coarse samples.
+    pub(super) fn of_coarse(regions: &Regions, triangle: u32) -> Self {
+        let (coarse, cells) = (regions.coarse, &regions.cells);
+        let vertices = coarse.mesh.triangles[triangle as usize].map(|v| v as usize);
+        let (corners, nav_triangles) =
+            (vertices.map(|v| coarse.mesh.vertices[v]), vertices.map(|v| coarse.nav_triangles[v]));
         // A site that is the nearest somewhere in the triangle is no farther than this from its corners.
-        let limits = vertices.map(|v| cells.distance[v] + 2.0 * scouts.reach[v]);
+        let limits = vertices.map(|v| cells.distance[v] + 2.0 * coarse.reach[v]);
         let is_near = |site: &Site| (0..3).all(|k| site.rest.distance_squared(corners[k]) <= limits[k] * limits[k]);
         let near = (0..).zip(&regions.sites).filter(|(_, site)| is_near(site));
-        let paths = near.map(|(at, site)| (at, CornerPaths::new(&site.field, &corners, &outline_triangles)));
-        let walls = scouts.mesh.neighbours[triangle as usize].iter().filter(|&&n| n == NONE).count();
-        Self::new(corners, outline_triangles, paths.unzip(), walls)
+        let paths = near.map(|(at, site)| (at, CornerPaths::new(&site.field, &corners, &nav_triangles)));
+        let walls = coarse.mesh.neighbours[triangle as usize].iter().filter(|&&n| n == NONE).count();
+        Self::new(corners, nav_triangles, paths.unzip(), walls)
     }
 
     /// A piece in which only `sites` can be the nearest.
     fn new(
         corners: [DVec2; 3],
-        outline_triangles: [OutlineTriangle; 3],
+        nav_triangles: [NavTriangle; 3],
         (sites, paths): (Vec<u32>, Vec<CornerPaths>),
         walls: usize,
     ) -> Self {
         let longest = lengths(&corners).into_iter().fold(0.0, f64::max);
         let (nearest, limits, upper_bound) = ([f64::INFINITY; 3], 0, f64::INFINITY);
-        let mut piece = Self {
-            corners,
-            outline_triangles,
-            sites,
-            paths,
-            nearest,
-            walls,
-            limits,
-            longest,
-            upper_bound,
-            parts: None,
-        };
+        let mut piece =
+            Self { corners, nav_triangles, sites, paths, nearest, walls, limits, longest, upper_bound, parts: None };
         piece.update_bounds();
         piece
     }
@@ -106,7 +96,7 @@ impl Piece {
 
     /// The paths from a site to the corners.
     pub(super) fn path_ends(&self, field: &DistanceField) -> CornerPaths {
-        CornerPaths::new(field, &self.corners, &self.outline_triangles)
+        CornerPaths::new(field, &self.corners, &self.nav_triangles)
     }
 
     /// Drops the sites that are nowhere the nearest, and computes the upper bound from the others.
@@ -140,11 +130,11 @@ impl Piece {
         self.limits = self.walls + 2 * self.paths.len() - cones.clone().count();
         self.nearest = nearest;
         let lengths = lengths(&corners);
-        let from_corner = (0..3).map(|k| nearest[k] + greater(lengths[k], lengths[(k + 2) % 3]));
+        let from_corner = (0..3).map(|k| nearest[k] + fast_max(lengths[k], lengths[(k + 2) % 3]));
         // A cone is convex, so it is greatest at a corner.
-        let at_corner = cones.map(|paths| (0..3).map(|k| paths.distance(k)).fold(0.0, greater));
+        let at_corner = cones.map(|paths| (0..3).map(|k| paths.distance(k)).fold(0.0, fast_max));
         let lipschitz = lipschitz_bound(&nearest, longest);
-        self.upper_bound = from_corner.chain(at_corner).fold(lipschitz, lesser);
+        self.upper_bound = from_corner.chain(at_corner).fold(lipschitz, fast_min);
     }
 
     fn is_divisible(&self) -> bool {
@@ -158,18 +148,18 @@ impl Piece {
         }
         let [a, b, c] = self.corners;
         let middles = [a.midpoint(b), b.midpoint(c), c.midpoint(a)];
-        let outline_triangles = middles.map(|p| regions.navigation.triangle_at(p));
-        let [Some(ab), Some(bc), Some(ca)] = outline_triangles else { return None };
-        let (corners, outline_triangles) = ([self.corners, middles], [self.outline_triangles, [ab, bc, ca]]);
+        let nav_triangles = middles.map(|p| regions.navigation.triangle_at(p));
+        let [Some(ab), Some(bc), Some(ca)] = nav_triangles else { return None };
+        let (corners, nav_triangles) = ([self.corners, middles], [self.nav_triangles, [ab, bc, ca]]);
         let paths_of = |(&site, &of_corners): (&u32, &CornerPaths)| {
-            [of_corners, CornerPaths::new(&regions.sites[site as usize].field, &middles, &outline_triangles[1])]
+            [of_corners, CornerPaths::new(&regions.sites[site as usize].field, &middles, &nav_triangles[1])]
         };
         let paths: Vec<[CornerPaths; 2]> = self.sites.iter().zip(&self.paths).map(paths_of).collect();
         Some(PARTS.map(|part| {
             let of_part = |[outer, inner]: &[CornerPaths; 2]| CornerPaths::of_part(outer, inner, part);
-            let (corners, outline_triangles) =
-                (part.map(|k| corners[k / 3][k % 3]), part.map(|k| outline_triangles[k / 3][k % 3]));
-            Self::new(corners, outline_triangles, (self.sites.clone(), paths.iter().map(of_part).collect()), self.walls)
+            let (corners, nav_triangles) =
+                (part.map(|k| corners[k / 3][k % 3]), part.map(|k| nav_triangles[k / 3][k % 3]));
+            Self::new(corners, nav_triangles, (self.sites.clone(), paths.iter().map(of_part).collect()), self.walls)
         }))
     }
 
@@ -242,8 +232,8 @@ impl Piece {
     }
 
     /// The triangle of the outline that a point of the piece lies in.
-    fn triangle_at(&self, regions: &Regions, p: DVec2) -> Option<OutlineTriangle> {
-        let [a, b, c] = self.outline_triangles;
+    fn triangle_at(&self, regions: &Regions, p: DVec2) -> Option<NavTriangle> {
+        let [a, b, c] = self.nav_triangles;
         if a == b && b == c { Some(a) } else { regions.navigation.triangle_at(p) }
     }
 

@@ -1,8 +1,8 @@
-//! The opened triangles of the scouts' mesh, subdivided in four and in four again where a search needs it.
+//! The opened triangles of the coarse samples' mesh, subdivided in four and in four again where a search needs it.
 //!
 //! Each piece lists every site that may be the nearest somewhere in it, for all cells alike, and is updated when sites are
 //! inserted. So a subdivision made for one cell serves its neighbours and the next round: thousands of sites among a thousand
-//! scouts cost hardly more each than a few do.
+//! coarse samples cost hardly more each than a few do.
 
 use super::{
     super::{Regions, Site},
@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{distance::DistanceField, triangulation::NONE};
 
-/// The opened triangles of the scouts' mesh, and their parts.
+/// The opened triangles of the coarse samples' mesh, and their parts.
 #[derive(Default)]
 pub(crate) struct Pieces {
     pieces: Vec<Piece>,
@@ -41,7 +41,7 @@ impl Pieces {
         if self.roots[triangle as usize] == NONE {
             self.roots[triangle as usize] = self.pieces.len() as u32;
             self.opened.push(triangle);
-            self.pieces.push(Piece::of_scouts(regions, triangle));
+            self.pieces.push(Piece::of_coarse(regions, triangle));
         }
         self.roots[triangle as usize]
     }
@@ -63,12 +63,12 @@ impl Pieces {
         first..first + PARTS.len() as u32
     }
 
-    /// Inserts the last site. Its cell has points only in triangles whose scouts were visited for it.
+    /// Inserts the last site. Its cell has points only in triangles whose coarse samples were visited for it.
     pub(crate) fn insert(&mut self, regions: &Regions) {
         let Some((site, Site { field, .. })) = (0..).zip(&regions.sites).last() else { return };
         for at in 0..self.opened.len() {
             let triangle = self.opened[at] as usize;
-            if regions.cells.saw(regions.scouts.mesh.triangles[triangle]) {
+            if regions.cells.saw(regions.coarse.mesh.triangles[triangle]) {
                 let root = self.roots[triangle];
                 let paths = self.piece(root).path_ends(field);
                 self.enter(root, site, field, paths);

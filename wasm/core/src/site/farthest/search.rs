@@ -1,6 +1,6 @@
 //! A best-first search for the farthest points of a cell, over the pieces of the triangles that may contain them.
 //!
-//! It looks into a few triangles only, and finds the farthest point however few scouts there are.
+//! It looks into a few triangles only, and finds the farthest point however few coarse samples there are.
 //!
 //! Cost: the pieces that it opens, and a heap of them.
 
@@ -18,8 +18,8 @@ impl Regions<'_> {
     pub(super) fn farthest_points(&mut self, site: usize, triangles: &[(u32, f64)]) -> Vec<FarPoint> {
         let tied = |distance: f64, greatest: f64| distance >= greatest * (1.0 - TIE);
         let radius = self.sampled_radius(site);
-        let of_scouts = self.cells.of(site).filter(|&at| tied(self.cells.distance[at], radius));
-        let mut found: Vec<FarPoint> = of_scouts.map(|at| self.far_point(at)).collect();
+        let of_coarse = self.cells.of(site).filter(|&at| tied(self.cells.distance[at], radius));
+        let mut found: Vec<FarPoint> = of_coarse.map(|at| self.far_point(at)).collect();
         let mut pieces = std::mem::take(&mut self.pieces);
         let mut greatest = radius;
         let mut search = Search { triangles, open: BinaryHeap::new() };
@@ -59,10 +59,10 @@ impl Regions<'_> {
         points
     }
 
-    /// A scout as a far point.
-    fn far_point(&self, scout: usize) -> FarPoint {
-        let (at, triangle) = (self.scouts.mesh.vertices[scout], self.scouts.outline_triangles[scout]);
-        FarPoint { at, triangle, distance: self.cells.distance[scout] }
+    /// A coarse sample as a far point.
+    fn far_point(&self, sample: usize) -> FarPoint {
+        let (at, triangle) = (self.coarse.mesh.vertices[sample], self.coarse.nav_triangles[sample]);
+        FarPoint { at, triangle, distance: self.cells.distance[sample] }
     }
 }
 

@@ -20,7 +20,7 @@ use self::{
     parts::{Part, areas, parts},
 };
 use crate::{
-    distance::{Navigation, OutlineTriangle},
+    distance::{NavTriangle, Navigation},
     sample::Samples,
     site::{Site, SiteKind},
     weight::{Influence, SparseWeights, WeightFunctions},
@@ -164,7 +164,7 @@ impl Placing<'_> {
     }
 
     /// The node at a place that stands for an area, unless weights say nothing of that.
-    fn node(&self, at: DVec2, triangle: OutlineTriangle, area: f64) -> Option<PackedNode> {
+    fn node(&self, at: DVec2, triangle: NavTriangle, area: f64) -> Option<PackedNode> {
         let Self { navigation, sites, functions, held } = *self;
         let here = match navigation.is_on_edge(triangle, at) {
             true => functions.across(navigation, sites, (triangle, at), STEP * area.sqrt()),

@@ -4,11 +4,11 @@
 //! 6 % of a solve of 600 samples.
 
 /// The lesser of two numbers; the first where either is NaN.
-pub(crate) fn lesser(a: f64, b: f64) -> f64 {
+pub(crate) fn fast_min(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
 /// The greater of two numbers; the first where either is NaN.
-pub(crate) fn greater(a: f64, b: f64) -> f64 {
+pub(crate) fn fast_max(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }

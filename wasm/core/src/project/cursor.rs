@@ -12,12 +12,12 @@ use super::value::Value;
 
 /// A value in the file and its path.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct Cursor<'a> {
     value: &'a Value,
     path: Path<'a>,
 }
 
-impl<'a> Place<'a> {
+impl<'a> Cursor<'a> {
     /// The top of a file.
     pub(super) fn top(value: &'a Value) -> Self {
         Self { value, path: Path::Top }
@@ -95,7 +95,7 @@ impl<'a> Place<'a> {
     pub(super) fn list<T>(
         &self,
         what: &str,
-        read: impl Fn(Place<'_>) -> Result<T, ProjectError>,
+        read: impl Fn(Cursor<'_>) -> Result<T, ProjectError>,
     ) -> Result<Vec<T>, ProjectError> {
         let Value::List(items) = self.value else {
             return self.expected(what);
@@ -111,8 +111,8 @@ impl<'a> Place<'a> {
         }
     }
 
-    fn item<'b>(&'b self, index: usize, value: &'b Value) -> Place<'b> {
-        Place { value, path: Path::Index(&self.path, index) }
+    fn item<'b>(&'b self, index: usize, value: &'b Value) -> Cursor<'b> {
+        Cursor { value, path: Path::Index(&self.path, index) }
     }
 }
 
@@ -128,17 +128,17 @@ impl<'a> Object<'a> {
     pub(super) fn only(&self, known: &[&str]) -> Result<(), ProjectError> {
         match self.entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
             None => Ok(()),
-            Some((key, value)) => Place { value, path: Path::Key(self.path, key) }
+            Some((key, value)) => Cursor { value, path: Path::Key(self.path, key) }
                 .refuse(format_args!("unknown key; the keys here are {}", known.join(", "))),
         }
     }
 
-    pub(super) fn optional(&self, key: &'a str) -> Option<Place<'a>> {
+    pub(super) fn optional(&self, key: &'a str) -> Option<Cursor<'a>> {
         let (_, value) = self.entries.iter().find(|(known, _)| known == key)?;
-        Some(Place { value, path: Path::Key(self.path, key) })
+        Some(Cursor { value, path: Path::Key(self.path, key) })
     }
 
-    pub(super) fn required(&self, key: &'a str) -> Result<Place<'a>, ProjectError> {
+    pub(super) fn required(&self, key: &'a str) -> Result<Cursor<'a>, ProjectError> {
         self.optional(key)
             .ok_or_else(|| ProjectError { path: Path::Key(self.path, key).to_string(), message: "missing".to_owned() })
     }
@@ -148,7 +148,7 @@ impl<'a> Object<'a> {
         &self,
         key: &'a str,
         default: T,
-        read: impl Fn(Place<'_>) -> Result<T, ProjectError>,
+        read: impl Fn(Cursor<'_>) -> Result<T, ProjectError>,
     ) -> Result<T, ProjectError> {
         self.optional(key).map_or(Ok(default), read)
     }

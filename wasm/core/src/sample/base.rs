@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{Rim, Samples, bones, lattice, outline::Outline, refine};
+use super::{Samples, Skirt, bones, lattice, outline::OutlineSamples, refine};
 use crate::{
     distance::Navigation,
     domain::Domain,
@@ -18,7 +18,7 @@ use crate::{
 
 /// Samples of outline, bones and lattice.
 #[derive(Debug)]
-pub(crate) struct Ground {
+pub(crate) struct BaseSamples {
     samples: Samples,
     pub(super) locator: Arc<Locator>,
     count: usize,
@@ -26,10 +26,10 @@ pub(crate) struct Ground {
     fading: Option<DVec2>,
 }
 
-impl Ground {
+impl BaseSamples {
     /// About `count` samples: a triangular lattice centred on the domain's bounding box, so that a symmetric domain is sampled
     /// symmetrically, and points along the outline with all its corners. `bones` are straight lines in the domain, along which the
-    /// mesh has edges wherever nothing else is close. With a rim where the picture, of size `fading`, fades out beyond the outline.
+    /// mesh has edges wherever nothing else is close. With a skirt where the picture, of size `fading`, fades out beyond the outline.
     ///
     /// Cost: O(n log n), nearly all of it for the triangulation.
     pub(crate) fn new(
@@ -40,7 +40,7 @@ impl Ground {
         fading: Option<DVec2>,
     ) -> Self {
         let spacing = lattice::spacing(domain, count);
-        let Outline { mut vertices, segments, rings } = Outline::new(domain, spacing);
+        let OutlineSamples { mut vertices, segments, rings } = OutlineSamples::new(domain, spacing);
         let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
         let mut inner = lattice::inner_points(domain, bones, spacing, &vertices, &segments);
         // Consecutive samples then often lie in the same triangle of the outline.
@@ -52,7 +52,7 @@ impl Ground {
         for p in on_outline {
             insert(&mut samples, navigation, &locator, p);
         }
-        samples.rim = fading.map_or_else(Rim::default, |size| Rim::new(&samples.mesh, &samples.outline, size));
+        samples.skirt = fading.map_or_else(Skirt::default, |size| Skirt::new(&samples.mesh, &samples.outline, size));
         Self { samples, locator, count, bones: bones.to_vec(), fading }
     }
 
@@ -67,12 +67,12 @@ impl Ground {
     ///
     /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex; for finer lattices that of [`refine`].
     pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
-        let Samples { mesh, outline_triangles, outline, rim, spacing, .. } = &self.samples;
+        let Samples { mesh, nav_triangles, outline, skirt, spacing, .. } = &self.samples;
         let mut samples = Samples {
-            mesh: mesh.with_capacity_for(sites.len() + rim.vertices.len()),
-            outline_triangles: outline_triangles.clone(),
+            mesh: mesh.with_capacity_for(sites.len() + skirt.vertices.len()),
+            nav_triangles: nav_triangles.clone(),
             outline: outline.clone(),
-            rim: Rim::default(),
+            skirt: Skirt::default(),
             spacing: *spacing,
         };
         for &site in sites {
@@ -89,10 +89,10 @@ impl Ground {
                 }
             }
         }
-        samples.rim = match self.fading {
+        samples.skirt = match self.fading {
             // Samples were inserted on the outline.
-            Some(size) if samples.outline != self.samples.outline => Rim::new(&samples.mesh, &samples.outline, size),
-            _ => rim.renumbered(self.samples.len(), samples.len()),
+            Some(size) if samples.outline != self.samples.outline => Skirt::new(&samples.mesh, &samples.outline, size),
+            _ => skirt.renumbered(self.samples.len(), samples.len()),
         };
         samples
     }
@@ -108,8 +108,8 @@ fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: 
         let (ring, edge) = at.expect("what bounds the mesh is the outline");
         samples.outline[ring].insert(edge + 1, vertex);
     }
-    if samples.outline_triangles.len() < samples.mesh.vertices.len() {
-        samples.outline_triangles.push(navigation.triangle_at(p).expect("samples lie in the domain"));
+    if samples.nav_triangles.len() < samples.mesh.vertices.len() {
+        samples.nav_triangles.push(navigation.triangle_at(p).expect("samples lie in the domain"));
     }
     inserted.vertex()
 }

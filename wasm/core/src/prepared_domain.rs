@@ -14,7 +14,7 @@ use crate::{
 
 /// A domain with its triangulation.
 #[derive(Debug)]
-pub(crate) struct Outline {
+pub(crate) struct PreparedDomain {
     pub(crate) domain: Domain,
     pub(crate) navigation: Navigation,
     /// The picture's size, if there is a picture.
@@ -25,7 +25,7 @@ pub(crate) struct Outline {
     pub(crate) surrounding: Option<DVec2>,
 }
 
-impl Outline {
+impl PreparedDomain {
     /// # Errors
     /// An error of [`Domain::new`].
     pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
@@ -51,12 +51,12 @@ impl Outline {
 
 /// Everything an outline depends on besides the picture's pixels.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct OutlineKey {
+pub(crate) struct DomainKey {
     domain: Option<DomainSpec>,
     picture: (u32, u32),
 }
 
-impl OutlineKey {
+impl DomainKey {
     pub(crate) fn of(project: &Project) -> Self {
         Self { domain: project.domain.clone(), picture: project.image.size() }
     }

@@ -11,14 +11,14 @@ use glam::DVec2;
 
 use crate::triangulation::Triangulation;
 
-/// Width of the rim, in pixels: an antialiased edge fades within one, a softly drawn one within three.
+/// Width of the skirt, in pixels: an antialiased edge fades within one, a softly drawn one within three.
 const WIDTH: f64 = 3.0;
 /// Greatest distance of a corner's offset vertex, over the width.
 const MAX_MITRE: f64 = 2.0;
 
 /// The skirt: offset vertices of the outline's samples, and the triangles between.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Rim {
+pub(crate) struct Skirt {
     /// Rest places of the offset vertices.
     pub(crate) vertices: Vec<DVec2>,
     /// The outline sample of each offset vertex.
@@ -27,32 +27,32 @@ pub(crate) struct Rim {
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
-impl Rim {
-    /// The rim of a mesh whose `outline` is given as rings of its vertices, clamped to a picture of `size`.
+impl Skirt {
+    /// The skirt of a mesh whose `outline` is given as rings of its vertices, clamped to a picture of `size`.
     pub(crate) fn new(mesh: &Triangulation, outline: &[Vec<u32>], size: DVec2) -> Self {
         let segments = Segments::new(mesh, outline);
-        let mut rim = Self::default();
+        let mut skirt = Self::default();
         for ring in outline {
             let n = ring.len();
-            let base = (mesh.vertices.len() + rim.vertices.len()) as u32;
+            let base = (mesh.vertices.len() + skirt.vertices.len()) as u32;
             for i in 0..n {
                 let around = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]];
                 let [prev, at, next] = around.map(|v| mesh.vertices[v as usize]);
                 let out = mitre(prev, at, next);
                 let reach = segments.free_radius(at, around, out.normalize()).min(WIDTH * out.length());
-                rim.vertices.push((at + out.normalize() * reach).clamp(DVec2::ZERO, size));
-                rim.owners.push(ring[i]);
+                skirt.vertices.push((at + out.normalize() * reach).clamp(DVec2::ZERO, size));
+                skirt.owners.push(ring[i]);
             }
             for i in 0..n {
                 let j = (i + 1) % n;
                 let (a, b) = (base + i as u32, base + j as u32);
-                rim.triangles.extend([[ring[i], a, b], [ring[i], b, ring[j]]]);
+                skirt.triangles.extend([[ring[i], a, b], [ring[i], b, ring[j]]]);
             }
         }
-        rim
+        skirt
     }
 
-    /// The same rim for a mesh that has got more vertices, none of them on the outline.
+    /// The same skirt for a mesh that has got more vertices, none of them on the outline.
     pub(crate) fn renumbered(&self, before: usize, now: usize) -> Self {
         let number = |v: u32| if (v as usize) < before { v } else { v + (now - before) as u32 };
         Self { triangles: self.triangles.iter().map(|t| t.map(number)).collect(), ..self.clone() }
