@@ -3,7 +3,7 @@ import type { Vec } from '../geometry/vec';
 import { newProject, openDocument, selectedHandles } from './document';
 import { addHandle, changeHandles, selectHandles } from './edits';
 import { straightBar } from './fixtures';
-import { groupCentre, groupSpan, groupTurn, poseAsOne } from './group';
+import { groupCentre, groupSpan, groupTurn, transformGroup } from './group';
 import { anchor, freed, scaleOf, turnedAbout, turnedTo } from './handle';
 import type { Handle, Rotation } from './project';
 
@@ -32,7 +32,7 @@ const pivot: Vec = [12.5, 10];
 
 describe('several handles as one', () => {
   it('turn about the centre of their places, which stays', () => {
-    const after = selectedHandles(poseAsOne(before, 90));
+    const after = selectedHandles(transformGroup(before, 90));
     // A quarter clockwise takes (x, y) from the centre to (−y, x).
     expect(after.map((handle) => anchor(handle))).toEqual([
       [22.5, -12.5],
@@ -46,7 +46,7 @@ describe('several handles as one', () => {
   });
 
   it('add the turn to rotations that are set, whole turns too, and leave those that are not', () => {
-    const after = selectedHandles(poseAsOne(poseAsOne(before, 200), 200));
+    const after = selectedHandles(transformGroup(transformGroup(before, 200), 200));
     // Rounded corners tell the angle, to some hundredths of a degree.
     const turned = expect.closeTo(400, 1);
     expect(after.map(({ rotation }) => rotation)).toEqual([570, 'auto', turned, turned]);
@@ -55,7 +55,7 @@ describe('several handles as one', () => {
 
   it('grow about that centre, each handle’s scale with its place, and are not turned', () => {
     const larger = changeHandles(before, ['set'], (handle) => ({ ...handle, scale: 0.5 }));
-    const after = selectedHandles(poseAsOne(larger, 0, 2));
+    const after = selectedHandles(transformGroup(larger, 0, 2));
     expect(after.map((handle) => anchor(handle))).toEqual([
       [-32.5, -10],
       [7.5, 30],
@@ -69,16 +69,16 @@ describe('several handles as one', () => {
 
   it('grow no further than the scale of each of them may', () => {
     const large = changeHandles(before, ['free'], (handle) => ({ ...handle, scale: 50 }));
-    expect(selectedHandles(poseAsOne(large, 0, 9)).map(scaleOf)).toEqual([2, 100, 2, 2]);
-    expect(selectedHandles(poseAsOne(large, 0, -3)).map(scaleOf)).toEqual([0.01, 0.5, 0.01, 0.01]);
+    expect(selectedHandles(transformGroup(large, 0, 9)).map(scaleOf)).toEqual([2, 100, 2, 2]);
+    expect(selectedHandles(transformGroup(large, 0, -3)).map(scaleOf)).toEqual([0.01, 0.5, 0.01, 0.01]);
     // What a page has made larger than a person may stays as it is.
     const huge = changeHandles(before, ['free'], (handle) => ({ ...handle, scale: 1000 }));
-    expect(poseAsOne(huge, 0, 2).project).toEqual(huge.project);
+    expect(transformGroup(huge, 0, 2).project).toEqual(huge.project);
   });
 
   it('lose no small step of a small scale to rounding', () => {
-    let small = poseAsOne(before, 0, 0.1);
-    for (let step = 0; step < 10; step++) small = poseAsOne(small, 0, 1.01);
+    let small = transformGroup(before, 0, 0.1);
+    for (let step = 0; step < 10; step++) small = transformGroup(small, 0, 1.01);
     expect(selectedHandles(small).map(scaleOf)).toEqual(
       handles.map(() => expect.closeTo(0.1 * 1.01 ** 10, 3)),
     );
@@ -87,7 +87,7 @@ describe('several handles as one', () => {
   it('are as one turned by what their places tell, whatever each is turned', () => {
     const own = changeHandles(before, all, (handle) => turnedTo(handle, 30));
     expect(groupTurn(selectedHandles(own))).toBeCloseTo(0);
-    const apart = changeHandles(poseAsOne(own, 40), ['free'], freed);
+    const apart = changeHandles(transformGroup(own, 40), ['free'], freed);
     expect(groupTurn(selectedHandles(apart))).toBeCloseTo(40, 1);
   });
 

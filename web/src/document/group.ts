@@ -10,16 +10,16 @@ import { anchor, corners, rotationOf, SCALES, scaleOf, turnedAbout } from './han
 import type { Handle, Project } from './project';
 
 /** How far what is selected in a document is turned as one, in degrees, and scaled. */
-export interface AsOne {
+export interface GroupTransform {
   readonly origin: Document;
   readonly turn: number;
-  readonly growth: number;
+  readonly scale: number;
 }
 
 /** A document, and how what is selected in it is turned and scaled as one, if it is. */
-export interface Posed {
+export interface PosedDocument {
   readonly document: Document;
-  readonly asOne?: AsOne;
+  readonly transform?: GroupTransform;
 }
 
 export const groupCentre = (handles: readonly Handle[]): Vec =>
@@ -50,30 +50,34 @@ export function groupSpan(handles: readonly Handle[]): number {
  * Turns what is selected as one, by degrees, and scales it as far as no handle's scale leaves {@link SCALES}. Automatic
  * rotations stay automatic.
  */
-export function poseAsOne(document: Document, turn: number, growth = 1): Document {
+export function transformGroup(document: Document, turn: number, scale = 1): Document {
   const selected = selectedHandles(document);
   const [pivot, scales] = [groupCentre(selected), selected.map(scaleOf)];
   const least = Math.min(1, SCALES.least / Math.min(...scales));
   const most = Math.max(1, SCALES.most / Math.max(...scales));
-  const allowed = Math.min(most, Math.max(least, growth));
+  const allowed = Math.min(most, Math.max(least, scale));
   return changeHandles(document, document.selection, (handle) => turnedAbout(handle, pivot, turn, allowed));
 }
 
-/** {@link poseAsOne}, with how: for a guard, which lets it go a part of the way. */
-export const asOne = (origin: Document, turn: number, growth: number): Posed => ({
-  document: poseAsOne(origin, turn, growth),
-  asOne: { origin, turn, growth },
+/** {@link transformGroup}, with how: for a guard, which lets it go a part of the way. */
+export const posedGroup = (origin: Document, turn: number, scale: number): PosedDocument => ({
+  document: transformGroup(origin, turn, scale),
+  transform: { origin, turn, scale },
 });
 
 /** A part of the way from one pose to another, of the same origin. */
-export function partWay(from: AsOne, to: AsOne, share: number): AsOne {
+export function interpolatedTransform(
+  from: GroupTransform,
+  to: GroupTransform,
+  share: number,
+): GroupTransform {
   const way = (a: number, b: number) => a + share * (b - a);
-  return { origin: to.origin, turn: way(from.turn, to.turn), growth: way(from.growth, to.growth) };
+  return { origin: to.origin, turn: way(from.turn, to.turn), scale: way(from.scale, to.scale) };
 }
 
 /** The project with what is selected posed as one. */
-export function withPose(project: Project, { origin, turn, growth }: AsOne): Project {
-  const { selection, project: posed } = poseAsOne(origin, turn, growth);
+export function withTransform(project: Project, { origin, turn, scale }: GroupTransform): Project {
+  const { selection, project: posed } = transformGroup(origin, turn, scale);
   const there = new Map(posed.handles.map((handle) => [handle.id, handle]));
   const handles = project.handles.map((handle) =>
     selection.includes(handle.id) ? (there.get(handle.id) ?? handle) : handle,

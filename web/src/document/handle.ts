@@ -84,9 +84,9 @@ export const displaced = (handle: Handle, by: Vec): Handle => replaced(handle, (
 
 /** Where a corner goes that is turned by degrees and scaled about a pivot. */
 const around =
-  (pivot: Vec, turn: number, growth: number) =>
+  (pivot: Vec, turn: number, scale: number) =>
   (corner: Vec): Vec =>
-    roundedVec(add(pivot, rotated(scaled(subtract(corner, pivot), growth), turn)));
+    roundedVec(add(pivot, rotated(scaled(subtract(corner, pivot), scale), turn)));
 
 /**
  * The handle turned about its anchor to a rotation in degrees. Whole turns are kept: half a turn more and half a turn less
@@ -99,11 +99,11 @@ export function turnedTo(handle: Handle, degrees: number): Handle {
 }
 
 /** The handle turned by degrees and scaled about a pivot, as part of what is there: an automatic rotation stays so. */
-export function turnedAbout(handle: Handle, pivot: Vec, turn: number, growth: number): Handle {
+export function turnedAbout(handle: Handle, pivot: Vec, turn: number, scale: number): Handle {
   return {
-    ...replaced(handle, around(pivot, turn, growth)),
+    ...replaced(handle, around(pivot, turn, scale)),
     ...(turn === 0 || isAutomatic(handle) ? {} : { rotation: rounded(rotationOf(handle) + turn) }),
-    ...(growth === 1 ? {} : { scale: roundedScale(scaleOf(handle) * growth) }),
+    ...(scale === 1 ? {} : { scale: roundedScale(scaleOf(handle) * scale) }),
   };
 }
 

@@ -16,7 +16,7 @@ import {
   selectHandles,
   turnHandles,
 } from '../document/edits';
-import { asOne, type Posed } from '../document/group';
+import { type PosedDocument, posedGroup } from '../document/group';
 import {
   anchor,
   atDepth,
@@ -191,15 +191,15 @@ export class EditCommands {
   }
 
   /** Turns the selected handle about its own place; scales it, or turns and scales several as one about theirs. */
-  turn(by: number, growth = 1): void {
+  turn(by: number, scale = 1): void {
     const selected = selectedHandles(this.#document);
     const ids = this.#document.selection;
     const turns = this.#posing.turns();
-    const alone = selected.length === 1 && growth === 1;
-    const wanted: Posed = alone
+    const alone = selected.length === 1 && scale === 1;
+    const wanted: PosedDocument = alone
       ? { document: turnHandles(this.#document, ids, (handle) => rotationOf(handle, turns) + by) }
-      : asOne(this.#document, by, growth);
-    const verb = growth === 1 ? 'Turn' : 'Scale';
+      : posedGroup(this.#document, by, scale);
+    const verb = scale === 1 ? 'Turn' : 'Scale';
     this.#guarded(`${verb} ${handleWords(selected)}`, wanted, `${verb} ${ids.join(' ')}`);
   }
 
@@ -252,7 +252,7 @@ export class EditCommands {
    * Commits a change as far as the guard against folds allows, and announces the result.
    * @param words the result: by default the pose of what is selected.
    */
-  #guarded(label: string, wanted: Posed, key: string, words = () => this.#placeWords): void {
+  #guarded(label: string, wanted: PosedDocument, key: string, words = () => this.#placeWords): void {
     const document = this.#guarding.limited(this.#document, wanted);
     if (document === this.#document && this.#guarding.holding) {
       this.#say('Stopped: more would fold the picture');

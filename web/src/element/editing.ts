@@ -5,7 +5,7 @@
  */
 import { type Document, handleById } from '../document/document';
 import { putHandles, selectHandles } from '../document/edits';
-import type { Posed } from '../document/group';
+import type { PosedDocument } from '../document/group';
 import type { History, HistoryRecord } from '../document/history';
 import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, Project } from '../document/project';
@@ -234,7 +234,7 @@ export class Editing {
     this.#guarding.begin(this.document);
   }
 
-  #input(edit: Posed): void {
+  #input(edit: PosedDocument): void {
     // A drag computes every move from the document at its start, which still has the refused handles, and the poses of
     // that moment.
     const led = [...this.#led].flatMap((id) => handleById(this.document, id) ?? []);

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type Document, newProject, openDocument, selectedHandles } from '../document/document';
 import { addHandle, moveHandles, selectHandles, turnHandles } from '../document/edits';
-import { asOne, groupSpan, groupTurn } from '../document/group';
+import { groupSpan, groupTurn, posedGroup } from '../document/group';
 import { rotationOf } from '../document/handle';
 import { Guarding } from './guarding';
 
@@ -73,8 +73,8 @@ describe('the guard against folds', () => {
     });
     guarding.on = true;
     guarding.begin(start);
-    const held = guarding.limited(start, asOne(start, 85, 1));
-    const still = guarding.limited(held, asOne(start, 80, 1));
+    const held = guarding.limited(start, posedGroup(start, 85, 1));
+    const still = guarding.limited(held, posedGroup(start, 80, 1));
     expect(groupTurn(selectedHandles(held))).toBeCloseTo(60, 0);
     expect(groupTurn(selectedHandles(still))).toBeCloseTo(60, 0);
     expect(groupSpan(selectedHandles(still))).toBeCloseTo(8, 1);
@@ -112,16 +112,16 @@ describe('the guard against folds', () => {
     guarding.begin(start);
     let now = start;
     const turns = [70, 100, 190, 260, 290, 310, 320].map((degrees) => {
-      now = guarding.limited(now, asOne(start, degrees, 1));
+      now = guarding.limited(now, posedGroup(start, degrees, 1));
       return Math.round(turn(now.project));
     });
     expect(turns).toEqual([70, 80, 80, 80, 80, 310, 320]);
     // Taken back, and begun anew from the same document.
     guarding.end();
     guarding.begin(start);
-    const [again] = guarding.limited(start, asOne(start, 100, 1)).project.handles;
+    const [again] = guarding.limited(start, posedGroup(start, 100, 1)).project.handles;
     expect(again && Math.round(rotationOf(again))).toBe(80);
-    expect(guarding.limited(start, asOne(start, 190, 1)).project.handles[0]).toEqual(again);
+    expect(guarding.limited(start, posedGroup(start, 190, 1)).project.handles[0]).toEqual(again);
     expect(groupSpan(selectedHandles(now))).toBeCloseTo(groupSpan(selectedHandles(start)), 1);
   });
 

@@ -6,7 +6,12 @@
  */
 import type { Document } from '../document/document';
 import { between } from '../document/easing';
-import { type AsOne, type Posed, partWay, withPose } from '../document/group';
+import {
+  type GroupTransform,
+  interpolatedTransform,
+  type PosedDocument,
+  withTransform,
+} from '../document/group';
 import type { Project } from '../document/project';
 import type { Posing } from './posing';
 
@@ -19,7 +24,7 @@ export class Guarding {
   #allowed: number | null = null;
   #holding = false;
   /** How far handles have gone as one; of the same origin in all of a drag. */
-  #gone: AsOne | null = null;
+  #gone: GroupTransform | null = null;
 
   constructor(posing: Pick<Posing, 'foldsOf' | 'turns'>) {
     this.#posing = posing;
@@ -56,16 +61,16 @@ export class Guarding {
    * The document as far as allowed on the way from `present`, which is allowed, to the wanted one. What is turned and scaled
    * as one stays so on the way.
    */
-  limited(present: Document, { document: wanted, asOne }: Posed): Document {
+  limited(present: Document, { document: wanted, transform }: PosedDocument): Document {
     if (!this.#on) return wanted;
     const allowed = this.#allowed ?? this.#posing.foldsOf(present.project, Number.POSITIVE_INFINITY);
     this.#holding = this.#posing.foldsOf(wanted.project, allowed) > allowed;
     if (!this.#holding) {
-      this.#gone = asOne ?? null;
+      this.#gone = transform ?? null;
       return wanted;
     }
-    const project = asOne
-      ? this.#asOne(wanted.project, asOne, allowed)
+    const project = transform
+      ? this.#transformed(wanted.project, transform, allowed)
       : this.#alone(present.project, wanted.project, allowed);
     // Equal after rounding: return the same object, so that no undo step is made.
     const same = JSON.stringify(project.handles) === JSON.stringify(present.project.handles);
@@ -77,12 +82,12 @@ export class Guarding {
     return this.#farthest((share) => between(present, wanted, share, turns), allowed).project;
   }
 
-  #asOne(wanted: Project, asOne: AsOne, allowed: number): Project {
-    const { origin } = asOne;
-    const from = this.#gone?.origin === origin ? this.#gone : { origin, turn: 0, growth: 1 };
-    const at = (share: number) => withPose(wanted, partWay(from, asOne, share));
+  #transformed(wanted: Project, transform: GroupTransform, allowed: number): Project {
+    const { origin } = transform;
+    const from = this.#gone?.origin === origin ? this.#gone : { origin, turn: 0, scale: 1 };
+    const at = (share: number) => withTransform(wanted, interpolatedTransform(from, transform, share));
     const { project, share } = this.#farthest(at, allowed);
-    this.#gone = partWay(from, asOne, share);
+    this.#gone = interpolatedTransform(from, transform, share);
     return project;
   }
 

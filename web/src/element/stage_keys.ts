@@ -61,10 +61,10 @@ export class StageKeys {
     return true;
   }
 
-  turn(degrees: number, growth?: number): boolean {
+  turn(degrees: number, scale?: number): boolean {
     const { workbench, permissions } = this.#host;
     if (!permissions.editable || workbench.editing.document.selection.length === 0) return false;
-    workbench.commands.turn(degrees, growth);
+    workbench.commands.turn(degrees, scale);
     return true;
   }
 

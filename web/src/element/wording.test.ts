@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { EngineError } from '../compute/errors';
 import { type Document, newProject, openDocument } from '../document/document';
 import { addHandle, changeHandles, selectHandles } from '../document/edits';
-import { poseAsOne } from '../document/group';
+import { transformGroup } from '../document/group';
 import { DEPTHS, scaledTo } from '../document/handle';
 import { cornerWords, depthWords, draftWords, placeWords, refusalWords, selectionName } from './wording';
 
@@ -29,8 +29,8 @@ describe('words', () => {
       empty,
     );
     const both = selectHandles(two, ['0', '40']);
-    expect(placeWords(poseAsOne(both, 30), new Map())).toBe('2 handles: x 20, y 0, rotation 30 degrees');
-    expect(placeWords(poseAsOne(both, 0, 1.234), new Map())).toMatch(/rotation 0 degrees, scale 1.23$/);
+    expect(placeWords(transformGroup(both, 30), new Map())).toBe('2 handles: x 20, y 0, rotation 30 degrees');
+    expect(placeWords(transformGroup(both, 0, 1.234), new Map())).toMatch(/rotation 0 degrees, scale 1.23$/);
     const mixed = changeHandles(both, ['0'], (handle) => scaledTo(handle, 2));
     expect(placeWords(mixed, new Map())).toMatch(/rotation 0 degrees$/);
   });

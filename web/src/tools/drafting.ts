@@ -146,8 +146,8 @@ export function lineHandle(
   const rest = placements.map(
     (placement, k) => jointAt(joints, posed[k] ?? placement.rest) ?? roundedVec(placement.rest),
   );
-  const growth = placements.reduce((sum, { scale }) => sum + scale, 0) / Math.max(1, placements.length);
-  return { id: freeId(project, kind), kind, rest, posed, rotation: 'auto', scale: rounded(growth) || 1 };
+  const meanScale = placements.reduce((sum, { scale }) => sum + scale, 0) / Math.max(1, placements.length);
+  return { id: freeId(project, kind), kind, rest, posed, rotation: 'auto', scale: rounded(meanScale) || 1 };
 }
 
 /** The rest place of another handle's corner that is posed exactly here, so that joined corners also meet at rest. */

@@ -3,7 +3,7 @@
  * tenths.
  */
 import type { Document } from '../document/document';
-import { asOne } from '../document/group';
+import { posedGroup } from '../document/group';
 import { distance, snapped, type Vec } from '../geometry/vec';
 import type { GroupRing } from './group_ring';
 import { outcome, type State } from './state';
@@ -21,9 +21,9 @@ export const scaling = (
   const state: State = {
     holds: true,
     move: (press) => {
-      const growth = 1 + (distance(pivot, press.at) - held) / (radius - clearance);
-      const steps = press.shift ? Math.max(STEP, snapped(growth, STEP)) : growth;
-      return outcome(state, { type: 'edit', ...asOne(origin, 0, steps) });
+      const scale = 1 + (distance(pivot, press.at) - held) / (radius - clearance);
+      const steps = press.shift ? Math.max(STEP, snapped(scale, STEP)) : scale;
+      return outcome(state, { type: 'edit', ...posedGroup(origin, 0, steps) });
     },
     up: () => outcome(rest, { type: 'commit' }),
     cancel: () => outcome(rest, { type: 'bail' }),

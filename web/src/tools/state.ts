@@ -6,7 +6,7 @@
  */
 
 import type { Document } from '../document/document';
-import type { Posed } from '../document/group';
+import type { PosedDocument } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
@@ -76,7 +76,7 @@ export interface Draft {
 
 export type Effect =
   | { readonly type: 'begin'; readonly label: string }
-  | ({ readonly type: 'edit' } & Posed)
+  | ({ readonly type: 'edit' } & PosedDocument)
   | { readonly type: 'commit' }
   | { readonly type: 'bail' }
   | { readonly type: 'select'; readonly ids: readonly string[] }

@@ -5,7 +5,7 @@
  */
 
 import { turnHandles } from '../document/edits';
-import { asOne } from '../document/group';
+import { posedGroup } from '../document/group';
 import { rotationOf } from '../document/handle';
 import { bearing, snapped, type Vec, wrapDegrees } from '../geometry/vec';
 import { outcome, type Scene, type State } from './state';
@@ -32,7 +32,7 @@ export const turning = (
       const whole = turn + wrapDegrees(now - last);
       const stepped = (degrees: number) => (press.shift ? snapped(degrees, SNAP_DEGREES) : degrees);
       const effect = several
-        ? asOne(document, stepped(whole), 1)
+        ? posedGroup(document, stepped(whole), 1)
         : { document: turnHandles(document, ids, (handle) => stepped(rotationOf(handle, turns) + whole)) };
       return outcome(after(whole, now), { type: 'edit', ...effect });
     },
