@@ -16,7 +16,7 @@ pub(crate) fn exr(picture: &Picture<'_>, warped: &Warped, sources: &[Source]) ->
     let [width, height] = [warped.width, warped.height].map(|side| side as usize);
     let [across, down] = [picture.width(), picture.height()].map(f64::from);
     let channels = SpecificChannels::rgba(|Vec2(x, y)| {
-        let Source { place: [x, y], det, coverage, .. } = sources[y * width + x];
+        let Source { rest: [x, y], det, coverage, .. } = sources[y * width + x];
         // Where nothing is drawn nothing is told.
         let v = if coverage > 0.0 { 1.0 - f64::from(y) / down } else { 0.0 };
         ((f64::from(x) / across) as f32, v as f32, det, coverage)

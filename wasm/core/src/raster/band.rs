@@ -1,5 +1,6 @@
-//! A few rows of the result during drawing: one colour per pixel, or one per coverage sample where triangles meet in the
-//! pixel.
+//! A band of rows of the result during rasterisation.
+//!
+//! A pixel has one colour, or one per coverage sample if triangles meet in it.
 
 use std::ops::Range;
 
@@ -15,11 +16,11 @@ const SAMPLES: usize = GRID * GRID;
 pub(super) struct Band {
     width: usize,
     rows: Range<usize>,
-    /// Of the picture's rectangle in the result.
+    /// The picture's upper left corner in the result.
     origin: DVec2,
-    /// The colour of a pixel whose samples are all equal.
+    /// Colour of each pixel whose samples are all equal.
     pixels: Vec<Vec4>,
-    /// For a pixel whose samples differ, its index in `splits` plus 1; otherwise 0.
+    /// Index in `splits` plus 1 for a pixel whose samples differ, otherwise 0.
     split: Vec<u32>,
     splits: Vec<[Vec4; SAMPLES]>,
 }
@@ -44,28 +45,29 @@ impl Band {
         self.splits.clear();
     }
 
-    /// Draws a triangle over the current colours.
+    /// Draws a facet over the current colours.
     pub(super) fn draw(&mut self, facet: &Facet, texture: &Texture<'_>) {
         let (rows, width) = (facet.rows(self.rows.end), self.width);
         let rows = rows.start.max(self.rows.start)..rows.end;
-        facet.cover(rows, width, texture.filter(), |x, row, mask| {
-            let place = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
-            let colour = texture.sample(facet.source(place - self.origin), facet.footprint());
+        facet.for_each_covered(rows, width, texture.filter(), |x, row, mask| {
+            let centre = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
+            let colour = texture.sample(facet.source(centre - self.origin), facet.footprint());
             let pixel = (row - self.rows.start) * width + x;
             match texture.filter() {
                 Filter::Cubic => self.blend(pixel, mask, colour),
-                Filter::Nearest => self.put(pixel, colour),
+                Filter::Nearest => self.replace(pixel, colour),
             }
         });
     }
 
-    /// In place of what is there, so that no colours are mixed.
-    fn put(&mut self, pixel: usize, colour: Vec4) {
+    /// Replaces the colour of a pixel, so that no colours are mixed.
+    fn replace(&mut self, pixel: usize, colour: Vec4) {
         if colour.w != 0.0 {
             self.pixels[pixel] = colour;
         }
     }
 
+    /// Blends a colour over the samples of a pixel in `mask`.
     fn blend(&mut self, pixel: usize, mask: Mask, colour: Vec4) {
         if colour.w == 0.0 {
             return;
@@ -82,7 +84,7 @@ impl Band {
         }
     }
 
-    /// Writes the rows as straight RGBA, as many as fit.
+    /// Writes the rows as straight RGBA, as many as fit into `rgba`.
     pub(super) fn resolve(&self, rgba: &mut [u8]) {
         for ((bytes, &pixel), &split) in rgba.chunks_exact_mut(4).zip(&self.pixels).zip(&self.split) {
             let colour = match split {
@@ -102,12 +104,12 @@ fn blend_samples(samples: &mut [Vec4; SAMPLES], mask: Mask, colour: Vec4) {
     }
 }
 
-/// Porter and Duff's `over`.
+/// The `over` operator of Porter and Duff (1984).
 fn over(upper: Vec4, lower: Vec4) -> Vec4 {
     if upper.w >= OPAQUE { upper } else { upper + lower * (1.0 - upper.w / OPAQUE) }
 }
 
-/// Straight RGBA bytes; a colour too faint for a byte of opacity is transparent black.
+/// Returns straight RGBA bytes. A colour whose opacity rounds to 0 becomes transparent black.
 fn straight(colour: Vec4) -> [u8; 4] {
     let opacity = colour.w / 255.0;
     let opacity_byte = (opacity + 0.5) as u8;

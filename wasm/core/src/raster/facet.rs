@@ -1,4 +1,4 @@
-//! A triangle prepared for drawing: the samples that it covers, and the places in the picture that they come from.
+//! A triangle set up for rasterisation: the samples that it covers, and the map back to the picture.
 
 use std::ops::Range;
 
@@ -7,26 +7,26 @@ use glam::{DMat2, DVec2};
 use super::footprint::Footprint;
 use super::options::Filter;
 
-/// Coverage samples along a pixel's side.
+/// Coverage samples along the side of a pixel.
 pub(super) const GRID: usize = 4;
-/// The covered samples of a pixel, one bit each.
+/// The covered samples of a pixel, one bit per sample.
 pub(super) type Mask = u16;
 
-/// Corners are rounded to 1/256 px, as on graphics hardware, so that coverage is computed in integers.
+/// Corners are rounded to 1/256 px, as on graphics hardware. This makes coverage exact in integers.
 const SUBPIXELS: f64 = 256.0;
-/// Distance between samples in subpixels; the first sample is half of that inside the pixel.
+/// Distance between samples in subpixels. The first sample lies half of this inside the pixel.
 const SAMPLE_STEP: i64 = 64;
-/// Least area of the picture that a pixel shows, in pixels of it: anything less is the rounding of none.
-const LEAST_SHOWN: f64 = 1e-9;
-/// Greatest coordinate of a corner: keeps every product below 2⁶⁰.
-const FARTHEST_PX: f64 = 1_048_576.0;
+/// Smallest area of the picture per pixel of the result, in pixels. Smaller values are rounding errors of zero.
+const MIN_SOURCE_AREA: f64 = 1e-9;
+/// Largest coordinate of a corner. It keeps every product below 2⁶⁰.
+const MAX_COORDINATE_PX: f64 = 1_048_576.0;
 
-/// Whether a place is near enough to be drawn at; NaN is not.
+/// Returns whether `p` is close enough to be rasterised. NaN is not.
 pub(super) fn is_in_range(p: DVec2) -> bool {
-    p.abs().max_element() <= FARTHEST_PX
+    p.abs().max_element() <= MAX_COORDINATE_PX
 }
 
-/// Returns the facets of a mesh, relative to the picture's rectangle. Triangles that cover nothing are left out.
+/// Returns the facets of a mesh, relative to the picture's rectangle. Triangles that cover nothing are omitted.
 ///
 /// # Panics
 /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
@@ -39,20 +39,22 @@ pub(super) fn mesh_facets(rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]
     triangles.iter().filter_map(facet).collect()
 }
 
-/// A triangle with its corners in pixels of the result, relative to the picture's rectangle until it is
-/// [moved](Facet::move_by).
+/// A triangle in pixels of the result.
+///
+/// Its corners are relative to the picture's rectangle until [`move_by`](Facet::move_by) makes them relative to the
+/// frame.
 #[derive(Debug)]
 pub(super) struct Facet {
-    /// Corners in subpixels, in positive orientation.
+    /// Corners in subpixels, with positive orientation.
     corners: [[i64; 2]; 3],
-    /// Maps a place relative to the picture's rectangle in the result to its place in the picture.
+    /// Linear part of the map from the result, relative to the picture's rectangle, to the picture.
     inverse: DMat2,
     origin: DVec2,
     footprint: Footprint,
 }
 
 impl Facet {
-    /// `None` for a triangle that covers nothing: without area, or with a corner out of range.
+    /// Returns `None` if the triangle has no area or a corner out of range.
     pub(super) fn new(rest: [DVec2; 3], posed: [DVec2; 3]) -> Option<Self> {
         if !posed.into_iter().all(is_in_range) {
             return None;
@@ -74,12 +76,12 @@ impl Facet {
         })
     }
 
-    /// What of the picture one pixel shows.
+    /// Returns the area of the picture that one pixel shows.
     pub(super) fn footprint(&self) -> Footprint {
         self.footprint
     }
 
-    /// The least and the greatest pixel borders around the triangle, by axis.
+    /// Returns the bounding box in whole pixels: its lower and its upper corner.
     pub(super) fn bounds(&self) -> ([i64; 2], [i64; 2]) {
         let [a, b, c] = self.corners;
         let side = SUBPIXELS as i64;
@@ -89,7 +91,7 @@ impl Facet {
         )
     }
 
-    /// Moves the triangle to a picture's rectangle with its upper left corner there, in pixels of the result.
+    /// Makes the corners relative to a frame in which the picture's upper left corner is at `origin`.
     pub(super) fn move_by(&mut self, origin: [usize; 2]) {
         for corner in &mut self.corners {
             corner[0] += origin[0] as i64 * SUBPIXELS as i64;
@@ -97,19 +99,20 @@ impl Facet {
         }
     }
 
-    /// The place in the picture that is drawn at a place of the result, relative to the picture's rectangle.
-    pub(super) fn source(&self, place: DVec2) -> DVec2 {
-        self.inverse * place + self.origin
+    /// Returns the point of the picture that is drawn at `p`, relative to the picture's rectangle in the result.
+    pub(super) fn source(&self, p: DVec2) -> DVec2 {
+        self.inverse * p + self.origin
     }
 
-    /// How areas grow from the picture to the result, negative where the triangle is turned over; 0 where a line of the picture is
-    /// drawn out to an area, as at its border.
-    pub(super) fn growth(&self) -> f64 {
-        let shown = self.inverse.determinant();
-        if shown.abs() < LEAST_SHOWN { 0.0 } else { 1.0 / shown }
+    /// Returns the Jacobian determinant of the map from the picture to the result.
+    ///
+    /// It is negative if the triangle is flipped. It is 0 if a line of the picture fills an area, as at its border.
+    pub(super) fn det(&self) -> f64 {
+        let source_area = self.inverse.determinant();
+        if source_area.abs() < MIN_SOURCE_AREA { 0.0 } else { 1.0 / source_area }
     }
 
-    /// The rows of pixels that the triangle may touch.
+    /// Returns the rows of pixels that the triangle may touch.
     pub(super) fn rows(&self, height: usize) -> Range<usize> {
         let y = self.corners.map(|corner| corner[1]);
         let row = |y: i64| y.div_euclid(SUBPIXELS as i64).clamp(0, height as i64) as usize;
@@ -117,10 +120,11 @@ impl Facet {
         row(top)..row(bottom + SUBPIXELS as i64 - 1)
     }
 
-    /// Calls `visit` with each pixel of some rows of which the triangle covers a sample, or its centre for [`Filter::Nearest`], which
-    /// stands for all of it: its column, its row, and the samples.
+    /// Calls `visit` with the column, row and covered samples of each pixel in `rows` that the triangle covers in part.
+    ///
+    /// For [`Filter::Nearest`] a pixel is covered as a whole if the triangle covers its centre.
     #[inline]
-    pub(super) fn cover(
+    pub(super) fn for_each_covered(
         &self,
         rows: Range<usize>,
         width: usize,
@@ -129,7 +133,7 @@ impl Facet {
     ) {
         for row in rows {
             if filter == Filter::Nearest {
-                self.centres(row, width).for_each(|x| visit(x, row, Mask::MAX));
+                self.covered_centres(row, width).for_each(|x| visit(x, row, Mask::MAX));
                 continue;
             }
             let spans: [Range<usize>; GRID] =
@@ -149,15 +153,15 @@ impl Facet {
         }
     }
 
-    /// The pixels of a row whose centres the triangle covers.
-    pub(super) fn centres(&self, row: usize, width: usize) -> Range<usize> {
+    /// Returns the pixels of a row whose centres the triangle covers.
+    pub(super) fn covered_centres(&self, row: usize, width: usize) -> Range<usize> {
         self.span(SUBPIXELS as i64, row, width)
     }
 
-    /// The samples that the triangle covers in one row of samples that are `step` subpixels apart, the first half of that from the left
-    /// edge of the result, and counted from there.
+    /// Returns the covered samples of one row of `count` samples, counted from the left edge of the result.
     ///
-    /// Of two triangles that share an edge, exactly one covers a sample on it: the one whose left or top edge it is.
+    /// Samples are `step` subpixels apart. The first one lies half a step from the edge. The top-left rule applies: if
+    /// two triangles share an edge, exactly one of them covers a sample on it.
     fn span(&self, step: i64, sample_row: usize, count: usize) -> Range<usize> {
         let y = sample_row as i64 * step + step / 2;
         let (mut start, mut end) = (0, count as i64);
@@ -165,22 +169,22 @@ impl Facet {
             let [ax, ay] = self.corners[i];
             let [bx, by] = self.corners[(i + 1) % 3];
             let (dx, dy) = (bx - ax, by - ay);
-            // Twice the area over the edge and the row's first sample, positive inside; it changes by `-dy` per subpixel.
-            let area = dx * (y - ay) - dy * (step / 2 - ax);
+            // Edge function at the row's first sample: positive inside. It changes by `-dy` per subpixel.
+            let edge = dx * (y - ay) - dy * (step / 2 - ax);
             let least = i64::from(!(dy < 0 || (dy == 0 && dx > 0)));
             let step = step * dy.abs();
             match dy {
-                0 if area < least => return 0..0,
+                0 if edge < least => return 0..0,
                 0 => {}
-                ..0 => start = start.max(-(area - least).div_euclid(step)),
-                1.. => end = end.min((area - least).div_euclid(step) + 1),
+                ..0 => start = start.max(-(edge - least).div_euclid(step)),
+                1.. => end = end.min((edge - least).div_euclid(step) + 1),
             }
         }
         if start < end { start as usize..end as usize } else { 0..0 }
     }
 }
 
-/// The samples of a pixel inside the spans of its sample rows.
+/// Returns the samples of pixel `x` inside the spans of its sample rows.
 fn mask(spans: &[Range<usize>; GRID], x: usize) -> Mask {
     let mut mask = 0;
     for (row, span) in spans.iter().enumerate() {

@@ -1,21 +1,27 @@
-//! The warp on the CPU at full quality: for export, and as the reference for GPU rendering.
+//! The software rasteriser that warps a picture at full quality, for export and as the reference for GPU rendering.
 //!
-//! Every triangle of the mesh is drawn from its rest place to its posed place, later ones over earlier ones. Coverage is that of
-//! graphics hardware with multisampling: 4×4 samples a pixel, shaded once per pixel and triangle at the pixel's centre, by the
-//! top-left rule in fixed-point arithmetic, so that no sample between neighbours is missed or drawn twice, and an opaque picture
-//! has no seams. The picture is read premultiplied by a cubic, which keeps it sharper than the bilinear filter of hardware; where
-//! it shrinks, by one as wide as a pixel is there, along x and y. Colours are bytes without gamma correction, as in a browser's
-//! canvas. Pixel art is drawn without any of that, by [`Filter::Nearest`](options::Filter::Nearest).
+//! It draws every triangle of the mesh from its rest position to its posed position, later triangles over earlier ones.
+//! Coverage follows multisampling hardware: 4×4 samples per pixel, shaded once per pixel and triangle at the pixel's
+//! centre. The top-left rule in fixed-point arithmetic draws each sample between neighbours exactly once, so an opaque
+//! picture has no seams.
 //!
-//! Only integers and f64 or f32 addition, multiplication, division and square roots are used (and `libm`'s logarithm): the
-//! result has the same bits on every machine.
+//! A cubic filter reads the premultiplied picture. It is sharper than the bilinear filter of hardware. Where the
+//! picture shrinks, the filter widens along x and y to the footprint of a pixel. Colours are bytes without gamma
+//! correction, as in a browser's canvas. [`Filter::Nearest`](options::Filter::Nearest) turns filtering and
+//! multisampling off, for pixel art.
 //!
-//! Cost: linear in the pixels drawn; 12 megapixels take between one and two seconds. Besides the result, memory for a third of
-//! the picture's pixels at 8 bytes (only where something shrinks to a quarter), some 110 bytes a triangle, and a band of 16 rows.
+//! The result has the same bits on every machine. The code uses integers, f64 and f32 addition, multiplication,
+//! division and square roots, and the logarithm of `libm`.
 //!
-//! Limits: the filter lies along x and y, so what shrinks along a diagonal only is blurred across it, too; at hard edges the cubic
-//! overshoots by up to 7 % of the step; triangles with a corner more than a million pixels out are not drawn; pixels without
-//! opacity become transparent black, whatever their colour.
+//! Cost: linear in the pixels drawn. 12 megapixels take between one and two seconds. Besides the result, memory holds
+//! about 110 bytes per triangle and a band of 16 rows. If anything shrinks to a quarter, mip levels take 8 bytes for a
+//! third of the picture's pixels.
+//!
+//! Limits:
+//! - The filter is aligned with x and y. A picture that shrinks along a diagonal is also blurred across it.
+//! - The cubic overshoots hard edges by up to 7 % of the step.
+//! - Triangles with a corner more than a million pixels out are not drawn.
+//! - Pixels without opacity become transparent black, whatever their colour.
 
 mod band;
 mod facet;
@@ -45,13 +51,14 @@ use crate::{
     picture::Picture,
 };
 
-/// Rows in a band: enough to set up triangles rarely, few enough for the cache.
+/// Rows per band: enough to amortise the setup of triangles, few enough for the cache.
 const BAND_ROWS: usize = 16;
 
-/// The size in pixels of a picture warped at a scale: `round(width × scale)` by `round(height × scale)`.
+/// Returns the size in pixels of a picture warped at `scale`: `round(width × scale)` by `round(height × scale)`.
 ///
 /// # Errors
-/// [`Error::Scale`] if the scale is not a positive number, or the result would have no pixel or more than a picture may have.
+/// [`Error::Scale`] if `scale` is not a positive number, or if the result would be empty or larger than a picture may
+/// be.
 pub fn warped_size(width: u32, height: u32, scale: f64) -> Result<(u32, u32), Error> {
     size(width, height, scale).ok_or(Error::Scale { scale, width, height })
 }
@@ -66,10 +73,10 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
     (u64::from(width) * u64::from(height) <= MAX_PIXELS).then_some((width, height))
 }
 
-/// Draws a mesh from its rest places in the picture to its posed places.
+/// Warps a picture by a mesh.
 ///
-/// `rest` and `posed` are the mesh's vertices in image pixels, in the same number; `triangles` index them and are drawn in
-/// order, in either orientation.
+/// `rest` and `posed` hold the position of each vertex in image pixels. `triangles` index them, in either orientation,
+/// and are drawn in order.
 ///
 /// ```
 /// use c2warp::{Canvas, ResampleOptions, Picture, glam::DVec2, raster::warp};
@@ -85,12 +92,13 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 ///
-/// The result has the size [`warped_size`], or more where the canvas grows, and is transparent where there is no triangle. A
-/// mesh at rest with scale 1 returns the picture's bytes. On either canvas the bytes within the picture's own rectangle are the
-/// same.
+/// The result has the size [`warped_size`], or more if the canvas grows. It is transparent outside the triangles. A
+/// mesh at rest with scale 1 returns the picture's bytes. Both canvases give the same bytes inside the picture's own
+/// rectangle.
 ///
 /// # Errors
-/// [`Error::Scale`] as [`warped_size`]; [`Error::Canvas`] where it would grow beyond what a picture may have.
+/// - [`Error::Scale`] as for [`warped_size`].
+/// - [`Error::Canvas`] if the canvas would grow beyond the largest size of a picture.
 ///
 /// # Panics
 /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
@@ -103,7 +111,7 @@ pub fn warp(
 ) -> Result<Warped, Error> {
     let picture_size = warped_size(picture.width(), picture.height(), scale)?;
     if canvas == Canvas::Grown {
-        check_reach(posed, triangles, scale)?;
+        check_range(posed, triangles, scale)?;
     }
     let mut facets = mesh_facets(rest, posed, triangles, scale);
     let frame = match canvas {
@@ -132,8 +140,8 @@ pub fn warp(
     Ok(warped.trimmed(picture_size))
 }
 
-/// Refuses a mesh of which a part is too far out to be drawn.
-fn check_reach(posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Result<(), Error> {
+/// Returns an error if a corner is too far out to be rasterised.
+fn check_range(posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Result<(), Error> {
     let corners = || triangles.iter().flatten().map(|&vertex| posed[vertex as usize] * scale);
     if corners().all(facet::is_in_range) {
         return Ok(());
@@ -143,7 +151,7 @@ fn check_reach(posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Result<()
     Err(Error::Canvas { width, height })
 }
 
-/// The facets that touch each band of rows, in drawing order.
+/// Returns the facets that touch each band of rows, in drawing order.
 fn facets_by_band(facets: &[Facet], height: usize) -> Vec<Vec<u32>> {
     let mut bins = vec![Vec::new(); height.div_ceil(BAND_ROWS)];
     for (index, facet) in (0..).zip(facets) {

@@ -1,10 +1,10 @@
-//! Where the pixels of a warped picture come from: what another program needs to bend another picture alike.
+//! The inverse map of a warped picture, per pixel. Compositing programs use it to bend other pictures the same way.
 //!
-//! A pixel shows one place: what its centre shows. Where the mesh lies over itself it is that of the triangle drawn last of those whose
-//! picture is opaque there, by more than half: a soft edge lies over what shows through it. Coverage is that of [`warp`](super::warp), over
-//! a picture that is opaque.
+//! Each pixel holds the point of the picture at its centre. Where triangles overlap, the last one counts whose picture
+//! is more than half opaque there. So a soft edge does not hide the picture below it. Coverage is that of
+//! [`warp`](super::warp) for an opaque picture.
 //!
-//! Cost: linear in the pixels drawn, some 20 bytes for each pixel of the result.
+//! Cost: linear in the pixels drawn, with about 20 bytes per pixel of the result.
 
 use glam::DVec2;
 
@@ -14,29 +14,31 @@ use super::texture::{OPAQUE, Texture};
 use super::warped::Warped;
 use crate::picture::Picture;
 
-/// Where a pixel of a warped picture comes from; all 0 where nothing is drawn.
+/// The source of one pixel of a warped picture. All fields are 0 if nothing is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Source {
-    /// The place of the picture that the pixel's centre shows, in pixels of the picture; never beyond its border.
-    pub place: [f32; 2],
-    /// How areas grow there, in pixels of the picture: the determinant of the Jacobian, negative where the picture is turned over, and 0
-    /// where its border is drawn out.
+    /// The rest position that the pixel's centre shows, in pixels of the picture, clamped to its border.
+    pub rest: [f32; 2],
+    /// The Jacobian determinant of the warp there, in pixels of the picture.
+    ///
+    /// It is negative where the picture is flipped, and 0 where its border is stretched over an area.
     pub det: f32,
-    /// The share of the pixel that triangles cover.
+    /// The fraction of the pixel that triangles cover.
     pub coverage: f32,
 }
 
-/// What was drawn at a pixel so far.
+/// The state of a pixel during rasterisation.
 #[derive(Debug, Clone, Copy, Default)]
 struct Pixel {
     covered: Mask,
-    /// Whether the place that its centre shows is opaque.
+    /// Whether the picture is opaque at the pixel's source.
     is_opaque: bool,
 }
 
-/// Where the pixels of a warped picture come from, in rows from top to bottom: of the result of [`warp`](super::warp) with the same
-/// arguments.
+/// Returns the source of each pixel of `warped`, in rows from top to bottom.
+///
+/// `warped` must be the result of [`warp`](super::warp) with the same arguments.
 ///
 /// # Panics
 /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
@@ -59,17 +61,16 @@ pub fn sources(
     let mut sources = vec![Source::default(); width * height];
     let mut pixels = vec![Pixel::default(); width * height];
     for facet in &facets {
-        let det = (facet.growth() / (scale * scale)) as f32;
+        let det = (facet.det() / (scale * scale)) as f32;
         for row in facet.rows(height) {
-            let centres = facet.centres(row, width);
-            facet.cover(row..row + 1, width, filter, |x, _, mask| {
+            let centres = facet.covered_centres(row, width);
+            facet.for_each_covered(row..row + 1, width, filter, |x, _, mask| {
                 let (pixel, source) = (&mut pixels[row * width + x], &mut sources[row * width + x]);
-                let place =
-                    facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin).clamp(DVec2::ZERO, size);
+                let rest = facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin).clamp(DVec2::ZERO, size);
                 let covers_centre = centres.contains(&x);
-                let is_opaque = covers_centre && texture.sample(place, facet.footprint()).w > OPAQUE / 2.0;
+                let is_opaque = covers_centre && texture.sample(rest, facet.footprint()).w > OPAQUE / 2.0;
                 if is_opaque || covers_centre && !pixel.is_opaque || pixel.covered == 0 {
-                    (source.place, source.det) = (place.as_vec2().to_array(), det);
+                    (source.rest, source.det) = (rest.as_vec2().to_array(), det);
                 }
                 pixel.is_opaque |= is_opaque;
                 pixel.covered |= mask;
@@ -98,7 +99,8 @@ mod tests {
         [[left, top], [right, top], [right, bottom], [left, bottom]].map(DVec2::from)
     }
 
-    fn found(
+    /// Warps a picture of 8 by 4 pixels and returns its sources.
+    fn warped_sources(
         rgba: &[u8],
         rest: &[DVec2],
         posed: &[DVec2],
@@ -112,32 +114,32 @@ mod tests {
     }
 
     #[test]
-    fn a_pixel_shows_the_place_that_it_comes_from() {
+    fn sources_follow_scale_and_grown_canvas() {
         let rest = corners([0.0, 0.0], [8.0, 4.0]);
-        // Twice as wide, half a pixel to the left, at one and a half times the size.
+        // Twice as wide, shifted left by half a pixel, at scale 1.5.
         let posed = rest.map(|p| DVec2::new(2.0 * p.x - 0.5, p.y));
         let (warped, sources) =
-            found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, ResampleOptions { scale: 1.5, ..GROWN });
+            warped_sources(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, ResampleOptions { scale: 1.5, ..GROWN });
         assert_eq!((warped.width, warped.height, warped.origin), (25, 6, [1, 0]));
         for (pixel, source) in sources.iter().enumerate() {
             let at = DVec2::new((pixel % 25) as f64 - 0.5, (pixel / 25) as f64 + 0.5) / 1.5;
-            // The centres of the outermost pixels are not covered: what they show is the border.
+            // The mesh does not cover the centres of the outermost pixels, so they show the border.
             let expected = DVec2::new(((at.x + 0.5) / 2.0).clamp(0.0, 8.0), at.y).as_vec2();
-            assert!((expected - glam::Vec2::from(source.place)).length() < 1e-6, "{pixel}: {source:?}");
+            assert!((expected - glam::Vec2::from(source.rest)).length() < 1e-6, "{pixel}: {source:?}");
             assert!((source.det - 2.0).abs() < 1e-6 && source.coverage > 0.0, "{pixel}: {source:?}");
         }
-        // From 0.25 px on, and up to 24.25.
+        // The mesh covers x from 0.25 to 24.25.
         assert_eq!([sources[0].coverage, sources[1].coverage, sources[24].coverage], [0.75, 1.0, 0.25]);
-        // Pixel art has whole pixels.
+        // The nearest filter covers whole pixels.
         let options = ResampleOptions { scale: 1.5, filter: Filter::Nearest, ..GROWN };
-        let (warped, whole) = found(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, options);
+        let (warped, whole) = warped_sources(&[255; 8 * 4 * 4], &rest, &posed, &SQUARE, options);
         assert_eq!((warped.width, warped.origin), (24, [1, 0]));
-        assert!((0..24).all(|x| (whole[x].place, whole[x].coverage) == (sources[x].place, 1.0)));
+        assert!((0..24).all(|x| (whole[x].rest, whole[x].coverage) == (sources[x].rest, 1.0)));
     }
 
     #[test]
-    fn what_is_drawn_last_is_seen_where_it_is_opaque() {
-        // The left half of the picture lies over the right one; its first column is transparent, its second one opaque by a third.
+    fn last_opaque_triangle_is_the_source() {
+        // The left half lies over the right half. Its first column is transparent, its second column one third opaque.
         let mut rgba = vec![255; 8 * 4 * 4];
         for row in rgba.chunks_exact_mut(8 * 4) {
             (row[3], row[4 + 3]) = (0, 85);
@@ -145,8 +147,8 @@ mod tests {
         let rest = [corners([4.0, 0.0], [8.0, 4.0]), corners([0.0, 0.0], [4.0, 4.0])].concat();
         let posed = [corners([4.0, 0.0], [8.0, 4.0]), corners([8.0, 0.0], [4.0, 4.0])].concat();
         let triangles = [SQUARE, SQUARE.map(|triangle| triangle.map(|v| v + 4))].concat();
-        let (_, sources) = found(&rgba, &rest, &posed, &triangles, GROWN);
-        let row: Vec<_> = sources[8..16].iter().map(|source| (source.place[0], source.det, source.coverage)).collect();
+        let (_, sources) = warped_sources(&rgba, &rest, &posed, &triangles, GROWN);
+        let row: Vec<_> = sources[8..16].iter().map(|source| (source.rest[0], source.det, source.coverage)).collect();
         let nothing = (0.0, 0.0, 0.0);
         let (over, under) = (|x| (x, -1.0, 1.0), |x| (x, 1.0, 1.0));
         assert_eq!(row, [nothing, nothing, nothing, nothing, over(3.5), over(2.5), under(6.5), under(7.5)]);

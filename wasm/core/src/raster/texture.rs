@@ -1,7 +1,7 @@
-//! The picture as a texture, read at any place by a cubic as wide as a pixel is there, or by its nearest texel.
+//! The picture as a texture, sampled by a cubic filter as wide as the pixel's footprint, or by the nearest texel.
 //!
-//! Colours are premultiplied by their opacity on a scale from 0 to 255² = 65,025, on which the product of two bytes is exact:
-//! a read at the centre of a texel returns its bytes.
+//! Colours are premultiplied by their opacity, on a scale from 0 to 255² = 65,025. On this scale the product of two
+//! bytes is exact, so a sample at the centre of a texel returns its bytes.
 
 use glam::{DVec2, Vec4};
 
@@ -14,24 +14,24 @@ use crate::picture::Picture;
 /// Full opacity.
 pub(super) const OPAQUE: f32 = 65_025.0;
 
-/// A picture and its reductions.
+/// A picture and its mip levels.
 #[derive(Debug)]
 pub(super) struct Texture<'a> {
     picture: Picture<'a>,
     filter: Filter,
-    /// Half the size, a quarter of the size, and so on, as far as needed.
-    reductions: Vec<Reduction>,
+    /// Half the size, a quarter of the size, and so on, up to the coarsest level that a facet reads.
+    mip_levels: Vec<MipLevel>,
 }
 
 #[derive(Debug)]
-struct Reduction {
+struct MipLevel {
     width: usize,
     height: usize,
     texels: Vec<[u16; 4]>,
 }
 
 impl<'a> Texture<'a> {
-    /// Prepares the levels of detail that facets read.
+    /// Creates the mip levels that `facets` read.
     pub(super) fn for_facets(picture: Picture<'a>, filter: Filter, facets: &[Facet]) -> Self {
         let level = |facet: &Facet| match filter {
             Filter::Cubic => facet.footprint().level,
@@ -40,13 +40,13 @@ impl<'a> Texture<'a> {
         Self::new(picture, filter, facets.iter().map(level).max().unwrap_or(0))
     }
 
-    /// Prepares levels of detail up to `greatest`.
-    fn new(picture: Picture<'a>, filter: Filter, greatest: u32) -> Self {
-        let mut texture = Self { picture, filter, reductions: Vec::new() };
+    /// Creates the mip levels up to `coarsest`.
+    fn new(picture: Picture<'a>, filter: Filter, coarsest: u32) -> Self {
+        let mut texture = Self { picture, filter, mip_levels: Vec::new() };
         let last = picture.width().max(picture.height()).ilog2();
-        for level in 0..last.min(greatest) as usize {
+        for level in 0..last.min(coarsest) as usize {
             let next = texture.halved(level);
-            texture.reductions.push(next);
+            texture.mip_levels.push(next);
         }
         texture
     }
@@ -55,39 +55,39 @@ impl<'a> Texture<'a> {
         self.filter
     }
 
-    /// The colour around a place, in pixels of the picture; beyond the border, that of the border.
-    pub(super) fn sample(&self, place: DVec2, footprint: Footprint) -> Vec4 {
+    /// Returns the filtered colour at `p`, in pixels of the picture. Beyond the border it is the colour of the border.
+    pub(super) fn sample(&self, p: DVec2, footprint: Footprint) -> Vec4 {
         match self.filter {
-            Filter::Cubic => self.filtered(place, footprint),
+            Filter::Cubic => self.filtered(p, footprint),
             Filter::Nearest => {
                 let (width, height) = self.size(0);
-                self.texel(0, nearest(place.x, width), nearest(place.y, height))
+                self.texel(0, nearest(p.x, width), nearest(p.y, height))
             }
         }
     }
 
-    fn filtered(&self, place: DVec2, footprint: Footprint) -> Vec4 {
-        let level = (footprint.level as usize).min(self.reductions.len());
+    fn filtered(&self, p: DVec2, footprint: Footprint) -> Vec4 {
+        let level = (footprint.level as usize).min(self.mip_levels.len());
         let (width, height) = self.size(level);
-        let taps = |place: f64, whole: u32, length: usize, width: f32| {
-            Taps::new(place * (length as f64 / f64::from(whole)), length, width)
+        let taps = |position: f64, whole: u32, length: usize, width: f32| {
+            Taps::new(position * (length as f64 / f64::from(whole)), length, width)
         };
-        let x = taps(place.x, self.picture.width(), width, footprint.widths[0]);
-        let y = taps(place.y, self.picture.height(), height, footprint.widths[1]);
-        if let ([_], [_]) = (x.shares(), y.shares()) {
+        let x = taps(p.x, self.picture.width(), width, footprint.widths[0]);
+        let y = taps(p.y, self.picture.height(), height, footprint.widths[1]);
+        if let ([_], [_]) = (x.weights(), y.weights()) {
             return self.texel(level, x.first, y.first);
         }
         let sum = match level {
             0 => sum(self.picture.rgba().as_chunks().0, width, &x, &y, premultiplied),
-            _ => sum(&self.reductions[level - 1].texels, width, &x, &y, |texel| texel),
+            _ => sum(&self.mip_levels[level - 1].texels, width, &x, &y, |texel| texel),
         };
-        colour(sum)
+        clamp_overshoot(sum)
     }
 
     fn size(&self, level: usize) -> (usize, usize) {
         match level {
             0 => (self.picture.width() as usize, self.picture.height() as usize),
-            _ => (self.reductions[level - 1].width, self.reductions[level - 1].height),
+            _ => (self.mip_levels[level - 1].width, self.mip_levels[level - 1].height),
         }
     }
 
@@ -95,18 +95,20 @@ impl<'a> Texture<'a> {
         if level == 0 {
             premultiplied(value(self.picture.rgba().as_chunks().0[y * self.picture.width() as usize + x]))
         } else {
-            let reduction = &self.reductions[level - 1];
-            value(reduction.texels[y * reduction.width + x])
+            let mip_level = &self.mip_levels[level - 1];
+            value(mip_level.texels[y * mip_level.width + x])
         }
     }
 
-    /// The next level, at half the size; every texel of the level has the same total weight, also where a side is odd.
-    fn halved(&self, level: usize) -> Reduction {
+    /// Returns the next mip level, at half the size.
+    ///
+    /// Every texel of this level has the same total weight, even if a side is odd.
+    fn halved(&self, level: usize) -> MipLevel {
         let (from_width, from_height) = self.size(level);
         let (width, height) = ((from_width / 2).max(1), (from_height / 2).max(1));
-        let columns: Vec<_> = (0..width).map(|x| Shares::new(x, from_width)).collect();
+        let columns: Vec<_> = (0..width).map(|x| BoxWeights::new(x, from_width)).collect();
         let mut texels = Vec::with_capacity(width * height);
-        for row in (0..height).map(|y| Shares::new(y, from_height)) {
+        for row in (0..height).map(|y| BoxWeights::new(y, from_height)) {
             for column in &columns {
                 let mut sum = Vec4::ZERO;
                 for (y, down) in row.iter() {
@@ -117,32 +119,32 @@ impl<'a> Texture<'a> {
                 texels.push((sum + 0.5).to_array().map(|channel| channel as u16));
             }
         }
-        Reduction { width, height, texels }
+        MipLevel { width, height, texels }
     }
 }
 
-/// Weights of the two or three texels under a texel of the next level.
-struct Shares {
+/// Weights of the two or three texels below one texel of the next mip level.
+struct BoxWeights {
     first: usize,
     count: usize,
-    shares: [f32; 3],
+    weights: [f32; 3],
 }
 
-impl Shares {
-    /// For the texel `index` of a row with half of `length` texels.
+impl BoxWeights {
+    /// Returns the weights below texel `index` of a row with `length / 2` texels.
     fn new(index: usize, length: usize) -> Self {
         let half = length / 2;
-        let (count, shares) = match (length, length % 2) {
+        let (count, weights) = match (length, length % 2) {
             (1, _) => (1, [1.0, 0.0, 0.0]),
             (_, 0) => (2, [0.5, 0.5, 0.0]),
             // A texel covers `length / half` texels, slightly more than two.
             _ => (3, [half - index, half, index + 1].map(|part| part as f32 / length as f32)),
         };
-        Self { first: 2 * index, count, shares }
+        Self { first: 2 * index, count, weights }
     }
 
     fn iter(&self) -> impl Iterator<Item = (usize, f32)> {
-        (self.first..).zip(self.shares).take(self.count)
+        (self.first..).zip(self.weights).take(self.count)
     }
 }
 
@@ -154,7 +156,7 @@ fn premultiplied(straight: Vec4) -> Vec4 {
     straight.with_w(255.0) * straight.w
 }
 
-/// The sum of texels by their shares, in rows of `width` texels.
+/// Returns the weighted sum of the texels under the taps, in rows of `width` texels.
 fn sum<T: Copy + Into<f32>>(
     texels: &[[T; 4]],
     width: usize,
@@ -163,30 +165,32 @@ fn sum<T: Copy + Into<f32>>(
     premultiplied: impl Fn(Vec4) -> Vec4,
 ) -> Vec4 {
     let mut sum = Vec4::ZERO;
-    let (quads, others) = x.shares().as_chunks::<4>();
-    for (row, &down) in (y.first..).zip(y.shares()) {
-        let row = &texels[row * width + x.first..][..x.shares().len()];
+    let (quads, others) = x.weights().as_chunks::<4>();
+    for (row, &down) in (y.first..).zip(y.weights()) {
+        let row = &texels[row * width + x.first..][..x.weights().len()];
         let (texel_quads, other_texels) = row.as_chunks::<4>();
         let mut across = Vec4::ZERO;
-        for (texels, shares) in texel_quads.iter().zip(quads) {
-            // Four at a time are converted at once.
+        for (texels, weights) in texel_quads.iter().zip(quads) {
+            // Four texels at once, so that the compiler vectorises the conversion.
             let flat = texels.as_flattened();
             let values: [f32; 16] = std::array::from_fn(|i| flat[i].into());
-            for (value, &share) in values.as_chunks().0.iter().zip(shares) {
-                across += premultiplied(Vec4::from_array(*value)) * share;
+            for (value, &weight) in values.as_chunks().0.iter().zip(weights) {
+                across += premultiplied(Vec4::from_array(*value)) * weight;
             }
         }
-        for (&texel, &share) in other_texels.iter().zip(others) {
-            across += premultiplied(value(texel)) * share;
+        for (&texel, &weight) in other_texels.iter().zip(others) {
+            across += premultiplied(value(texel)) * weight;
         }
         sum += across * down;
     }
     sum
 }
 
-/// The colour that a sum is meant as. The cubic overshoots at edges: no colour is more than its opacity, and an opacity beyond
-/// the greatest makes it no brighter.
-fn colour(sum: Vec4) -> Vec4 {
+/// Clamps the overshoot of the cubic at edges to a valid premultiplied colour.
+///
+/// Each channel is at most the opacity. An opacity above [`OPAQUE`] scales the colour down, so that it gets no
+/// brighter.
+fn clamp_overshoot(sum: Vec4) -> Vec4 {
     let opacity = sum.w.max(0.0);
     let colour = sum.clamp(Vec4::ZERO, Vec4::splat(opacity));
     if opacity > OPAQUE { (colour * (OPAQUE / opacity)).with_w(OPAQUE) } else { colour }

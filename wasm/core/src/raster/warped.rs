@@ -8,16 +8,14 @@ pub struct Warped {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// Where the upper left corner of the picture's own rectangle lies in the result, in pixels from its upper left corner:
-    /// `[0, 0]` unless the canvas has grown.
+    /// Position of the picture's upper left corner in the result, in pixels: `[0, 0]` unless the canvas has grown.
     pub origin: [u32; 2],
-    /// `width × height × 4` bytes: straight (not premultiplied) RGBA, rows from top to bottom.
+    /// `width × height × 4` bytes of straight (not premultiplied) RGBA, in rows from top to bottom.
     pub rgba: Vec<u8>,
 }
 
 impl Warped {
-    /// The same without the rows and columns around the picture's own rectangle, which is of this size, in which nothing is
-    /// drawn.
+    /// Removes empty rows and columns outside the picture's own rectangle, whose size is `(width, height)`.
     pub(super) fn trimmed(self, (width, height): (u32, u32)) -> Self {
         let [left, top] = self.origin;
         let pixel = |x: u32, y: u32| (y as usize * self.width as usize + x as usize) * 4;

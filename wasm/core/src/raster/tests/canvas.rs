@@ -1,0 +1,73 @@
+//! Tests of the size of the result.
+
+use glam::DVec2;
+
+use super::super::{options::ResampleOptions, warp, warped_size};
+use super::{GROWN, mesh, noise, opaque, picture, warp_bytes};
+use crate::error::Error;
+
+#[test]
+fn scales_without_a_valid_size_are_rejected() {
+    assert_eq!(warped_size(100, 51, 0.5), Ok((50, 26)));
+    for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9, 164.0] {
+        assert!(matches!(warped_size(100, 50, scale), Err(Error::Scale { .. })), "{scale}");
+        let rgba = opaque(noise(100, 50));
+        let warped =
+            warp(&picture(100, 50, &rgba), &[], &[], &[], ResampleOptions { scale, ..ResampleOptions::default() });
+        assert!(matches!(warped, Err(Error::Scale { .. })), "{scale}");
+    }
+}
+
+#[test]
+fn grown_canvas_holds_the_whole_picture() {
+    let bytes = opaque(noise(20, 12));
+    let picture = picture(20, 12, &bytes);
+    let (rest, triangles) = mesh(20.0, 12.0, 3);
+    let moved = |by: DVec2| rest.iter().map(|&p| p + by).collect::<Vec<_>>();
+    let grown = |posed: &[DVec2]| warp(&picture, &rest, posed, &triangles, GROWN).unwrap();
+
+    let at_rest = grown(&rest);
+    assert_eq!((at_rest.width, at_rest.height, at_rest.origin), (20, 12, [0, 0]));
+    assert!(at_rest.rgba == bytes);
+
+    // Moved left and down: inside the picture's own rectangle, both canvases have the same bytes.
+    let left = moved(DVec2::new(-7.0, 3.0));
+    let all = grown(&left);
+    assert_eq!((all.width, all.height, all.origin), (27, 15, [7, 0]));
+    let small = warp_bytes(&picture, &rest, &left, &triangles, 1.0);
+    for (y, row) in small.chunks_exact(20 * 4).enumerate() {
+        let start = (y * 27 + 7) * 4;
+        assert!(all.rgba[start..start + 20 * 4] == *row, "row {y}");
+    }
+    // The whole picture is inside the grown canvas.
+    for (y, row) in bytes.chunks_exact(20 * 4).enumerate() {
+        let start = (y + 3) * 27 * 4;
+        assert!(all.rgba[start..start + 20 * 4] == *row, "row {y}");
+    }
+}
+
+#[test]
+fn grown_canvas_is_trimmed_to_visible_pixels() {
+    // All but a square in the middle is transparent.
+    let mut bytes = opaque(noise(20, 20));
+    for (i, pixel) in bytes.chunks_exact_mut(4).enumerate() {
+        if !(8..12).contains(&(i % 20)) || !(8..12).contains(&(i / 20)) {
+            pixel.fill(0);
+        }
+    }
+    let picture = picture(20, 20, &bytes);
+    let (rest, triangles) = mesh(20.0, 20.0, 1);
+    let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(15.0, -10.0)).collect();
+    let warped = warp(&picture, &rest, &posed, &triangles, GROWN).unwrap();
+    assert_eq!((warped.width, warped.height, warped.origin), (27, 22, [0, 2]));
+}
+
+#[test]
+fn canvas_beyond_the_largest_size_is_rejected() {
+    let bytes = noise(4, 4);
+    let picture = picture(4, 4, &bytes);
+    let (rest, triangles) = mesh(4.0, 4.0, 1);
+    let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(30_000.0, 0.0)).collect();
+    let refused = warp(&picture, &rest, &posed, &triangles, GROWN);
+    assert_eq!(refused, Err(Error::Canvas { width: 30_004, height: 4 }));
+}
