@@ -7,8 +7,13 @@ import { type Document, handleById } from '../document/document';
 import { putHandles, selectHandles } from '../document/edits';
 import type { PosedDocument } from '../document/group';
 import type { History, HistoryRecord } from '../document/history';
-import { culprit, handleBack, withHandleBack, withoutSolution } from '../document/mending';
 import type { Handle, Project } from '../document/project';
+import {
+  handleToRevert,
+  revertHandle,
+  withHandleReverted,
+  withSolutionReverted,
+} from '../document/reverting';
 import { solveKey, solvesWith } from '../document/solved';
 import { type Drawings, ToolMachine } from '../tools/machine';
 import type { Draft, Effect } from '../tools/state';
@@ -196,10 +201,10 @@ export class Editing {
    */
   withdraw(key: string, named: readonly string[] = [], accepted: Project | null = null): boolean {
     const { timeline } = this.#history;
-    const handle = culprit(timeline, named, accepted);
+    const handle = handleToRevert(timeline, named, accepted);
     const { project } = this;
     const left = this.#history.mend(
-      handle ? withHandleBack(timeline, handle) : withoutSolution(timeline, key),
+      handle ? withHandleReverted(timeline, handle) : withSolutionReverted(timeline, key),
     );
     const drawn = this.#drawn;
     const undrawn = drawn && solvesWith(project, drawn.handle) && !solvesWith(this.project, drawn.handle);
@@ -239,7 +244,7 @@ export class Editing {
     // that moment.
     const led = [...this.#led].flatMap((id) => handleById(this.document, id) ?? []);
     const wanted = this.#refused.reduce(
-      (mended, handle) => handleBack(mended, handle, this.document),
+      (mended, handle) => revertHandle(mended, handle, this.document),
       putHandles(edit.document, led),
     );
     this.#history.update(this.#guarding.limited(this.document, { ...edit, document: wanted }));

@@ -17,7 +17,7 @@ import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
  * @param accepted the project solved last. Without it, handles older than the present settings are not blamed: the
  *   settings may be what made them wrong.
  */
-export function culprit(
+export function handleToRevert(
   { values, at }: Timeline<Document>,
   named: readonly string[],
   accepted: Project | null,
@@ -43,7 +43,7 @@ const keepsOthers = (before: Project, after: Project, id: string): boolean =>
   before.handles.every((handle) => handle.id === id || solvesWith(after, handle));
 
 /** The values with the handle reverted wherever, without a break around the present, it is what it is now. */
-export function withHandleBack({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {
+export function withHandleReverted({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {
   const otherwise = ({ project }: Document) => !solvesWith(project, handle);
   const first = values.findLastIndex((document, k) => k < at && otherwise(document)) + 1;
   const next = values.findIndex((document, k) => k > at && otherwise(document));
@@ -51,13 +51,13 @@ export function withHandleBack({ values, at }: Timeline<Document>, handle: Handl
   return values.map((document, k) => {
     // The value at `next` is included: it may now equal the one before it.
     if (k < first || (next >= 0 && k > next)) return document;
-    before = handleBack(document, handle, before);
+    before = revertHandle(document, handle, before);
     return before;
   });
 }
 
 /** The document with a handle reverted to `before`, or removed if new; `before` itself where nothing else differs. */
-export function handleBack(document: Document, handle: Handle, before: Document | undefined): Document {
+export function revertHandle(document: Document, handle: Handle, before: Document | undefined): Document {
   const back = before && handleById(before, handle.id);
   const handles = document.project.handles.flatMap((other) =>
     solvesAlike(other, handle) ? (back ?? []) : other,
@@ -71,7 +71,7 @@ export function handleBack(document: Document, handle: Handle, before: Document 
  * The values with each one that needs the solution of this key replaced by the last one before it that does not, or
  * else by the first that does not.
  */
-export function withoutSolution({ values }: Timeline<Document>, key: string): readonly Document[] {
+export function withSolutionReverted({ values }: Timeline<Document>, key: string): readonly Document[] {
   const stands = ({ project }: Document) => solveKey(project) !== key;
   let before = values.find(stands);
   return values.map((document) => {

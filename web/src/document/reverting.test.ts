@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { type Document, newProject, openDocument } from './document';
 import { addHandle, changeHandles, holdBoundary, moveHandles, removeHandles } from './edits';
 import { History } from './history';
-import { culprit, handleBack, withHandleBack, withoutSolution } from './mending';
 import type { Handle, PointHandle } from './project';
+import { handleToRevert, revertHandle, withHandleReverted, withSolutionReverted } from './reverting';
 import { solveKey } from './solved';
 
 const point = (id: string, x = 0): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
@@ -34,14 +34,14 @@ const done = (...steps: readonly Step[]): History<Document> => {
   return history;
 };
 const blamed = (history: History<Document>, named: readonly string[], accepted: Document | null = null) =>
-  culprit(history.timeline, named, accepted?.project ?? null)?.id ?? null;
+  handleToRevert(history.timeline, named, accepted?.project ?? null)?.id ?? null;
 const told = ({ project }: Document) =>
   project.handles
     .map(({ id, rest, posed }: Handle) => `${id}${rest[0]}${String(posed) === String(rest) ? '' : '!'}`)
     .join(' ');
 const all = (history: History<Document>) => history.timeline.values.map(told);
 
-describe('culprit', () => {
+describe('handleToRevert', () => {
   it('is the handle that is not solved yet', () => {
     const history = done(add('a'), add('b'), add('good', 5));
     const [, a, b] = history.timeline.values as [Document, Document, Document];
@@ -77,10 +77,10 @@ describe('culprit', () => {
   });
 });
 
-describe('withHandleBack', () => {
+describe('withHandleReverted', () => {
   const back = (history: History<Document>, id: string) => {
     const handle = history.present.project.handles.find((other) => other.id === id) as Handle;
-    history.mend(withHandleBack(history.timeline, handle));
+    history.mend(withHandleReverted(history.timeline, handle));
     return history;
   };
 
@@ -108,21 +108,21 @@ describe('withHandleBack', () => {
   });
 });
 
-describe('handleBack', () => {
+describe('revertHandle', () => {
   it('gives the very document before, where nothing else is new', () => {
     const before = add('a')(empty);
-    expect(handleBack(add('bad')(before), point('bad'), before)).toBe(before);
+    expect(revertHandle(add('bad')(before), point('bad'), before)).toBe(before);
   });
 
   it('leaves what is not as it was refused', () => {
     const moved = add('a', 5)(empty);
-    expect(told(handleBack(moved, point('a', 4), empty))).toBe('a5');
+    expect(told(revertHandle(moved, point('a', 4), empty))).toBe('a5');
   });
 });
 
-describe('withoutSolution', () => {
+describe('withSolutionReverted', () => {
   const withdrawn = (history: History<Document>) => {
-    history.mend(withoutSolution(history.timeline, solveKey(history.present.project)));
+    history.mend(withSolutionReverted(history.timeline, solveKey(history.present.project)));
     return history;
   };
 
@@ -141,6 +141,6 @@ describe('withoutSolution', () => {
 
   it('changes nothing where nothing needs another', () => {
     const history = done();
-    expect(history.mend(withoutSolution(history.timeline, solveKey(empty.project)))).toBe(false);
+    expect(history.mend(withSolutionReverted(history.timeline, solveKey(empty.project)))).toBe(false);
   });
 });
