@@ -46,7 +46,7 @@ import { handleById } from './document/document';
 import { addHandle, freeId, putHandles, removeHandles } from './document/edits';
 import { checkedHandle } from './document/handle';
 import {
-  copied,
+  deepCopy,
   type Handle,
   type HandleFile,
   type Project,
@@ -178,14 +178,14 @@ export class C2Warp extends TypedElement {
    * @throws RangeError that names what is invalid; Error when read while the element is not connected.
    */
   get project(): Project {
-    return copied(this.#present.workbench.editing.project);
+    return deepCopy(this.#present.workbench.editing.project);
   }
 
   set project(given: ProjectFile | string | null) {
     this.#initial.project = null;
     if (given === null || typeof given !== 'object') this.projectSource = given ?? null;
     else if (this.#desk?.workbench.isOpen && !this.#initial.asks) this.#desk.workbench.set(given);
-    else this.#initial.project = copied(given);
+    else this.#initial.project = deepCopy(given);
   }
 
   /**
@@ -233,7 +233,7 @@ export class C2Warp extends TypedElement {
     if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
     const id = handle.id ?? freeId(editing.project);
     if (handleById(editing.document, id)) throw new RangeError(`there is a handle "${id}" already`);
-    const added = copied(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
+    const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
     editing.step('Add handle', addHandle(editing.document, added));
     return id;
   }
@@ -477,7 +477,7 @@ export class C2Warp extends TypedElement {
   /** A handle with a page's changes. @throws RangeError if the result is invalid, or a `fixed` key would change. */
   #changed(id: string, change: object, fixed: readonly ('id' | 'kind' | 'rest')[] = ['id', 'kind']): Handle {
     const handle = this.#handle(id);
-    const changed = copied(checkedHandle({ ...handle, ...change } as Handle));
+    const changed = deepCopy(checkedHandle({ ...handle, ...change } as Handle));
     for (const key of fixed) {
       if (String(changed[key]) !== String(handle[key]))
         throw new RangeError(`handle "${id}", ${key}: cannot be changed`);
@@ -508,7 +508,7 @@ export class C2Warp extends TypedElement {
       // Copied only when read: a drag emits many events.
       const detail = {
         get project() {
-          return copied(project);
+          return deepCopy(project);
         },
       };
       this.#emit(kind, detail);

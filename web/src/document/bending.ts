@@ -21,7 +21,7 @@ export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'har
 
 export const blendOf = (project: Project): Blend => project.pose?.blend ?? 'linear';
 
-export const blended = (project: Project, blend: Blend): Project => ({
+export const withBlend = (project: Project, blend: Blend): Project => ({
   ...project,
   pose: { ...project.pose, blend },
 });
@@ -34,7 +34,7 @@ export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(p
  *
  * @param last what was last in that mode: its detail comes back, and points that were unturned in it are as they were.
  */
-export function bent(project: Project, mode: PoseMode, last: Project | null = null): Project {
+export function withMode(project: Project, mode: PoseMode, last: Project | null = null): Project {
   const { support, density, rotation } = SETTINGS[mode];
   const before = new Map(last?.handles.filter(isUnturned).map((handle) => [handle.id, handle.rotation]));
   const resting = ({ id }: Handle) => before.get(id) ?? rotation;
@@ -52,7 +52,7 @@ export function bent(project: Project, mode: PoseMode, last: Project | null = nu
 export const detailOf = (project: Project): Detail | null =>
   (Object.keys(DETAILS) as Detail[]).find((name) => DETAILS[name] === project.pose?.density) ?? null;
 
-export const detailed = (project: Project, detail: Detail): Project => ({
+export const withDetail = (project: Project, detail: Detail): Project => ({
   ...project,
   pose: { ...project.pose, density: DETAILS[detail] },
 });

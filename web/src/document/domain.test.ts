@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec } from '../geometry/vec';
 import { newProject } from './document';
-import { lassoed, ringsOf } from './domain';
+import { ringsOf, withLasso } from './domain';
 import type { Handle, Project } from './project';
 
 const square = (left: number, top: number, side: number): readonly Vec[] => [
@@ -21,7 +21,7 @@ const project = (...handles: readonly Handle[]): Project => ({
   handles,
 });
 const drawn = (from: Project, ring: readonly Vec[], hole = false): Project => {
-  const after = lassoed(from, ring, hole);
+  const after = withLasso(from, ring, hole);
   if (!after) throw new Error('nothing in it');
   return after.project;
 };
@@ -45,9 +45,9 @@ describe('a lasso', () => {
     );
   });
   it('is nothing beside the picture, or where it holds next to none', () => {
-    expect(lassoed(project(), square(500, 0, 90), false)).toBeNull();
-    expect(lassoed(project(), square(50, 50, 3), false)).toBeNull();
-    expect(lassoed(project(), [[10, 10]], false)).toBeNull();
+    expect(withLasso(project(), square(500, 0, 90), false)).toBeNull();
+    expect(withLasso(project(), square(50, 50, 3), false)).toBeNull();
+    expect(withLasso(project(), [[10, 10]], false)).toBeNull();
   });
   it('leaves out corners on one spot', () => {
     const [ring] = ringsOf(drawn(project(), [[50, 50], [50, 50.02], ...square(50, 50, 90), [50, 50.04]]));
@@ -90,7 +90,7 @@ describe('a second lasso', () => {
     // A hole around a hole takes its place; one that sticks out is none.
     expect(ringsOf(drawn(holed, square(60, 60, 80), true))).toHaveLength(2);
     expect(ringsOf(drawn(holed, square(60, 60, 200), true))).toHaveLength(1);
-    const cut = (side: number) => lassoed(holed, square(60, 60, side), true)?.cut;
+    const cut = (side: number) => withLasso(holed, square(60, 60, side), true)?.cut;
     expect([cut(80), cut(200)]).toEqual([true, false]);
     // What it takes the place of goes with its holes.
     expect(ringsOf(drawn(holed, square(120, 120, 90)))).toHaveLength(1);

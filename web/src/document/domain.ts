@@ -21,7 +21,7 @@ export const ringsOf = ({ domain }: Project): readonly Ring[] =>
  * whether it has been cut; null if the ring holds nothing of the picture. Rings elsewhere stay, and those that it meets
  * give way to it. Handles outside are left out.
  */
-export function lassoed(
+export function withLasso(
   project: Project,
   drawn: Ring,
   hole: boolean,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bent } from './bending';
+import { withMode } from './bending';
 import { type Document, newProject, openDocument } from './document';
 import {
   addCorner,
@@ -47,7 +47,7 @@ describe('edits', () => {
     const rotation = (document: Document) => resetHandles(document, ['b']).project.handles[1]?.rotation;
     const turned = turnHandles(two, ['b'], () => 20);
     expect(rotation(turned)).toBe('auto');
-    expect(rotation({ ...turned, project: bent(turned.project, 'harmonic') })).toBe(0);
+    expect(rotation({ ...turned, project: withMode(turned.project, 'harmonic') })).toBe(0);
   });
 
   it('selects what it adds and forgets what it removes', () => {
@@ -141,7 +141,7 @@ describe('bars and polygons', () => {
     expect(arm(half).rotation).toBe('auto');
     const more = putCorner(half, 'arm', 1, [-10, -5], rotationOf(arm(half)));
     expect(arm(more).rotation).toBeCloseTo(206.57, 1);
-    expect(bent(held.project, 'harmonic').handles[0]?.rotation).toBe('auto');
+    expect(withMode(held.project, 'harmonic').handles[0]?.rotation).toBe('auto');
   });
 
   it('get names of their own', () => {

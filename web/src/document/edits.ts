@@ -46,7 +46,7 @@ export function putHandles(document: Document, handles: readonly Handle[]): Docu
 export interface Pasted {
   readonly document: Document;
   /** Copied handles that no handle is posed like. */
-  readonly left: readonly Handle[];
+  readonly unmatched: readonly Handle[];
 }
 
 /**
@@ -60,17 +60,17 @@ export function pastePose(document: Document, copied: readonly Handle[]): Pasted
   const chosen = selectedHandles(document).filter(({ kind }) => kind === only?.kind);
   if (only && others.length === 0 && chosen.length > 0) {
     const posed = chosen.map((handle) => checkedHandle(posedLike(handle, only)));
-    return { document: putHandles(document, posed), left: [] };
+    return { document: putHandles(document, posed), unmatched: [] };
   }
-  const fellow = ({ id, kind }: Handle) => {
+  const counterpart = ({ id, kind }: Handle) => {
     const handle = handleById(document, id);
     return handle?.kind === kind ? handle : undefined;
   };
   const posed = copied.flatMap((like) => {
-    const handle = fellow(like);
+    const handle = counterpart(like);
     return handle ? checkedHandle(posedLike(handle, like)) : [];
   });
-  return { document: putHandles(document, posed), left: copied.filter((like) => !fellow(like)) };
+  return { document: putHandles(document, posed), unmatched: copied.filter((like) => !counterpart(like)) };
 }
 
 const changeLine = (document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document =>

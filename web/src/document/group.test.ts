@@ -4,7 +4,7 @@ import { newProject, openDocument, selectedHandles } from './document';
 import { addHandle, changeHandles, selectHandles } from './edits';
 import { straightBar } from './fixtures';
 import { groupCentre, groupSpan, groupTurn, transformGroup } from './group';
-import { anchor, freed, scaleOf, turnedAbout, turnedTo } from './handle';
+import { anchor, scaleOf, turnedAbout, turnedTo, withAutoRotation } from './handle';
 import type { Handle, Rotation } from './project';
 
 const point = (id: string, at: Vec, rotation: Rotation = 0): Handle => ({
@@ -87,7 +87,7 @@ describe('several handles as one', () => {
   it('are as one turned by what their places tell, whatever each is turned', () => {
     const own = changeHandles(before, all, (handle) => turnedTo(handle, 30));
     expect(groupTurn(selectedHandles(own))).toBeCloseTo(0);
-    const apart = changeHandles(transformGroup(own, 40), ['free'], freed);
+    const apart = changeHandles(transformGroup(own, 40), ['free'], withAutoRotation);
     expect(groupTurn(selectedHandles(apart))).toBeCloseTo(40, 1);
   });
 

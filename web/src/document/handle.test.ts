@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { straightBar } from './fixtures';
 import { checkedHandle } from './handle';
-import { copied, type Handle, posedHandle } from './project';
+import { deepCopy, type Handle, posedHandle } from './project';
 
 const head = { id: 'head', kind: 'point', rest: [3, 4], posed: [5, 6] } as const;
 const refusal = (change: object) => () => checkedHandle({ ...head, ...change } as Handle);
@@ -37,7 +37,7 @@ describe('what a page gives', () => {
 
   it('is shared with nobody once it is copied', () => {
     const given = { place: [1, 2] };
-    const copy = copied(given);
+    const copy = deepCopy(given);
     given.place[0] = 7;
     expect(copy).toEqual({ place: [1, 2] });
   });

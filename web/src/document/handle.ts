@@ -181,7 +181,7 @@ export function checkedHandle(handle: Handle): Handle {
 }
 
 /** The handle with an automatic rotation: turned by its surroundings. */
-export const freed = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' });
+export const withAutoRotation = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' });
 
 /** The handle at a scale. A bar's or polygon's corners are scaled about its anchor, so that it grows in length too. */
 export function scaledTo(handle: Handle, scale: number): Handle {

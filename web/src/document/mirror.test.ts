@@ -3,7 +3,7 @@ import type { Vec } from '../geometry/vec';
 import { type Document, newProject, openDocument } from './document';
 import { selectHandles } from './edits';
 import { posedLike } from './handle';
-import { mirrored } from './mirror';
+import { mirrorHandles } from './mirror';
 import type { BarHandle, Handle, PointHandle } from './project';
 
 /** All of a picture of 400 × 800: the axis is at 200, counterparts are less than 25 px off. */
@@ -32,13 +32,13 @@ const holding = (handles: readonly Handle[], selection: readonly string[]): Docu
     selection,
   );
 const mirror = (handles: readonly Handle[], ...selection: readonly string[]) =>
-  mirrored(holding(handles, selection), bounds, isOn);
+  mirrorHandles(holding(handles, selection), bounds, isOn);
 
 const left = point('left-hand', [50, 300], { posed: [80, 200], rotation: 30, scale: 2, depth: 1 });
 
 describe('a handle that is mirrored', () => {
   it('poses its counterpart, which is selected, and stays as it is', () => {
-    const { document, left: out } = mirror([left, point('right-hand', [350, 300])], 'left-hand');
+    const { document, unmatched: out } = mirror([left, point('right-hand', [350, 300])], 'left-hand');
     const image = { posed: [320, 200], rotation: -30, scale: 2, depth: 1 };
     expect(document.project.handles).toEqual([left, { ...point('right-hand', [350, 300]), ...image }]);
     expect(document.selection).toEqual(['right-hand']);
@@ -76,7 +76,7 @@ describe('a handle that is mirrored', () => {
 
   it('is left out where nothing bends on its other side', () => {
     const handles = [left, point('hat', [-40, 20])];
-    const { document, left: out } = mirror(handles, 'left-hand', 'hat');
+    const { document, unmatched: out } = mirror(handles, 'left-hand', 'hat');
     expect(out.map(({ id }) => id)).toEqual(['hat']);
     expect(document.selection).toEqual(['right-hand']);
     expect(mirror(handles, 'hat').document).toEqual(holding(handles, ['hat']));
@@ -92,7 +92,7 @@ describe('a handle that is mirrored', () => {
       { rest: [50, 300], posed: [50, 500], rotation: 'auto' },
       { rest: [350, 300], posed: [320, 200], rotation: -30 },
     ]);
-    expect(mirrored(once, bounds, isOn).document.project.handles).toMatchObject([head, left, right]);
+    expect(mirrorHandles(once, bounds, isOn).document.project.handles).toMatchObject([head, left, right]);
   });
 });
 

@@ -16,7 +16,7 @@ const NEAR = 1 / 32;
 export interface Mirrored {
   readonly document: Document;
   /** Handles that are left out, as nothing bends on their other side. */
-  readonly left: readonly Handle[];
+  readonly unmatched: readonly Handle[];
 }
 
 /**
@@ -26,12 +26,16 @@ export interface Mirrored {
  * @param bounds of what bends, at rest. The axis is its middle.
  * @param bends whether a place of the original is part of what bends.
  */
-export function mirrored(document: Document, { min, max }: Box, bends: (rest: Vec) => boolean): Mirrored {
+export function mirrorHandles(
+  document: Document,
+  { min, max }: Box,
+  bends: (rest: Vec) => boolean,
+): Mirrored {
   const axis = rounded((min[0] + max[0]) / 2);
   const near = NEAR * Math.max(max[0] - min[0], max[1] - min[1]);
   const { handles } = document.project;
   const opposite = (handle: Handle) => nearest(handles, mirrorImage(handle, axis), near);
-  const [ids, left]: [string[], Handle[]] = [[], []];
+  const [ids, unmatched]: [string[], Handle[]] = [[], []];
   let next = document;
   for (const handle of selectedHandles(document)) {
     const image = mirrorImage(handle, axis);
@@ -44,9 +48,9 @@ export function mirrored(document: Document, { min, max }: Box, bends: (rest: Ve
       const id = idOpposite(next.project, handle);
       next = addHandle(next, { ...image, id });
       ids.push(id);
-    } else left.push(handle);
+    } else unmatched.push(handle);
   }
-  return { document: selectHandles(next, ids.length > 0 ? ids : document.selection), left };
+  return { document: selectHandles(next, ids.length > 0 ? ids : document.selection), unmatched };
 }
 
 function mirrorImage(handle: Handle, axis: number): Handle {

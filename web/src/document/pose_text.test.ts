@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { newProject, openDocument } from './document';
 import { pastePose, selectHandles } from './edits';
 import { straightBar } from './fixtures';
-import { posedHandles, poseText } from './pose_text';
+import { parsePose, poseText } from './pose_text';
 import type { Handle, PointHandle } from './project';
 import { projectText } from './project_text';
 
@@ -22,13 +22,13 @@ describe('the text of a pose', () => {
     expect(text).toMatch(
       /^\{\n {2}"format": "c2warp-pose\/1",\n {2}"handles": \[\n {4}\{"id": "head", .*\},\n/,
     );
-    expect(posedHandles(text)).toEqual([head, straightBar(10)]);
-    expect(posedHandles(JSON.stringify(JSON.parse(text)))).toEqual([head, straightBar(10)]);
+    expect(parsePose(text)).toEqual([head, straightBar(10)]);
+    expect(parsePose(JSON.stringify(JSON.parse(text)))).toEqual([head, straightBar(10)]);
   });
 
   it('may leave out what is at rest', () => {
     const text = '{"handles": [{"id": "a", "kind": "point", "rest": [1, 2]}], "format": "c2warp-pose/1"}';
-    expect(posedHandles(text)).toEqual([{ id: 'a', kind: 'point', rest: [1, 2], posed: [1, 2] }]);
+    expect(parsePose(text)).toEqual([{ id: 'a', kind: 'point', rest: [1, 2], posed: [1, 2] }]);
   });
 
   it.each([
@@ -38,7 +38,7 @@ describe('the text of a pose', () => {
     'see {"format": "c2warp-pose/1"}',
     projectText(newProject(image, null)),
   ])('is told from other texts: %s', (text) => {
-    expect(posedHandles(text)).toBeNull();
+    expect(parsePose(text)).toBeNull();
   });
 
   it.each([
@@ -50,17 +50,17 @@ describe('the text of a pose', () => {
     [poseText([head]).replace('point', 'circle'), 'handle "head", kind: expected'],
     [poseText([head]).replace('[7, 9]', '[7]'), 'handle "head", posed: expected'],
   ])('is refused with what is wrong: %s', (text, message) => {
-    expect(() => posedHandles(text)).toThrow(RangeError);
-    expect(() => posedHandles(text)).toThrow(message);
+    expect(() => parsePose(text)).toThrow(RangeError);
+    expect(() => parsePose(text)).toThrow(message);
   });
 });
 
 describe('a pose that is pasted', () => {
   const pasted = (handles: readonly Handle[], selection: readonly string[], copied: readonly Handle[]) => {
     const document = openDocument({ ...newProject(image, null), handles });
-    const { document: after, left } = pastePose(selectHandles(document, selection), copied);
+    const { document: after, unmatched } = pastePose(selectHandles(document, selection), copied);
     expect(after.selection).toEqual(selection);
-    return { handles: after.project.handles, left: left.map(({ id }) => id) };
+    return { handles: after.project.handles, left: unmatched.map(({ id }) => id) };
   };
 
   it('moves the handle of its id as far from where that rests', () => {

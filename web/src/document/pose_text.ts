@@ -14,7 +14,7 @@ export const poseText = (handles: readonly Handle[]): string => projectText({ fo
  * The handles of a pose, or null where a text does not say that it is one.
  * @throws RangeError that names what is wrong with a pose.
  */
-export function posedHandles(text: string): readonly Handle[] | null {
+export function parsePose(text: string): readonly Handle[] | null {
   if (!SAYS_SO.test(text)) return null;
   const { format, handles } = parsed(text);
   if (format !== FORMAT) throw new RangeError(`format: expected "${FORMAT}"`);

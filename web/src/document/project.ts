@@ -29,4 +29,4 @@ export const posedHandle = (handle: HandleFile): Handle =>
   ({ ...handle, posed: handle.posed ?? handle.rest }) as Handle;
 
 /** A deep copy: a page may change it without changing a step of the history. */
-export const copied = <T>(data: T): T => JSON.parse(JSON.stringify(data));
+export const deepCopy = <T>(data: T): T => JSON.parse(JSON.stringify(data));

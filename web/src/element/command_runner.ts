@@ -1,6 +1,6 @@
 /** Runs the commands of buttons and keys, as far as the state of the editor allows. */
 import { selectedHandles } from '../document/document';
-import { posedHandles, poseText } from '../document/pose_text';
+import { parsePose, poseText } from '../document/pose_text';
 import type { Vec } from '../geometry/vec';
 import { draws, places, TOOLS, type ToolName } from '../tools/machine';
 import { pressAt } from '../tools/state';
@@ -100,7 +100,7 @@ export class CommandRunner {
     const { workbench, notices, permissions, focus } = this.#host;
     if (!permissions.editable || focus.isInField) return false;
     try {
-      const copied = posedHandles(text);
+      const copied = parsePose(text);
       if (!copied) return false;
       const told = workbench.commands.paste(copied);
       if (told !== null) notices.notify({ kind: 'info', text: told, ofStep: true });

@@ -1,7 +1,7 @@
 /** The commands that change the document: each is one undo step with its label, announced to screen readers. */
-import { bent, blended, type Detail, detailed, modeOf } from '../document/bending';
+import { type Detail, modeOf, withBlend, withDetail, withMode } from '../document/bending';
 import { type Document, handleById, isSameWork, selectedHandles } from '../document/document';
-import { lassoed } from '../document/domain';
+import { withLasso } from '../document/domain';
 import {
   addCorner,
   changeHandles,
@@ -22,7 +22,6 @@ import {
   atDepth,
   CORNERS_NEEDED,
   depthOf,
-  freed,
   isLine,
   moved,
   nameOf,
@@ -30,8 +29,9 @@ import {
   scaledTo,
   scaleOf,
   turnedTo,
+  withAutoRotation,
 } from '../document/handle';
-import { mirrored } from '../document/mirror';
+import { mirrorHandles } from '../document/mirror';
 import type { Domain, Handle, LineHandle, PoseMode, Project } from '../document/project';
 import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
@@ -39,7 +39,7 @@ import { add, type Vec } from '../geometry/vec';
 import type { Corner, Field } from '../ui/model';
 import type { Editing } from './editing';
 import type { Guarding } from './guarding';
-import { noFellowText, noOtherSideText, SAME_THERE } from './notice_texts';
+import { noCounterpartText, noOtherSideText, SAME_THERE } from './notice_texts';
 import type { Posing } from './posing';
 import { cornerWords, depthWords, handleWords, placeWords, selectionName } from './wording';
 
@@ -79,7 +79,7 @@ export class EditCommands {
     const bounds = this.#posing.restBounds();
     const before = this.#document;
     if (!bounds || before.selection.length === 0) return null;
-    const { document, left } = mirrored(before, bounds, (rest) => this.#posing.bends(rest));
+    const { document, unmatched } = mirrorHandles(before, bounds, (rest) => this.#posing.bends(rest));
     const goes = document.selection.some((id) => !before.selection.includes(id));
     if (goes || !isSameWork(before, document)) {
       const label = `Mirror ${selectionName(before)}`;
@@ -87,16 +87,16 @@ export class EditCommands {
       // Counterparts that were posed so already: no step, but selected.
       this.#editing.select(document.selection);
       this.#say(`${label}. ${this.#placeWords}`);
-    } else if (left.length === 0) return SAME_THERE;
-    return left.length > 0 ? noOtherSideText(left.map(nameOf)) : null;
+    } else if (unmatched.length === 0) return SAME_THERE;
+    return unmatched.length > 0 ? noOtherSideText(unmatched.map(nameOf)) : null;
   }
 
   /** Poses handles like copied ones. Returns what is to be told of those that no handle is posed like, else null. */
   paste(copied: readonly Handle[]): string | null {
-    const { document, left } = pastePose(this.#document, copied);
-    const posed = copied.filter((handle) => !left.includes(handle));
+    const { document, unmatched } = pastePose(this.#document, copied);
+    const posed = copied.filter((handle) => !unmatched.includes(handle));
     if (posed.length > 0) this.#editing.step(`Paste the pose of ${handleWords(posed)}`, document);
-    return left.length > 0 ? noFellowText(left.map(nameOf)) : null;
+    return unmatched.length > 0 ? noCounterpartText(unmatched.map(nameOf)) : null;
   }
 
   nudge(by: Vec): void {
@@ -159,7 +159,7 @@ export class EditCommands {
   }
 
   blend(blend: Blend): void {
-    const project = blended(this.#project, blend);
+    const project = withBlend(this.#project, blend);
     this.#editing.step(blend === 'rigid' ? 'Keep turns rigid' : 'Blend turns linearly', {
       ...this.#document,
       project,
@@ -171,7 +171,7 @@ export class EditCommands {
    * or null if the ring holds nothing of the picture.
    */
   lasso(ring: readonly Vec[], hole: boolean): number | null {
-    const found = lassoed(this.#project, ring, hole);
+    const found = withLasso(this.#project, ring, hole);
     if (!found) return null;
     const { project, cut } = found;
     const left = this.#project.handles.length - project.handles.length;
@@ -210,7 +210,7 @@ export class EditCommands {
     const points = selectedHandles(this.#document).filter((handle) => !isLine(handle));
     const ids = points.map((handle) => handle.id);
     const document = on
-      ? changeHandles(this.#document, ids, freed)
+      ? changeHandles(this.#document, ids, withAutoRotation)
       : turnHandles(this.#document, ids, (handle) => rotationOf(handle, turns));
     this.#editing.step(`${on ? 'Free' : 'Pin'} the turn of ${selectionName(this.#document)}`, document);
   }
@@ -220,13 +220,13 @@ export class EditCommands {
     if (mode === modeOf(this.#project)) return;
     const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend smoothly';
     const last = this.#editing.last((project) => modeOf(project) === mode);
-    this.#editing.step(label, { ...this.#document, project: bent(this.#project, mode, last) });
+    this.#editing.step(label, { ...this.#document, project: withMode(this.#project, mode, last) });
   }
 
   detail(detail: Detail): void {
     this.#editing.step(`Set detail to ${detail}`, {
       ...this.#document,
-      project: detailed(this.#project, detail),
+      project: withDetail(this.#project, detail),
     });
   }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { noFellowText, noOtherSideText, notOpenedText, outsideText } from './notice_texts';
+import { noCounterpartText, noOtherSideText, notOpenedText, outsideText } from './notice_texts';
 
 describe('a notice', () => {
   it('names the handles that lie partly outside', () => {
@@ -16,7 +16,7 @@ describe('a notice', () => {
   it('names a few of many handles', () => {
     const six = ['a', 'b', 'c', 'd', 'e', 'f'];
     expect(noOtherSideText(six)).toBe('There is nothing to hold on the other side of a, b, c, d, e and f.');
-    expect(noFellowText([...six, 'g'])).toBe(
+    expect(noCounterpartText([...six, 'g'])).toBe(
       'There are no handles here for the poses of a, b, c, d, e and 2 more.',
     );
     expect(outsideText([...six, 'g', 'h'])).toBe(

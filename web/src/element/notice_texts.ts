@@ -42,7 +42,7 @@ export const noOtherSideText = (handles: readonly string[]): string =>
   `There is nothing to hold on the other side of ${named(handles)}.`;
 
 /** @param handles names of copied handles that none is like; at least one. */
-export const noFellowText = (handles: readonly string[]): string =>
+export const noCounterpartText = (handles: readonly string[]): string =>
   handles.length === 1
     ? `There is no handle here for the pose of ${handles[0]}.`
     : `There are no handles here for the poses of ${named(handles)}.`;

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { bent } from '../document/bending';
+import { withMode } from '../document/bending';
 import { handleById, newProject, openDocument } from '../document/document';
 import { addHandle, changeHandles, selectHandles } from '../document/edits';
-import { freed, rotationOf, type Turns } from '../document/handle';
+import { rotationOf, type Turns, withAutoRotation } from '../document/handle';
 import { History } from '../document/history';
 import type { BarHandle, PointHandle } from '../document/project';
 import type { Box } from '../geometry/box';
@@ -171,7 +171,7 @@ describe('select', () => {
   });
 
   it('turns an automatic handle on from where it is, and pins it there', () => {
-    bench.history.update(changeHandles(bench.history.present, ['a'], freed));
+    bench.history.update(changeHandles(bench.history.present, ['a'], withAutoRotation));
     bench.turns = new Map([['a', 25]]);
     bench.click([0, 0]);
     bench.drag([30, 0], [0, 30]);
@@ -212,7 +212,9 @@ describe('several selected', () => {
   const onRing = (degrees: number, away = radius): Vec => add(centre, rotated([0, -away], degrees));
 
   beforeEach(() => {
-    bench.history.update(selectHandles(changeHandles(bench.history.present, ['b'], freed), ['a', 'b']));
+    bench.history.update(
+      selectHandles(changeHandles(bench.history.present, ['b'], withAutoRotation), ['a', 'b']),
+    );
   });
 
   it('turn as one by the ring around them, as one undo step', () => {
@@ -333,7 +335,7 @@ describe('point', () => {
 
   it('places with the turn the picture has there where it does not bend rigidly', () => {
     const { present } = bench.history;
-    bench.history.update({ ...present, project: bent(present.project, 'harmonic') });
+    bench.history.update({ ...present, project: withMode(present.project, 'harmonic') });
     bench.click([50, 60]);
     expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ rotation: 30, scale: 2 });
   });
