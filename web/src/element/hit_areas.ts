@@ -1,5 +1,5 @@
 /** What a press can hit: areas as large as the pointer in use needs, and the scene that tools find them in. */
-import type { Grips, Scene } from '../tools/state';
+import type { Grips, ToolContext } from '../tools/state';
 import type { Viewing } from './viewing';
 import type { Workbench } from './workbench';
 
@@ -39,11 +39,11 @@ export class HitAreas {
   }
 
   /** Without hit areas: a press places something, even on an existing handle. */
-  get bareScene(): Scene {
+  get bareScene(): ToolContext {
     return { ...this.scene, grips: { ...this.grips, handle: -1, line: -1, band: -1 } };
   }
 
-  get scene(): Scene {
+  get scene(): ToolContext {
     const { editing, posing } = this.#workbench;
     const { grips } = this;
     return {

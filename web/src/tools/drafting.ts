@@ -11,7 +11,7 @@ import { CORNERS_NEEDED, isClosed, isLine, rounded, roundedVec } from '../docume
 import type { LineHandle, Project } from '../document/project';
 import { constrained } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
-import { type Draft, type Outcome, outcome, type Press, type Scene, type State } from './state';
+import { type Draft, type Outcome, outcome, type Press, type State, type ToolContext } from './state';
 
 export type LineKind = LineHandle['kind'];
 
@@ -28,18 +28,18 @@ export function drafting(draft: Draft, rest: State): State {
   const { corners, taken } = draft;
   const state: State = {
     draft,
-    down: (press, scene) => {
-      if (finishes(draft, press.at, scene)) return outcome(finishing(draft, rest));
+    down: (press, context) => {
+      if (finishes(draft, press.at, context)) return outcome(finishing(draft, rest));
       // Still on the last corner, with too few corners to finish.
-      if (onLast(draft, press.at, scene)) return outcome(state);
-      return outcome(setting(draft, press, drawn(draft, press, scene), rest));
+      if (onLast(draft, press.at, context)) return outcome(state);
+      return outcome(setting(draft, press, drawn(draft, press, context), rest));
     },
-    hover: (press, scene) => {
-      const next = press && drawn(draft, press, scene);
-      const onFinish = press !== null && finishes(draft, press.at, scene);
+    hover: (press, context) => {
+      const next = press && drawn(draft, press, context);
+      const onFinish = press !== null && finishes(draft, press.at, context);
       return outcome(drafting({ ...draft, next, finishing: onFinish }, rest));
     },
-    finish: (scene) => (isDrawable(draft) ? finished(draft, scene, rest) : outcome(state)),
+    finish: (context) => (isDrawable(draft) ? finished(draft, context, rest) : outcome(state)),
     back: () =>
       shortened({ ...draft, corners: corners.slice(0, -1), taken: [...taken, ...corners.slice(-1)] }, rest),
     ...lengthening(draft, rest),
@@ -61,9 +61,14 @@ function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
 }
 
 /** Starts a drawing with its first press. */
-export function begun(of: Pick<Draft, 'kind' | 'hole'>, press: Press, scene: Scene, rest: State): Outcome {
+export function begun(
+  of: Pick<Draft, 'kind' | 'hole'>,
+  press: Press,
+  context: ToolContext,
+  rest: State,
+): Outcome {
   const draft: Draft = { ...of, corners: [], taken: [], next: null, finishing: false };
-  return outcome(setting(draft, press, drawn(draft, press, scene), rest), { type: 'select', ids: [] });
+  return outcome(setting(draft, press, drawn(draft, press, context), rest), { type: 'select', ids: [] });
 }
 
 /** Resumes a drawing. */
@@ -79,21 +84,21 @@ const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
     const whole = first && corners.length > 1 && draft.kind !== 'polygon' && isDrawable(after);
     return {
       draft: after,
-      move: (press, scene) => {
+      move: (press, context) => {
         if (draft.kind === 'lasso' && !press.shift) {
           const [last = from.at] = corners.slice(-1);
           return outcome(
-            held(distance(press.at, last) > SPACING * scene.grips.slop ? [...corners, press.at] : corners),
+            held(distance(press.at, last) > SPACING * context.grips.slop ? [...corners, press.at] : corners),
           );
         }
-        if (distance(press.at, from.at) > scene.grips.slop) {
-          return outcome(held([...anchored.corners, drawn(anchored, press, scene)]));
+        if (distance(press.at, from.at) > context.grips.slop) {
+          return outcome(held([...anchored.corners, drawn(anchored, press, context)]));
         }
         return outcome(held(first ? [at] : [...draft.corners, at]));
       },
-      up: (_, scene) =>
+      up: (_, context) =>
         whole
-          ? finished(after, scene, rest)
+          ? finished(after, context, rest)
           : outcome(drafting(after, rest), { type: 'drafted', draft: after }),
       cancel: () => shortened(draft, rest, false),
     };
@@ -104,7 +109,7 @@ const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
 /** A press that finishes the drawing: on release, so that a second finger can still cancel it. */
 const finishing = (draft: Draft, rest: State): State => ({
   draft,
-  up: (_, scene) => finished(draft, scene, rest),
+  up: (_, context) => finished(draft, context, rest),
   cancel: () => outcome(drafting(draft, rest)),
 });
 
@@ -117,18 +122,18 @@ function shortened(draft: Draft, rest: State, told = true): Outcome {
   return outcome(next, { type: 'drafted', draft: left });
 }
 
-function finished(draft: Draft, scene: Scene, rest: State): Outcome {
-  const { project } = scene.document;
+function finished(draft: Draft, context: ToolContext, rest: State): Outcome {
+  const { project } = context.document;
   const { kind, corners, hole = false } = draft;
   if (kind === 'lasso') {
     const lassoed = { type: 'lassoed', ring: corners, hole } as const;
     return outcome(rest, { type: 'drafted', draft: null }, lassoed);
   }
-  const handle = lineHandle(project, { kind, corners }, (at) => scene.placeNear(at));
+  const handle = lineHandle(project, { kind, corners }, (at) => context.placeNear(at));
   return outcome(
     rest,
     { type: 'begin', label: `Add ${kind}` },
-    { type: 'edit', document: addHandle(scene.document, handle) },
+    { type: 'edit', document: addHandle(context.document, handle) },
     { type: 'commit' },
     { type: 'drawn', draft, handle },
   );
@@ -138,7 +143,7 @@ function finished(draft: Draft, scene: Scene, rest: State): Outcome {
 export function lineHandle(
   project: Project,
   { kind, corners }: { readonly kind: LineKind; readonly corners: readonly Vec[] },
-  place: Scene['placeNear'],
+  place: ToolContext['placeNear'],
 ): LineHandle {
   const posed = corners.map(roundedVec);
   const placements = posed.map((at) => place(at));
@@ -163,26 +168,26 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
  * Where the next corner goes: with Shift on a step of direction, else onto another handle's corner within reach, else
  * under the pointer.
  */
-function drawn({ kind, corners }: Draft, press: Press, scene: Scene): Vec {
+function drawn({ kind, corners }: Draft, press: Press, context: ToolContext): Vec {
   const last = corners.at(-1);
   if (press.shift && last) return constrained(last, press.at, STEP_DEGREES);
   if (kind === 'lasso') return press.at;
   const away = (corner: Vec) => distance(corner, press.at);
-  const [nearest] = scene.document.project.handles
+  const [nearest] = context.document.project.handles
     .filter(isLine)
     .flatMap(({ posed }) => posed)
     .sort((a, b) => away(a) - away(b));
-  return nearest && away(nearest) <= scene.grips.line ? nearest : press.at;
+  return nearest && away(nearest) <= context.grips.line ? nearest : press.at;
 }
 
-function finishes(draft: Draft, at: Vec, scene: Scene): boolean {
+function finishes(draft: Draft, at: Vec, context: ToolContext): boolean {
   if (!isDrawable(draft)) return false;
   const [first] = draft.corners;
-  const closes = isClosed(draft.kind) && first && distance(first, at) <= scene.grips.handle;
-  return closes || onLast(draft, at, scene);
+  const closes = isClosed(draft.kind) && first && distance(first, at) <= context.grips.handle;
+  return closes || onLast(draft, at, context);
 }
 
-function onLast({ corners }: Draft, at: Vec, { grips }: Scene): boolean {
+function onLast({ corners }: Draft, at: Vec, { grips }: ToolContext): boolean {
   const last = corners.at(-1);
   return last !== undefined && distance(last, at) <= grips.line;
 }

@@ -5,7 +5,7 @@ import type { Handle } from '../document/project';
 import { distanceToLine, isInside } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
 import { type GroupRing, groupRing } from './group_ring';
-import type { Scene } from './state';
+import type { ToolContext } from './state';
 
 export type Hit =
   | { readonly part: 'handle' | 'ring' | 'grip'; readonly id: string }
@@ -27,7 +27,7 @@ interface Reach {
  * @param bodies whether the inside of a polygon counts; not for tools that place something, possibly inside one.
  */
 export function hit(
-  { document, grips }: Pick<Scene, 'document' | 'grips'>,
+  { document, grips }: Pick<ToolContext, 'document' | 'grips'>,
   at: Vec,
   bodies = true,
 ): Hit | null {

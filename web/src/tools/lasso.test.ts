@@ -2,9 +2,9 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { newProject, openDocument } from '../document/document';
 import type { Vec } from '../geometry/vec';
 import { ToolMachine } from './machine';
-import type { Effect, Press, Scene } from './state';
+import type { Effect, Press, ToolContext } from './state';
 
-const scene: Scene = {
+const scene: ToolContext = {
   document: openDocument(newProject({ src: 'a.jpg', width: 400, height: 400 }, null)),
   grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
   turns: new Map(),

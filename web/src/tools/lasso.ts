@@ -6,5 +6,5 @@ import { begun } from './drafting';
 import type { State } from './state';
 
 export const lasso: State = {
-  down: (press, scene) => begun({ kind: 'lasso', hole: press.alt }, press, scene, lasso),
+  down: (press, context) => begun({ kind: 'lasso', hole: press.alt }, press, context, lasso),
 };

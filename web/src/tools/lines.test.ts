@@ -6,7 +6,7 @@ import { anchor, corners, rotationOf } from '../document/handle';
 import type { BarHandle } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import { ToolMachine, type ToolName } from './machine';
-import type { Draft, Effect, Press, Scene } from './state';
+import type { Draft, Effect, Press, ToolContext } from './state';
 
 const arm = straightBar(100);
 const image = { src: 'a.png', width: 400, height: 400 };
@@ -18,7 +18,7 @@ class Bench {
   drafted: (Draft | null)[] = [];
   drawn: Draft | null = null;
 
-  readonly scene = (): Scene => ({
+  readonly scene = (): ToolContext => ({
     document: this.document,
     grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
     turns: new Map(),

@@ -6,16 +6,16 @@ import { handleById } from '../document/document';
 import { begun, type LineKind } from './drafting';
 import { hit } from './hit';
 import { pressed } from './pressing';
-import type { Press, Scene, State } from './state';
+import type { Press, State, ToolContext } from './state';
 
 function lineTool(kind: LineKind): State {
-  const draws = (press: Press, scene: Scene) => begun({ kind }, press, scene, tool);
+  const draws = (press: Press, context: ToolContext) => begun({ kind }, press, context, tool);
   const tool: State = {
-    down: (press, scene) => {
-      const target = hit(scene, press.at, false);
-      const handle = target && handleById(scene.document, target.id);
-      const taken = handle && (handle.kind === 'point' || scene.document.selection.includes(handle.id));
-      return target && taken ? pressed(target, press, scene, tool, draws) : draws(press, scene);
+    down: (press, context) => {
+      const target = hit(context, press.at, false);
+      const handle = target && handleById(context.document, target.id);
+      const taken = handle && (handle.kind === 'point' || context.document.selection.includes(handle.id));
+      return target && taken ? pressed(target, press, context, tool, draws) : draws(press, context);
     },
   };
   return tool;

@@ -6,7 +6,7 @@ import { lasso } from './lasso';
 import { bar, polygon } from './lines';
 import { point } from './point';
 import { select } from './select';
-import type { Draft, Effect, Outcome, Press, Scene, State } from './state';
+import type { Draft, Effect, Outcome, Press, State, ToolContext } from './state';
 
 export const TOOLS = { select, point, bar, polygon, lasso, hand } satisfies Record<string, State>;
 
@@ -73,15 +73,15 @@ export class ToolMachine {
   }
 
   /** Starts a press. `once` handles it instead of the current tool: a space-drag pans with every tool. */
-  down(press: Press, scene: Scene, once: State = this.#state): readonly Effect[] {
+  down(press: Press, scene: ToolContext, once: State = this.#state): readonly Effect[] {
     return this.#take(once.down?.(press, scene));
   }
 
-  move(press: Press, scene: Scene): readonly Effect[] {
+  move(press: Press, scene: ToolContext): readonly Effect[] {
     return this.#take(this.#state.move?.(press, scene));
   }
 
-  up(press: Press, scene: Scene): readonly Effect[] {
+  up(press: Press, scene: ToolContext): readonly Effect[] {
     const effects = this.#take(this.#state.up?.(press, scene));
     this.#rest();
     return effects;
@@ -121,14 +121,14 @@ export class ToolMachine {
   }
 
   /** The pointer moves without a press, or leaves (null). */
-  hover(press: Press | null, scene: Scene): void {
+  hover(press: Press | null, scene: ToolContext): void {
     if (this.busy) return;
     const result = this.#state.hover?.(press, scene);
     if (result) this.#settle(result.next);
   }
 
   /** Finishes the drawing. */
-  finish(scene: Scene): readonly Effect[] {
+  finish(scene: ToolContext): readonly Effect[] {
     return this.#between(this.#resting[this.#tool].finish?.(scene));
   }
 

@@ -10,7 +10,7 @@ import type { PointHandle, Project } from '../document/project';
 import type { Spot } from '../geometry/spot';
 import { add, distance, subtract } from '../geometry/vec';
 import { moving } from './moving';
-import { type Outcome, outcome, type Press, type Scene, type State } from './state';
+import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
 
 /**
  * A handle at a place of the posed picture, with the motion that the picture has there, so that the picture does not
@@ -30,11 +30,11 @@ export function pointHandle(project: Project, { at, rest, rotation, scale }: Spo
   };
 }
 
-export function placed(press: Press, scene: Scene, rest: State): Outcome {
-  const spot = scene.place(press.at);
+export function placed(press: Press, context: ToolContext, rest: State): Outcome {
+  const spot = context.place(press.at);
   if (!spot) return outcome(rest, { type: 'miss' });
-  const handle = pointHandle(scene.document.project, spot);
-  const document = addHandle(scene.document, handle);
+  const handle = pointHandle(context.document.project, spot);
+  const document = addHandle(context.document, handle);
   return outcome(
     placing(document, handle.id, press, rest),
     { type: 'begin', label: 'Add handle' },
@@ -42,13 +42,13 @@ export function placed(press: Press, scene: Scene, rest: State): Outcome {
   );
 }
 
-const placing = (origin: Scene['document'], id: string, from: Press, rest: State): State => {
+const placing = (origin: ToolContext['document'], id: string, from: Press, rest: State): State => {
   const drag = moving(origin, [id], from.at, rest);
   const state: State = {
     ...drag,
-    move: (press, scene) => {
-      const stays = distance(press.at, from.at) <= scene.grips.slop;
-      return stays ? outcome(state) : (drag.move?.(press, scene) ?? outcome(state));
+    move: (press, context) => {
+      const stays = distance(press.at, from.at) <= context.grips.slop;
+      return stays ? outcome(state) : (drag.move?.(press, context) ?? outcome(state));
     },
   };
   return state;

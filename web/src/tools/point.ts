@@ -4,13 +4,13 @@
 import { hit } from './hit';
 import { placed } from './placing';
 import { pressed } from './pressing';
-import type { Press, Scene, State } from './state';
+import type { Press, State, ToolContext } from './state';
 
-const places = (press: Press, scene: Scene) => placed(press, scene, point);
+const places = (press: Press, context: ToolContext) => placed(press, context, point);
 
 export const point: State = {
-  down: (press, scene) => {
-    const target = hit(scene, press.at, false);
-    return target ? pressed(target, press, scene, point, places) : places(press, scene);
+  down: (press, context) => {
+    const target = hit(context, press.at, false);
+    return target ? pressed(target, press, context, point, places) : places(press, context);
   },
 };

@@ -13,7 +13,7 @@ import { groupRing } from './group_ring';
 import { type Hit, hit } from './hit';
 import { moving } from './moving';
 import { scaling } from './scaling';
-import { type Effect, type Outcome, outcome, type Press, type Scene, type State } from './state';
+import { type Effect, type Outcome, outcome, type Press, type State, type ToolContext } from './state';
 import { turning } from './turning';
 
 type Down = NonNullable<State['down']>;
@@ -26,11 +26,11 @@ type Down = NonNullable<State['down']>;
 export function pressed(
   target: Hit,
   press: Press,
-  scene: Scene,
+  context: ToolContext,
   rest: State,
   beneath: Down = selecting(rest),
 ): Outcome {
-  const { selection } = scene.document;
+  const { selection } = context.document;
   const already = selection.includes(target.id);
   const effects: Effect[] = already
     ? []
@@ -40,35 +40,38 @@ export function pressed(
 
 const selecting =
   (rest: State): Down =>
-  ({ at, shift }, scene) => {
-    const target = hit(scene, at);
+  ({ at, shift }, context) => {
+    const target = hit(context, at);
     if (!target) return outcome(rest);
-    const more = shift ? scene.document.selection : [];
+    const more = shift ? context.document.selection : [];
     return outcome(rest, { type: 'select', ids: [...more, target.id] });
   };
 
 /** The outcome of a press that is released at once. */
-function atOnce(down: Down, press: Press, scene: Scene): Outcome {
-  const begun = down(press, scene);
-  const ended = begun.next.up?.(press, scene);
+function atOnce(down: Down, press: Press, context: ToolContext): Outcome {
+  const begun = down(press, context);
+  const ended = begun.next.up?.(press, context);
   return ended ? outcome(ended.next, ...begun.effects, ...ended.effects) : begun;
 }
 
 const isOfRing = ({ part }: Hit): boolean => part === 'ring' || part === 'grip';
 
-export const withoutRings = (scene: Scene): Scene => ({ ...scene, grips: { ...scene.grips, band: -1 } });
+export const withoutRings = (context: ToolContext): ToolContext => ({
+  ...context,
+  grips: { ...context.grips, band: -1 },
+});
 
 const pressing = (target: Hit, from: Press, already: boolean, rest: State, beneath: Down): State => {
   const state: State = {
     holds: true,
-    move: (press, scene) => {
-      if (distance(press.at, from.at) <= scene.grips.slop) return outcome(state);
-      return dragged(target, from, press, scene, rest);
+    move: (press, context) => {
+      if (distance(press.at, from.at) <= context.grips.slop) return outcome(state);
+      return dragged(target, from, press, context, rest);
     },
-    up: (press, scene) => {
-      if (isOfRing(target)) return atOnce(beneath, press, withoutRings(scene));
+    up: (press, context) => {
+      if (isOfRing(target)) return atOnce(beneath, press, withoutRings(context));
       if (!already) return outcome(rest);
-      const { selection } = scene.document;
+      const { selection } = context.document;
       const ids = from.shift ? selection.filter((id) => id !== target.id) : [target.id];
       return outcome(rest, { type: 'select', ids });
     },
@@ -78,26 +81,26 @@ const pressing = (target: Hit, from: Press, already: boolean, rest: State, benea
 };
 
 /** Starts a drag: opens an undo step and carries out the first move. */
-function dragged(target: Hit, from: Press, press: Press, scene: Scene, rest: State): Outcome {
-  const { document } = scene;
+function dragged(target: Hit, from: Press, press: Press, context: ToolContext, rest: State): Outcome {
+  const { document } = context;
   const handle = handleById(document, target.id);
   if (!handle) return outcome(rest);
   const ids = document.selection.includes(target.id) ? document.selection : [target.id];
   const alone = target.part === 'corner' && !from.alt;
   const what = ids.length > 1 && !alone ? `${ids.length} handles` : nameOf(handle);
-  const ring = groupRing(document, scene.grips);
+  const ring = groupRing(document, context.grips);
   const pivot = ring?.pivot ?? anchor(handle);
-  const aside = target.part === 'ring' || (ring && distance(pivot, from.at) > scene.grips.handle);
+  const aside = target.part === 'ring' || (ring && distance(pivot, from.at) > context.grips.handle);
   // A press on the pivot has no direction yet: turns start from the first point of the drag.
   const hold = aside ? from.at : press.at;
   const [verb, next] =
     target.part === 'grip' && ring
       ? ['Scale', scaling(document, ring, from.at, rest)]
       : target.part === 'ring' || from.alt
-        ? ['Turn', turning(scene, ids, pivot, hold, rest)]
+        ? ['Turn', turning(context, ids, pivot, hold, rest)]
         : target.part === 'corner'
           ? ['Move a corner of', cornering(document, target.id, target.index, from.at, rest)]
           : ['Move', moving(document, ids, from.at, rest)];
-  const first = next.move?.(press, scene) ?? outcome(next);
+  const first = next.move?.(press, context) ?? outcome(next);
   return outcome(first.next, { type: 'begin', label: `${verb} ${what}` }, ...first.effects);
 }

@@ -6,9 +6,9 @@ import { pressed } from './pressing';
 import { outcome, type Press, type State } from './state';
 
 export const select: State = {
-  down: (press, scene) => {
-    const target = hit(scene, press.at);
-    if (target) return pressed(target, press, scene, select);
+  down: (press, context) => {
+    const target = hit(context, press.at);
+    if (target) return pressed(target, press, context, select);
     return outcome(emptyPressing(press));
   },
 };
@@ -16,10 +16,10 @@ export const select: State = {
 /** Pressing empty space: a click clears the selection, or keeps it with Shift; a drag draws a box. */
 const emptyPressing = (from: Press): State => {
   const state: State = {
-    move: (press, scene) => {
-      if (distance(press.at, from.at) <= scene.grips.slop) return outcome(state);
-      const box = boxing(scene.document.selection, from.at, from.shift, select);
-      return box.move?.(press, scene) ?? outcome(box);
+    move: (press, context) => {
+      if (distance(press.at, from.at) <= context.grips.slop) return outcome(state);
+      const box = boxing(context.document.selection, from.at, from.shift, select);
+      return box.move?.(press, context) ?? outcome(box);
     },
     up: () => (from.shift ? outcome(select) : outcome(select, { type: 'select', ids: [] })),
     cancel: () => outcome(select),

@@ -49,7 +49,7 @@ export interface Placement {
 }
 
 /** The editor's state as seen by tools. */
-export interface Scene {
+export interface ToolContext {
   readonly document: Document;
   readonly grips: Grips;
   readonly turns: Turns;
@@ -101,14 +101,14 @@ export interface State {
   readonly draft?: Draft;
   /** The press has the selected handles in hand. */
   readonly holds?: true;
-  down?(press: Press, scene: Scene): Outcome;
-  move?(press: Press, scene: Scene): Outcome;
-  up?(press: Press, scene: Scene): Outcome;
+  down?(press: Press, context: ToolContext): Outcome;
+  move?(press: Press, context: ToolContext): Outcome;
+  up?(press: Press, context: ToolContext): Outcome;
   cancel?(): Outcome;
   /** The pointer moves without a press; null: it has left. */
-  hover?(press: Press | null, scene: Scene): Outcome;
+  hover?(press: Press | null, context: ToolContext): Outcome;
   /** Finishes the drawing. */
-  finish?(scene: Scene): Outcome;
+  finish?(context: ToolContext): Outcome;
   /** Takes back the last corner. */
   back?(): Outcome;
   /** Redoes the corner that was taken back last; present only if there is one. */

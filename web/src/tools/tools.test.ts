@@ -8,7 +8,7 @@ import type { BarHandle, PointHandle } from '../document/project';
 import type { Box } from '../geometry/box';
 import { add, rotated, type Vec } from '../geometry/vec';
 import { ToolMachine } from './machine';
-import type { Effect, Placement, Press, Scene } from './state';
+import type { Effect, Placement, Press, ToolContext } from './state';
 
 const handle = (id: string, x: number): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
 /** Through the grip of both. */
@@ -66,7 +66,7 @@ class Bench {
     this.up(to, keys);
   }
 
-  get #scene(): Scene {
+  get #scene(): ToolContext {
     return {
       document: this.history.present,
       grips: {

@@ -8,17 +8,17 @@ import { turnHandles } from '../document/edits';
 import { posedGroup } from '../document/group';
 import { rotationOf } from '../document/handle';
 import { bearing, snapped, type Vec, wrapDegrees } from '../geometry/vec';
-import { outcome, type Scene, type State } from './state';
+import { outcome, type State, type ToolContext } from './state';
 
 export const SNAP_DEGREES = 15;
 
 /**
- * @param scene the scene at the start of the drag.
+ * @param context the context at the start of the drag.
  * @param pivot the point that the pointer goes around.
  * @param from where the drag started.
  */
 export const turning = (
-  { document, turns }: Pick<Scene, 'document' | 'turns'>,
+  { document, turns }: Pick<ToolContext, 'document' | 'turns'>,
   ids: readonly string[],
   pivot: Vec,
   from: Vec,
