@@ -1,6 +1,6 @@
 /** Poses between two poses of the same handles, for a guard to try when the second one goes too far. */
 import { centre } from '../geometry/polyline';
-import { add, between as pointBetween, rotated, subtract, type Vec } from '../geometry/vec';
+import { add, lerp, rotated, subtract, type Vec } from '../geometry/vec';
 import {
   corners,
   isLine,
@@ -14,33 +14,33 @@ import {
 import type { Handle, Project } from './project';
 
 /**
- * The project posed at `share` of the way: 0 is the pose of `from`, 1 that of `to`. All but the poses is taken from
+ * The project posed at `fraction` of the way: 0 is the pose of `from`, 1 that of `to`. All but the poses is taken from
  * `to`, as are handles that `from` lacks.
  *
  * @param turns how far automatic points are turned in `from`.
  */
-export function between(from: Project, to: Project, share: number, turns: Turns): Project {
+export function between(from: Project, to: Project, fraction: number, turns: Turns): Project {
   const before = new Map(from.handles.map((handle) => [handle.id, handle]));
   return {
     ...to,
     handles: to.handles.map((handle) => {
       const start = before.get(handle.id);
-      return start && start !== handle ? eased(start, handle, share, turns) : handle;
+      return start && start !== handle ? eased(start, handle, fraction, turns) : handle;
     }),
   };
 }
 
-function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
+function eased(from: Handle, to: Handle, fraction: number, turns: Turns): Handle {
   const [start, end] = [rotationOf(from, turns), rotationOf(to, turns)];
-  const turn = start + share * (end - start);
-  const middle = pointBetween(centre(corners(from)), centre(corners(to)), share);
+  const turn = start + fraction * (end - start);
+  const middle = lerp(centre(corners(from)), centre(corners(to)), fraction);
   const growth = scaleOf(to) - scaleOf(from);
   const common = {
     ...(typeof to.rotation === 'number' ? { rotation: rounded(turn) } : {}),
-    ...(growth === 0 ? {} : { scale: roundedScale(scaleOf(from) + share * growth) }),
+    ...(growth === 0 ? {} : { scale: roundedScale(scaleOf(from) + fraction * growth) }),
   };
   return isLine(to)
-    ? { ...to, ...common, posed: turnedBetween(from, to, share, middle, [start, turn, end]) }
+    ? { ...to, ...common, posed: turnedBetween(from, to, fraction, middle, [start, turn, end]) }
     : { ...to, ...common, posed: roundedVec(middle) };
 }
 
@@ -48,7 +48,7 @@ function eased(from: Handle, to: Handle, share: number, turns: Turns): Handle {
 function turnedBetween(
   from: Handle,
   to: Handle,
-  share: number,
+  fraction: number,
   middle: Vec,
   [start, turn, end]: readonly [number, number, number],
 ): readonly Vec[] {
@@ -58,6 +58,6 @@ function turnedBetween(
   return b.map((corner, k) => {
     const before = rotated(subtract(a[k] ?? heart, heart), turn - start);
     const after = rotated(subtract(corner, goal), turn - end);
-    return roundedVec(add(middle, pointBetween(before, after, share)));
+    return roundedVec(add(middle, lerp(before, after, fraction)));
   });
 }

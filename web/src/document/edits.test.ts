@@ -70,7 +70,7 @@ describe('bars and polygons', () => {
 
   it('get a corner as far along at rest as posed, and lose it again', () => {
     const pulled = putCorner(held, 'arm', 1, [0, 40]);
-    const divided = addCorner(pulled, 'arm', { edge: 0, share: 0.25 });
+    const divided = addCorner(pulled, 'arm', { edge: 0, fraction: 0.25 });
     expect(arm(divided)).toMatchObject({
       rest: [
         [0, 0],
@@ -121,7 +121,7 @@ describe('bars and polygons', () => {
       [0, 8],
     ] as const;
     const ring = addHandle(empty, { id: 'ring', kind: 'polygon', rest: around, posed: around });
-    const [divided] = addCorner(ring, 'ring', { edge: 2, share: 0.5 }).project.handles;
+    const [divided] = addCorner(ring, 'ring', { edge: 2, fraction: 0.5 }).project.handles;
     expect(divided?.posed).toEqual([...around, [0, 4]]);
   });
 

@@ -8,7 +8,7 @@ import {
   nearestPlace,
   nearestTurn,
 } from '../geometry/polyline';
-import { add, between, rotated, scaled, subtract, type Vec } from '../geometry/vec';
+import { add, lerp, rotated, scaled, subtract, type Vec } from '../geometry/vec';
 import type { Handle, LineHandle, Rotation } from './project';
 
 /** The current turn of each automatic handle: degrees by id. */
@@ -131,12 +131,12 @@ export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'] | 'lasso', numbe
   lasso: 3,
 };
 
-/** The handle with a corner added at the same share of an edge, at rest and posed: the edge stays straight. */
-export function cornerAdded(handle: LineHandle, { edge, share }: LinePlace): LineHandle {
+/** The handle with a corner added at the same fraction of an edge, at rest and posed: the edge stays straight. */
+export function cornerAdded(handle: LineHandle, { edge, fraction }: LinePlace): LineHandle {
   const divided = (corners: readonly Vec[]): readonly Vec[] => {
     const ends = edgesOf(corners, isClosed(handle.kind))[edge];
     if (!ends) return corners;
-    return [...corners.slice(0, edge + 1), roundedVec(between(...ends, share)), ...corners.slice(edge + 1)];
+    return [...corners.slice(0, edge + 1), roundedVec(lerp(...ends, fraction)), ...corners.slice(edge + 1)];
   };
   return { ...handle, rest: divided(handle.rest), posed: divided(handle.posed) };
 }
@@ -222,11 +222,11 @@ const restMiddle = (handle: Handle): Vec => middle(corners(handle, 'rest'), isCl
 
 /** Where a place at rest goes with the nearest place of a handle. */
 function followed(handle: Handle, at: Vec): Vec {
-  const { edge, share } = nearestPlace(corners(handle, 'rest'), isClosed(handle.kind), at);
+  const { edge, fraction } = nearestPlace(corners(handle, 'rest'), isClosed(handle.kind), at);
   const [from, to] = [edges(handle, 'rest')[edge], edges(handle)[edge]];
   if (!from || !to) return at;
-  const beside = scaled(subtract(at, between(...from, share)), scaleOf(handle));
-  return add(between(...to, share), rotated(beside, rotationOf(handle)));
+  const beside = scaled(subtract(at, lerp(...from, fraction)), scaleOf(handle));
+  return add(lerp(...to, fraction), rotated(beside, rotationOf(handle)));
 }
 
 /** Whether every corner is at its rest place; rotation and scale do not count. */

@@ -62,7 +62,7 @@ export class LineCommands {
     const longest = lengths.indexOf(Math.max(...lengths));
     const edge = corner ? Math.min(corner.index, lengths.length - 1) : longest;
     const place = at && !corner ? this.#placeOn(handle, at) : null;
-    this.#addCorner(handle, place ?? { edge, share: 0.5 });
+    this.#addCorner(handle, place ?? { edge, fraction: 0.5 });
   }
 
   /** Removes the focused corner and focuses the one before it. */
@@ -86,7 +86,7 @@ export class LineCommands {
   /** The place of a line within reach, if there is one. */
   #placeOn({ posed, kind }: LineHandle, at: Vec): LinePlace | null {
     const place = nearestPlace(posed, isClosed(kind), at);
-    return place.away <= this.#host.areas.grips.line ? place : null;
+    return place.distance <= this.#host.areas.grips.line ? place : null;
   }
 
   #addCorner(handle: LineHandle, at: LinePlace): void {

@@ -1,37 +1,37 @@
 import { describe, expect, it } from 'vitest';
-import { boxBetween, sharesInside } from './box';
-import { between, type Vec } from './vec';
+import { boxBetween, fractionsInside } from './box';
+import { lerp, type Vec } from './vec';
 
 const box = boxBetween([100, 50], [0, 0]);
 
 describe('a way through a box', () => {
-  it('is inside between two shares', () => {
-    expect(sharesInside(box, [-50, 25], [150, 25])).toEqual([0.25, 0.75]);
-    expect(sharesInside(box, [50, 150], [50, -50])).toEqual([0.5, 0.75]);
-    expect(sharesInside(box, [10, 10], [20, 20])).toEqual([0, 1]);
+  it('is inside between two fractions', () => {
+    expect(fractionsInside(box, [-50, 25], [150, 25])).toEqual([0.25, 0.75]);
+    expect(fractionsInside(box, [50, 150], [50, -50])).toEqual([0.5, 0.75]);
+    expect(fractionsInside(box, [10, 10], [20, 20])).toEqual([0, 1]);
   });
 
   it('may end on the edge', () => {
-    expect(sharesInside(box, [-50, 0], [0, 0])).toEqual([1, 1]);
-    expect(sharesInside(box, [100, 50], [100, 50])).toEqual([0, 1]);
+    expect(fractionsInside(box, [-50, 0], [0, 0])).toEqual([1, 1]);
+    expect(fractionsInside(box, [100, 50], [100, 50])).toEqual([0, 1]);
   });
 
   it('may pass by', () => {
-    expect(sharesInside(box, [-10, 25], [-1, 25])).toBeNull();
-    expect(sharesInside(box, [-10, 60], [110, 60])).toBeNull();
-    expect(sharesInside(box, [-40, 20], [20, 80])).toBeNull();
+    expect(fractionsInside(box, [-10, 25], [-1, 25])).toBeNull();
+    expect(fractionsInside(box, [-10, 60], [110, 60])).toBeNull();
+    expect(fractionsInside(box, [-40, 20], [20, 80])).toBeNull();
   });
 
   it('comes from anywhere and goes anywhere', () => {
     for (let k = 0; k < 60; k += 1) {
       const at = (turn: number): Vec => [50 + 300 * Math.cos(turn), 25 + 300 * Math.sin(turn)];
       const [a, b] = [at(k), at(2.4 * k + 1)];
-      const shares = sharesInside(box, a, b);
+      const fractions = fractionsInside(box, a, b);
       const inside = ([x, y]: Vec) => x >= 0 && x <= 100 && y >= 0 && y <= 50;
       for (let step = 0; step <= 200; step += 1) {
-        const share = step / 200;
-        const within = shares !== null && share > shares[0] && share < shares[1];
-        expect(inside(between(a, b, share))).toBe(within);
+        const fraction = step / 200;
+        const within = fractions !== null && fraction > fractions[0] && fraction < fractions[1];
+        expect(inside(lerp(a, b, fraction))).toBe(within);
       }
     }
   });

@@ -42,8 +42,8 @@ export const reachesBeyond = (box: Box, { min, max }: Box, slack: number): boole
 export const boxContains = ({ min, max }: Box, p: Vec): boolean =>
   p[0] >= min[0] && p[0] <= max[0] && p[1] >= min[1] && p[1] <= max[1];
 
-/** The segment from `a` to `b` clipped to the box, as shares of the segment; null outside (Liang and Barsky 1984). */
-export function sharesInside({ min, max }: Box, a: Vec, b: Vec): readonly [number, number] | null {
+/** The segment from `a` to `b` clipped to the box, as fractions of the segment; null outside (Liang and Barsky 1984). */
+export function fractionsInside({ min, max }: Box, a: Vec, b: Vec): readonly [number, number] | null {
   let [from, to] = [0, 1];
   for (const axis of [0, 1] as const) {
     const along = b[axis] - a[axis];

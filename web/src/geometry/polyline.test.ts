@@ -43,9 +43,9 @@ describe('a line through corners', () => {
   });
 
   it('knows on which edge that is, the closing one being the last', () => {
-    expect(nearestPlace(square, true, [5, 1])).toEqual({ edge: 1, share: 0.25, away: 1 });
-    expect(nearestPlace(square, true, [-1, 1])).toEqual({ edge: 3, share: 0.75, away: 1 });
-    expect(nearestPlace(square, false, [-1, 3])).toMatchObject({ edge: 2, share: 1 });
+    expect(nearestPlace(square, true, [5, 1])).toEqual({ edge: 1, fraction: 0.25, distance: 1 });
+    expect(nearestPlace(square, true, [-1, 1])).toEqual({ edge: 3, fraction: 0.75, distance: 1 });
+    expect(nearestPlace(square, false, [-1, 3])).toMatchObject({ edge: 2, fraction: 1 });
   });
 
   it('holds what lies inside', () => {

@@ -1,5 +1,5 @@
 /** Polylines, open or closed: edges, nearest places, points inside, turns. */
-import { add, bearing, between, distance, midpoint, scaled, snapped, subtract, type Vec } from './vec';
+import { add, bearing, distance, lerp, midpoint, scaled, snapped, subtract, type Vec } from './vec';
 
 /** The mean of the corners; the origin where there are no corners. */
 export const centre = (corners: readonly Vec[]): Vec =>
@@ -26,10 +26,10 @@ export const edgesOf = (corners: readonly Vec[], closed: boolean): readonly (rea
     return to ? [[from, to] as const] : [];
   });
 
-/** A place on a line: the index of an edge in {@link edgesOf}, and the share of the way along that edge. */
+/** A place on a line: the index of an edge in {@link edgesOf}, and the fraction of the way along that edge. */
 export interface LinePlace {
   readonly edge: number;
-  readonly share: number;
+  readonly fraction: number;
 }
 
 /** The place on the line nearest to a point, and its distance `away`, infinite where there is no edge. */
@@ -37,22 +37,22 @@ export function nearestPlace(
   corners: readonly Vec[],
   closed: boolean,
   p: Vec,
-): LinePlace & { readonly away: number } {
-  let best = { edge: 0, share: 0, away: Number.POSITIVE_INFINITY };
+): LinePlace & { readonly distance: number } {
+  let best = { edge: 0, fraction: 0, distance: Number.POSITIVE_INFINITY };
   for (const [edge, [a, b]] of edgesOf(corners, closed).entries()) {
     const [along, to] = [subtract(b, a), subtract(p, a)];
     const squared = along[0] ** 2 + along[1] ** 2;
     const foot = squared === 0 ? 0 : (along[0] * to[0] + along[1] * to[1]) / squared;
-    const share = Math.min(1, Math.max(0, foot));
-    const away = distance(p, between(a, b, share));
-    if (away < best.away) best = { edge, share, away };
+    const fraction = Math.min(1, Math.max(0, foot));
+    const length = distance(p, lerp(a, b, fraction));
+    if (length < best.distance) best = { edge, fraction, distance: length };
   }
   return best;
 }
 
 /** The distance from a point to the nearest place on the line. */
 export const distanceToLine = (corners: readonly Vec[], closed: boolean, p: Vec): number =>
-  nearestPlace(corners, closed, p).away;
+  nearestPlace(corners, closed, p).distance;
 
 /** Whether a point lies inside the closed line, by the even-odd rule. */
 export const isInside = (corners: readonly Vec[], [x, y]: Vec): boolean =>

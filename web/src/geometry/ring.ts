@@ -1,7 +1,7 @@
 /** Rings, as closed lines are where they bound something: clipped to a box, made simple, and whether two of them meet. */
 import type { Box } from './box';
 import { distanceToLine, edgesOf, isInside } from './polyline';
-import { between, cross, distance, subtract, type Vec } from './vec';
+import { cross, distance, lerp, subtract, type Vec } from './vec';
 
 export type Ring = readonly Vec[];
 
@@ -23,7 +23,7 @@ export function clipped(ring: Ring, { min, max }: Box): Ring {
   return limits.reduce<Ring>((left, [axis, sign, limit]) => {
     const isWithin = (p: Vec) => sign * (p[axis] - limit) >= 0;
     return edgesOf(left, true).flatMap(([a, b]) => [
-      ...(isWithin(a) === isWithin(b) ? [] : [between(a, b, (limit - a[axis]) / (b[axis] - a[axis]))]),
+      ...(isWithin(a) === isWithin(b) ? [] : [lerp(a, b, (limit - a[axis]) / (b[axis] - a[axis]))]),
       ...(isWithin(b) ? [b] : []),
     ]);
   }, ring);
@@ -95,7 +95,7 @@ function contact([a, b]: Edge, [c, d]: Edge): Vec | null {
   const [one, other, gap] = [subtract(b, a), subtract(d, c), subtract(c, a)];
   const area = cross(one, other);
   const [s, t] = [cross(gap, other) / area, cross(gap, one) / area];
-  return s > 0 && s < 1 && t > 0 && t < 1 ? between(a, b, s) : null;
+  return s > 0 && s < 1 && t > 0 && t < 1 ? lerp(a, b, s) : null;
 }
 
 /** Whether a point touches an edge. */

@@ -69,7 +69,7 @@ function allNear(triangles: Uint32Array, points: Float32Array, at: Vec, slack: n
 function nearestShares(corners: Triangle, p: Vec): { readonly shares: Shares; readonly away: number } {
   const inside = barycentric(...corners, p);
   if (inside) return { shares: inside, away: 0 };
-  const { edge, share, away } = nearestPlace(corners, true, p);
+  const { edge, fraction: share, distance: away } = nearestPlace(corners, true, p);
   const of = (k: number) =>
     INWARDS + (1 - 3 * INWARDS) * (k === edge ? 1 - share : k === (edge + 1) % 3 ? share : 0);
   return { shares: [of(0), of(1), of(2)], away };

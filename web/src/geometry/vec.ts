@@ -5,8 +5,8 @@ export const add = (a: Vec, b: Vec): Vec => [a[0] + b[0], a[1] + b[1]];
 export const subtract = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1]];
 export const scaled = (a: Vec, factor: number): Vec => [a[0] * factor, a[1] * factor];
 export const midpoint = (a: Vec, b: Vec): Vec => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-/** The point at a share of the way from `a` to `b`. */
-export const between = (a: Vec, b: Vec, share: number): Vec => add(a, scaled(subtract(b, a), share));
+/** The point at a fraction of the way from `a` to `b`. */
+export const lerp = (a: Vec, b: Vec, fraction: number): Vec => add(a, scaled(subtract(b, a), fraction));
 /** The area of the parallelogram of two vectors, positive where `b` lies clockwise of `a` on the screen. */
 export const cross = (a: Vec, b: Vec): number => a[0] * b[1] - a[1] * b[0];
 export const distance = (a: Vec, b: Vec): number => Math.hypot(a[0] - b[0], a[1] - b[1]);

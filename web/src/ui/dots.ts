@@ -3,10 +3,10 @@
  * part of a line that is on the stage is drawn.
  */
 import { type SVGTemplateResult, svg } from 'lit';
-import { sharesInside } from '../geometry/box';
+import { fractionsInside } from '../geometry/box';
 import type { Size } from '../geometry/camera';
 import { edgesOf } from '../geometry/polyline';
-import { between, distance, type Vec } from '../geometry/vec';
+import { distance, lerp, type Vec } from '../geometry/vec';
 
 /** From dot to dot, CSS pixels. */
 const SPACING = 6.5;
@@ -24,11 +24,11 @@ export function onStage(corners: readonly Vec[], closed: boolean, { width, heigh
   const box = { min: [-ROOM, -ROOM], max: [width + ROOM, height + ROOM] } as const;
   return edgesOf(corners, closed)
     .map(([a, b]) => {
-      const shares = sharesInside(box, a, b);
-      if (!shares) return '';
-      const [from, to] = shares;
+      const fractions = fractionsInside(box, a, b);
+      if (!fractions) return '';
+      const [from, to] = fractions;
       const spacing = SPACING / Math.max(SPACING, distance(a, b));
-      return `M${between(a, b, Math.floor(from / spacing) * spacing)}L${between(a, b, to)}`;
+      return `M${lerp(a, b, Math.floor(from / spacing) * spacing)}L${lerp(a, b, to)}`;
     })
     .join('');
 }
