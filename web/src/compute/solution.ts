@@ -5,9 +5,9 @@ export interface SolutionData {
   /** Triangles × 3: vertices, in drawing order while no handle has a depth. */
   readonly triangles: Uint32Array<ArrayBuffer>;
   /** Vertices × 2 of what lies around a domain that the project draws by rings: it stays, behind the rest. */
-  readonly surroundingPositions: Float32Array<ArrayBuffer>;
+  readonly backgroundPositions: Float32Array<ArrayBuffer>;
   /** Its triangles × 3; empty for any other domain. */
-  readonly surroundingTriangles: Uint32Array<ArrayBuffer>;
+  readonly backgroundTriangles: Uint32Array<ArrayBuffer>;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array<ArrayBuffer>;
   /** Entries: index of a site. */

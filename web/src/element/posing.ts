@@ -123,7 +123,7 @@ export class Posing {
     const { current } = this.#solving;
     if (!current) return null;
     const posed = boxAround(this.#positions(), current.data.report.samples);
-    const still = boxAround(current.data.surroundingPositions, current.data.surroundingPositions.length / 2);
+    const still = boxAround(current.data.backgroundPositions, current.data.backgroundPositions.length / 2);
     return posed && still ? boxOfBoth(posed, still) : posed;
   }
 

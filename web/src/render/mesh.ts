@@ -5,8 +5,8 @@ export interface WarpMesh extends Skin {
   /** Sites × 2; only the length matters here. */
   readonly siteRest: ArrayLike<number>;
   /** Vertices × 2 and triangles × 3 of what is drawn behind and stays. */
-  readonly surroundingPositions?: Float32Array;
-  readonly surroundingTriangles?: Uint32Array;
+  readonly backgroundPositions?: Float32Array;
+  readonly backgroundTriangles?: Uint32Array;
 }
 
 /** A mesh that nothing moves. */

@@ -9,14 +9,14 @@ import type { HeatMap } from '../geometry/heat';
 import { MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
-import { Scene } from './scene';
+import { Painter } from './painter';
 import { resize, type Surface, surfaceOf } from './surface';
 
 export class Renderer {
   readonly #surface: Surface;
   readonly #listening = new AbortController();
   #asleep = false;
-  #scene: Scene | undefined;
+  #painter: Painter | undefined;
   #picture: ImageBitmap | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
@@ -35,12 +35,12 @@ export class Renderer {
     gl.canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal });
     // Where the browser drops the copy of what was drawn in a shared context.
     canvas.addEventListener('contextrestored', () => this.onrestore?.(), { signal });
-    if (!gl.isContextLost()) this.#scene = new Scene(gl);
+    if (!gl.isContextLost()) this.#painter = new Painter(gl);
   }
 
   /** Whether there is no context to draw on now; drawing does nothing until `onrestore`. */
   get lost(): boolean {
-    return this.#scene === undefined || this.#surface.gl.isContextLost();
+    return this.#painter === undefined || this.#surface.gl.isContextLost();
   }
 
   /** Shows another picture, unwarped, or none. The bitmap must be premultiplied, and open while it is shown. */
@@ -49,7 +49,7 @@ export class Renderer {
     this.#mesh = null;
     this.#motions = null;
     this.#heat = null;
-    if (!source) this.#scene?.clear();
+    if (!source) this.#painter?.clear();
     this.#fill();
   }
 
@@ -72,7 +72,7 @@ export class Renderer {
     }
     this.#motions = motions;
     this.#blend = blend;
-    if (!this.lost) this.#scene?.setMotions(motions, blend);
+    if (!this.lost) this.#painter?.setMotions(motions, blend);
   }
 
   /**
@@ -86,13 +86,13 @@ export class Renderer {
       throw new RangeError(`a heat map of ${heat.values.length} vertices for ${vertices}`);
     }
     this.#heat = heat;
-    if (!this.lost) this.#scene?.setHeat(heat);
+    if (!this.lost) this.#painter?.setHeat(heat);
   }
 
   draw(view: View): void {
     if (this.lost) return;
     resize(this.#surface.gl.canvas, view);
-    this.#scene?.draw(view);
+    this.#painter?.draw(view);
     this.#surface.show();
   }
 
@@ -110,8 +110,8 @@ export class Renderer {
   sleep(): void {
     if (!this.#surface.shared) return;
     this.#asleep = true;
-    this.#scene?.clear();
-    this.#scene = undefined;
+    this.#painter?.clear();
+    this.#painter = undefined;
   }
 
   wake(): void {
@@ -123,36 +123,36 @@ export class Renderer {
   /** Releases everything for good: the canvas cannot be drawn on again. */
   dispose(): void {
     this.#listening.abort();
-    this.#scene?.clear();
-    this.#scene = undefined;
+    this.#painter?.clear();
+    this.#painter = undefined;
     this.#surface.release();
   }
 
   #lose(event: Event): void {
     // Without this the browser never restores the context.
     event.preventDefault();
-    this.#scene = undefined;
+    this.#painter = undefined;
   }
 
   #restore(): void {
     const { gl } = this.#surface;
     if (this.#asleep || gl.isContextLost()) return;
-    this.#scene = new Scene(gl);
+    this.#painter = new Painter(gl);
     this.#fill();
-    this.#scene.setMotions(this.#motions, this.#blend);
-    this.#scene.setHeat(this.#heat);
+    this.#painter.setMotions(this.#motions, this.#blend);
+    this.#painter.setHeat(this.#heat);
     this.onrestore?.();
   }
 
   #fill(): void {
     if (this.lost || !this.#picture) return;
-    this.#scene?.setPicture(this.#picture);
+    this.#painter?.setPicture(this.#picture);
     this.#fillMesh();
   }
 
   #fillMesh(): void {
     if (this.lost || !this.#picture) return;
-    this.#scene?.setMesh(this.#mesh ?? unwarpedMesh(this.#picture.width, this.#picture.height));
+    this.#painter?.setMesh(this.#mesh ?? unwarpedMesh(this.#picture.width, this.#picture.height));
   }
 }
 

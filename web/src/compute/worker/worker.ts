@@ -94,8 +94,8 @@ function copiedOut(solution: Solution): SolutionData {
   const data: SolutionData = {
     positions: solution.positions,
     triangles: solution.triangles,
-    surroundingPositions: solution.surrounding_positions,
-    surroundingTriangles: solution.surrounding_triangles,
+    backgroundPositions: solution.surrounding_positions,
+    backgroundTriangles: solution.surrounding_triangles,
     offsets: solution.offsets,
     sites: solution.sites,
     weights: solution.weights,

@@ -33,14 +33,14 @@ interface LoadedMesh {
   drawn: Uint32Array;
 }
 
-export class Scene {
+export class Painter {
   readonly #gl: WebGL2RenderingContext;
   readonly #pictureProgram: twgl.ProgramInfo;
   readonly #lineProgram: twgl.ProgramInfo;
   #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
   #loaded: LoadedMesh | undefined;
   /** Drawn behind the loaded mesh, if there is any. */
-  #surroundings: LoadedMesh | undefined;
+  #background: LoadedMesh | undefined;
   /** The unwarped picture, for comparison. */
   #whole: LoadedMesh | undefined;
   /** Created at first use. */
@@ -68,9 +68,9 @@ export class Scene {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
-    this.#unload(this.#surroundings);
+    this.#unload(this.#background);
     this.#heat?.clear();
-    [this.#picture, this.#whole, this.#loaded, this.#surroundings] = [
+    [this.#picture, this.#whole, this.#loaded, this.#background] = [
       undefined,
       undefined,
       undefined,
@@ -81,10 +81,10 @@ export class Scene {
   /** Replaces the mesh, which is drawn at rest until motions are set. */
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);
-    this.#unload(this.#surroundings);
+    this.#unload(this.#background);
     this.#loaded = this.#load(mesh);
-    const { surroundingPositions: positions, surroundingTriangles: triangles } = mesh;
-    this.#surroundings =
+    const { backgroundPositions: positions, backgroundTriangles: triangles } = mesh;
+    this.#background =
       positions && triangles?.length ? this.#load(stillMesh(positions, triangles)) : undefined;
     this.#heat?.clear();
     this.#posed = false;
@@ -166,7 +166,7 @@ export class Scene {
       u_rigid: this.#blend === 'rigid',
       u_colour: MESH_COLOUR,
     };
-    const behind = view.compare ? undefined : this.#surroundings;
+    const behind = view.compare ? undefined : this.#background;
     if (behind) {
       const still = { ...uniforms, u_at_rest: true };
       drawWith(gl, this.#pictureProgram, behind.triangles, still, gl.TRIANGLES);
