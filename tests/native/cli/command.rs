@@ -1,15 +1,17 @@
-//! Runs the binary that this workspace builds.
+//! Runs the `c2warp` binary of this workspace.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 
-/// The binary beside this test, built if need be: cargo does so by itself only for tests of the binary's own package.
+/// Returns the binary beside this test, and builds it first.
+///
+/// Cargo builds it by itself only for tests in the binary's own package.
 fn binary() -> &'static Path {
     static BINARY: OnceLock<PathBuf> = OnceLock::new();
     BINARY.get_or_init(|| {
         let test = std::env::current_exe().unwrap();
-        let folder = test.ancestors().nth(2).expect("tests are built into PROFILE/deps");
+        let folder = test.ancestors().nth(2).expect("Cargo builds tests into PROFILE/deps");
         let profile = match folder.file_name().and_then(|name| name.to_str()) {
             Some("debug") | None => "dev",
             Some(profile) => profile,
@@ -25,34 +27,34 @@ fn binary() -> &'static Path {
     })
 }
 
-/// The command with its arguments, parted by spaces, to be run in a folder.
+/// Returns the command with arguments separated by spaces, to run in a folder.
 pub(crate) fn command(folder: &Path, arguments: &str) -> Command {
     let mut command = Command::new(binary());
     command.current_dir(folder).args(arguments.split_whitespace());
     command
 }
 
-/// Runs the command and expects it to succeed in silence; gives what it printed.
+/// Runs the command and returns its standard output. It must succeed with an empty standard error.
 pub(crate) fn succeed(folder: &Path, arguments: &str) -> Vec<u8> {
     let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
     assert!(status.success() && stderr.is_empty(), "{arguments}: {status}: {}", String::from_utf8_lossy(&stderr));
     stdout
 }
 
-/// Runs the command with a reader that closes its end at once, and expects it to succeed in silence.
-pub(crate) fn succeed_unread(folder: &Path, arguments: &str) {
+/// Runs the command with a reader that closes the pipe at once. It must succeed with an empty standard error.
+pub(crate) fn succeed_with_closed_pipe(folder: &Path, arguments: &str) {
     let mut run = command(folder, arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     drop(run.stdout.take());
     let ended = run.wait_with_output().unwrap();
     assert!(ended.status.success() && ended.stderr.is_empty(), "{arguments}: {ended:?}");
 }
 
-/// Runs the command, expects it to refuse in one line, and gives the line without the command's name.
-pub(crate) fn refuse(folder: &Path, arguments: &str) -> String {
+/// Runs the command and returns its error message. It must exit with status 1 and print one line on standard error.
+pub(crate) fn fail(folder: &Path, arguments: &str) -> String {
     let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
     let text = String::from_utf8(stderr).unwrap();
     assert_eq!(status.code(), Some(1), "{arguments}: {text}");
-    assert!(stdout.is_empty(), "{arguments} printed");
+    assert!(stdout.is_empty(), "{arguments} printed to standard output");
     let line = text.strip_prefix("c2warp: ").and_then(|text| text.strip_suffix('\n'));
     let line = line.unwrap_or_else(|| panic!("{arguments}: {text:?}"));
     assert!(!line.contains('\n') && line.len() < 300, "{arguments}: {line}");

@@ -1,17 +1,17 @@
-//! `c2warp inspect`.
+//! Tests of `c2warp inspect`.
 
 use serde_json::Value;
 
-use crate::command::{succeed, succeed_unread};
-use crate::workplace::Workplace;
+use crate::command::{succeed, succeed_with_closed_pipe};
+use crate::scene_folder::SceneFolder;
 
 fn report(scene: &str) -> Value {
-    let printed = succeed(Workplace::with(scene).folder(), "inspect scene.c2warp.json --json");
+    let printed = succeed(SceneFolder::new(scene).path(), "inspect scene.c2warp.json --json");
     serde_json::from_slice(&printed).unwrap()
 }
 
 #[test]
-fn tells_everything_that_it_promises() {
+fn json_has_every_documented_key() {
     let report = report("strip");
     for key in [
         "samples",
@@ -47,21 +47,21 @@ fn counts_handles_islands_and_holes() {
     let islands = report("islands");
     assert_eq!((count(&islands, "islands"), count(&islands, "holes"), count(&islands, "point_handles")), (2, 0, 1));
     assert_eq!(count(&report("untouched"), "real_sites"), 0);
-    // As many samples as were asked for, about.
+    // The project asks for 1,500 samples.
     assert!((750..=3000).contains(&count(&report("strip"), "samples")));
 }
 
 #[test]
-fn says_the_same_to_people() {
-    let place = Workplace::with("ring");
-    let text = String::from_utf8(succeed(place.folder(), "inspect scene.c2warp.json")).unwrap();
+fn text_report_has_the_same_values() {
+    let folder = SceneFolder::new("ring");
+    let text = String::from_utf8(succeed(folder.path(), "inspect scene.c2warp.json")).unwrap();
     for words in ["samples", "point handles", "folded triangles", "ms regions"] {
         assert!(text.lines().any(|line| line.starts_with(words)), "{words}: {text}");
     }
 }
 
 #[test]
-fn is_content_when_nobody_reads_on() {
-    let place = Workplace::with("untouched");
-    succeed_unread(place.folder(), "inspect scene.c2warp.json");
+fn closed_pipe_is_not_an_error() {
+    let folder = SceneFolder::new("untouched");
+    succeed_with_closed_pipe(folder.path(), "inspect scene.c2warp.json");
 }

@@ -1,12 +1,13 @@
-//! The `c2warp` command as people run it: the real binary, on scenes whose pictures are drawn by formulas.
+//! Tests of the `c2warp` command. They run the real binary on scenes with generated pictures.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod command;
+mod errors;
 mod inspect;
-mod refusals;
+
+mod scene_folder;
 mod stmap;
 mod streams;
 mod tables;
 mod warp;
-mod workplace;

@@ -5,36 +5,36 @@ use std::path::PathBuf;
 use glam::DVec2;
 
 use crate::error::CliError;
-use crate::number::text;
+use crate::number::decimal;
 use crate::points;
-use crate::scene::{Files, Scene};
+use crate::project::{InputFiles, LoadedProject};
 
-/// Writes the intrinsic distance from one point to others: x,y,distance
+/// Writes the intrinsic distances from one point to others, as rows x,y,distance
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
-    files: Files,
-    /// The point that distances are measured from
+    files: InputFiles,
+    /// The start point
     #[arg(long, value_name = "X,Y", value_parser = points::parse, allow_hyphen_values = true)]
     from: DVec2,
-    /// The points, under a header x,y
+    /// The end points: CSV with a header x,y
     #[arg(long, value_name = "POINTS.csv")]
     at: PathBuf,
-    /// Where to write, - is standard output; distance is empty where no path leads
+    /// The output file, or - for standard output. A distance is empty if no path leads to its point
     #[arg(short, long, value_name = "OUT.csv")]
     output: PathBuf,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let points = points::read(&arguments.at)?;
-    let scene = Scene::open(&arguments.files)?;
-    let output = scene.output(&arguments.output)?;
-    let distances = c2warp::distances(&scene.project, &scene.picture()?, arguments.from, &points)
-        .map_err(|reason| scene.refused(reason))?;
-    output.finish_table(|table| {
+    let loaded = LoadedProject::open(&arguments.files)?;
+    let output = loaded.output(&arguments.output)?;
+    let distances = c2warp::distances(&loaded.project, &loaded.picture()?, arguments.from, &points)
+        .map_err(|reason| loaded.refused(reason))?;
+    output.write_table(|table| {
         table.write_record(["x", "y", "distance"])?;
-        for (place, distance) in points.iter().zip(distances) {
-            table.write_record([text(place.x), text(place.y), distance.map(text).unwrap_or_default()])?;
+        for (p, distance) in points.iter().zip(distances) {
+            table.write_record([decimal(p.x), decimal(p.y), distance.map(decimal).unwrap_or_default()])?;
         }
         Ok(())
     })

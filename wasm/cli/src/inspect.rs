@@ -1,4 +1,4 @@
-//! `c2warp inspect`: a report of the solve, and its times.
+//! `c2warp inspect`: a report of the solution, with the time of each stage.
 
 use std::io::{self, Write};
 use std::time::Instant;
@@ -7,44 +7,44 @@ use c2warp::{Inspection, Solver, StageTimes};
 use serde_json::Value;
 
 use crate::error::CliError;
-use crate::scene::{Files, Scene};
+use crate::project::{InputFiles, LoadedProject};
 
-/// Tells what the solver did
+/// Reports the solution of a project and the time of each stage
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
-    files: Files,
-    /// One JSON object instead of a table
+    files: InputFiles,
+    /// Print one JSON object instead of a table
     #[arg(long)]
     json: bool,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let scene = Scene::open(&arguments.files)?;
-    let inspection = inspect(&scene)?;
-    let json = serde_json::to_value(&inspection).expect("numbers under names are JSON");
+    let loaded = LoadedProject::open(&arguments.files)?;
+    let inspection = inspect(&loaded)?;
+    let json = serde_json::to_value(&inspection).expect("a map of numbers is valid JSON");
     let text = if arguments.json { format!("{json:#}\n") } else { lines("", &json) };
     let mut stdout = io::stdout().lock();
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(CliError::Print)
 }
 
-fn inspect(scene: &Scene) -> Result<Inspection, CliError> {
-    let refused = |reason| scene.refused(reason);
+fn inspect(loaded: &LoadedProject) -> Result<Inspection, CliError> {
+    let refused = |reason| loaded.refused(reason);
     let mut ms = StageTimes::default();
     let mut solver = Solver::new();
     let mut start = Instant::now();
-    solver.begin(&scene.project, &scene.picture()?).map_err(refused)?;
+    solver.begin(&loaded.project, &loaded.picture()?).map_err(refused)?;
     while let Some(stage) = solver.advance().map_err(refused)? {
         ms.add(stage, lap_ms(&mut start));
     }
     let solution = solver.solution().expect("every stage has run");
     start = Instant::now();
-    let pose = scene.pose(solution)?;
+    let pose = loaded.pose(solution)?;
     ms.pose = lap_ms(&mut start);
     Ok(Inspection { report: solution.report(&pose), ms })
 }
 
-/// One line for every value, after its name in words.
+/// Returns one line per value: its key in words, then the value.
 fn lines(name: &str, value: &Value) -> String {
     if let Value::Object(entries) = value {
         return entries.iter().map(|(key, value)| lines(format!("{name} {key}").trim(), value)).collect();
@@ -65,6 +65,7 @@ fn cell(value: &Value) -> String {
     }
 }
 
+/// Returns the milliseconds since `start`, and restarts.
 fn lap_ms(start: &mut Instant) -> f64 {
     let now = Instant::now();
     let ms = (now - *start).as_secs_f64() * 1e3;

@@ -1,16 +1,16 @@
-//! Checks that a JPEG file is complete. Decoders fill what is missing with grey and report nothing.
+//! Checks that a JPEG file is complete. Decoders fill missing parts with grey and report no error.
 //!
-//! A walk over the markers of ITU-T T.81, annex B, from the first to "end of image": segments are skipped by their length,
-//! and the data after "start of scan" up to the next marker, as no marker can occur in it by chance.
+//! The check walks the markers of ITU-T T.81, annex B, from the first to "end of image". It skips segments by their
+//! length. It skips scan data up to the next marker, because scan data never contains one.
 
 use std::io::{self, BufRead, Read};
 
 const END_OF_IMAGE: u8 = 0xd9;
 
-/// Walks to the end of the image; anything after it is ignored.
+/// Walks to the end of the image. Data after it is ignored.
 ///
 /// # Errors
-/// An unexpected end of the file, or an error of reading it.
+/// If the file ends early or cannot be read.
 pub(crate) fn find_end(mut file: impl BufRead) -> io::Result<()> {
     let mut marker = next_marker(&mut file)?;
     while marker != END_OF_IMAGE {
@@ -25,7 +25,7 @@ pub(crate) fn find_end(mut file: impl BufRead) -> io::Result<()> {
     Ok(())
 }
 
-/// The next marker that is neither a stuffed byte of a scan nor a restart.
+/// Returns the next marker that is neither a stuffed byte of a scan nor a restart.
 fn next_marker(file: &mut impl BufRead) -> io::Result<u8> {
     loop {
         file.skip_until(0xff)?;
@@ -33,7 +33,8 @@ fn next_marker(file: &mut impl BufRead) -> io::Result<u8> {
         while marker == [0xff] {
             file.read_exact(&mut marker)?;
         }
-        // 0 is a stuffed byte 0xff of a scan; 0xd0 to 0xd7 restart one, 0xd8 starts the image, and 1 has no meaning.
+        // 0 marks a stuffed byte 0xff of a scan. 0xd0 to 0xd7 restart a scan, 0xd8 starts the image, 1 is for temporary
+        // use.
         if !matches!(marker, [0 | 1 | 0xd0..=0xd8]) {
             return Ok(marker[0]);
         }
@@ -44,15 +45,15 @@ fn next_marker(file: &mut impl BufRead) -> io::Result<u8> {
 mod tests {
     use super::find_end;
 
-    /// A start, a segment that looks like an end, a scan with a stuffed byte, a restart, and the end.
-    const WHOLE: &[u8] = b"\xff\xd8\xff\xe0\0\x04\xff\xd9\xff\xda\0\x03!abc\xff\0\xff\xd3def\xff\xff\xd9";
+    /// A start, a segment that looks like an end, a scan with a stuffed byte, a restart and the end.
+    const COMPLETE: &[u8] = b"\xff\xd8\xff\xe0\0\x04\xff\xd9\xff\xda\0\x03!abc\xff\0\xff\xd3def\xff\xff\xd9";
 
     #[test]
-    fn finds_the_end_where_there_is_one() {
-        assert!(find_end(WHOLE).is_ok());
-        assert!(find_end(&[WHOLE, b"a film, say"].concat()[..]).is_ok());
-        for length in 0..WHOLE.len() {
-            assert!(find_end(&WHOLE[..length]).is_err(), "{length}");
+    fn truncated_file_has_no_end() {
+        assert!(find_end(COMPLETE).is_ok());
+        assert!(find_end(&[COMPLETE, b"trailing data"].concat()[..]).is_ok());
+        for length in 0..COMPLETE.len() {
+            assert!(find_end(&COMPLETE[..length]).is_err(), "{length}");
         }
     }
 }

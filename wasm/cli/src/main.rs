@@ -1,7 +1,7 @@
-//! The `c2warp` command: warps pictures, and answers questions about a warp.
+//! The `c2warp` command: warps pictures and reports weights, maps and distances.
 //!
-//! One file per subcommand. An error is one line on standard error and exit status 1; output files appear complete or not at
-//! all. An invalid command line prints its usage, and ends with exit status 2.
+//! There is one file per subcommand. An error prints one line on standard error and exits with status 1. Output files
+//! appear complete or not at all. An invalid command line prints the usage and exits with status 2.
 
 mod distance;
 mod error;
@@ -14,7 +14,7 @@ mod output;
 mod picture;
 mod points;
 mod profile;
-mod scene;
+mod project;
 mod stmap;
 mod warp;
 mod weights;
@@ -27,7 +27,7 @@ use clap::{Parser, Subcommand};
 use error::CliError;
 
 #[derive(Parser)]
-#[command(name = "c2warp", version, about = "Warps pictures by their handles, and answers questions about a warp")]
+#[command(name = "c2warp", version, about = "Warps pictures with handles, and reports weights, maps and distances")]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -52,20 +52,20 @@ fn main() -> ExitCode {
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
-        // The reader of the output has closed it, as `head` does.
+        // A reader such as `head` has closed the output.
         Err(CliError::Print(reason) | CliError::Write { reason, .. }) if reason.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
         Err(error) => {
             let line = one_line(&error.to_string());
-            // Standard error may be closed as well, and then there is nowhere to report.
+            // If standard error is closed as well, the error cannot be reported.
             let _ = writeln!(io::stderr(), "c2warp: {line}");
             ExitCode::FAILURE
         }
     }
 }
 
-/// A message on one line, without control characters that would affect the terminal.
+/// Returns the message on one line, with control characters replaced: they could affect the terminal.
 fn one_line(message: &str) -> String {
     let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
     words.collect::<Vec<_>>().join(" ")
@@ -78,12 +78,12 @@ mod tests {
     use super::{Arguments, one_line};
 
     #[test]
-    fn a_message_is_one_line_without_control_characters() {
+    fn messages_are_one_line_without_control_characters() {
         assert_eq!(one_line("handle \"\u{1b}[31mred\n x\0\": gone"), "handle \"\u{fffd}[31mred x\u{fffd}\": gone");
     }
 
     #[test]
-    fn the_arguments_contradict_each_other_nowhere() {
+    fn command_line_definition_is_consistent() {
         Arguments::command().debug_assert();
     }
 }

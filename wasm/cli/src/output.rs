@@ -1,4 +1,4 @@
-//! An output file that appears complete or not at all, or a stream.
+//! Outputs: a file that appears complete or not at all, or a stream.
 
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, BufWriter, Write};
@@ -8,13 +8,13 @@ use tempfile::TempPath;
 
 use crate::error::CliError;
 
-/// The names of standard output. A file that it leads to is never replaced, as others write there, too.
+/// The names of standard output. It is never replaced by a new file, because other programs may write to it as well.
 const STANDARD_OUTPUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
-/// A table on its way to an output.
+/// A CSV writer for an output.
 pub(crate) type Table<'a> = csv::Writer<&'a mut dyn Write>;
 
-/// An output, opened or checked before the work whose result it takes, so that a path that cannot be written is reported at once.
+/// An output that is checked before the work starts. So a path that cannot be written is reported at once.
 pub(crate) struct Output {
     path: PathBuf,
     target: Target,
@@ -26,35 +26,35 @@ enum Target {
 }
 
 impl Output {
-    /// Checks that the path can be written.
-    pub(crate) fn create(path: &Path) -> Result<Self, CliError> {
+    /// Opens a stream, or checks that a file can be written.
+    pub(crate) fn open(path: &Path) -> Result<Self, CliError> {
         let target = Target::open(path).map_err(CliError::write(path))?;
         Ok(Self { path: path.to_owned(), target })
     }
 
-    /// Whether both are the same file, by whatever names, or standard output.
+    /// Returns whether both outputs are the same file, under any name, or both are standard output.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (&self.target, &other.target) {
-            (Target::File(file), Target::File(other)) => file.place() == other.place(),
+            (Target::File(file), Target::File(other)) => file.resolved_path() == other.resolved_path(),
             _ => is_standard_output(&self.path) && is_standard_output(&other.path) || self.path == other.path,
         }
     }
 
-    /// Writes what `write` does; a file stays as it was if that fails.
-    pub(crate) fn finish(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
+    /// Writes the output by calling `write`. If that fails, an existing file keeps its contents.
+    pub(crate) fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
         match self.target {
-            Target::Stream(stream) => written(stream, write),
-            Target::File(file) => file.written(write),
+            Target::Stream(stream) => write_buffered(stream, write),
+            Target::File(file) => file.write(write),
         }
         .map_err(CliError::write(self.path))
     }
 
-    /// Writes a CSV table, as [`finish`](Self::finish).
-    pub(crate) fn finish_table(self, write: impl FnOnce(&mut Table<'_>) -> csv::Result<()>) -> Result<(), CliError> {
-        self.finish(|writer| {
+    /// Writes a CSV table. Failures act as in [`write`](Self::write).
+    pub(crate) fn write_table(self, write: impl FnOnce(&mut Table<'_>) -> csv::Result<()>) -> Result<(), CliError> {
+        self.write(|writer| {
             let mut table = csv::Writer::from_writer(writer);
             write(&mut table).map_err(|reason| match reason.into_kind() {
-                // Otherwise its kind is lost.
+                // `From<csv::Error>` would lose the kind.
                 csv::ErrorKind::Io(reason) => reason,
                 reason => io::Error::other(format!("{reason:?}")),
             })?;
@@ -68,39 +68,40 @@ impl Target {
         if is_standard_output(path) {
             return Ok(Self::Stream(Box::new(io::stdout())));
         }
-        let earlier = match fs::metadata(path) {
-            Ok(place) if place.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-            // Such as a pipe.
-            Ok(place) if !place.is_file() => {
+        let permissions = match fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            // A pipe or a device.
+            Ok(metadata) if !metadata.is_file() => {
                 return Ok(Self::Stream(Box::new(OpenOptions::new().write(true).open(path)?)));
             }
-            Ok(place) if place.permissions().readonly() => return Err(io::ErrorKind::PermissionDenied.into()),
-            Ok(place) => Some(place.permissions()),
+            Ok(metadata) if metadata.permissions().readonly() => return Err(io::ErrorKind::PermissionDenied.into()),
+            Ok(metadata) => Some(metadata.permissions()),
             Err(reason) if reason.kind() == io::ErrorKind::NotFound => None,
             Err(reason) => return Err(reason),
         };
         let mut path = path.to_owned();
-        // Symbolic links are kept and their target written, whether that exists or not.
+        // Keep symbolic links and write their target, even if it does not exist yet.
         while let Ok(to) = fs::read_link(&path) {
             path = path.with_file_name("").join(to);
         }
-        let file = Replacement { path, earlier };
-        // One that stood here during the work would be left behind by whatever ends the process.
+        let file = Replacement { path, permissions };
+        // Creating a file proves that the folder is writable. It is dropped at once: if it stayed during the work, a
+        // killed process would leave it behind.
         file.create()?;
         Ok(Self::File(file))
     }
 }
 
-/// A file that is written beside its path, under a name that no other process has, and renamed.
+/// A file that is written under a unique temporary name in the same folder, and then renamed.
 struct Replacement {
     path: PathBuf,
-    /// The permissions of the file that is replaced.
-    earlier: Option<Permissions>,
+    /// The permissions of the file that is replaced, if it exists.
+    permissions: Option<Permissions>,
 }
 
 impl Replacement {
-    /// The path without links and detours in its folder.
-    fn place(&self) -> PathBuf {
+    /// Returns the path with its folder made canonical.
+    fn resolved_path(&self) -> PathBuf {
         let folder = self.path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
         let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
         self.path.file_name().map_or(folder.clone(), |name| folder.join(name))
@@ -111,28 +112,28 @@ impl Replacement {
         let mut names = tempfile::Builder::new();
         names.prefix(".c2warp-").suffix(".part");
         let (file, name) = names.make_in(folder, |name| File::create_new(name))?.into_parts();
-        if let Some(earlier) = &self.earlier
-            && file.metadata()?.permissions() != *earlier
+        if let Some(permissions) = &self.permissions
+            && file.metadata()?.permissions() != *permissions
         {
-            file.set_permissions(earlier.clone())?;
+            file.set_permissions(permissions.clone())?;
         }
         Ok((file, name))
     }
 
-    fn written(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
         let (file, name) = self.create()?;
-        written(file, write)?;
-        name.persist(self.path).map_err(|refusal| refusal.error)
+        write_buffered(file, write)?;
+        name.persist(self.path).map_err(|error| error.error)
     }
 }
 
-fn written(to: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn write_buffered(to: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut writer = BufWriter::new(to);
     write(&mut writer)?;
     writer.flush()
 }
 
-/// Whether the path is a name of standard output.
+/// Returns whether the path is a name of standard output.
 pub(crate) fn is_standard_output(path: &Path) -> bool {
     STANDARD_OUTPUT.iter().any(|name| path == Path::new(name))
 }

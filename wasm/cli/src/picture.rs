@@ -1,7 +1,7 @@
-//! A picture file as straight RGBA, upright, with the colour profile that its numbers are meant by.
+//! Reads a picture file as upright, straight RGBA with its colour profile.
 //!
-//! The type is detected from the contents, not from the name. The size is checked before any pixel is decoded. As in a
-//! browser, the orientation recorded by the camera is applied. A profile is not: it goes with the picture, so that no colour is
+//! The contents decide the type, not the name. The size is checked before any pixel is decoded. As in a browser, the
+//! orientation recorded by the camera is applied. The colour profile is not applied but kept, so that no colour is
 //! lost.
 
 use std::io::{Cursor, Read};
@@ -13,26 +13,26 @@ use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Li
 use crate::error::CliError;
 use crate::{input, jpeg, profile};
 
-/// Memory limit of decoders: enough for the largest picture at 16 bits a channel, and a decoder's own copy of it.
+/// Memory limit of decoders: enough for the largest picture at 16 bits per channel and a decoder's own copy.
 const DECODER_BYTES: u64 = 2 << 30;
-/// More than any type is known by.
+/// Longer than the signature of any type.
 const SIGNATURE_BYTES: u64 = 64;
 
-/// A picture that was read.
+/// A decoded picture.
 #[derive(Debug)]
 pub(crate) struct PictureFile {
     pub(crate) pixels: RgbaImage,
-    /// An ICC profile of RGB colours; `None` for sRGB, and for CMYK, which became RGB in decoding.
+    /// The ICC profile of RGB colours. `None` for sRGB, and for CMYK, because decoding converts it to RGB.
     pub(crate) profile: Option<Vec<u8>>,
 }
 
 /// Reads a picture.
 pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
-    let (format, bytes) = contents(path)?;
+    let (format, bytes) = read_file(path)?;
     if format == ImageFormat::Jpeg {
         jpeg::find_end(&bytes[..]).map_err(|reason| damaged(path, reason.into()))?;
     }
-    let refusal = |reason| match reason {
+    let to_error = |reason| match reason {
         ImageError::Unsupported(_) if !format.reading_enabled() => {
             CliError::PictureType { path: path.to_owned(), format }
         }
@@ -43,23 +43,23 @@ pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
     limits.max_alloc = Some(DECODER_BYTES);
     let mut reader = ImageReader::with_format(Cursor::new(&bytes), format);
     reader.limits(limits);
-    let mut decoder = reader.into_decoder().map_err(refusal)?;
+    let mut decoder = reader.into_decoder().map_err(to_error)?;
     let (width, height) = decoder.dimensions();
     Picture::check_size(width, height).map_err(CliError::refused(path))?;
-    // Invalid metadata is no reason to refuse a picture.
+    // Invalid metadata does not make a picture unreadable.
     let orientation = decoder.orientation().ok();
-    let held = decoder.icc_profile().ok().flatten();
-    let mut image = DynamicImage::from_decoder(decoder).map_err(refusal)?;
+    let embedded = decoder.icc_profile().ok().flatten();
+    let mut image = DynamicImage::from_decoder(decoder).map_err(to_error)?;
     if let Some(orientation) = orientation {
         image.apply_orientation(orientation);
     }
-    let described = if format == ImageFormat::Png { profile::of_png(Cursor::new(&bytes)) } else { None };
-    let profile = described.or_else(|| profile::of_rgb(held?));
+    let described = if format == ImageFormat::Png { profile::png_profile(Cursor::new(&bytes)) } else { None };
+    let profile = described.or_else(|| profile::rgb_profile(embedded?));
     Ok(PictureFile { pixels: image.into_rgba8(), profile })
 }
 
-/// The type of a picture and its file, of which no more is read than it takes to tell that it is no picture.
-fn contents(path: &Path) -> Result<(ImageFormat, Vec<u8>), CliError> {
+/// Reads a picture file and detects its type. Other files are rejected after the first bytes.
+fn read_file(path: &Path) -> Result<(ImageFormat, Vec<u8>), CliError> {
     let mut file = input::open(path).map_err(CliError::read(path))?;
     let mut bytes = Vec::new();
     file.by_ref().take(SIGNATURE_BYTES).read_to_end(&mut bytes).map_err(CliError::read(path))?;

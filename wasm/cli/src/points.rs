@@ -1,4 +1,4 @@
-//! Points from a CSV file with the header `x,y`, and from the command line.
+//! Points from a CSV file with the header `x,y`, or from the command line.
 
 use std::path::Path;
 
@@ -7,23 +7,23 @@ use glam::DVec2;
 use crate::error::CliError;
 use crate::input;
 
-/// Reads points: the header, then exactly two finite numbers on every line.
+/// Reads a CSV file: the header, then exactly two finite numbers on every line.
 pub(crate) fn read(path: &Path) -> Result<Vec<DVec2>, CliError> {
-    let failed = |reason: csv::Error| match reason.into_kind() {
+    let to_error = |reason: csv::Error| match reason.into_kind() {
         csv::ErrorKind::Io(reason) => CliError::Read { path: path.to_owned(), reason },
         _ => CliError::PointsText { path: path.to_owned() },
     };
     let file = input::open(path).map_err(CliError::read(path))?;
     let mut lines = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(file);
-    // Spreadsheets write a byte order mark.
-    let header = lines.headers().map_err(failed)?;
+    // Spreadsheets write a byte order mark before the header.
+    let header = lines.headers().map_err(to_error)?;
     if header.iter().map(|name| name.trim_start_matches('\u{feff}')).ne(["x", "y"]) {
         return Err(CliError::PointsHeader { path: path.to_owned() });
     }
     lines
         .records()
         .map(|record| {
-            let record = record.map_err(failed)?;
+            let record = record.map_err(to_error)?;
             let fields: Vec<_> = record.iter().collect();
             point(&fields).ok_or_else(|| CliError::Point {
                 path: path.to_owned(),
@@ -52,7 +52,7 @@ mod tests {
     use super::{DVec2, parse};
 
     #[test]
-    fn takes_two_finite_numbers() {
+    fn parse_accepts_two_finite_numbers_only() {
         assert_eq!(parse("-1.5, 2e1"), Ok(DVec2::new(-1.5, 20.0)));
         for text in ["", "1", "1,2,3", "1,x", "1,NaN", "inf,0", "1;2"] {
             assert!(parse(text).is_err(), "{text}");

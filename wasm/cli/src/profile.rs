@@ -1,7 +1,7 @@
-//! The ICC profile that a picture's numbers are meant by, once it is RGB.
+//! ICC profiles of pictures that were decoded to RGB.
 //!
-//! Grey stays as many levels as it was: its profile becomes one of RGB with the same curve, so that no number changes.
-//! What a PNG says by its chunks cICP, gAMA and cHRM becomes a profile, too (PNG 3rd edition, 13.14 tells which counts).
+//! A grey profile becomes an RGB profile with the same curve, so that grey levels keep their values. The PNG chunks
+//! cICP, gAMA and cHRM become a profile as well. PNG 3rd edition, section 13.14, defines their precedence.
 
 use std::io::{BufRead, Seek};
 
@@ -10,26 +10,29 @@ use moxcms::{
     ToneReprCurve,
 };
 
-/// What gAMA says of pictures for sRGB, which is no exact description of it; alone it is taken for sRGB, as browsers do.
-const USUAL_GAMMA: u32 = 45_455;
+/// The gAMA value that approximates sRGB, times 100,000. Without cHRM it counts as sRGB, as in browsers.
+const SRGB_GAMMA: u32 = 45_455;
 
-/// The profile of the RGB that a decoder makes, from the one in the file. `None` where that is of other colours than RGB and
-/// grey, or of a grey that has no curve.
-pub(crate) fn of_rgb(icc: Vec<u8>) -> Option<Vec<u8>> {
-    // The "data colour space" of the header (ICC.1, 7.2.6).
+/// Returns the RGB profile for the embedded profile `icc`.
+///
+/// `None` if `icc` describes other colours than RGB and grey, or a grey without a curve.
+pub(crate) fn rgb_profile(icc: Vec<u8>) -> Option<Vec<u8>> {
+    // The field "data colour space" of the header (ICC.1, section 7.2.6).
     match icc.get(16..20)? {
         b"RGB " => Some(icc),
         b"GRAY" => {
             let grey = ColorProfile::new_from_slice(&icc).ok()?;
             (grey.pcs == DataColorSpace::Xyz).then_some(())?;
-            encoded(ColorProfile::new_srgb(), grey.gray_trc?, grey.description)
+            encode(ColorProfile::new_srgb(), grey.gray_trc?, grey.description)
         }
         _ => None,
     }
 }
 
-/// The profile that a PNG describes otherwise than by one; `None` where it holds one, says nothing, or says sRGB.
-pub(crate) fn of_png(file: impl BufRead + Seek) -> Option<Vec<u8>> {
+/// Returns the profile that the chunks cICP, gAMA and cHRM of a PNG describe.
+///
+/// `None` if the PNG embeds a profile, has none of these chunks, or is sRGB.
+pub(crate) fn png_profile(file: impl BufRead + Seek) -> Option<Vec<u8>> {
     let reader = png::Decoder::new(file).read_info().ok()?;
     let info = reader.info();
     if let Some(code) = info.coding_independent_code_points {
@@ -39,7 +42,7 @@ pub(crate) fn of_png(file: impl BufRead + Seek) -> Option<Vec<u8>> {
             matrix_coefficients: MatrixCoefficients::Identity,
             full_range: true,
         });
-        // Without a curve it was none that has primaries or a curve.
+        // Codes without primaries or a curve give a profile without a curve.
         return profile.red_trc.as_ref().and_then(|_| profile.encode().ok());
     }
     if info.icc_profile.is_some() || info.srgb.is_some() {
@@ -48,30 +51,30 @@ pub(crate) fn of_png(file: impl BufRead + Seek) -> Option<Vec<u8>> {
     let gamma = info.gama_chunk?;
     let mut profile = ColorProfile::new_srgb();
     match info.chrm_chunk {
-        None if gamma.into_scaled() == USUAL_GAMMA => return None,
+        None if gamma.into_scaled() == SRGB_GAMMA => return None,
         None => {}
         Some(chromaticities) => {
-            let place =
+            let chromaticity =
                 |(x, y): (png::ScaledFloat, png::ScaledFloat)| Chromaticity::new(x.into_value(), y.into_value());
             let [white, red, green, blue] =
-                [chromaticities.white, chromaticities.red, chromaticities.green, chromaticities.blue].map(place);
+                [chromaticities.white, chromaticities.red, chromaticities.green, chromaticities.blue].map(chromaticity);
             profile.update_rgb_colorimetry(white.to_xyyb(), ColorPrimaries { red, green, blue });
         }
     }
     let exponent = 1.0 / gamma.into_value();
-    // Primaries in one line, or at infinity, mix no colours.
+    // Collinear or infinite primaries span no colours.
     let volume = profile.colorant_matrix().determinant().unwrap_or(0.0).abs();
-    let sound = exponent.is_finite() && volume.is_finite() && volume > 1e-6;
+    let is_valid = exponent.is_finite() && volume.is_finite() && volume > 1e-6;
     let name = ProfileText::PlainString("gAMA and cHRM of a PNG".to_owned());
-    encoded(profile, ToneReprCurve::Parametric(vec![exponent]), Some(name)).filter(|_| sound)
+    encode(profile, ToneReprCurve::Parametric(vec![exponent]), Some(name)).filter(|_| is_valid)
 }
 
-/// The profile with this curve for all of its channels.
-fn encoded(mut profile: ColorProfile, curve: ToneReprCurve, description: Option<ProfileText>) -> Option<Vec<u8>> {
+/// Encodes the profile with `curve` for all channels.
+fn encode(mut profile: ColorProfile, curve: ToneReprCurve, description: Option<ProfileText>) -> Option<Vec<u8>> {
     profile.red_trc = Some(curve.clone());
     profile.green_trc = Some(curve.clone());
     profile.blue_trc = Some(curve);
-    // Code points would say sRGB.
+    // The code points still describe sRGB.
     profile.cicp = None;
     profile.description = description;
     profile.encode().ok()
@@ -86,15 +89,15 @@ mod tests {
 
     use super::*;
 
-    /// What colours are in sRGB by a profile.
-    fn seen(icc: &[u8], layout: Layout, colours: &[u8]) -> Vec<u8> {
+    /// Converts colours from a profile to sRGB.
+    fn to_srgb(icc: &[u8], layout: Layout, colours: &[u8]) -> Vec<u8> {
         let profile = ColorProfile::new_from_slice(icc).unwrap();
         let srgb = ColorProfile::new_srgb();
         let transform = profile.create_transform_8bit(layout, &srgb, Layout::Rgb, TransformOptions::default()).unwrap();
         let pixels = colours.len() / if layout == Layout::Gray { 1 } else { 3 };
-        let mut seen = vec![0; pixels * 3];
-        transform.transform(colours, &mut seen).unwrap();
-        seen
+        let mut converted = vec![0; pixels * 3];
+        transform.transform(colours, &mut converted).unwrap();
+        converted
     }
 
     fn assert_close(one: &[u8], other: &[u8]) {
@@ -116,47 +119,47 @@ mod tests {
     const TWO_POINT_TWO: (&[u8; 4], &[u8]) = (b"gAMA", &45_455_u32.to_be_bytes());
 
     #[test]
-    fn grey_keeps_its_numbers_and_its_looks() {
+    fn grey_keeps_its_values_and_appearance() {
         let levels: Vec<u8> = (0..=255).collect();
         let levels_of_rgb: Vec<u8> = levels.iter().flat_map(|&level| [level; 3]).collect();
         for gamma in [1.0, 1.8, 2.2] {
             let grey = ColorProfile::new_gray_with_gamma(gamma).encode().unwrap();
-            let rgb = of_rgb(grey.clone()).unwrap();
-            assert_close(&seen(&rgb, Layout::Rgb, &levels_of_rgb), &seen(&grey, Layout::Gray, &levels));
+            let rgb = rgb_profile(grey.clone()).unwrap();
+            assert_close(&to_srgb(&rgb, Layout::Rgb, &levels_of_rgb), &to_srgb(&grey, Layout::Gray, &levels));
         }
     }
 
     #[test]
-    fn colours_of_a_printer_have_no_profile_of_rgb() {
-        assert_eq!(of_rgb([[0; 16].as_slice(), b"CMYK", &[0; 200]].concat()), None);
-        assert_eq!(of_rgb(vec![0; 7]), None);
+    fn cmyk_and_truncated_profiles_are_dropped() {
+        assert_eq!(rgb_profile([[0; 16].as_slice(), b"CMYK", &[0; 200]].concat()), None);
+        assert_eq!(rgb_profile(vec![0; 7]), None);
     }
 
     #[test]
-    fn a_png_says_its_primaries_and_its_curve_in_three_ways() {
+    fn png_chunks_become_profiles() {
         let p3 = ColorProfile::new_display_p3().encode().unwrap();
-        let by_code = of_png(png(&[(b"cICP", &[12, 13, 0, 1])])).unwrap();
-        assert_close(&seen(&by_code, Layout::Rgb, &COLOURS), &seen(&p3, Layout::Rgb, &COLOURS));
+        let by_code = png_profile(png(&[(b"cICP", &[12, 13, 0, 1])])).unwrap();
+        assert_close(&to_srgb(&by_code, Layout::Rgb, &COLOURS), &to_srgb(&p3, Layout::Rgb, &COLOURS));
 
         // Adobe RGB.
         let primaries = [31_270, 32_900, 64_000, 33_000, 21_000, 71_000, 15_000, 6_000_u32];
         let primaries: Vec<u8> = primaries.iter().flat_map(|number| number.to_be_bytes()).collect();
         let adobe = ColorProfile::new_adobe_rgb().encode().unwrap();
-        let by_places = of_png(png(&[TWO_POINT_TWO, (b"cHRM", &primaries)])).unwrap();
-        assert_close(&seen(&by_places, Layout::Rgb, &COLOURS), &seen(&adobe, Layout::Rgb, &COLOURS));
+        let by_chromaticities = png_profile(png(&[TWO_POINT_TWO, (b"cHRM", &primaries)])).unwrap();
+        assert_close(&to_srgb(&by_chromaticities, Layout::Rgb, &COLOURS), &to_srgb(&adobe, Layout::Rgb, &COLOURS));
 
-        let linear = of_png(png(&[(b"gAMA", &100_000_u32.to_be_bytes())])).unwrap();
-        assert_close(&seen(&linear, Layout::Rgb, &[128; 3]), &[188; 3]);
+        let linear = png_profile(png(&[(b"gAMA", &100_000_u32.to_be_bytes())])).unwrap();
+        assert_close(&to_srgb(&linear, Layout::Rgb, &[128; 3]), &[188; 3]);
     }
 
     #[test]
-    fn what_is_srgb_or_makes_no_sense_has_no_profile() {
-        assert_eq!(of_png(png(&[])), None);
-        assert_eq!(of_png(png(&[TWO_POINT_TWO])), None);
-        assert_eq!(of_png(png(&[(b"sRGB", &[0]), (b"gAMA", &100_000_u32.to_be_bytes())])), None);
-        assert_eq!(of_png(png(&[(b"gAMA", &[0; 4])])), None);
-        assert_eq!(of_png(png(&[TWO_POINT_TWO, (b"cHRM", &[0; 32])])), None);
-        assert_eq!(of_png(png(&[(b"cICP", &[2, 2, 0, 1])])), None);
-        assert_eq!(of_png(Cursor::new(b"no PNG".to_vec())), None);
+    fn srgb_and_invalid_chunks_give_no_profile() {
+        assert_eq!(png_profile(png(&[])), None);
+        assert_eq!(png_profile(png(&[TWO_POINT_TWO])), None);
+        assert_eq!(png_profile(png(&[(b"sRGB", &[0]), (b"gAMA", &100_000_u32.to_be_bytes())])), None);
+        assert_eq!(png_profile(png(&[(b"gAMA", &[0; 4])])), None);
+        assert_eq!(png_profile(png(&[TWO_POINT_TWO, (b"cHRM", &[0; 32])])), None);
+        assert_eq!(png_profile(png(&[(b"cICP", &[2, 2, 0, 1])])), None);
+        assert_eq!(png_profile(Cursor::new(b"no PNG".to_vec())), None);
     }
 }

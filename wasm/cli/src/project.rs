@@ -13,29 +13,29 @@ use crate::input;
 use crate::output::Output;
 use crate::picture::{self, PictureFile};
 
-/// Which project, and which picture instead of the project's own.
+/// The input files of every subcommand.
 #[derive(Debug, clap::Args)]
-pub(crate) struct Files {
-    /// The project file, *.c2warp.json; - is standard input, as for any file that is read
+pub(crate) struct InputFiles {
+    /// The project file *.c2warp.json. Use - to read this or any other input from standard input
     project: PathBuf,
-    /// The picture, in place of the project's image.src
+    /// Use this picture instead of the project's image.src
     #[arg(long, value_name = "FILE")]
     image: Option<PathBuf>,
 }
 
-/// A project and its picture.
+/// A project and its decoded picture.
 #[derive(Debug)]
-pub(crate) struct Scene {
+pub(crate) struct LoadedProject {
     pub(crate) project: Project,
-    /// Path of the project, for errors about its content.
+    /// Path of the project, for errors about its contents.
     project_path: PathBuf,
     image: PictureFile,
     image_path: PathBuf,
 }
 
-impl Scene {
+impl LoadedProject {
     /// Reads the project and its picture.
-    pub(crate) fn open(files: &Files) -> Result<Self, CliError> {
+    pub(crate) fn open(files: &InputFiles) -> Result<Self, CliError> {
         let path = &files.project;
         let bytes = input::read(path).map_err(CliError::read(path))?;
         let text = String::from_utf8(bytes).map_err(|_| CliError::ProjectEncoding { path: path.clone() })?;
@@ -49,20 +49,21 @@ impl Scene {
         Ok(Self { project, project_path: path.clone(), image, image_path })
     }
 
-    /// Where a result goes, which may be anywhere but over the project.
+    /// Prepares an output. It must not replace the project file.
     pub(crate) fn output(&self, path: &Path) -> Result<Output, CliError> {
         match [fs::canonicalize(path), fs::canonicalize(&self.project_path)] {
             [Ok(output), Ok(project)] if output == project => Err(CliError::OverProject { path: path.to_owned() }),
-            _ => Output::create(path),
+            _ => Output::open(path),
         }
     }
 
+    /// Returns the pixels for the solver.
     pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {
         let pixels = &self.image.pixels;
         Picture::new(pixels.width(), pixels.height(), pixels.as_raw()).map_err(CliError::refused(&self.image_path))
     }
 
-    /// The ICC profile of the picture's colours; `None` for sRGB.
+    /// Returns the ICC profile of the picture's colours, or `None` for sRGB.
     pub(crate) fn profile(&self) -> Option<&[u8]> {
         self.image.profile.as_deref()
     }
@@ -72,12 +73,12 @@ impl Scene {
         c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))
     }
 
-    /// The pose of the project's handles.
+    /// Poses the handles as the project asks.
     pub(crate) fn pose(&self, solution: &Solution) -> Result<Pose, CliError> {
         solution.pose(&self.project).map_err(|reason| self.refused(reason))
     }
 
-    /// An error about the project's content.
+    /// Returns an error about the contents of the project.
     pub(crate) fn refused(&self, reason: c2warp::Error) -> CliError {
         CliError::Refused { path: self.project_path.clone(), reason }
     }

@@ -1,4 +1,4 @@
-//! A folder of its own for every test, with a scene in it.
+//! A temporary folder with a scene, one per test.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,36 +9,37 @@ use tempfile::TempDir;
 
 use c2warp_tests::pictures;
 
-/// The name of the project file in every workplace.
+/// Name of the project file in each folder.
 pub(crate) const PROJECT: &str = "scene.c2warp.json";
 
-pub(crate) struct Workplace {
+/// A temporary folder with a project and its picture.
+pub(crate) struct SceneFolder {
     folder: TempDir,
     project: Value,
 }
 
-impl Workplace {
-    /// A copy of `scenes/NAME.c2warp.json` with its picture beside it.
-    pub(crate) fn with(scene: &str) -> Self {
+impl SceneFolder {
+    /// Copies `scenes/SCENE.c2warp.json` and draws its picture.
+    pub(crate) fn new(scene: &str) -> Self {
         let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
         let text = fs::read_to_string(scenes.join(scene).with_extension("c2warp.json")).unwrap();
-        let workplace = Self { folder: TempDir::new().unwrap(), project: serde_json::from_str(&text).unwrap() };
-        let source = workplace.project["image"]["src"].as_str().unwrap();
-        pictures::drawn(source).save(workplace.file(source)).unwrap();
-        workplace.write(PROJECT, text);
-        workplace
+        let folder = Self { folder: TempDir::new().unwrap(), project: serde_json::from_str(&text).unwrap() };
+        let source = folder.project["image"]["src"].as_str().unwrap();
+        pictures::drawn(source).save(folder.file(source)).unwrap();
+        folder.write(PROJECT, text);
+        folder
     }
 
-    /// The same with another project: `change` edits what was read.
-    pub(crate) fn changed(mut self, change: impl FnOnce(&mut Value)) -> Self {
+    /// Edits the project file by `change`.
+    pub(crate) fn edited(mut self, change: impl FnOnce(&mut Value)) -> Self {
         change(&mut self.project);
         self.write(PROJECT, self.project.to_string());
         self
     }
 
-    /// The same with all handles back where they rest.
+    /// Moves all handles to their rest positions.
     pub(crate) fn at_rest(self) -> Self {
-        self.changed(|project| {
+        self.edited(|project| {
             for handle in project["handles"].as_array_mut().unwrap() {
                 handle["posed"] = handle["rest"].clone();
                 handle["rotation"] = 0.into();
@@ -47,12 +48,12 @@ impl Workplace {
         })
     }
 
-    pub(crate) fn folder(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         self.folder.path()
     }
 
     pub(crate) fn file(&self, name: &str) -> PathBuf {
-        self.folder().join(name)
+        self.path().join(name)
     }
 
     pub(crate) fn write(&self, name: &str, contents: impl AsRef<[u8]>) {
@@ -63,9 +64,9 @@ impl Workplace {
         image::open(self.file(name)).unwrap().into_rgba8()
     }
 
-    /// The names of all files, sorted.
-    pub(crate) fn listing(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.folder()).unwrap();
+    /// Returns the names of all files, sorted.
+    pub(crate) fn file_names(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.path()).unwrap();
         let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
