@@ -98,7 +98,7 @@ impl PointCloud {
     /// For a point that there is not.
     #[must_use]
     pub fn neighbours(&self, point: usize) -> &[u32] {
-        self.graph.of(point)
+        self.graph.neighbours(point)
     }
 
     /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite where there is none. Dijkstra's
@@ -117,7 +117,7 @@ impl PointCloud {
     pub fn contains(&self, p: DVec2) -> bool {
         self.tree.nearest(&self.points, p, 1).first().is_some_and(|&(square, point)| {
             let from = self.points[point as usize];
-            let links = self.graph.of(point as usize).iter();
+            let links = self.graph.neighbours(point as usize).iter();
             square <= links.map(|&n| from.distance_squared(self.points[n as usize])).fold(0.0, f64::max)
         })
     }
@@ -126,7 +126,7 @@ impl PointCloud {
     /// are nearer. Also returns the index of each; a place that coincides with a point of the cloud gets that point's.
     fn with(&self, places: &[DVec2]) -> (Self, Vec<u32>) {
         let mut points = self.points.clone();
-        let links = |from: usize| self.graph.of(from).iter().map(move |&to| (from as u32, to));
+        let links = |from: usize| self.graph.neighbours(from).iter().map(move |&to| (from as u32, to));
         let mut edges: Vec<(u32, u32)> = (0..points.len()).flat_map(links).filter(|(a, b)| a < b).collect();
         let mut at = Vec::with_capacity(places.len());
         for &p in places {
@@ -159,7 +159,7 @@ fn parts(graph: &Graph, nodes: usize) -> Vec<u32> {
         while let Some(node) = stack.pop() {
             if part[node as usize] == NONE {
                 part[node as usize] = count;
-                stack.extend(graph.of(node as usize));
+                stack.extend(graph.neighbours(node as usize));
             }
         }
         count += 1;

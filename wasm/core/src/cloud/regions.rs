@@ -112,7 +112,7 @@ impl<'a> Regions<'a> {
     /// their cells.
     pub(super) fn dual(&self) -> SiteGraph {
         let cell = |point: usize| self.nearest[point];
-        let across = |a: usize| self.cloud.graph.of(a).iter().map(move |&b| [cell(a), cell(b as usize)]);
+        let across = |a: usize| self.cloud.graph.neighbours(a).iter().map(move |&b| [cell(a), cell(b as usize)]);
         // Each link is seen from both ends.
         let mut links: Vec<[u32; 2]> =
             (0..self.nearest.len()).flat_map(across).filter(|&[i, j]| i < j && j != NONE).collect();

@@ -5,7 +5,9 @@ use glam::DVec2;
 use super::{DistanceField, NavTriangle, Navigation, Propagation};
 use crate::error::Error;
 
-/// A point of a domain, located: of distances from many sources to one point, the costly half is done once.
+/// A point of a domain with its triangle.
+///
+/// Locating is the costly half of a distance query. Locate a point once for distances from many sources.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Located {
     triangle: NavTriangle,
@@ -13,17 +15,19 @@ pub struct Located {
 }
 
 impl Located {
-    /// The point, in pixels: as it was given, or moved onto the outline by no more than rounding.
+    /// The point, in pixels. Rounding may have moved it onto the outline.
     #[must_use]
     pub fn point(&self) -> DVec2 {
         self.point
     }
 }
 
-/// Exact intrinsic distances from one point of a domain, by [`Navigation::distances_from`] or
-/// [`Navigation::distances_within`].
+/// Exact intrinsic distances from one point of a domain.
 ///
-/// Memory: 64 bytes for each pseudo-source and triangle of the outline in which it may be the nearest.
+/// [`Navigation::distances_from`] and [`Navigation::distances_within`] compute them.
+///
+/// Memory: 64 bytes for each pair of pseudo-source and triangle of the navigation mesh in which the pseudo-source may
+/// be the nearest.
 #[derive(Debug, Clone)]
 pub struct Distances<'a> {
     navigation: &'a Navigation,
@@ -31,20 +35,21 @@ pub struct Distances<'a> {
 }
 
 impl Distances<'_> {
-    /// The point that distances are measured from, in pixels.
+    /// The source of the distances, in pixels.
     #[must_use]
     pub fn source(&self) -> DVec2 {
         self.field.source
     }
 
-    /// The distance to a point, in pixels; `None` outside the domain, beyond the radius that was asked for, and where no path
-    /// leads.
+    /// The distance to a point, in pixels.
+    ///
+    /// Returns `None` outside the domain, beyond the requested radius, and if no path leads to the point.
     #[must_use]
     pub fn to(&self, p: DVec2) -> Option<f64> {
         self.to_located(self.navigation.located(p)?)
     }
 
-    /// As [`to`](Self::to), for a point that the same navigation mesh has located.
+    /// Returns the same as [`to`](Self::to) for a point that the same navigation mesh has located.
     #[must_use]
     #[inline]
     pub fn to_located(&self, p: Located) -> Option<f64> {
@@ -52,36 +57,41 @@ impl Distances<'_> {
         distance.is_finite().then_some(distance)
     }
 
-    /// The distance to a point, in pixels, and its gradient there: away from the source along the shortest path, of length 1. Where
-    /// several paths are equally short it is the mean of their gradients; 0 at the source. `None` as for [`to`](Self::to).
+    /// The distance to a point, in pixels, and its gradient there. Returns `None` as [`to`](Self::to) does.
+    ///
+    /// The gradient has length 1 and points away from the source along the shortest path. If several paths are
+    /// equally short, it is the mean of their gradients. It is 0 at the source.
     #[must_use]
-    pub fn slope_at(&self, p: DVec2) -> Option<(f64, DVec2)> {
+    pub fn distance_and_gradient(&self, p: DVec2) -> Option<(f64, DVec2)> {
         let Located { triangle, point } = self.navigation.located(p)?;
-        self.field.slope(triangle, point)
+        self.field.distance_and_gradient(triangle, point)
     }
 }
 
 impl Navigation {
-    /// The point of the domain that a place is, located; `None` outside. Up to a millionth of a pixel outside the outline counts as
-    /// rounding.
+    /// A point with its triangle, or `None` outside the domain. Up to a millionth of a pixel outside the outline
+    /// counts as rounding.
     #[must_use]
     pub fn located(&self, p: DVec2) -> Option<Located> {
         self.locate(p).map(|(triangle, point)| Located { triangle, point })
     }
 
-    /// Exact distances from a point of the domain. Cost: about ten windows for each corner of the outline, some 50 ns each.
+    /// Computes exact distances from a point of the domain.
+    ///
+    /// Cost: about ten windows for each corner of the outline, some 50 ns each.
     ///
     /// # Errors
-    /// [`Error::PointOutside`] for a point outside the domain.
+    /// [`Error::PointOutside`] if `source` is outside the domain.
     pub fn distances_from(&self, source: DVec2) -> Result<Distances<'_>, Error> {
         self.distances_within(source, f64::INFINITY)
     }
 
-    /// Exact distances from a point of the domain up to a radius in pixels. Cost: that of the corners of the outline within the
-    /// radius.
+    /// Computes exact distances from a point of the domain, up to a radius in pixels.
+    ///
+    /// Cost: as for [`distances_from`](Self::distances_from), but for the corners within the radius only.
     ///
     /// # Errors
-    /// [`Error::PointOutside`] for a point outside the domain.
+    /// [`Error::PointOutside`] if `source` is outside the domain.
     pub fn distances_within(&self, source: DVec2, radius: f64) -> Result<Distances<'_>, Error> {
         let outside = Error::PointOutside { x: source.x, y: source.y };
         let Located { triangle, point } = self.located(source).ok_or(outside)?;
@@ -103,10 +113,10 @@ mod tests {
     }
 
     #[test]
-    fn a_path_leads_around_the_hole_and_the_gradient_along_it() {
+    fn shortest_path_and_its_gradient_lead_around_a_hole() {
         let frame = frame();
         let distances = frame.distances_from(DVec2::new(10.0, 30.0)).unwrap();
-        let (distance, gradient) = distances.slope_at(DVec2::new(80.0, 40.0)).unwrap();
+        let (distance, gradient) = distances.distance_and_gradient(DVec2::new(80.0, 40.0)).unwrap();
         let beyond = DVec2::new(10.0, 10.0);
         assert!((distance - (60.0 + beyond.length())).abs() < 1e-12, "{distance}");
         assert!(gradient.distance(beyond.normalize()) < 1e-12, "{gradient}");
@@ -116,17 +126,17 @@ mod tests {
     }
 
     #[test]
-    fn beyond_the_radius_there_is_no_distance() {
+    fn no_distance_beyond_the_radius() {
         let frame = frame();
         let distances = frame.distances_within(DVec2::new(10.0, 10.0), 50.0).unwrap();
         assert_eq!(distances.to(DVec2::new(60.0, 10.0)), Some(50.0));
         assert_eq!(distances.to(DVec2::new(61.0, 10.0)), None);
-        assert_eq!(distances.slope_at(DVec2::new(61.0, 10.0)), None);
+        assert_eq!(distances.distance_and_gradient(DVec2::new(61.0, 10.0)), None);
         assert!(frame.distances_within(DVec2::ZERO, f64::NAN).unwrap().to(DVec2::ONE).is_none());
     }
 
     #[test]
-    fn what_is_no_point_of_the_domain_is_refused() {
+    fn sources_outside_the_domain_are_refused() {
         let frame = frame();
         for p in [DVec2::new(50.0, 50.0), DVec2::new(-1.0, 0.0), DVec2::INFINITY, DVec2::splat(1e300)] {
             assert_eq!(frame.distances_from(p).err(), Some(Error::PointOutside { x: p.x, y: p.y }));

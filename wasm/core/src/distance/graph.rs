@@ -1,7 +1,8 @@
 //! The paper's approximation of intrinsic distance: Dijkstra's algorithm on a graph over the samples (section V-B).
 //!
-//! Kept as the reference: it overestimates by some 10 % on average however dense the samples are, because its paths follow edges.
-//! Point clouds, which have no outline, have nothing better. Coarse samples use the graph for adjacency only.
+//! Its paths follow edges, so it overestimates by some 10 % on average, however dense the samples are. It is kept as
+//! the reference, and for point clouds: they have no outline, and nothing better. Coarse samples use the graph for
+//! adjacency only.
 //!
 //! Cost: O(n log n) for the distances from one source to n nodes.
 
@@ -21,16 +22,16 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// The graph with `nodes` nodes and these undirected edges, each given once.
+    /// The graph with `nodes` nodes and the given undirected edges. Each edge must come once.
     pub(crate) fn of_edges<I: Iterator<Item = (u32, u32)>>(nodes: usize, edges: impl Fn() -> I) -> Self {
         let both_ways = |(a, b): (u32, u32)| [(a as usize, b), (b as usize, a)];
         Self { neighbours: Rows::from_pairs(nodes, || edges().flat_map(both_ways)) }
     }
 
-    /// The edges of a mesh of `nodes` vertices, whose `triangles` list the indices of their corners.
+    /// The edges of a mesh of `nodes` vertices. `triangles` are triples of vertex indices.
     ///
     /// # Panics
-    /// If a triangle refers to a vertex that does not exist.
+    /// If a vertex index is out of bounds.
     #[must_use]
     pub fn of_triangles(nodes: usize, triangles: &[[u32; 3]]) -> Self {
         let sides = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| (a.min(b), a.max(b)));
@@ -40,7 +41,7 @@ impl Graph {
         Self::of_edges(nodes, || edges.iter().copied())
     }
 
-    /// The edges of a mesh whose neighbours are known: each is found once without a sort, as every insertion of a handle asks for it.
+    /// The edges of a mesh with known neighbours. No sort is needed: every insertion of a handle builds this graph.
     pub(crate) fn of_mesh(mesh: &Triangulation) -> Self {
         Self::of_edges(mesh.vertices.len(), || {
             mesh.triangles.iter().zip(&mesh.neighbours).enumerate().flat_map(|(t, (corners, neighbours))| {
@@ -52,15 +53,16 @@ impl Graph {
     }
 
     /// Neighbours of a node.
-    pub(crate) fn of(&self, node: usize) -> &[u32] {
+    pub(crate) fn neighbours(&self, node: usize) -> &[u32] {
         self.neighbours.row(node)
     }
 
-    /// Lengths of the shortest paths along edges, in pixels, from the node `source` to every node; infinite where there is none.
-    /// `points` are the nodes' places.
+    /// Lengths of the shortest paths along edges from the node `source` to every node, in pixels.
+    ///
+    /// `points` are the positions of the nodes. A length is infinite if no path leads to the node.
     ///
     /// # Panics
-    /// Where there are fewer points than nodes, or no node `source`.
+    /// If there are fewer points than nodes, or if `source` is out of bounds.
     #[must_use]
     pub fn distances(&self, points: &[DVec2], source: usize) -> Vec<f64> {
         let mut distance = vec![f64::INFINITY; points.len()];
@@ -72,7 +74,7 @@ impl Graph {
             if f64::from_bits(bits) > distance[node] {
                 continue;
             }
-            for &next in self.of(node) {
+            for &next in self.neighbours(node) {
                 let through = distance[node] + points[node].distance(points[next as usize]);
                 if through < distance[next as usize] {
                     distance[next as usize] = through;

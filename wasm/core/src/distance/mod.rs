@@ -1,16 +1,21 @@
 //! Intrinsic distance d(p, q): the length of the shortest path inside the domain (section III-A, with f = 1).
 //!
-//! The domain is flat, so a shortest path is a polyline that bends only at reflex corners of the outline. The distance from a
-//! source is therefore, at *any* point, the minimum of `offset + |p − pseudo_source|` over the pseudo-sources (the source
-//! itself, or the last corner at which the path bends) that see the point. [`Distances`] finds them exactly by
-//! propagating visibility windows through a triangulation of the outline alone ([`Navigation`]): no samples take part, so the
-//! result does not depend on sampling. The paper's own approximation, Dijkstra's algorithm on a [graph] over the samples, is
-//! kept as the reference; it is also that of [point clouds](crate::cloud).
+//! The domain is flat, so a shortest path is a polyline that bends only at reflex corners of the outline. Its last
+//! vertex is the *pseudo-source* of its end: the source itself, or the last corner at which the path bends. At *any*
+//! point the distance is therefore the minimum of `offset + |p − pseudo_source|` over the pseudo-sources that see the
+//! point.
+//!
+//! [`Distances`] finds the pseudo-sources exactly. It propagates visibility windows through [`Navigation`], a
+//! triangulation of the outline alone. No samples take part, so the result does not depend on sampling. The paper
+//! approximates distances by Dijkstra's algorithm on a [graph] over the samples. It stays here as the reference, and
+//! [point clouds](crate::cloud) use it.
 //!
 //! ```
 //! use c2warp::{distance::Navigation, domain::Domain, glam::DVec2};
 //!
-//! let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
+//! let square = |low: f64, high: f64| {
+//!     [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec()
+//! };
 //! let with_a_hole = Domain::from_rings(&[square(0.0, 100.0), square(30.0, 70.0)])?;
 //! let navigation = Navigation::new(&with_a_hole);
 //! let distances = navigation.distances_from([10.0, 30.0].into())?;
@@ -21,21 +26,30 @@
 //! # Ok::<(), c2warp::Error>(())
 //! ```
 //!
-//! Literature: Mitchell, Mount and Papadimitriou, "The discrete geodesic problem" (1987), for windows in the order of
-//! distance; Xin and Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem" (2009), for the test that
-//! drops a window; Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh" (2017), for its use in the
-//! plane.
+//! # Literature
 //!
-//! Cost and limits: about ten windows for each corner within the bound, and see [`Navigation`].
+//! - Mitchell, Mount and Papadimitriou, "The discrete geodesic problem" (1987): windows in the order of distance.
+//! - Xin and Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem" (2009): the test that drops
+//!   a window.
+//! - Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh" (2017): the same test in the plane.
+//!
+//! # Cost and limits
+//!
+//! A distance field takes about ten windows for each corner within its bound. See also [`Navigation`].
 
+mod cone;
 mod distances;
 mod field;
 pub mod graph;
 mod navigation;
+mod path_end;
 mod propagate;
+mod window;
 
 pub use distances::{Distances, Located};
-pub(crate) use field::{DistanceField, PathEnd, WINDOW_SLACK, Window};
+pub(crate) use field::DistanceField;
 pub(crate) use navigation::NavTriangle;
 pub use navigation::Navigation;
+pub(crate) use path_end::PathEnd;
 pub(crate) use propagate::Propagation;
+pub(crate) use window::{WINDOW_SLACK, Window};

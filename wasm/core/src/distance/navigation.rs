@@ -1,10 +1,10 @@
-//! The navigation mesh: a triangulation of the domain's outline, with no other vertices. Distances are computed on it.
+//! The navigation mesh: a triangulation of the domain's outline, without other vertices. Distances are computed on it.
 //!
-//! Cost: O(n log n) for n corners; a point is located in a handful of triangles.
+//! Cost: O(n log n) for n corners. Locating a point tests a handful of triangles.
 
 use glam::DVec2;
 
-use super::field::WINDOW_SLACK;
+use super::window::WINDOW_SLACK;
 use crate::{
     domain::Domain,
     rows::Rows,
@@ -12,41 +12,45 @@ use crate::{
     triangulation::{Locator, NONE, Triangulation, signed_depth},
 };
 
-/// A triangle of the navigation mesh, of which a point that is asked for lies in one.
+/// Index of a triangle of the navigation mesh.
 ///
 /// Locating a point is the costly half of a distance query, so samples store their triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NavTriangle(pub(crate) u32);
 
-/// Turns smaller than this (sine of the angle) are straight: no path becomes shorter by bending there.
-const STRAIGHT: f64 = 1e-12;
+/// Corners that turn by less than this (sine of the angle) are straight: no path becomes shorter by bending there.
+const STRAIGHT_SINE: f64 = 1e-12;
 
-/// A point this far outside its triangle, in pixels, is not moved into it: windows allow for as much.
+/// A point up to this far outside its triangle, in pixels, is not moved into it: windows allow for as much.
 const OUTSIDE_SLACK: f64 = WINDOW_SLACK / 2.0;
-/// A point this near to a corner, in pixels, is replaced by it: which of the edges that meet there it lies on would be
-/// decided by rounding.
+/// A point up to this far from a corner, in pixels, is replaced by the corner. Otherwise rounding would decide on
+/// which of the edges there it lies.
 const ON_CORNER: f64 = 1e-8;
 
-/// The navigation mesh: the constrained Delaunay triangulation of a domain's outline, and the surroundings of each corner. What
-/// [distances](Self::distances_from) are computed on, for one source after another.
+/// The navigation mesh: the constrained Delaunay triangulation of a domain's outline, with the triangles around each
+/// corner.
+///
+/// It serves [distances](Self::distances_from) from one source after another.
 #[derive(Debug, Clone)]
 pub struct Navigation {
     pub(crate) mesh: Triangulation,
     /// Island of each triangle.
     pub(crate) island: Vec<u32>,
     pub(crate) corners: Vec<Corner>,
-    /// Triangles around each corner in positive order, from its wall `next` to its wall `prev`.
+    /// Triangles around each corner in positive order, from its wall `next` to its wall `prev`. Each has the index of
+    /// the corner in it.
     fans: Rows<(u32, u8)>,
     locator: Locator,
 }
 
-/// A vertex of the outline. The domain fills the angle from the direction `next`, turning positively, to the direction
-/// `prev`.
+/// A vertex of the outline.
+///
+/// The domain fills the angle from the direction `next`, turning positively, to the direction `prev`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Corner {
     pub(crate) next: DVec2,
     pub(crate) prev: DVec2,
-    /// Whether the angle inside the domain is more than π, so that paths may bend here.
+    /// Whether the angle inside the domain exceeds π. Paths may bend at such a corner.
     pub(crate) reflex: bool,
 }
 
@@ -60,7 +64,7 @@ impl Navigation {
             for i in 0..n {
                 let (prev, at, next) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
                 let (prev, next) = ((prev - at).normalize(), (next - at).normalize());
-                corners.push(Corner { next, prev, reflex: next.perp_dot(prev) < -STRAIGHT });
+                corners.push(Corner { next, prev, reflex: next.perp_dot(prev) < -STRAIGHT_SINE });
                 segments.push([start + i, start + (i + 1) % n]);
             }
             vertices.extend_from_slice(ring);
@@ -72,30 +76,31 @@ impl Navigation {
         Self { mesh, island, corners, fans, locator }
     }
 
-    /// The triangle of a point, or `None` outside the domain; up to a millionth of a pixel outside the outline counts as
-    /// rounding.
+    /// The triangle of a point, or `None` outside the domain. Up to a millionth of a pixel outside the outline counts
+    /// as rounding.
     pub(crate) fn triangle_at(&self, p: DVec2) -> Option<NavTriangle> {
         self.locator.locate(&self.mesh, p).map(|t| NavTriangle(t as u32))
     }
 
-    /// The triangle of a point from the caller, and the point inside it: moved onto the outline where it lies outside by no more
-    /// than [`triangle_at`](Self::triangle_at) allows. `None` outside.
+    /// The triangle of a point from the caller, and the point inside it; `None` outside the domain.
+    ///
+    /// A point outside by no more than [`triangle_at`](Self::triangle_at) allows is moved onto the outline.
     pub(crate) fn locate(&self, p: DVec2) -> Option<(NavTriangle, DVec2)> {
-        self.triangle_at(p).map(|triangle| (triangle, self.onto(triangle, p)))
+        self.triangle_at(p).map(|triangle| (triangle, self.clamped_to(triangle, p)))
     }
 
-    /// The point of a triangle that is nearest to `p`, or the corner next to it. Usually `p` itself.
-    pub(crate) fn onto(&self, triangle: NavTriangle, p: DVec2) -> DVec2 {
+    /// The point of a triangle nearest to `p`, or the corner next to it. Usually `p` itself.
+    pub(crate) fn clamped_to(&self, triangle: NavTriangle, p: DVec2) -> DVec2 {
         let corners = self.mesh.corners(triangle.0 as usize);
         let edges = (0..3).map(|k| (corners[k], corners[(k + 1) % 3]));
         let beyond = edges.filter(|&(a, b)| (b - a).perp_dot(p - a) < 0.0);
         let nearer = |one: DVec2, other: DVec2| if other.distance(p) < one.distance(p) { other } else { one };
-        let on_rim = beyond.map(|(a, b)| nearest_on_segment(p, a, b)).reduce(nearer);
-        let inside = on_rim.filter(|on_rim| on_rim.distance(p) > OUTSIDE_SLACK).unwrap_or(p);
+        let on_edge = beyond.map(|(a, b)| nearest_on_segment(p, a, b)).reduce(nearer);
+        let inside = on_edge.filter(|on_edge| on_edge.distance(p) > OUTSIDE_SLACK).unwrap_or(p);
         corners.into_iter().find(|p| p.distance_squared(inside) <= ON_CORNER * ON_CORNER).unwrap_or(inside)
     }
 
-    /// Whether a point of a triangle lies, within rounding, on its border, and so perhaps in another one as well.
+    /// Whether a point of a triangle lies on its border, within rounding. It may then lie in another triangle, too.
     pub(crate) fn is_on_edge(&self, triangle: NavTriangle, p: DVec2) -> bool {
         signed_depth(self.mesh.corners(triangle.0 as usize), p) <= OUTSIDE_SLACK
     }
@@ -113,7 +118,7 @@ impl Navigation {
         (0..self.mesh.triangles.len()).map(|t| (NavTriangle(t as u32), self.mesh.corners(t)))
     }
 
-    /// Index of the connected part of the domain that a triangle lies in.
+    /// Index of the island of a triangle: the connected part of the domain that contains it.
     pub(crate) fn island_of(&self, triangle: NavTriangle) -> usize {
         self.island[triangle.0 as usize] as usize
     }

@@ -53,7 +53,8 @@ impl CoarseSamples {
         let Samples { mesh, nav_triangles, .. } = base.with_sites(domain, navigation, sites);
         let graph = Graph::of_mesh(&mesh);
         let longest = |v: usize| {
-            let lengths = graph.of(v).iter().map(|&n| mesh.vertices[v].distance_squared(mesh.vertices[n as usize]));
+            let lengths =
+                graph.neighbours(v).iter().map(|&n| mesh.vertices[v].distance_squared(mesh.vertices[n as usize]));
             lengths.fold(0.0, fast_max).sqrt()
         };
         let reach: Vec<f64> = (0..mesh.vertices.len()).map(longest).collect();

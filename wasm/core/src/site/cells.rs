@@ -70,7 +70,7 @@ impl Cells {
             }
             let Some(PathEnd { distance: d, pseudo_source, .. }) = path_end(at) else { continue };
             if d < margin {
-                self.stack.extend(coarse.graph.of(at));
+                self.stack.extend(coarse.graph.neighbours(at));
             }
             if d < known {
                 let loser = self.nearest[at];

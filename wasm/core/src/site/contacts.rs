@@ -122,7 +122,8 @@ impl Regions<'_> {
     fn on_border(&self, mut p: DVec2, s: &Site, t: &Site) -> Option<FarPoint> {
         let mut triangle = self.navigation.triangle_at(p)?;
         for _ in 0..STEPS {
-            let [(to_s, from_s), (to_t, from_t)] = [s.field.slope(triangle, p)?, t.field.slope(triangle, p)?];
+            let [(to_s, from_s), (to_t, from_t)] =
+                [s.field.distance_and_gradient(triangle, p)?, t.field.distance_and_gradient(triangle, p)?];
             let apart = from_s - from_t;
             if apart.length_squared() < ALONG {
                 break;

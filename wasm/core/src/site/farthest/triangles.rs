@@ -34,7 +34,8 @@ impl Regions<'_> {
         searched.mark(home);
         stack.push(home);
         for at in cells.of(site) {
-            let is_inner = || coarse.graph.of(at).iter().all(|&other| cells.nearest[other as usize] == site as u32);
+            let is_inner =
+                || coarse.graph.neighbours(at).iter().all(|&other| cells.nearest[other as usize] == site as u32);
             if cells.distance[at] + coarse.reach[at] >= least || !is_inner() {
                 stack.extend(coarse.fan(at).iter().filter(|&&t| searched.mark(t)));
             }
