@@ -1,8 +1,8 @@
-//! Numbers in sentences.
+//! Numbers in messages.
 
 use std::fmt;
 
-/// A number as it is written: in full, or with an exponent where that would be a row of zeros.
+/// Formats a number for a message. It has an exponent if it would otherwise be a long row of zeros.
 pub(crate) struct DisplayNumber(pub(crate) f64);
 
 impl fmt::Display for DisplayNumber {
@@ -21,10 +21,10 @@ mod tests {
     use super::DisplayNumber;
 
     #[test]
-    fn no_number_is_a_row_of_zeros() {
-        let written = |number| DisplayNumber(number).to_string();
-        assert_eq!([0.0, -2.5, 1e-6, 123_456.0].map(written), ["0", "-2.5", "0.000001", "123456"]);
-        assert_eq!([1e300, -2e15, 1e-300, f64::NAN].map(written), ["1e300", "-2e15", "1e-300", "NaN"]);
-        assert_eq!(written(f64::INFINITY), "inf");
+    fn numbers_with_many_zeros_have_an_exponent() {
+        let text = |number| DisplayNumber(number).to_string();
+        assert_eq!([0.0, -2.5, 1e-6, 123_456.0].map(text), ["0", "-2.5", "0.000001", "123456"]);
+        assert_eq!([1e300, -2e15, 1e-300, f64::NAN].map(text), ["1e300", "-2e15", "1e-300", "NaN"]);
+        assert_eq!(text(f64::INFINITY), "inf");
     }
 }

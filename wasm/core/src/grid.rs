@@ -1,36 +1,36 @@
-//! Things in square cells: which are near a place.
+//! A hash grid: items in square cells, for searches around a point.
 
 use std::collections::HashMap;
 
 use glam::{DVec2, I64Vec2};
 
-/// Things at places, to be asked for those around a place.
+/// Items at points.
 ///
-/// Cost: of a question, a look at every cell that its circle touches and at the things there.
+/// Cost of a search: every cell that the bounding box of its circle touches, and the items there.
 #[derive(Debug)]
 pub(crate) struct Grid<T> {
     /// Side of a cell, in pixels.
     side: f64,
     cells: HashMap<I64Vec2, Vec<T>>,
-    /// The box of cells that hold all.
+    /// Least and greatest cell with an item.
     low: I64Vec2,
     high: I64Vec2,
 }
 
 impl<T: Copy> Grid<T> {
-    pub(crate) fn new(side: f64, things: impl IntoIterator<Item = (DVec2, T)>) -> Self {
+    pub(crate) fn new(side: f64, items: impl IntoIterator<Item = (DVec2, T)>) -> Self {
         let mut grid = Self { side, cells: HashMap::new(), low: I64Vec2::MAX, high: I64Vec2::MIN };
-        things.into_iter().for_each(|(p, thing)| grid.insert(p, thing));
+        items.into_iter().for_each(|(p, item)| grid.insert(p, item));
         grid
     }
 
-    pub(crate) fn insert(&mut self, p: DVec2, thing: T) {
+    pub(crate) fn insert(&mut self, p: DVec2, item: T) {
         let cell = self.cell(p);
         (self.low, self.high) = (self.low.min(cell), self.high.max(cell));
-        self.cells.entry(cell).or_default().push(thing);
+        self.cells.entry(cell).or_default().push(item);
     }
 
-    /// All things nearer to a place than `radius`, and some more, cell by cell.
+    /// All items within `radius` of a point, and some more, cell by cell.
     pub(crate) fn around(&self, p: DVec2, radius: f64) -> impl Iterator<Item = T> + '_ {
         let (low, high) = (self.cell(p - radius).max(self.low), self.cell(p + radius).min(self.high));
         let cells = (low.y..=high.y).flat_map(move |y| (low.x..=high.x).map(move |x| I64Vec2::new(x, y)));
@@ -43,7 +43,7 @@ impl<T: Copy> Grid<T> {
 }
 
 impl Grid<DVec2> {
-    /// Of points that are asked for themselves.
+    /// A grid of points without other data.
     pub(crate) fn of_points(side: f64, points: &[DVec2]) -> Self {
         Self::new(side, points.iter().map(|&p| (p, p)))
     }

@@ -50,7 +50,7 @@ pub struct InputMesh {
     mesh: Triangulation,
     /// The vertices along the boundary.
     rings: Vec<Vec<u32>>,
-    pub(crate) outline: Arc<PreparedDomain>,
+    pub(crate) prepared: Arc<PreparedDomain>,
 }
 
 impl InputMesh {
@@ -103,13 +103,13 @@ impl InputMesh {
         let domain =
             Domain::from_oriented(corners.iter().map(|ring| ring.iter().map(place).collect::<Ring>()).collect());
         let domain = domain.map_err(|error| in_terms_of(error, &corners))?;
-        Ok(Self { mesh, rings, outline: Arc::new(PreparedDomain::hard(domain)) })
+        Ok(Self { mesh, rings, prepared: Arc::new(PreparedDomain::without_picture(domain)) })
     }
 
     /// The vertices as samples.
     pub(crate) fn samples(&self) -> Samples {
         // The distance between vertices is unknown.
-        Samples::from_mesh(self.mesh.clone(), &self.outline.navigation, self.rings.clone(), f64::NAN)
+        Samples::from_mesh(self.mesh.clone(), &self.prepared.navigation, self.rings.clone(), f64::NAN)
     }
 }
 

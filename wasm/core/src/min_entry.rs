@@ -1,8 +1,8 @@
-//! Priority by a floating-point key, for `std::collections::BinaryHeap`.
+//! Priority by a least floating-point key, for [`BinaryHeap`](std::collections::BinaryHeap).
 
 use std::cmp::Ordering;
 
-/// An entry of a heap that pops the least key first and, among equal keys, the least item.
+/// A heap entry. The heap pops the least key first, and the least item among equal keys.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MinEntry<T> {
     pub(crate) key: f64,

@@ -1,14 +1,14 @@
-//! The lesser and the greater of two numbers, where many are compared.
+//! Minimum and maximum of two numbers for inner loops.
 //!
-//! `f64::min` and `f64::max` are calls of functions in WebAssembly, as they pass over a number that is NaN wherever it stands:
-//! 6 % of a solve of 600 samples.
+//! In WebAssembly, `f64::min` and `f64::max` are function calls, because they return the other number if one is NaN.
+//! They took 6 % of a solve of 600 samples.
 
-/// The lesser of two numbers; the first where either is NaN.
+/// The minimum of two numbers, or `a` if either is NaN.
 pub(crate) fn fast_min(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// The greater of two numbers; the first where either is NaN.
+/// The maximum of two numbers, or `a` if either is NaN.
 pub(crate) fn fast_max(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }

@@ -1,12 +1,13 @@
-//! The picture to warp: its size and its borrowed pixels.
+//! The picture to warp: its size, and its borrowed pixels.
 
 use crate::{
     error::Error,
     limits::{MAX_PIXELS, MAX_SIDE, MIN_SIDE},
 };
 
-/// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom: what the bytes of an `RgbaImage` of the crate
-/// `image` are.
+/// A picture in straight (not premultiplied) 8-bit RGBA, rows from top to bottom.
+///
+/// An `RgbaImage` of the crate `image` has the same layout.
 #[derive(Debug, Clone, Copy)]
 pub struct Picture<'a> {
     width: u32,
@@ -15,10 +16,10 @@ pub struct Picture<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// Borrows a picture: its size in pixels, and `width × height × 4` bytes.
+    /// A picture of a size in pixels, with `width × height × 4` bytes.
     ///
     /// # Errors
-    /// Those of [`check_size`](Self::check_size); [`Error::PictureBytes`] where the pixels do not fill it.
+    /// The errors of [`check_size`](Self::check_size), and [`Error::PictureBytes`] for another number of bytes.
     pub fn new(width: u32, height: u32, rgba: &'a [u8]) -> Result<Self, Error> {
         Self::check_size(width, height)?;
         let expected = width as usize * height as usize * 4;
@@ -28,10 +29,11 @@ impl<'a> Picture<'a> {
         Ok(Self { width, height, rgba })
     }
 
-    /// Whether a picture of this size can be warped: a check before its pixels are decoded.
+    /// Checks the size of a picture, for example before its pixels are decoded.
     ///
     /// # Errors
-    /// [`Error::PictureSide`] and [`Error::PictureArea`], by [`MIN_SIDE`], [`MAX_SIDE`] and [`MAX_PIXELS`].
+    /// - [`Error::PictureSide`] for a side outside [`MIN_SIDE`] to [`MAX_SIDE`].
+    /// - [`Error::PictureArea`] for more pixels than [`MAX_PIXELS`].
     pub fn check_size(width: u32, height: u32) -> Result<(), Error> {
         let sides = MIN_SIDE..=MAX_SIDE;
         if !sides.contains(&width) || !sides.contains(&height) {
@@ -61,7 +63,7 @@ impl<'a> Picture<'a> {
         (self.width, self.height)
     }
 
-    /// `width × height × 4` bytes.
+    /// The pixels: `width × height × 4` bytes.
     #[must_use]
     pub fn rgba(&self) -> &'a [u8] {
         self.rgba

@@ -1,6 +1,4 @@
-//! The outline that a solve is made in: a domain with the triangulation that distances are computed on.
-//!
-//! It does not depend on handles, so a solver keeps it from one solve to the next.
+//! A domain with its navigation mesh. It does not depend on handles, so a solver keeps it for the next solve.
 
 use glam::DVec2;
 
@@ -12,44 +10,46 @@ use crate::{
     project::{DomainSpec, Project},
 };
 
-/// A domain with its triangulation.
+/// A domain, prepared for a solve.
 #[derive(Debug)]
 pub(crate) struct PreparedDomain {
     pub(crate) domain: Domain,
     pub(crate) navigation: Navigation,
-    /// The picture's size, if there is a picture.
+    /// Width and height of the picture, or `None` without a picture.
     pub(crate) picture: Option<(u32, u32)>,
-    /// The same, if it fades out beyond the outline.
-    pub(crate) fading: Option<DVec2>,
-    /// The same, if it goes on beyond the outline, and stays there.
-    pub(crate) surrounding: Option<DVec2>,
+    /// Size of the picture, if it fades out beyond the outline and needs a skirt.
+    pub(crate) skirt_bounds: Option<DVec2>,
+    /// Size of the picture, if it continues beyond the outline as a background that stays.
+    pub(crate) background_size: Option<DVec2>,
 }
 
 impl PreparedDomain {
+    /// Finds the domain of a picture and triangulates it.
+    ///
     /// # Errors
-    /// An error of [`Domain::new`].
+    /// The errors of [`Domain::new`].
     pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         let domain = Domain::new(spec, picture)?;
         let navigation = Navigation::new(&domain);
-        let soft = match spec {
+        let has_skirt = match spec {
             Some(DomainSpec::Alpha { .. }) => true,
             Some(_) => false,
             None => picture.has_transparency(),
         };
-        let drawn = matches!(spec, Some(DomainSpec::Polygon { .. }));
+        let has_background = matches!(spec, Some(DomainSpec::Polygon { .. }));
         let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-        let (fading, surrounding) = (soft.then_some(size), drawn.then_some(size));
-        Ok(Self { domain, navigation, picture: Some(picture.size()), fading, surrounding })
+        let (skirt_bounds, background_size) = (has_skirt.then_some(size), has_background.then_some(size));
+        Ok(Self { domain, navigation, picture: Some(picture.size()), skirt_bounds, background_size })
     }
 
-    /// The outline of a domain with nothing to draw beyond it.
-    pub(crate) fn hard(domain: Domain) -> Self {
+    /// A domain without a picture: nothing is drawn beyond its outline.
+    pub(crate) fn without_picture(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, picture: None, fading: None, surrounding: None }
+        Self { domain, navigation, picture: None, skirt_bounds: None, background_size: None }
     }
 }
 
-/// Everything an outline depends on besides the picture's pixels.
+/// Everything that a prepared domain depends on, except the picture's pixels.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct DomainKey {
     domain: Option<DomainSpec>,

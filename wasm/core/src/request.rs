@@ -106,16 +106,16 @@ impl Request {
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
     /// [`Error::BarsOverlap`].
-    pub(crate) fn rest(&self, outline: &PreparedDomain) -> Result<Rest, Error> {
-        let navigation = &outline.navigation;
+    pub(crate) fn rest(&self, prepared: &PreparedDomain) -> Result<Rest, Error> {
+        let navigation = &prepared.navigation;
         let mut rest = self.points_at(|p| navigation.locate(p))?;
         if self.fix_boundary {
-            let on_boundary = |point: &&PointHandle| outline.domain.distance_to_outline(point.rest) < HELD_CLEARANCE;
+            let on_boundary = |point: &&PointHandle| prepared.domain.distance_to_outline(point.rest) < HELD_CLEARANCE;
             if let Some(point) = self.points.iter().find(on_boundary) {
                 return Err(Error::OnHeldBoundary { id: point.id.clone() });
             }
         }
-        (rest.skeleton, rest.outside) = Skeleton::new(&self.lines, &outline.domain, navigation, self.fix_boundary)?;
+        (rest.skeleton, rest.outside) = Skeleton::new(&self.lines, &prepared.domain, navigation, self.fix_boundary)?;
         for point in &self.points {
             for bone in &rest.skeleton.bones {
                 let distance = bone.distance(point.rest);

@@ -1,17 +1,18 @@
-//! Lists of different lengths in one allocation: compressed sparse rows.
+//! Compressed sparse rows: lists of different lengths in one allocation.
 
 use std::ops::Range;
 
-/// Rows of items.
+/// Rows of items, as an array of items and the offset of each row.
 #[derive(Debug, Clone)]
 pub(crate) struct Rows<T> {
-    /// Rows + 1: the index of each row's first item.
+    /// Rows + 1: the index of each row's first item, then the number of items.
     start: Vec<u32>,
     items: Vec<T>,
 }
 
 impl<T: Clone + Default> Rows<T> {
-    /// Builds `rows` compressed rows from `(row, item)` pairs, keeping the order of the pairs within a row. Counting sort:
+    /// Builds rows from `(row, item)` pairs by a counting sort. Items of a row keep the order of their pairs.
+    ///
     /// `pairs` is called twice and must yield the same sequence.
     pub(crate) fn from_pairs<I: Iterator<Item = (usize, T)>>(rows: usize, pairs: impl Fn() -> I) -> Self {
         let mut start = vec![0_u32; rows + 1];
@@ -34,7 +35,7 @@ impl<T> Rows<T> {
         &self.items[self.range(row)]
     }
 
-    /// The range of a row's items among [`items`](Self::items).
+    /// The range of a row in [`items`](Self::items).
     pub(crate) fn range(&self, row: usize) -> Range<usize> {
         self.start[row] as usize..self.start[row + 1] as usize
     }
@@ -55,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn items_come_by_row_in_the_order_of_the_pairs() {
+    fn items_of_a_row_keep_the_order_of_their_pairs() {
         let rows = Rows::from_pairs(4, || [(2, 'a'), (0, 'b'), (2, 'c'), (3, 'd'), (2, 'e')].into_iter());
         let all: Vec<&[char]> = (0..4).map(|row| rows.row(row)).collect();
         assert_eq!(all, [&['b'][..], &[], &['a', 'c', 'e'], &['d']]);

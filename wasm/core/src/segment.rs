@@ -1,26 +1,26 @@
-//! Distances to line segments.
+//! Distances to line segments, and between them.
 
 use glam::DVec2;
 
-/// The point of the segment from `a` to `b` that is nearest to `p`. The segment may have length 0.
+/// The point of the segment from `a` to `b` nearest to `p`. The segment may have length 0.
 pub(crate) fn nearest_on_segment(p: DVec2, a: DVec2, b: DVec2) -> DVec2 {
     let along = b - a;
     let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
     a + along * t.clamp(0.0, 1.0)
 }
 
-/// Distance of `p` to the segment from `a` to `b`.
+/// The distance of `p` to the segment from `a` to `b`.
 pub(crate) fn segment_distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance(nearest_on_segment(p, a, b))
 }
 
-/// Distance of two segments: 0 where they cross.
+/// The distance between two segments: 0 if they cross.
 pub(crate) fn distance_between([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
-    let are_apart = |p: DVec2, q: DVec2, r: DVec2, s: DVec2| {
+    let are_separated = |p: DVec2, q: DVec2, r: DVec2, s: DVec2| {
         let along = q - p;
         along.perp_dot(r - p) * along.perp_dot(s - p) < 0.0
     };
-    if are_apart(a, b, c, d) && are_apart(c, d, a, b) {
+    if are_separated(a, b, c, d) && are_separated(c, d, a, b) {
         return 0.0;
     }
     let of_ends =
@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn segments_are_as_far_apart_as_their_nearest_points() {
+    fn distance_between_segments_is_that_of_their_nearest_points() {
         let apart = |one: [(f64, f64); 2], other: [(f64, f64); 2]| {
             let [one, other] = [one, other].map(|ends| ends.map(DVec2::from));
             [distance_between(one, other), distance_between(other, one)]

@@ -64,7 +64,7 @@ pub struct Solution {
     pub(crate) outside: Vec<Outside>,
     pub(crate) poser: Poser,
     pub(crate) functions: WeightFunctions,
-    pub(crate) outline: Arc<PreparedDomain>,
+    pub(crate) prepared: Arc<PreparedDomain>,
 }
 
 /// All that a pose draws, in order.
@@ -169,13 +169,13 @@ impl Solution {
     /// The domain that was solved.
     #[must_use]
     pub fn domain(&self) -> &Domain {
-        &self.outline.domain
+        &self.prepared.domain
     }
 
     /// The triangulation of the domain that [distances](Navigation::distances_from) are computed on.
     #[must_use]
     pub fn navigation(&self) -> &Navigation {
-        &self.outline.navigation
+        &self.prepared.navigation
     }
 
     /// Makes poses of this solution.
@@ -195,7 +195,7 @@ impl Solution {
     /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
     #[must_use]
     pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
-        let (triangle, p) = self.outline.navigation.locate(p)?;
+        let (triangle, p) = self.prepared.navigation.locate(p)?;
         Some(self.functions.at(&self.sites, triangle, p))
     }
 
@@ -278,7 +278,7 @@ impl Solution {
     #[must_use]
     pub fn rests_of(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
         if self.kinds == [0; 3]
-            && let Some((width, height)) = self.outline.picture
+            && let Some((width, height)) = self.prepared.picture
         {
             // Then the picture is drawn as it is, with all that is no part of the domain.
             let size = DVec2::new(f64::from(width), f64::from(height));
@@ -322,7 +322,7 @@ impl Solution {
 
     /// All that a pose draws: the surroundings and the mesh, or, where there is no handle, the picture as it is.
     fn drawn(&self, picture: &Picture<'_>, pose: &Pose) -> Result<Drawn, Error> {
-        if let Some(size) = self.outline.picture {
+        if let Some(size) = self.prepared.picture {
             check_picture(size, picture)?;
         }
         if !self.poser.has_made(pose) {
@@ -371,7 +371,7 @@ impl Solution {
             islands: self.domain().islands(),
             holes: self.domain().holes(),
             specks: self.domain().specks(),
-            reflex_corners: self.outline.navigation.reflex_corners().count(),
+            reflex_corners: self.prepared.navigation.reflex_corners().count(),
             point_handles: self.kinds[0],
             bar_handles: self.kinds[1],
             polygon_handles: self.kinds[2],

@@ -59,7 +59,7 @@ pub struct Solver {
 #[derive(Debug)]
 struct Kept {
     key: DomainKey,
-    outline: Arc<PreparedDomain>,
+    prepared: Arc<PreparedDomain>,
     cache: SamplingCache,
 }
 
@@ -124,8 +124,8 @@ impl Solver {
         let request = Request::new(project)?;
         let key = DomainKey::of(project);
         if self.kept.as_ref().is_none_or(|kept| kept.key != key) {
-            let outline = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture)?);
-            self.kept = Some(Kept { key, outline, cache: SamplingCache::default() });
+            let prepared = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture)?);
+            self.kept = Some(Kept { key, prepared, cache: SamplingCache::default() });
         }
         self.work = Some(Work { request, progress: Progress::Begun });
         Ok(())
@@ -137,23 +137,23 @@ impl Solver {
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
     /// [`Error::BarsOverlap`], [`Error::TooManySites`]. The solve is then over; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
-        let Self { kept: Some(Kept { key, outline, cache }), propagation, work, solved } = self else {
+        let Self { kept: Some(Kept { key, prepared, cache }), propagation, work, solved } = self else {
             return Ok(None);
         };
         let Some(Work { request, progress }) = work.take() else { return Ok(None) };
         let (stage, progress) = match progress {
-            Progress::Begun => (Stage::Domain, Progress::Located(request.rest(outline)?)),
+            Progress::Begun => (Stage::Domain, Progress::Located(request.rest(prepared)?)),
             Progress::Located(rest) => {
-                let samples = samples(cache, outline, &rest, &request);
-                let coarse = coarse_samples(cache, outline, &rest, &request);
+                let samples = samples(cache, prepared, &rest, &request);
+                let coarse = coarse_samples(cache, prepared, &rest, &request);
                 (Stage::Sampling, Progress::Sampled { rest, samples, coarse })
             }
             Progress::Sampled { rest, samples, coarse } => {
-                let divided = divide(propagation, outline, &coarse, &rest, &request)?;
+                let divided = divide(propagation, prepared, &coarse, &rest, &request)?;
                 (Stage::Regions, Progress::Divided { rest, samples, divided })
             }
             Progress::Divided { rest, samples, divided } => {
-                let solution = weigh(propagation, Arc::clone(outline), &request, rest, samples, divided);
+                let solution = weigh(propagation, Arc::clone(prepared), &request, rest, samples, divided);
                 *solved = Some(Solved { key: key.clone(), request, solution });
                 return Ok(Some(Stage::Weights));
             }
@@ -183,37 +183,33 @@ impl Solver {
     }
 }
 
-/// The samples, of [`Stage::Sampling`].
-fn samples(cache: &mut SamplingCache, outline: &PreparedDomain, rest: &Rest, request: &Request) -> Samples {
-    let PreparedDomain { domain, navigation, fading, .. } = outline;
-    let base = cache.of_samples(domain, navigation, &rest.bones(), request.samples, *fading);
-    base.with_sites(domain, navigation, &rest.sites())
+/// Samples of [`Stage::Sampling`].
+fn samples(cache: &mut SamplingCache, prepared: &PreparedDomain, rest: &Rest, request: &Request) -> Samples {
+    cache.fine(prepared, &rest.bones(), request.samples).with_sites(prepared, &rest.sites())
 }
 
-/// The coarse samples, of [`Stage::Sampling`] too.
+/// Coarse samples of [`Stage::Sampling`].
 fn coarse_samples(
     cache: &mut SamplingCache,
-    outline: &PreparedDomain,
+    prepared: &PreparedDomain,
     rest: &Rest,
     request: &Request,
 ) -> CoarseSamples {
-    let PreparedDomain { domain, navigation, .. } = outline;
     let count = coarse_sample_count(request.samples, request.density);
-    let base = cache.of_coarse(domain, navigation, &rest.bones(), count);
-    CoarseSamples::new(base, domain, navigation, &rest.sites())
+    CoarseSamples::new(cache.coarse(prepared, &rest.bones(), count), prepared, &rest.sites())
 }
 
 /// The cells, of [`Stage::Regions`].
 fn divide(
     propagation: &mut Propagation,
-    outline: &PreparedDomain,
+    prepared: &PreparedDomain,
     coarse: &CoarseSamples,
     rest: &Rest,
     request: &Request,
 ) -> Result<Divided, Error> {
-    let (navigation, skeleton) = (&outline.navigation, &rest.skeleton);
+    let (navigation, skeleton) = (&prepared.navigation, &rest.skeleton);
     let tracks = skeleton.bones.iter().map(|bone| Track::new(navigation, bone)).collect();
-    let held = request.fix_boundary.then_some(&outline.domain);
+    let held = request.fix_boundary.then_some(&prepared.domain);
     let obstacles = Obstacles { skeleton, tracks, held };
     let mut regions = Regions::new(navigation, coarse, &obstacles, propagation);
     regions.insert_real_sites(&rest.points)?;
@@ -229,7 +225,7 @@ fn divide(
 /// The weights and all that follows from them, of [`Stage::Weights`].
 fn weigh(
     propagation: &mut Propagation,
-    outline: Arc<PreparedDomain>,
+    prepared: Arc<PreparedDomain>,
     request: &Request,
     rest: Rest,
     samples: Samples,
@@ -237,7 +233,7 @@ fn weigh(
 ) -> Solution {
     let Rest { skeleton, outside, .. } = rest;
     let Divided { mut sites, scores } = divided;
-    let (navigation, weighting) = (&outline.navigation, &request.weighting);
+    let (navigation, weighting) = (&prepared.navigation, &request.weighting);
     for (radius, site) in support_radii(weighting, &sites).into_iter().zip(&mut sites) {
         site.support_radius = radius;
         let bound = radius.max(SiteGraph::field_bound(site.cell_radius));
@@ -257,7 +253,7 @@ fn weigh(
     let count = samples.len();
     let leading = leading_parts(&nearest, &sites, &harmonic);
     weights.extend_as(&samples.skirt.owners);
-    let surroundings = outline.surrounding.map(|size| Surroundings::new(&samples, size)).unwrap_or_default();
+    let surroundings = prepared.background_size.map(|size| Surroundings::new(&samples, size)).unwrap_or_default();
     let mesh = RenderMesh::new(samples, &leading);
     Solution {
         mesh,
@@ -274,7 +270,7 @@ fn weigh(
         kinds: request.kinds(),
         outside,
         functions,
-        outline,
+        prepared,
     }
 }
 
@@ -330,14 +326,14 @@ pub fn distances(
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Error> {
-    let (request, outline) = (Request::new(project)?, Arc::new(PreparedDomain::hard(domain.clone())));
-    let rest = request.rest(&outline)?;
+    let (request, prepared) = (Request::new(project)?, Arc::new(PreparedDomain::without_picture(domain.clone())));
+    let rest = request.rest(&prepared)?;
     let mut cache = SamplingCache::default();
-    let samples = samples(&mut cache, &outline, &rest, &request);
-    let coarse = coarse_samples(&mut cache, &outline, &rest, &request);
+    let samples = samples(&mut cache, &prepared, &rest, &request);
+    let coarse = coarse_samples(&mut cache, &prepared, &rest, &request);
     let mut propagation = Propagation::default();
-    let divided = divide(&mut propagation, &outline, &coarse, &rest, &request)?;
-    Ok(weigh(&mut propagation, outline, &request, rest, samples, divided))
+    let divided = divide(&mut propagation, &prepared, &coarse, &rest, &request)?;
+    Ok(weigh(&mut propagation, prepared, &request, rest, samples, divided))
 }
 
 /// Solves a project in one call on a mesh from the caller: its vertices are the samples, and the only vertices of the
@@ -349,12 +345,12 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
 pub fn solve_mesh(project: &Project, mesh: &InputMesh) -> Result<Solution, Error> {
-    let (request, outline) = (Request::new(project)?, Arc::clone(&mesh.outline));
-    let rest = request.rest(&outline)?;
-    let coarse = coarse_samples(&mut SamplingCache::default(), &outline, &rest, &request);
+    let (request, prepared) = (Request::new(project)?, Arc::clone(&mesh.prepared));
+    let rest = request.rest(&prepared)?;
+    let coarse = coarse_samples(&mut SamplingCache::default(), &prepared, &rest, &request);
     let mut propagation = Propagation::default();
-    let divided = divide(&mut propagation, &outline, &coarse, &rest, &request)?;
-    Ok(weigh(&mut propagation, outline, &request, rest, mesh.samples(), divided))
+    let divided = divide(&mut propagation, &prepared, &coarse, &rest, &request)?;
+    Ok(weigh(&mut propagation, prepared, &request, rest, mesh.samples(), divided))
 }
 
 /// Solves a project in one call on a point cloud, as the paper does: see [`cloud`](crate::cloud).

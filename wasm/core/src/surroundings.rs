@@ -26,7 +26,7 @@ impl Surroundings {
             vertices.extend(ring.iter().map(|&sample| samples.mesh.vertices[sample as usize]));
             segments.extend((0..count).map(|i| [first + i, first + (i + 1) % count]));
         }
-        let Triangulation { vertices, triangles, .. } = Triangulation::around(vertices, segments);
+        let Triangulation { vertices, triangles, .. } = Triangulation::constrained_delaunay_outside(vertices, segments);
         Self { vertices, triangles }
     }
 

@@ -1,18 +1,18 @@
 //! The samples of a domain before point handles are inserted.
 //!
-//! The triangulation of the lattice is nearly all of the cost of sampling. It does not depend on point handles, so a solver
-//! keeps it; handles are inserted into a copy one by one, in a first solve just as in a later one, so earlier solves change
-//! no bit.
+//! The triangulation of the lattice is nearly all of the cost of sampling. It does not depend on point handles, so a
+//! solver keeps it. Handles are inserted into a copy one by one, in a first solve just as in a later one. Earlier
+//! solves therefore change no bit of the result.
 
 use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{Samples, Skirt, bones, lattice, outline::OutlineSamples, refine};
+use super::{bones, lattice, outline::OutlineSamples, refine, samples::Samples, skirt::Skirt};
 use crate::{
     distance::Navigation,
-    domain::Domain,
     grid::Grid,
+    prepared_domain::PreparedDomain,
     triangulation::{Inserted, Locator, Triangulation},
 };
 
@@ -23,27 +23,24 @@ pub(crate) struct BaseSamples {
     pub(super) locator: Arc<Locator>,
     count: usize,
     bones: Vec<[DVec2; 2]>,
-    fading: Option<DVec2>,
+    /// Size of the picture that the skirt is clamped to, if there is a skirt.
+    skirt_bounds: Option<DVec2>,
 }
 
 impl BaseSamples {
-    /// About `count` samples: a triangular lattice centred on the domain's bounding box, so that a symmetric domain is sampled
-    /// symmetrically, and points along the outline with all its corners. `bones` are straight lines in the domain, along which the
-    /// mesh has edges wherever nothing else is close. With a skirt where the picture, of size `fading`, fades out beyond the outline.
+    /// About `count` samples: points along the outline with all its corners, and a triangular lattice inside.
+    ///
+    /// The lattice is centred on the domain's bounding box, so samples of a symmetric domain are symmetric. `bones`
+    /// are straight lines in the domain. The mesh has edges along them wherever nothing else is close.
     ///
     /// Cost: O(n log n), nearly all of it for the triangulation.
-    pub(crate) fn new(
-        domain: &Domain,
-        navigation: &Navigation,
-        bones: &[[DVec2; 2]],
-        count: usize,
-        fading: Option<DVec2>,
-    ) -> Self {
+    pub(crate) fn new(prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> Self {
+        let PreparedDomain { domain, navigation, .. } = prepared;
         let spacing = lattice::spacing(domain, count);
         let OutlineSamples { mut vertices, segments, rings } = OutlineSamples::new(domain, spacing);
         let on_outline = bones::add_bones(&mut vertices, bones, spacing, domain);
         let mut inner = lattice::inner_points(domain, bones, spacing, &vertices, &segments);
-        // Consecutive samples then often lie in the same triangle of the outline.
+        // Consecutive samples then often lie in the same triangle of the navigation mesh.
         inner.sort_by_cached_key(|&p| navigation.triangle_at(p).map(|triangle| triangle.0));
         vertices.extend(inner);
         let mesh = Triangulation::constrained_delaunay(vertices, segments);
@@ -52,21 +49,30 @@ impl BaseSamples {
         for p in on_outline {
             insert(&mut samples, navigation, &locator, p);
         }
-        samples.skirt = fading.map_or_else(Skirt::default, |size| Skirt::new(&samples.mesh, &samples.outline, size));
-        Self { samples, locator, count, bones: bones.to_vec(), fading }
+        Self { samples, locator, count, bones: bones.to_vec(), skirt_bounds: None }
     }
 
-    /// Whether [`new`](Self::new) would return the same in the same domain.
-    pub(crate) fn is_for(&self, bones: &[[DVec2; 2]], count: usize) -> bool {
+    /// The same samples with a skirt, clamped to a picture of a size. Without bounds there is no skirt.
+    pub(super) fn with_skirt(mut self, bounds: Option<DVec2>) -> Self {
+        if let Some(size) = bounds {
+            self.samples.skirt = Skirt::new(&self.samples.mesh, &self.samples.outline, size);
+        }
+        self.skirt_bounds = bounds;
+        self
+    }
+
+    /// Whether these samples were made for the same bones and count.
+    pub(super) fn is_for(&self, bones: &[[DVec2; 2]], count: usize) -> bool {
         self.count == count && self.bones == bones
     }
 
-    /// The samples including every site, with finer lattices where sites are closer to one another than the lattice resolves (the
-    /// paper's up-sampling). `sites` must lie in the domain, be distinct,
-    /// and come in an order that does not depend on earlier solves.
+    /// A copy with a sample at every site, and finer lattices around close sites (the paper's up-sampling).
     ///
-    /// Cost: a copy, and a walk from a nearby triangle for each inserted vertex; for finer lattices that of [`refine`].
-    pub(crate) fn with_sites(&self, domain: &Domain, navigation: &Navigation, sites: &[DVec2]) -> Samples {
+    /// `sites` must lie in the domain and be distinct. Their order must not depend on earlier solves.
+    ///
+    /// Cost: the copy, a walk from a nearby triangle for each inserted vertex, and the finer lattices (see [`refine`]).
+    pub(crate) fn with_sites(&self, prepared: &PreparedDomain, sites: &[DVec2]) -> Samples {
+        let PreparedDomain { domain, navigation, .. } = prepared;
         let Samples { mesh, nav_triangles, outline, skirt, spacing, .. } = &self.samples;
         let mut samples = Samples {
             mesh: mesh.with_capacity_for(sites.len() + skirt.vertices.len()),
@@ -89,7 +95,7 @@ impl BaseSamples {
                 }
             }
         }
-        samples.skirt = match self.fading {
+        samples.skirt = match self.skirt_bounds {
             // Samples were inserted on the outline.
             Some(size) if samples.outline != self.samples.outline => Skirt::new(&samples.mesh, &samples.outline, size),
             _ => skirt.renumbered(self.samples.len(), samples.len()),
@@ -98,14 +104,14 @@ impl BaseSamples {
     }
 }
 
-/// Inserts a point of the domain into the samples and, if it lies on the outline, into that.
+/// Inserts a point of the domain into the samples, and into their outline if it lies there. Returns its vertex.
 fn insert(samples: &mut Samples, navigation: &Navigation, locator: &Locator, p: DVec2) -> u32 {
-    let inserted = samples.mesh.insert(locator.near(p), p);
+    let inserted = samples.mesh.insert(locator.nearby_triangle(p), p);
     if let Inserted::OnBoundary { vertex, between } = inserted {
         let of_edge = |pair: [u32; 2]| pair == between || [pair[1], pair[0]] == between;
         let on_ring = |ring: &Vec<u32>| (0..ring.len()).find(|&i| of_edge([ring[i], ring[(i + 1) % ring.len()]]));
         let at = samples.outline.iter().enumerate().find_map(|(at, ring)| Some((at, on_ring(ring)?)));
-        let (ring, edge) = at.expect("what bounds the mesh is the outline");
+        let (ring, edge) = at.expect("the outline bounds the mesh");
         samples.outline[ring].insert(edge + 1, vertex);
     }
     if samples.nav_triangles.len() < samples.mesh.vertices.len() {

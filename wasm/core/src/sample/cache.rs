@@ -1,58 +1,45 @@
-//! The base samples that a solver keeps from one solve to the next.
+//! Base samples that a solver keeps for the next solve.
 
 use glam::DVec2;
 
-use super::BaseSamples;
-use crate::{distance::Navigation, domain::Domain};
+use super::base::BaseSamples;
+use crate::prepared_domain::PreparedDomain;
 
-/// The base samples of samples and of coarse samples, as last asked for in one domain.
+/// The last base samples of one domain.
 #[derive(Debug, Default)]
 pub(crate) struct SamplingCache {
-    of_samples: Option<BaseSamples>,
-    /// Only where they are not the same.
-    of_coarse: Option<BaseSamples>,
+    fine: Option<BaseSamples>,
+    /// `None` while the fine ones serve as coarse ones, too.
+    coarse: Option<BaseSamples>,
 }
 
 impl SamplingCache {
-    /// The base samples of about `count` samples: see [`BaseSamples::new`].
-    pub(crate) fn of_samples(
-        &mut self,
-        domain: &Domain,
-        navigation: &Navigation,
-        bones: &[[DVec2; 2]],
-        count: usize,
-        fading: Option<DVec2>,
-    ) -> &BaseSamples {
-        known_or_new(&mut self.of_samples, domain, navigation, bones, count, fading)
+    /// Base samples of the drawn mesh, about `count`. See [`BaseSamples::new`].
+    pub(crate) fn fine(&mut self, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> &BaseSamples {
+        let new = || BaseSamples::new(prepared, bones, count).with_skirt(prepared.skirt_bounds);
+        cached_or_new(&mut self.fine, bones, count, new)
     }
 
-    /// The base samples of about `count` coarse samples.
-    pub(crate) fn of_coarse(
-        &mut self,
-        domain: &Domain,
-        navigation: &Navigation,
-        bones: &[[DVec2; 2]],
-        count: usize,
-    ) -> &BaseSamples {
-        match &self.of_samples {
-            // Usually the count is that of the samples, and so is the base samples.
-            Some(known) if known.is_for(bones, count) => known,
-            _ => known_or_new(&mut self.of_coarse, domain, navigation, bones, count, None),
+    /// Base samples of the [coarse samples](super::CoarseSamples), about `count`.
+    pub(crate) fn coarse(&mut self, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> &BaseSamples {
+        match &self.fine {
+            // Small counts are equal, and so are the base samples.
+            Some(fine) if fine.is_for(bones, count) => fine,
+            _ => cached_or_new(&mut self.coarse, bones, count, || BaseSamples::new(prepared, bones, count)),
         }
     }
 }
 
-/// A known base samples, replaced if it is not the one asked for.
-fn known_or_new<'a>(
-    known: &'a mut Option<BaseSamples>,
-    domain: &Domain,
-    navigation: &Navigation,
+/// The cached samples if they fit, or else new ones in their place.
+fn cached_or_new<'a>(
+    cached: &'a mut Option<BaseSamples>,
     bones: &[[DVec2; 2]],
     count: usize,
-    fading: Option<DVec2>,
+    new: impl FnOnce() -> BaseSamples,
 ) -> &'a BaseSamples {
-    if known.as_ref().is_some_and(|base| !base.is_for(bones, count)) {
-        *known = None;
+    // Drop samples that do not fit before making new ones: both need memory.
+    if cached.as_ref().is_some_and(|base| !base.is_for(bones, count)) {
+        *cached = None;
     }
-    known.get_or_insert_with(|| BaseSamples::new(domain, navigation, bones, count, fading))
+    cached.get_or_insert_with(new)
 }

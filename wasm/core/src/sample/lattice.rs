@@ -1,7 +1,7 @@
 //! The triangular lattice inside the domain (section V-B).
 //!
-//! Cost: O(n log n) for n nodes inside, and the rows that each edge of the outline crosses, however far apart islands are. Limits:
-//! the number of samples is approximate.
+//! Cost: O(n log n) for n nodes inside, plus the rows that each edge of the outline crosses. Space between islands
+//! costs nothing. Known limit: the number of samples is approximate.
 
 use std::{collections::BTreeMap, ops::Range};
 
@@ -9,35 +9,37 @@ use glam::DVec2;
 
 use crate::{domain::Domain, segment::segment_distance};
 
-/// Least distance of lattice points from the outline and from bones, over the spacing: nearer ones make slivers. Not one
-/// half, so that for outlines parallel to the lattice rounding does not decide.
+/// Least distance of lattice points from the outline and from bones, as a multiple of the spacing.
+///
+/// Closer points make slivers. It is not one half: on outlines parallel to the lattice, rounding would decide then.
 pub(super) const LATTICE_CLEARANCE: f64 = 0.47;
-/// Height of a lattice row over the spacing: √3 / 2.
-pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
+/// Height of a lattice row as a multiple of the spacing: √3 / 2.
+pub(super) const ROW_HEIGHT: f64 = 0.866_025_403_784_438_6;
 
-/// A difference below this share of its terms has lost three digits.
-const CANCELLED: f64 = 1e-3;
+/// A difference below this fraction of its terms has lost three digits to cancellation.
+const CANCELLATION: f64 = 1e-3;
 
-/// The spacing at which lattice and outline together have about `count` points.
+/// The spacing for about `count` points on lattice and outline together.
 pub(super) fn spacing(domain: &Domain, count: usize) -> f64 {
     let area = domain.area();
     let lengths = domain.edges().map(|(a, b)| a.distance(b));
     let perimeter: f64 = lengths.sum();
     let corners: usize = domain.rings().iter().map(Vec::len).sum();
     let wanted = (count as f64 - corners as f64).max(count as f64 / 4.0);
-    // With u = 1 / spacing: the lattice has (area − LATTICE_CLEARANCE · perimeter / u) · u² / ROW points, the outline perimeter · u.
-    positive_root(area / ROW, perimeter * (1.0 - LATTICE_CLEARANCE / ROW), wanted)
+    // With u = 1 / spacing, the outline has perimeter · u points.
+    // The lattice has (area − LATTICE_CLEARANCE · perimeter / u) · u² / ROW_HEIGHT points.
+    positive_root(area / ROW_HEIGHT, perimeter * (1.0 - LATTICE_CLEARANCE / ROW_HEIGHT), wanted)
 }
 
-/// The positive x with `quadratic / x² + linear / x = wanted`, of positive numbers.
+/// The positive x with `quadratic / x² + linear / x = wanted`. All three must be positive.
 fn positive_root(quadratic: f64, linear: f64, wanted: f64) -> f64 {
     let root = (linear * linear + 4.0 * quadratic * wanted).sqrt();
-    let apart = root - linear;
-    // Two forms of the same root. Where the domain is nearly all outline, the difference would have no correct digits.
-    if apart > CANCELLED * root { 2.0 * quadratic / apart } else { (root + linear) / (2.0 * wanted) }
+    let difference = root - linear;
+    // Two forms of the same root. In a domain that is nearly all outline, the difference would have no correct digits.
+    if difference > CANCELLATION * root { 2.0 * quadratic / difference } else { (root + linear) / (2.0 * wanted) }
 }
 
-/// Lattice points inside the domain, clear of the outline's `segments` and of the bones.
+/// Lattice points inside the domain that keep their clearance from the outline's `segments` and from bones.
 pub(super) fn inner_points(
     domain: &Domain,
     bones: &[[DVec2; 2]],
@@ -58,23 +60,23 @@ pub(super) fn inner_points(
     nodes.map(|(row, column)| lattice.node(row, column)).collect()
 }
 
-/// Successive nodes of a row, and whether each lies inside.
+/// Consecutive nodes of a row, each inside the domain or not.
 struct Run {
     columns: Range<usize>,
     inside: Vec<bool>,
 }
 
 impl Run {
-    /// Row and column of the nodes that lie inside.
+    /// Row and column of each node inside.
     fn nodes(&self, row: usize) -> impl Iterator<Item = (usize, usize)> {
         self.columns.clone().zip(&self.inside).filter(|(_, inside)| **inside).map(move |(column, _)| (row, column))
     }
 }
 
-/// The runs of each row that has some, ascending: a domain may be some specks in a large box.
-type Rows = BTreeMap<usize, Vec<Run>>;
+/// The runs of each row that has any, ascending. It is sparse: a domain may be a few specks in a large box.
+type RowRuns = BTreeMap<usize, Vec<Run>>;
 
-/// The lattice over a domain's bounding box; one node lies at its centre.
+/// The lattice over a domain's bounding box. One node is at the centre of the box.
 struct Lattice {
     centre: DVec2,
     spacing: f64,
@@ -86,16 +88,16 @@ impl Lattice {
     fn new(domain: &Domain, spacing: f64) -> Self {
         let (low, high) = domain.bounds();
         let half = (high - low) / 2.0;
-        let rows = 2 * (half.y / (spacing * ROW)) as usize + 1;
+        let rows = 2 * (half.y / (spacing * ROW_HEIGHT)) as usize + 1;
         let columns = 2 * ((half.x / spacing) as usize + 1);
         Self { centre: (low + high) / 2.0, spacing, rows, columns: columns + 1 }
     }
 
-    /// The place of a node, counted from the centre; odd rows are shifted by half a step.
+    /// The position of a node. Every other row is shifted by half a step.
     fn node(&self, row: usize, column: usize) -> DVec2 {
         let (j, i) = (self.row_step(row), column as f64 - (self.columns / 2) as f64);
         let shift = if self.is_shifted(row) { 0.5 } else { 0.0 };
-        self.centre + DVec2::new((i + shift) * self.spacing, j * self.spacing * ROW)
+        self.centre + DVec2::new((i + shift) * self.spacing, j * self.spacing * ROW_HEIGHT)
     }
 
     fn row_step(&self, row: usize) -> f64 {
@@ -106,8 +108,8 @@ impl Lattice {
         row.abs_diff(self.rows / 2) % 2 == 1
     }
 
-    /// The nodes between the crossings of each row with the outline, and whether they lie inside the domain, by the even-odd rule.
-    fn inside(&self, domain: &Domain) -> Rows {
+    /// The nodes between the crossings of each row with the outline, marked if inside by the even-odd rule.
+    fn inside(&self, domain: &Domain) -> RowRuns {
         let mut crossings: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
         for (a, b) in domain.edges() {
             let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
@@ -127,12 +129,12 @@ impl Lattice {
         let mut runs: Vec<Run> = Vec::new();
         for span in crossings.chunks_exact(2) {
             let columns = self.columns_within(row, span[0], span[1]);
-            // A node between two spans, close to both, is of both.
+            // A node close to two spans belongs to the runs of both: merge them.
             let run = match runs.last_mut() {
                 Some(last) if last.columns.end >= columns.start => last,
                 _ => {
                     runs.push(Run { columns: columns.start..columns.start, inside: Vec::new() });
-                    runs.last_mut().expect("one has just been added")
+                    runs.last_mut().expect("a run was just pushed")
                 }
             };
             run.columns.end = run.columns.end.max(columns.end);
@@ -145,8 +147,8 @@ impl Lattice {
         runs
     }
 
-    /// Unmarks the nodes nearer to a segment than `clearance`.
-    fn clear_around(&self, inside: &mut Rows, a: DVec2, b: DVec2, clearance: f64) {
+    /// Unmarks the nodes closer to a segment than `clearance`.
+    fn clear_around(&self, inside: &mut RowRuns, a: DVec2, b: DVec2, clearance: f64) {
         let (low, high) = (a.min(b) - clearance, a.max(b) + clearance);
         for (&row, runs) in inside.range_mut(self.rows_within(low.y, high.y)) {
             let columns = self.columns_within(row, low.x, high.x);
@@ -161,13 +163,13 @@ impl Lattice {
         }
     }
 
-    /// Rows that may lie between two heights.
+    /// Rows that may have a y between two numbers.
     fn rows_within(&self, low: f64, high: f64) -> Range<usize> {
-        let step = |y: f64| (y - self.centre.y) / (self.spacing * ROW) + (self.rows / 2) as f64;
+        let step = |y: f64| (y - self.centre.y) / (self.spacing * ROW_HEIGHT) + (self.rows / 2) as f64;
         range(step(low), step(high), self.rows)
     }
 
-    /// Columns of a row that may lie between two abscissas.
+    /// Columns of a row that may have an x between two numbers.
     fn columns_within(&self, row: usize, low: f64, high: f64) -> Range<usize> {
         let shift = if self.is_shifted(row) { 0.5 } else { 0.0 };
         let step = |x: f64| (x - self.centre.x) / self.spacing - shift + (self.columns / 2) as f64;
@@ -187,22 +189,22 @@ mod tests {
     use crate::domain::contains;
 
     #[test]
-    fn the_spacing_is_right_however_thin_a_domain_is() {
+    fn spacing_is_exact_for_thin_domains() {
         for area in [1e6, 1.0, 1e-6, 1e-12, 1e-18] {
             let x = positive_root(area, 2000.0, 10_000.0);
             let found = area / (x * x) + 2000.0 / x;
-            assert!((found - 10_000.0).abs() < 1e-6, "{found} of an area of {area}");
+            assert!((found - 10_000.0).abs() < 1e-6, "{found} points for an area of {area}");
         }
     }
 
     #[test]
-    fn specks_far_apart_take_no_lattice_between_them() {
+    fn no_nodes_between_distant_specks() {
         let square = |at: f64| {
             let corners = [(at, at), (at + 1.0, at), (at + 1.0, at + 1.0), (at, at + 1.0)];
             corners.map(DVec2::from).to_vec()
         };
         let domain = Domain::from_polygon(&[square(10.0), square(3000.0)], 4000, 4000).expect("two squares");
-        // Over all of the box these would be 50 billion nodes.
+        // The whole box would have 50 billion nodes.
         let found = inner_points(&domain, &[], spacing(&domain, 10_000), &[], &[]);
         assert!((9_000..11_000).contains(&found.len()), "{}", found.len());
         let halves = found.iter().filter(|p| p.x < 100.0).count();
@@ -210,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn every_node_that_is_inside_and_clear_of_the_outline_is_there_beside_the_narrowest_hole() {
+    fn no_clear_node_is_missing_beside_narrow_holes() {
         let outer = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)].map(DVec2::from).to_vec();
         for (at, width) in (0..40).map(|i| (30.0 + 0.7 * f64::from(i), 0.1 + 0.05 * f64::from(i))) {
             let hole = [(at, 10.0), (at + width, 10.0), (at + width, 70.0), (at, 70.0)].map(DVec2::from).to_vec();
@@ -224,7 +226,7 @@ mod tests {
             let is_inside = |p: DVec2| domain.rings().iter().filter(|ring| contains(ring, p)).count() == 1;
             let is_clear = |p: &DVec2| is_inside(*p) && domain.distance_to_outline(*p) >= LATTICE_CLEARANCE * spacing;
             let expected: Vec<DVec2> = nodes.map(|(row, column)| lattice.node(row, column)).filter(is_clear).collect();
-            assert_eq!(found, expected, "a hole from {at}, {width} wide");
+            assert_eq!(found, expected, "hole at {at}, {width} wide");
         }
     }
 }

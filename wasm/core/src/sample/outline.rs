@@ -1,14 +1,15 @@
-//! Samples along the outline: all its corners, and points between them no farther apart than the spacing.
+//! Samples along the outline: all its corners, and points between them at most one spacing apart.
 
-use crate::domain::{Domain, edges};
 use glam::DVec2;
 
-/// The outline's samples.
+use crate::domain::{Domain, edges};
+
+/// Samples along the outline of a domain.
 pub(super) struct OutlineSamples {
     pub(super) vertices: Vec<DVec2>,
-    /// Segments of the outline between samples.
+    /// The segments between consecutive samples.
     pub(super) segments: Vec<[usize; 2]>,
-    /// Indices of the samples along each ring.
+    /// The samples along each ring.
     pub(super) rings: Vec<Vec<u32>>,
 }
 

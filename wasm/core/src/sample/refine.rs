@@ -1,33 +1,32 @@
-//! Finer lattices around sites that are closer to one another than the lattice resolves: the paper's up-sampling.
+//! Finer lattices around sites that are too close for the lattice: the paper's up-sampling.
 //!
-//! Cells near such sites grow with the distance from them, so the spacing may too: it halves with the distance until it
-//! resolves the gap. A gap of 0.01 px in a picture of 1,000 px costs some 5,500 samples.
+//! Cells near such sites grow with the distance from them, so the spacing may grow, too. It halves towards the sites
+//! until it resolves the gap between them. A gap of 0.01 px in a picture of 1,000 px costs some 5,500 samples.
 //!
-//! Cost: for each patch a look at what is there around it, at all close sites and at the outline; for each of its nodes at what is
-//! about as near as the next node, and at the close sites and the outline within the patch.
+//! Cost of a patch: the vertices around it, all close sites, and the outline. Cost of a node of it: the vertices within
+//! about a spacing, and the close sites and outline edges of the patch.
 
 use glam::DVec2;
 
+use super::lattice::{LATTICE_CLEARANCE, ROW_HEIGHT};
 use crate::{distance::Navigation, domain::Domain, grid::Grid, segment::segment_distance};
 
-use super::lattice::{LATTICE_CLEARANCE, ROW};
-
-/// Samples wanted across the gap between two sites, and across the distance to them.
+/// Samples across the gap between two sites, and across the distance to them.
 const RESOLUTION: f64 = 6.0;
 
-/// Of a patch's radius, the share that its nodes lie within: those on the rim itself are left out, whatever the rounding.
-const RIM: f64 = 1.0 - 1e-9;
+/// Nodes lie within this fraction of a patch's radius. It excludes nodes on the circle itself, whatever their rounding.
+const INSIDE_CIRCLE: f64 = 1.0 - 1e-9;
 
-/// A round patch of triangular lattice, a node on its centre.
+/// A round patch of triangular lattice with a node at its centre.
 pub(super) struct Patch {
     centre: DVec2,
     spacing: f64,
     radius: f64,
-    /// The other sites that are patched, as far as they reach nodes of this: what is nearer to one of them is its own.
+    /// Other sites with patches that reach this one. Nodes nearer to one of them belong to its patch.
     rivals: Vec<DVec2>,
 }
 
-/// The patches that the closest pairs of sites need, coarse ones first.
+/// The patches for pairs of sites that are too close for `spacing`, coarse ones first.
 pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
     let gap = |at: usize| {
         let others = sites.iter().enumerate().filter(|&(other, _)| other != at);
@@ -53,7 +52,7 @@ pub(super) fn patches(sites: &[DVec2], spacing: f64) -> Vec<Patch> {
 }
 
 impl Patch {
-    /// The nodes that lie inside the domain and clear of the vertices that are `known`.
+    /// The nodes inside the domain that keep their clearance from the vertices in `known`.
     pub(super) fn clear_nodes(&self, known: &Grid<DVec2>, navigation: &Navigation, domain: &Domain) -> Vec<DVec2> {
         let reach = self.radius + self.spacing;
         let close = known.around(self.centre, reach).filter(|p| p.distance(self.centre) < reach);
@@ -62,14 +61,13 @@ impl Patch {
         let walls: Vec<(DVec2, DVec2)> =
             outline.filter(|&(a, b)| segment_distance(self.centre, a, b) < reach).collect();
         let clearance = LATTICE_CLEARANCE * self.spacing;
-        // Nodes of two patches of one spacing are farther from one another than the clearance, so neither has to give way: what
-        // comes first does not matter, and a symmetric scene has symmetric nodes.
+        // Nodes of two patches with the same spacing keep more than the clearance between them, so neither has to
+        // give way. Their order does not matter, and a symmetric scene has symmetric nodes.
         let is_own = |rival: &DVec2, p: DVec2| {
             let to_border =
                 (p.distance_squared(*rival) - p.distance_squared(self.centre)) / (2.0 * rival.distance(self.centre));
             to_border >= self.spacing / 4.0
         };
-        // Nodes are farther from one another than that.
         let is_clear = |&p: &DVec2| {
             self.rivals.iter().all(|rival| is_own(rival, p))
                 && near.around(p, clearance).all(|q| p.distance(q) >= clearance)
@@ -80,11 +78,11 @@ impl Patch {
     }
 
     fn nodes(&self) -> impl Iterator<Item = DVec2> + '_ {
-        let steps = (self.radius / (self.spacing * ROW)) as i32;
+        let steps = (self.radius / (self.spacing * ROW_HEIGHT)) as i32;
         (-steps..=steps).flat_map(move |j| (-steps - 1..=steps + 1).map(move |i| (i, j))).filter_map(move |(i, j)| {
             let shift = if j % 2 == 0 { 0.0 } else { 0.5 };
-            let step = DVec2::new((f64::from(i) + shift) * self.spacing, f64::from(j) * self.spacing * ROW);
-            (step.length() < RIM * self.radius).then_some(self.centre + step)
+            let step = DVec2::new((f64::from(i) + shift) * self.spacing, f64::from(j) * self.spacing * ROW_HEIGHT);
+            (step.length() < INSIDE_CIRCLE * self.radius).then_some(self.centre + step)
         })
     }
 }
@@ -94,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nodes_are_clear_of_every_vertex_and_none_is_missing() {
+    fn nodes_are_complete_and_clear_of_every_vertex() {
         let domain = Domain::rectangle(100, 80);
         let navigation = Navigation::new(&domain);
         let scattered = |count: u32, size: DVec2| {

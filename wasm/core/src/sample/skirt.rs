@@ -1,34 +1,34 @@
-//! A narrow skirt around an alpha outline, so that the soft edge of the picture is drawn, too.
+//! A narrow skirt around an alpha outline, so that soft edges of the picture are drawn.
 //!
-//! The outline runs where alpha crosses the threshold; the pixels that fade out beyond it belong to the picture as well. Each
-//! outline sample gets an offset vertex outside, which moves with the sample's weights. Offset vertices stay on their half of
-//! a gap, so that no part draws the fringe of another.
+//! The outline runs where alpha crosses the threshold. The pixels that fade out beyond it belong to the picture, too.
+//! Each outline sample gets an offset vertex outside, with the same weights. Offset vertices stay on their half of a
+//! gap, so that no part draws the fringe of another.
 //!
-//! Cost: O(n log n) in the outline's samples. Limits: edges softer than [`WIDTH`] are cut off there, and those of a narrow
-//! gap at its middle.
+//! Cost: O(n log n) for n samples on the outline. Known limits: a softer edge ends at [`WIDTH`], and in a narrow gap
+//! at the middle of the gap.
 
 use glam::DVec2;
 
 use crate::triangulation::Triangulation;
 
-/// Width of the skirt, in pixels: an antialiased edge fades within one, a softly drawn one within three.
+/// Width of the skirt, in pixels. An antialiased edge fades within one pixel, a softly drawn edge within three.
 const WIDTH: f64 = 3.0;
-/// Greatest distance of a corner's offset vertex, over the width.
+/// Greatest distance of a corner's offset vertex, as a multiple of the width.
 const MAX_MITRE: f64 = 2.0;
 
-/// The skirt: offset vertices of the outline's samples, and the triangles between.
+/// Offset vertices of the outline's samples, and the triangles between them and the samples.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Skirt {
-    /// Rest places of the offset vertices.
+    /// Rest positions of the offset vertices.
     pub(crate) vertices: Vec<DVec2>,
     /// The outline sample of each offset vertex.
     pub(crate) owners: Vec<u32>,
-    /// Triangles; vertex indices from the mesh's vertex count on are offset vertices.
+    /// Triangles × 3 vertex indices. Indices from the mesh's vertex count on are offset vertices.
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
 impl Skirt {
-    /// The skirt of a mesh whose `outline` is given as rings of its vertices, clamped to a picture of `size`.
+    /// The skirt of a mesh, clamped to a picture of `size`. `outline` lists the vertices of each ring.
     pub(crate) fn new(mesh: &Triangulation, outline: &[Vec<u32>], size: DVec2) -> Self {
         let segments = Segments::new(mesh, outline);
         let mut skirt = Self::default();
@@ -52,14 +52,14 @@ impl Skirt {
         skirt
     }
 
-    /// The same skirt for a mesh that has got more vertices, none of them on the outline.
+    /// The same skirt for a mesh that has grown from `before` to `now` vertices, with no new one on the outline.
     pub(crate) fn renumbered(&self, before: usize, now: usize) -> Self {
         let number = |v: u32| if (v as usize) < before { v } else { v + (now - before) as u32 };
         Self { triangles: self.triangles.iter().map(|t| t.map(number)).collect(), ..self.clone() }
     }
 }
 
-/// The offset of an outline corner that moves both its edges outwards by one, limited to [`MAX_MITRE`].
+/// The offset of an outline corner that moves both its edges outwards by 1. Its length is at most [`MAX_MITRE`].
 fn mitre(prev: DVec2, at: DVec2, next: DVec2) -> DVec2 {
     // The domain lies on the side of `perp`.
     let out = |a: DVec2, b: DVec2| -(b - a).normalize().perp();
@@ -68,14 +68,15 @@ fn mitre(prev: DVec2, at: DVec2, next: DVec2) -> DVec2 {
     middle * (1.0 / middle.dot(after)).clamp(1.0, MAX_MITRE)
 }
 
-/// Segments of the outline in a grid of square cells, as wide as a gap is searched.
+/// Segments of the outline in a grid of square cells.
 struct Segments<'a> {
     mesh: &'a Triangulation,
-    /// Row and column of each cell that a segment touches, ascending, with the segment.
+    /// Row and column of each cell that the box of a segment touches, ascending, with the segment.
     cells: Vec<([i32; 2], [u32; 2])>,
 }
 
-const CELL: f64 = 2.0 * MAX_MITRE * WIDTH;
+/// Side of a grid cell: the widest gap that matters.
+const CELL_PX: f64 = 2.0 * MAX_MITRE * WIDTH;
 
 impl<'a> Segments<'a> {
     fn new(mesh: &'a Triangulation, outline: &[Vec<u32>]) -> Self {
@@ -83,7 +84,7 @@ impl<'a> Segments<'a> {
         for ring in outline {
             for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
                 let (p, q) = (mesh.vertices[a as usize], mesh.vertices[b as usize]);
-                let (low, high) = (p.min(q) / CELL, p.max(q) / CELL);
+                let (low, high) = (p.min(q) / CELL_PX, p.max(q) / CELL_PX);
                 for y in low.y.floor() as i32..=high.y.floor() as i32 {
                     for x in low.x.floor() as i32..=high.x.floor() as i32 {
                         cells.push(([y, x], [a, b]));
@@ -95,10 +96,11 @@ impl<'a> Segments<'a> {
         Self { mesh, cells }
     }
 
-    /// Radius of the largest circle that touches the outline at a sample, on the side of the unit vector `out`, and has none of
-    /// the outline inside: its centre is as far from any other part as from this one.
+    /// Radius of the largest empty circle that touches the outline at a sample, on the side of the unit vector `out`.
+    ///
+    /// Its centre is as far from any other part of the outline as from this sample.
     fn free_radius(&self, at: DVec2, [prev, own, next]: [u32; 3], out: DVec2) -> f64 {
-        let cell = (at / CELL).floor();
+        let cell = (at / CELL_PX).floor();
         let (x, y) = (cell.x as i32, cell.y as i32);
         let before = |cell: [i32; 2]| self.cells.partition_point(|&(known, _)| known < cell);
         let rows = (y - 1..=y + 1).map(|y| &self.cells[before([y, x - 1])..before([y, x + 2])]);
@@ -110,8 +112,9 @@ impl<'a> Segments<'a> {
     }
 }
 
-/// Radius of the smallest circle through the origin, with its centre in the direction of `out`, that touches a segment: infinite
-/// if none does.
+/// Radius of the smallest circle through the origin that touches a segment, with its centre in the direction `out`.
+///
+/// It is infinite if no such circle touches the segment.
 fn touching_radius(out: DVec2, ends @ [p, q]: [DVec2; 2]) -> f64 {
     let through = |p: DVec2| {
         let ahead = p.dot(out);
@@ -122,8 +125,8 @@ fn touching_radius(out: DVec2, ends @ [p, q]: [DVec2; 2]) -> f64 {
     let normal = if along.perp_dot(p) < 0.0 { -along.perp() } else { along.perp() };
     let radius = p.dot(normal) / (1.0 + out.dot(normal));
     let touched = radius * (out + normal);
-    // Of a line that lies behind, rounding may leave any number.
-    let is_ahead = (0.0..=CELL).contains(&radius);
+    // For a line behind the origin, rounding may leave any number.
+    let is_ahead = (0.0..=CELL_PX).contains(&radius);
     let is_between = is_ahead && (touched - p).dot(along) > 0.0 && (touched - q).dot(along) < 0.0;
     if is_between { radius } else { ends.map(through).into_iter().fold(f64::INFINITY, f64::min) }
 }
@@ -137,16 +140,16 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_touches_a_segment_ahead_beside_or_by_its_end() {
+    fn circle_touches_a_segment_ahead_beside_or_at_its_end() {
         let up = (0.0, 1.0);
         assert_eq!(radius(up, (-5.0, 4.0), (5.0, 4.0)), 2.0);
-        // The other side of a right angle, one away.
+        // The other side of a right angle, one pixel away.
         assert!((radius(up, (1.0, -3.0), (1.0, 3.0)) - 1.0).abs() < 1e-15);
         assert_eq!(radius(up, (3.0, 1.0), (3.0, 0.0)), 5.0);
     }
 
     #[test]
-    fn what_lies_behind_or_on_the_same_line_is_not_met() {
+    fn segments_behind_or_on_the_tangent_are_not_touched() {
         let up = (0.0, 1.0);
         assert_eq!(radius(up, (-5.0, -4.0), (5.0, -4.0)), f64::INFINITY);
         let askew = DVec2::from((0.3, -0.7)).normalize();

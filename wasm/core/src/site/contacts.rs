@@ -61,7 +61,7 @@ impl Regions<'_> {
             let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
             pairs.extend(edges.iter().flat_map(ends).filter(|&[a, b]| a < b && are_apart([a, b])));
         };
-        self.coarse.mesh.polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
+        self.coarse.mesh.visit_polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
         // Most come from both sides.
         pairs.sort_unstable();
         pairs.dedup();
@@ -143,8 +143,9 @@ mod tests {
     use crate::{
         Picture,
         bone::Skeleton,
-        distance::{Navigation, Propagation},
+        distance::Propagation,
         domain::Domain,
+        prepared_domain::PreparedDomain,
         project::{Handle, Project},
         sample::{BaseSamples, CoarseSamples},
         site::{Obstacles, SiteKind},
@@ -153,20 +154,20 @@ mod tests {
 
     #[test]
     fn the_nearest_handles_of_samples_are_those_that_a_look_at_all_finds() {
-        let domain = Domain::rectangle(200, 150);
-        let navigation = Navigation::new(&domain);
+        let prepared = PreparedDomain::without_picture(Domain::rectangle(200, 150));
+        let navigation = &prepared.navigation;
         let scattered = (0..20)
             .map(f64::from)
             .map(|i| DVec2::new((0.618_033_988_75 * i).fract() * 200.0, (0.754_877_666_25 * i).fract() * 50.0));
         // Two on both sides of an axis, on which there are coarse samples.
         let points: Vec<DVec2> =
             [(95.0, 100.0), (105.0, 100.0)].map(DVec2::from).into_iter().chain(scattered).collect();
-        let base = BaseSamples::new(&domain, &navigation, &[], 1500, None);
-        let coarse = CoarseSamples::new(&base, &domain, &navigation, &points);
+        let base = BaseSamples::new(&prepared, &[], 1500);
+        let coarse = CoarseSamples::new(&base, &prepared, &points);
         let skeleton = Skeleton::default();
         let obstacles = Obstacles { skeleton: &skeleton, tracks: Vec::new(), held: None };
         let mut propagation = Propagation::default();
-        let mut regions = Regions::new(&navigation, &coarse, &obstacles, &mut propagation);
+        let mut regions = Regions::new(navigation, &coarse, &obstacles, &mut propagation);
         let free = [(30.0, 120.0), (170.0, 120.0)].map(|p| (DVec2::from(p), SiteKind::Virtual));
         let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
         for (p, kind) in (0..).zip(&points).map(point).chain(free) {

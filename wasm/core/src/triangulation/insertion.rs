@@ -1,15 +1,18 @@
-//! Inserts a vertex into a constrained Delaunay triangulation: its triangle is split, and edges are flipped until the
-//! circumcircle of each triangle is empty again (Lawson 1977).
+//! Insertion of a vertex into a constrained Delaunay triangulation (Lawson 1977).
 //!
-//! The predicates are exact (Shewchuk 1997), so that flipping terminates. Edges without a triangle beyond are never flipped:
-//! they bound the region.
+//! The triangle around the vertex is split. Then edges are flipped until the circumcircle of each triangle is empty
+//! again. The predicates are exact (Shewchuk 1997), so flipping terminates. Edges with a triangle on one side only
+//! bound the region and are never flipped.
 //!
 //! Cost: the walk from a nearby triangle, and some six flips.
 
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
 
-use super::{NONE, OUTLINE_TOLERANCE, Triangulation, signed_depth};
+use super::{
+    locate::{OUTLINE_TOLERANCE, signed_depth},
+    mesh::{NONE, Triangulation},
+};
 
 /// The result of an insertion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,8 +39,10 @@ impl Inserted {
 }
 
 impl Triangulation {
-    /// Inserts a vertex into the region, within [`OUTLINE_TOLERANCE`]; if it is that near to a boundary edge, onto that edge. `near`
-    /// is a triangle not far from it.
+    /// Inserts a vertex at a point of the region, within [`OUTLINE_TOLERANCE`]. A vertex that close to a boundary
+    /// edge is placed on it.
+    ///
+    /// `near` is a triangle not far from the point.
     pub(crate) fn insert(&mut self, near: usize, p: DVec2) -> Inserted {
         let t = self.triangle_at(near, p);
         let corners = self.triangles[t];
@@ -58,19 +63,21 @@ impl Triangulation {
         }
         let sides = [0, 1, 2].map(|k| self.side(corners[k], corners[(k + 1) % 3], p));
         match (sides.iter().position(|&side| side == 0.0), sides.iter().any(|&side| side < 0.0)) {
-            // Outside the region by rounding, at a corner of it.
+            // Rounding puts the point outside the region, at a corner.
             (_, true) => Inserted::Known(nearest),
             (Some(k), _) => Inserted::Within(self.split_edge(t, k, p)),
-            (None, _) => Inserted::Within(self.split(t, p)),
+            (None, _) => Inserted::Within(self.split_triangle(t, p)),
         }
     }
 
-    /// The triangle that contains a point, or, for a point outside the region, the nearest one. `near` is a triangle not far
-    /// from it.
+    /// The triangle that contains a point, or the nearest triangle if the point is outside the region.
+    ///
+    /// `near` is a triangle not far from the point.
     pub(crate) fn triangle_at(&self, near: usize, p: DVec2) -> usize {
         let depth = |t: usize| signed_depth(self.corners(t), p);
         let mut t = near;
-        // In a Delaunay triangulation such a walk visits no triangle twice; but the region need not be convex.
+        // In a Delaunay triangulation the walk visits no triangle twice. It may get stuck, as the region need not be
+        // convex.
         for _ in 0..self.triangles.len() {
             let ([a, b, c], neighbours) = (self.triangles[t], self.neighbours[t]);
             let beyond = [(a, b), (b, c), (c, a)].map(|(from, to)| self.side(from, to, p) < 0.0);
@@ -100,30 +107,30 @@ impl Triangulation {
         Coord { x, y }
     }
 
-    fn split(&mut self, t: usize, p: DVec2) -> u32 {
+    fn split_triangle(&mut self, t: usize, p: DVec2) -> u32 {
         let [[a, b, c], [ab, bc, ca]] = [self.triangles[t], self.neighbours[t]];
         let v = self.push_vertex(p);
         let (t, t1, t2) = (t as u32, self.triangles.len() as u32, self.triangles.len() as u32 + 1);
         self.set(t, [a, b, v], [ab, t1, t2]);
         self.set(t1, [b, c, v], [bc, t2, t]);
         self.set(t2, [c, a, v], [ca, t, t1]);
-        self.redirect(bc, t, t1);
-        self.redirect(ca, t, t2);
-        self.legalise(vec![t, t1, t2]);
+        self.replace_neighbour(bc, t, t1);
+        self.replace_neighbour(ca, t, t2);
+        self.restore_delaunay(vec![t, t1, t2]);
         v
     }
 
-    /// Splits edge `k` of a triangle, with the triangles on both sides, or the only one.
+    /// Splits edge `k` of a triangle, and with it the triangles on both sides.
     fn split_edge(&mut self, t: usize, k: usize, p: DVec2) -> u32 {
         let [a, b, c] = [k, k + 1, k + 2].map(|k| self.triangles[t][k % 3]);
         let [u, bc, ca] = [k, k + 1, k + 2].map(|k| self.neighbours[t][k % 3]);
         let v = self.push_vertex(p);
         let (t, t1, u1) = (t as u32, self.triangles.len() as u32, self.triangles.len() as u32 + 1);
-        self.redirect(ca, t, t1);
+        self.replace_neighbour(ca, t, t1);
         if u == NONE {
             self.set(t, [b, c, v], [bc, t1, NONE]);
             self.set(t1, [c, a, v], [ca, NONE, t]);
-            self.legalise(vec![t, t1]);
+            self.restore_delaunay(vec![t, t1]);
             return v;
         }
         let l = self.edge_towards(u, t);
@@ -133,14 +140,15 @@ impl Triangulation {
         self.set(t1, [c, a, v], [ca, u, t]);
         self.set(u, [a, d, v], [ad, u1, t1]);
         self.set(u1, [d, b, v], [db, t, u]);
-        self.redirect(db, u, u1);
-        self.legalise(vec![t, t1, u, u1]);
+        self.replace_neighbour(db, u, u1);
+        self.restore_delaunay(vec![t, t1, u, u1]);
         v
     }
 
-    /// Flips edges until all circumcircles are empty. The stack holds triangles whose last corner is the new vertex and whose
-    /// first edge may have to be flipped.
-    fn legalise(&mut self, mut stack: Vec<u32>) {
+    /// Flips edges until all circumcircles are empty.
+    ///
+    /// Triangles on the stack have the new vertex as their last corner. Their first edge may need a flip.
+    fn restore_delaunay(&mut self, mut stack: Vec<u32>) {
         while let Some(t) = stack.pop() {
             let ([a, b, v], [u, bv, va]) = (self.triangles[t as usize], self.neighbours[t as usize]);
             if u == NONE {
@@ -149,7 +157,7 @@ impl Triangulation {
             let l = self.edge_towards(u, t);
             let d = self.triangles[u as usize][(l + 2) % 3];
             let [pa, pb, pv, pd] = [a, b, v, d].map(|v| self.coordinates(v));
-            // A vertex moved onto the outline may lie outside by rounding: no triangle may be inverted.
+            // Rounding may put a vertex on the outline slightly outside. No flip may invert a triangle.
             let convex = orient2d(pa, pd, pv) > 0.0 && orient2d(pd, pb, pv) > 0.0;
             if incircle(pa, pb, pv, pd) <= 0.0 || !convex {
                 continue;
@@ -157,8 +165,8 @@ impl Triangulation {
             let [ad, db] = [l + 1, l + 2].map(|l| self.neighbours[u as usize][l % 3]);
             self.set(t, [a, d, v], [ad, u, va]);
             self.set(u, [d, b, v], [db, bv, t]);
-            self.redirect(ad, u, t);
-            self.redirect(bv, t, u);
+            self.replace_neighbour(ad, u, t);
+            self.replace_neighbour(bv, t, u);
             stack.extend([t, u]);
         }
     }
@@ -168,7 +176,7 @@ impl Triangulation {
         self.vertices.len() as u32 - 1
     }
 
-    /// Sets a triangle; a new one must have the next index.
+    /// Sets a triangle. A new one must have the next index.
     fn set(&mut self, t: u32, corners: [u32; 3], neighbours: [u32; 3]) {
         if t as usize == self.triangles.len() {
             self.triangles.push(corners);
@@ -178,8 +186,8 @@ impl Triangulation {
         }
     }
 
-    /// Replaces a neighbour of a triangle, if there is one, by another.
-    fn redirect(&mut self, t: u32, from: u32, to: u32) {
+    /// Replaces a neighbour of triangle `t` by another. Does nothing if `t` is [`NONE`].
+    fn replace_neighbour(&mut self, t: u32, from: u32, to: u32) {
         if t != NONE {
             let k = self.edge_towards(t, from);
             self.neighbours[t as usize][k] = to;
@@ -226,9 +234,9 @@ mod tests {
     }
 
     #[test]
-    fn stays_delaunay_wherever_vertices_go() {
+    fn stays_delaunay_after_every_insertion() {
         let mut mesh = ring();
-        // A lattice has circles through four vertices, and vertices on edges.
+        // A lattice has cocircular vertices, and vertices on edges.
         for i in 0..121 {
             let p = DVec2::new(f64::from(i % 11), f64::from(i / 11));
             if p.distance(DVec2::splat(5.0)) < 0.5 {
@@ -241,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_vertex_on_the_boundary_divides_its_edge() {
+    fn vertex_on_the_boundary_splits_its_edge() {
         let mut mesh = ring();
         let inserted = mesh.insert(3, DVec2::new(3.0, -5e-7));
         let Inserted::OnBoundary { vertex, mut between } = inserted else { panic!("{inserted:?}") };
@@ -252,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn close_vertices_keep_apart() {
+    fn close_vertices_stay_distinct() {
         let mut mesh = ring();
         for i in 0..40 {
             let turn = f64::from(i);

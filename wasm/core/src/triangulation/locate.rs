@@ -1,24 +1,26 @@
 //! Point location: a uniform grid over the triangles of a mesh.
 //!
-//! Cost: a handful of triangles a look-up. Construction visits each cell of the box around each triangle, and takes four
-//! bytes for each cell that the triangle may touch; a long triangle across the grid has a box of up to as many cells as there
-//! are triangles.
+//! Cost of a lookup: a handful of triangles. Construction visits each cell of the bounding box of each triangle, and
+//! stores four bytes for each cell that the triangle may touch. The box of a long triangle across the grid may have
+//! as many cells as the mesh has triangles.
 
 use std::iter;
 
 use glam::DVec2;
 
-use super::Triangulation;
+use super::mesh::Triangulation;
 use crate::{min_max::fast_min, rows::Rows};
 
-/// Points this far outside every triangle, in pixels, still count as inside: above the rounding of a point computed to lie on
-/// the outline, and far below what is visible.
+/// Points up to this far outside every triangle, in pixels, count as inside.
+///
+/// It is above the rounding of a point computed to lie on the outline, and far too small to be visible.
 pub(crate) const OUTLINE_TOLERANCE: f64 = 1e-6;
 
 /// An index over the triangles of one mesh.
 #[derive(Debug, Clone)]
 pub(crate) struct Locator {
     low: DVec2,
+    /// Side of a cell, in pixels.
     cell: f64,
     columns: usize,
     rows: usize,
@@ -37,13 +39,13 @@ impl Locator {
         let mut grid = Self { low, cell, columns, rows, cells: Rows::from_pairs(0, iter::empty) };
         let mut entries = Vec::with_capacity(mesh.triangles.len() * 3);
         for t in 0..mesh.triangles.len() {
-            grid.for_cells(mesh.corners(t), |cell| entries.push((cell, t as u32)));
+            grid.visit_cells(mesh.corners(t), |cell| entries.push((cell, t as u32)));
         }
         grid.cells = Rows::from_pairs(columns * rows, || entries.iter().copied());
         grid
     }
 
-    /// The triangle that contains a point, within [`OUTLINE_TOLERANCE`].
+    /// The triangle that contains a point, within [`OUTLINE_TOLERANCE`]; `None` outside.
     pub(crate) fn locate(&self, mesh: &Triangulation, p: DVec2) -> Option<usize> {
         let (x, y) = self.cell_of(p)?;
         let mut best = (-OUTLINE_TOLERANCE, None);
@@ -60,10 +62,10 @@ impl Locator {
     }
 
     /// A triangle not far from a point. The mesh must have triangles.
-    pub(crate) fn near(&self, p: DVec2) -> usize {
+    pub(crate) fn nearby_triangle(&self, p: DVec2) -> usize {
         let cell = ((p - self.low) / self.cell).max(DVec2::ZERO);
         let (x, y) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
-        // A cell outside the mesh is empty: the triangle of a later cell is returned.
+        // Cells outside the mesh are empty: take a triangle of a later cell.
         let (triangles, at) = (self.cells.items(), self.cells.range(y * self.columns + x).start);
         triangles[at.min(triangles.len() - 1)] as usize
     }
@@ -76,8 +78,8 @@ impl Locator {
         Some((inside(cell.x, self.columns)?, inside(cell.y, self.rows)?))
     }
 
-    /// Calls `visit` with every cell that a triangle, widened by [`OUTLINE_TOLERANCE`], may touch.
-    fn for_cells(&self, corners: [DVec2; 3], mut visit: impl FnMut(usize)) {
+    /// Calls `visit` with every cell that a triangle may touch, if widened by [`OUTLINE_TOLERANCE`].
+    fn visit_cells(&self, corners: [DVec2; 3], mut visit: impl FnMut(usize)) {
         let [a, b, c] = corners;
         let index = |p: DVec2| ((p - self.low) / self.cell).max(DVec2::ZERO);
         let (first, last) = (index(a.min(b).min(c) - OUTLINE_TOLERANCE), index(a.max(b).max(c) + OUTLINE_TOLERANCE));
@@ -93,7 +95,7 @@ impl Locator {
     }
 }
 
-/// Distance of a point to the nearest line of a triangle's edges, negative outside.
+/// Distance of a point to the nearest line through an edge of a triangle: negative outside the triangle.
 pub(crate) fn signed_depth([a, b, c]: [DVec2; 3], p: DVec2) -> f64 {
     let side = |from: DVec2, to: DVec2| (to - from).perp_dot(p - from) / (to - from).length();
     fast_min(fast_min(side(a, b), side(b, c)), side(c, a))

@@ -170,12 +170,12 @@ mod tests {
         let mut solution = solve(&project, &Picture::new(100, 100, &[255; 40_000]).unwrap()).unwrap();
         let pose = solution.poser().pose(&project.handles, project.pose.blend).unwrap();
         assert!(solution.report(&pose).min_phi_sum > 0.0);
-        let navigation = &solution.outline.navigation;
+        let navigation = &solution.prepared.navigation;
         let mut sites = solution.sites.clone();
         sites.iter_mut().filter(|site| site.rest.x > 50.0).for_each(|site| site.support_radius = 0.0);
         let handles: Vec<DVec2> = sites.iter().filter(|site| site.kind.is_real()).map(|site| site.rest).collect();
-        let base = BaseSamples::new(solution.domain(), navigation, &[], 500, None);
-        let samples = base.with_sites(solution.domain(), navigation, &handles);
+        let base = BaseSamples::new(&solution.prepared, &[], 500);
+        let samples = base.with_sites(&solution.prepared, &handles);
         let functions =
             WeightFunctions::new(navigation, &sites, &Skeleton::default(), Basis::new(5, Filling::default()));
         let Swept { sums, nearest, .. } = functions.of_samples(navigation, &sites, &samples);

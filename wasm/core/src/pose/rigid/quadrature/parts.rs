@@ -101,6 +101,6 @@ pub(super) fn areas(samples: &Samples) -> Vec<f64> {
             edge.iter().for_each(|&v| areas[v as usize] += a.perp_dot(b) / 4.0);
         }
     };
-    samples.mesh.polygons(|_| true, share_out);
+    samples.mesh.visit_polygons(|_| true, share_out);
     areas
 }
