@@ -33,7 +33,7 @@ impl Maxima {
         for sample in 0..samples {
             for (site, weight) in solution.weights().row(sample) {
                 of_sites[site][sample] = weight;
-                for (real, share) in solution.shares(site) {
+                for (real, share) in solution.harmonic_weights(site) {
                     if let Some(handle) = handle(real) {
                         of_handles[handle][sample] += weight * share;
                     }

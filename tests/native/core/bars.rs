@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, f64::consts::TAU};
 
 use c2warp::{
     Error, Solution,
-    pose::Pose,
+    deform::Pose,
     project::{Blend, Handle, PoseMode, Project, Rotation, Shape, Support},
     site::SiteKind,
     solve,

@@ -70,7 +70,7 @@ fn supports_cover_their_cells_and_are_clear_of_real_sites() {
     );
     assert!((0..solution.weights().len()).all(|point| solution.weights().row(point).next().is_some()));
     for site in 0..solution.sites().len() {
-        assert!((solution.shares(site).map(|(_, share)| share).sum::<f64>() - 1.0).abs() < 1e-12);
+        assert!((solution.harmonic_weights(site).map(|(_, share)| share).sum::<f64>() - 1.0).abs() < 1e-12);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use c2warp::{
     Picture, ResampleOptions, Solution,
-    pose::Pose,
+    deform::Pose,
     project::{Project, Support},
 };
 use glam::DVec2;
@@ -85,7 +85,7 @@ fn one_bar_covers_another_whole() {
 fn what_is_drawn_at_a_point_is_the_nearer_leg() {
     let at = |depth: f64| {
         let (solution, pose) = posed(&crossing([0.0, depth, -depth]));
-        solution.rest_at(&pose, DVec2::new(200.0, 250.0)).expect("both legs are there").x
+        solution.rest_point(&pose, DVec2::new(200.0, 250.0)).expect("both legs are there").x
     };
     assert!(at(1.0) < 200.0 && at(-1.0) > 200.0, "{} and {}", at(1.0), at(-1.0));
 }
@@ -103,17 +103,17 @@ fn the_way_back_leads_to_where_a_point_came_from() {
     let inner = |&(p, _): &(&DVec2, DVec2)| p.min_element() > 41.0 && p.max_element() < 359.0;
     let vertices = solution.vertices().iter().zip(solution.posed_vertices(&pose));
     for (&p, posed) in vertices.filter(inner).step_by(37) {
-        let back = solution.rest_at(&pose, posed).expect("a vertex of what is drawn");
+        let back = solution.rest_point(&pose, posed).expect("a vertex of what is drawn");
         assert!(back.distance(p) < 1e-9, "{p} came back as {back}");
     }
     for p in (0..60).map(|i| DVec2::new(60.0 + 4.7 * f64::from(i), 70.0 + 73.0 * f64::from(i % 4) + 0.3)) {
         let mapped = solution.map(&pose, p).expect("inside");
-        let back = solution.rest_at(&pose, mapped.posed).expect("inside what is drawn");
+        let back = solution.rest_point(&pose, mapped.posed).expect("inside what is drawn");
         assert!(back.distance(p) < 0.1, "{p} came back as {back}");
     }
     // What lies around the ring stays, and around the picture there is nothing.
-    assert_eq!(solution.rest_at(&pose, DVec2::ZERO), Some(DVec2::ZERO));
-    assert_eq!(solution.rest_at(&pose, DVec2::NEG_ONE), None);
+    assert_eq!(solution.rest_point(&pose, DVec2::ZERO), Some(DVec2::ZERO));
+    assert_eq!(solution.rest_point(&pose, DVec2::NEG_ONE), None);
 }
 
 #[test]

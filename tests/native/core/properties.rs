@@ -160,12 +160,12 @@ proptest! {
     fn harmonic_shares_are_none_negative_and_sum_to_one((rings, places, support) in scenes()) {
         let solution = solved(&project(&rings, &places, support)).expect("a valid scene");
         for site in 0..solution.sites().len() {
-            prop_assert!(solution.shares(site).all(|(_, share)| share >= 0.0));
-            prop_assert!((solution.shares(site).map(|(_, share)| share).sum::<f64>() - 1.0).abs() <= UNITY);
+            prop_assert!(solution.harmonic_weights(site).all(|(_, share)| share >= 0.0));
+            prop_assert!((solution.harmonic_weights(site).map(|(_, share)| share).sum::<f64>() - 1.0).abs() <= UNITY);
         }
         // Converged: at a virtual site each share is the mean of its neighbours'.
         let share = |site: usize, real: usize| {
-            solution.shares(site).find(|&(of, _)| of == real).map_or(0.0, |(_, share)| share)
+            solution.harmonic_weights(site).find(|&(of, _)| of == real).map_or(0.0, |(_, share)| share)
         };
         for (real, _) in solution.sites().iter().enumerate().filter(|(_, site)| site.kind.is_real()) {
             let mut residual = vec![0.0; solution.sites().len()];

@@ -2,7 +2,7 @@
 
 use c2warp::{
     Error, Solution,
-    pose::Pose,
+    deform::Pose,
     project::{Blend, PoseMode, Project, Rotation, Shape, Support},
 };
 use glam::{DMat2, DVec2};

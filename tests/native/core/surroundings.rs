@@ -92,7 +92,7 @@ fn what_moves_away_leaves_a_gap_and_lies_over_what_stays_however_deep_it_is() {
     assert_eq!(warped.rgba[pixel(20, 60)..][..4], rgba[pixel(20, 60)..][..4]);
     assert_eq!(warped.rgba[pixel(140, 60)..][..4], rgba[pixel(100, 60)..][..4]);
     let pose = solution.pose(&project).expect("a pose");
-    let rest_at = |x: f64, y: f64| solution.rest_at(&pose, DVec2::new(x, y));
+    let rest_at = |x: f64, y: f64| solution.rest_point(&pose, DVec2::new(x, y));
     assert_eq!(rest_at(20.0, 60.0).map(DVec2::round), Some(DVec2::new(20.0, 60.0)));
     assert_eq!(rest_at(35.0, 60.0), None);
     assert!(rest_at(140.0, 60.0).is_some_and(|p| p.distance(DVec2::new(100.0, 60.0)) < 1e-6));
@@ -103,9 +103,9 @@ fn what_moves_away_leaves_a_gap_and_lies_over_what_stays_however_deep_it_is() {
 fn other_domains_have_none() {
     let rgba = pixels();
     let mut project = project(rings(), [80.0, 70.0]);
-    assert!(!warped(&project, &rgba).0.surroundings().triangles().is_empty());
+    assert!(!warped(&project, &rgba).0.static_background().triangles().is_empty());
     for domain in [None, Some(DomainSpec::Image), Some(DomainSpec::Alpha { threshold: 0.5 })] {
         project.domain = domain;
-        assert!(warped(&project, &rgba).0.surroundings().triangles().is_empty());
+        assert!(warped(&project, &rgba).0.static_background().triangles().is_empty());
     }
 }

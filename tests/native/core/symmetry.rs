@@ -3,7 +3,7 @@
 
 use c2warp::{
     Error, Picture, Solution,
-    pose::Pose,
+    deform::Pose,
     project::{DomainSpec, Handle, PoseMode, Project, Rotation, Shape, Support},
     solve,
 };

@@ -2,7 +2,7 @@
 
 use c2warp::{
     Solution,
-    pose::Pose,
+    deform::Pose,
     project::{PoseMode, Rotation, Support},
     solve,
 };

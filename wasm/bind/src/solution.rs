@@ -27,8 +27,8 @@ impl Solution {
         Self {
             positions: flat(solution.vertices().iter().map(DVec2::to_array)),
             triangles: solution.triangles().concat(),
-            surrounding_positions: flat(solution.surroundings().vertices().iter().map(DVec2::to_array)),
-            surrounding_triangles: solution.surroundings().triangles().concat(),
+            surrounding_positions: flat(solution.static_background().vertices().iter().map(DVec2::to_array)),
+            surrounding_triangles: solution.static_background().triangles().concat(),
             offsets: solution.weights().offsets().to_vec(),
             sites: solution.weights().sites().to_vec(),
             weights: solution.weights().weights().iter().map(|&weight| weight as f32).collect(),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use c2warp::Solution;
-use c2warp::pose::Pose;
+use c2warp::deform::Pose;
 use glam::DVec2;
 
 use crate::error::CliError;
@@ -53,7 +53,7 @@ fn write_posed(table: &mut Table<'_>, solution: &Solution, pose: &Pose, points: 
 
 fn write_rest_positions(table: &mut Table<'_>, solution: &Solution, pose: &Pose, points: &[DVec2]) -> csv::Result<()> {
     table.write_record(["x", "y", "rest_x", "rest_y"])?;
-    for (p, rest) in points.iter().zip(solution.rests_of(pose, points)) {
+    for (p, rest) in points.iter().zip(solution.rest_points(pose, points)) {
         let cells = rest.map(|rest| [rest.x, rest.y].map(decimal)).unwrap_or_default();
         table.write_record([decimal(p.x), decimal(p.y)].iter().chain(&cells))?;
     }

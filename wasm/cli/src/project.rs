@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use c2warp::Picture;
 use c2warp::Solution;
-use c2warp::pose::Pose;
+use c2warp::deform::Pose;
 use c2warp::project::Project;
 
 use crate::error::CliError;

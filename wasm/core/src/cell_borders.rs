@@ -30,6 +30,14 @@ pub struct BorderPiece {
     pub ends: [[f64; 3]; 2],
 }
 
+impl BorderPiece {
+    /// A piece between two ends in barycentric coordinates.
+    #[must_use]
+    pub fn new(corners: [u32; 3], ends: [[f64; 3]; 2]) -> Self {
+        Self { corners, ends }
+    }
+}
+
 /// The borders in a mesh whose first vertices are samples, each with its nearest site.
 pub(crate) fn cell_borders(
     mesh: &RenderMesh,

@@ -9,8 +9,8 @@
 //!   by stage, and keeps what they have in common.
 //! - [`Solution`] holds for any point of the domain, not for samples only: where it [goes](Solution::map), and the
 //!   [weights](Solution::influences_at) there with their gradients, for many points as [sparse rows](Solution::weights_of). It draws the
-//!   [warped picture](Solution::warped) and finds what is drawn [at places of it](Solution::rests_of).
-//! - [`Poser`](pose::Poser) makes a [`Pose`](pose::Pose) from posed handles. A drag needs nothing else.
+//!   [warped picture](Solution::warped) and finds what is drawn [at places of it](Solution::rest_points).
+//! - [`Poser`](pose::Poser) makes a [`Pose`](deform::Pose) from posed handles. A drag needs nothing else.
 //! - [`Navigation`](distance::Navigation) measures intrinsic distances in a domain, and needs nothing else.
 //! - [`Error`] covers everything that is refused: a sentence for people, and a [code](Error::code) for programs.
 //!
@@ -58,11 +58,10 @@ pub mod weight;
 
 // What is drawn.
 mod cell_borders;
-mod drawing_order;
-mod inverse;
+pub mod deform;
 pub mod raster;
 mod render_mesh;
-mod surroundings;
+mod static_background;
 
 // The façade.
 mod report;
@@ -93,7 +92,7 @@ pub use raster::{
 };
 pub use report::{Inspection, Report};
 pub use solution::Solution;
-pub use surroundings::Surroundings;
+pub use static_background::StaticBackground;
 
 #[cfg(test)]
 mod tests {
@@ -105,7 +104,7 @@ mod tests {
         fn check_clone<T: Clone>() {}
         check::<(Error, InputMesh, Picture<'_>, Solution, Solver, Warped, Report)>();
         check::<(cloud::PointCloud, cloud::CloudSolution, domain::Domain, project::Project)>();
-        check::<(distance::Navigation, distance::Distances<'_>, pose::Poser, pose::Pose, weight::SparseWeights)>();
-        check_clone::<(Solution, cloud::CloudSolution, distance::Navigation, distance::Distances<'_>, pose::Pose)>();
+        check::<(distance::Navigation, distance::Distances<'_>, pose::Poser, deform::Pose, weight::SparseWeights)>();
+        check_clone::<(Solution, cloud::CloudSolution, distance::Navigation, distance::Distances<'_>, deform::Pose)>();
     }
 }

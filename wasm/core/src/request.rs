@@ -8,7 +8,7 @@ use crate::{
     error::Error,
     limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
     picture::Picture,
-    pose::Solved,
+    pose::SolvedHandle,
     prepared_domain::PreparedDomain,
     project::{Form, Handle, PoseMode, Project, Shape, Weighting},
     site::PointSite,
@@ -27,7 +27,7 @@ pub(crate) struct Request {
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
     /// The handles of all kinds.
-    pub(crate) handles: Vec<Solved>,
+    pub(crate) handles: Vec<SolvedHandle>,
     points: Vec<PointHandle>,
     lines: Vec<Line>,
 }
@@ -88,7 +88,7 @@ impl Request {
             let Line { id, corners, .. } = longest.expect("segments are pieces of lines");
             return Err(Error::TooManyCorners { id: id.clone(), corners: corners.len(), segments });
         }
-        let solved = |handle: &Handle| Solved { id: handle.id.clone(), form: Form::of(&handle.shape)[0] };
+        let solved = |handle: &Handle| SolvedHandle { id: handle.id.clone(), form: Form::of(&handle.shape)[0] };
         Ok(Self {
             samples: project.samples as usize,
             density: project.pose.density as usize,

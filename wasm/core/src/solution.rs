@@ -7,13 +7,12 @@ use glam::DVec2;
 use crate::{
     bone::Outside,
     cell_borders::{BorderPiece, cell_borders},
+    deform::{FoldingMesh, Mapped, Pose, depths, drawing_order, rest_points},
     distance::Navigation,
     domain::Domain,
-    drawing_order::drawn_triangles,
     error::Error,
-    inverse,
     picture::Picture,
-    pose::{HarmonicFields, Mapped, Pose, Poser},
+    pose::{HarmonicFields, Poser},
     prepared_domain::PreparedDomain,
     project::Project,
     raster::{self, options::ResampleOptions, sources::Source, warped::Warped},
@@ -21,13 +20,13 @@ use crate::{
     report::{Fingerprint, Report},
     request::check_picture,
     site::{Site, SiteGraph},
-    surroundings::Surroundings,
+    static_background::StaticBackground,
     triangulation::NONE,
     weight::{Influence, SparseWeights, WeightFunctions},
 };
 
-/// The result of a solve: of a mesh over the domain and of any point of it, how sites move it. It does not depend on where the
-/// handles are posed: its [`poser`](Self::poser) makes the poses that it takes, and no other does.
+/// The result of a solve: how sites move a mesh over the domain, and any point of the domain. It does not depend on where
+/// the handles are posed. Only its own [`poser`](Self::poser) makes poses of it.
 ///
 /// ```
 /// use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -41,19 +40,19 @@ use crate::{
 /// let mapped = solution.map(&pose, [25.0, 15.0].into()).unwrap();
 /// assert!(mapped.posed.y < 15.0 && mapped.det > 0.0);
 /// assert_eq!(solution.posed_vertices(&pose).len(), solution.vertices().len());
-/// // What is outside of the domain goes nowhere.
+/// // Points outside the domain have no posed place.
 /// assert!(solution.map(&pose, [41.0, 15.0].into()).is_none());
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Solution {
     pub(crate) mesh: RenderMesh,
-    pub(crate) surroundings: Surroundings,
+    pub(crate) background: StaticBackground,
     pub(crate) weights: SparseWeights,
     pub(crate) sites: Vec<Site>,
     pub(crate) graph: SiteGraph,
     pub(crate) harmonic: HarmonicFields,
-    /// Number of samples: the first vertices of the mesh; the others are the skirt's.
+    /// Number of samples: the first vertices of the mesh. The others belong to the skirt.
     pub(crate) samples: usize,
     /// The nearest site of each sample, [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
@@ -67,17 +66,17 @@ pub struct Solution {
     pub(crate) prepared: Arc<PreparedDomain>,
 }
 
-/// All that a pose draws, in order.
+/// The meshes that a pose draws, in drawing order.
 struct Drawn {
     rest: Vec<DVec2>,
     posed: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
 }
 
-/// What is drawn.
+/// The mesh.
 impl Solution {
-    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt, a skirt of some pixels around
-    /// soft edges.
+    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt, a strip of some
+    /// pixels around soft edges.
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {
         &self.mesh.vertices
@@ -90,14 +89,14 @@ impl Solution {
         &self.mesh.triangles
     }
 
-    /// What of the picture lies around the rings of a project that draws its domain: it stays, and is drawn before the
+    /// The part of the picture outside a domain of polygons. It stays in place, and is drawn before the
     /// [`triangles`](Self::triangles). Empty for any other domain.
     #[must_use]
-    pub fn surroundings(&self) -> &Surroundings {
-        &self.surroundings
+    pub fn static_background(&self) -> &StaticBackground {
+        &self.background
     }
 
-    /// Number of samples, the first of the [`vertices`](Self::vertices): those in the domain.
+    /// Number of samples: the first [`vertices`](Self::vertices), which lie in the domain.
     #[must_use]
     pub fn samples(&self) -> usize {
         self.samples
@@ -110,42 +109,42 @@ impl Solution {
     }
 }
 
-/// What moves it.
+/// The sites.
 impl Solution {
-    /// The sites, with their cells and supports: point handles and the first sites of bars and of a held boundary from top to bottom,
-    /// then others as they were inserted.
+    /// The sites, with their cells and supports: point handles and the first sites of bars and of a held boundary from top
+    /// to bottom, then others in the order of insertion.
     #[must_use]
     pub fn sites(&self) -> &[Site] {
         &self.sites
     }
 
-    /// The links of the cell graph (section IV-B): two sites, the lower index first, and the weight of the link, in (0, 1]. Ascending.
+    /// The links of the cell graph (section IV-B), ascending: two sites, the lower index first, and a weight in (0, 1].
     pub fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
         self.graph.iter()
     }
 
-    /// ϖ: the real sites that a site gets its motion from and their shares (eq. 4), which sum to 1 within rounding; ascending by site. Of a
-    /// real site itself alone.
+    /// ϖ: the real sites that a site gets its motion from and their weights (eq. 4), ascending by site. They sum to 1 within
+    /// rounding. A real site has itself alone.
     ///
     /// # Panics
-    /// For a site that there is not.
-    pub fn shares(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+    /// If `site` is out of bounds.
+    pub fn harmonic_weights(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.harmonic.row(site)
     }
 
-    /// The nearest site of a sample, `None` on an island without sites. Where the support of the nearest site ends before the
-    /// sample, as it may in a nook, it can be another one that moves the sample.
+    /// The nearest site of a sample, `None` on an island without sites. Its support may end before the sample, beside an
+    /// acute joint for example. Other sites move the sample then.
     ///
     /// # Panics
-    /// For a vertex that is no sample.
+    /// If `sample` is out of bounds.
     #[must_use]
     pub fn nearest_site(&self, sample: usize) -> Option<usize> {
         let site = self.nearest[sample];
         (site != NONE).then_some(site as usize)
     }
 
-    /// The borders between the cells 𝒱(h_i), in straight pieces within the triangles of the mesh. The sites of one handle have one cell in
-    /// common. Cost: two milliseconds for 100 sites and 10,000 samples.
+    /// The borders between the cells 𝒱(h_i), in straight pieces within the triangles of the mesh. The sites of one handle
+    /// share one cell. Cost: two milliseconds for 100 sites and 10,000 samples.
     #[must_use]
     pub fn cell_borders(&self) -> Vec<BorderPiece> {
         cell_borders(&self.mesh, &self.nearest, &self.sites, self.navigation())
@@ -157,8 +156,8 @@ impl Solution {
         &self.phi_sums
     }
 
-    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d minus the greatest radius that
-    /// the cell may have, in place of r_d − r_h. Infinite where there is no cell.
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d minus the
+    /// greatest radius that the cell may have, in place of r_d − r_h. Infinite without cells.
     #[must_use]
     pub fn scores(&self) -> &[f64] {
         &self.scores
@@ -178,7 +177,7 @@ impl Solution {
         &self.prepared.navigation
     }
 
-    /// Makes poses of this solution.
+    /// The poser of this solution.
     #[must_use]
     pub fn poser(&self) -> &Poser {
         &self.poser
@@ -206,8 +205,8 @@ impl Solution {
         Some(influences.into_iter().map(|influence| (influence.site, influence.weight)).collect())
     }
 
-    /// The weights of points of the caller's, such as the vertices of a mesh, points × sites. The row of a point outside the domain
-    /// is empty, as that of a point on an island without sites is: such a point stays.
+    /// The weights of any points, such as the vertices of another mesh, points × sites. A point outside the domain or on an
+    /// island without sites has an empty row, and stays.
     ///
     /// Cost: for each point, that of [`weights_at`](Self::weights_at).
     #[must_use]
@@ -225,87 +224,87 @@ impl Solution {
         &self.outside
     }
 
-    /// Where a point goes (eq. 1), and how its surroundings grow; `None` outside the domain.
+    /// The posed place of a point (eq. 1), and the growth of areas there; `None` outside the domain.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<Mapped> {
         self.expect_own(pose);
         Some(pose.map(p, &self.influences_at(p)?))
     }
 
-    /// Where the mesh's vertices go.
+    /// The posed places of the vertices.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
         self.expect_own(pose);
-        let vertices = self.mesh.vertices.iter().enumerate();
-        vertices.map(|(v, &p)| pose.blended(p, self.weights.row(v))).collect()
+        pose.blend_all(&self.mesh.vertices, &self.weights)
     }
 
-    /// The mesh's triangles in the order in which a pose has them drawn, later ones over earlier ones: by the depths of the handles.
+    /// The triangles in the drawing order of a pose, later ones over earlier ones: by the depths of the handles.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
     pub fn drawn_triangles(&self, pose: &Pose) -> Cow<'_, [[u32; 3]]> {
         self.expect_own(pose);
-        let depths: Vec<f64> = pose.motions().iter().map(|motion| motion.depth).collect();
-        drawn_triangles(&self.mesh, &self.weights, &depths)
+        drawing_order(&self.mesh.triangles, &self.weights, &depths(pose.motions()))
     }
 
-    /// The place of the picture at rest that a pose draws at a point: [`rests_of`](Self::rests_of) one point, at much the same cost.
+    /// The rest point that a pose draws at a place. Costs nearly as much as [`rest_points`](Self::rest_points) of many.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
-    pub fn rest_at(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
-        self.rests_of(pose, &[p]).pop().flatten()
+    pub fn rest_point(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
+        self.rest_points(pose, &[p]).pop().flatten()
     }
 
-    /// The places of the picture at rest that a pose draws at points, such as the centres of the result's pixels: of several that it
-    /// draws at one the last, which covers the others; `None` where it draws nothing.
+    /// The rest points that a pose draws at some places, such as the centres of pixels. If the picture covers itself, the one
+    /// drawn last; `None` if nothing is drawn there.
     ///
-    /// This is the inverse of the mesh as it is drawn, whose triangles are flat, so it gives back what [`map`](Self::map) is given as
-    /// closely as flat triangles follow a picture that bends. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each
-    /// triangle a look at the points as high up as it.
+    /// This inverts the drawn mesh, whose triangles are flat, so it inverts [`map`](Self::map) up to the error of flat
+    /// triangles. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each triangle a visit of the places within
+    /// its range of y.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
-    pub fn rests_of(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
+    pub fn rest_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
         if self.kinds == [0; 3]
             && let Some((width, height)) = self.prepared.picture
         {
-            // Then the picture is drawn as it is, with all that is no part of the domain.
+            // Without handles the whole picture is drawn, with the parts outside the domain.
             let size = DVec2::new(f64::from(width), f64::from(height));
             let drawn = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmple(size).all();
             return points.iter().map(|p| Some(*p).filter(drawn)).collect();
         }
-        let (vertices, around) = (&self.mesh.vertices, self.surroundings.vertices());
-        let moved = inverse::rests_of(vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), points);
-        let still = inverse::rests_of(around, around, self.surroundings.triangles(), points);
+        let (vertices, around) = (&self.mesh.vertices, self.background.vertices());
+        let moved = rest_points(vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), points);
+        let still = rest_points(around, around, self.background.triangles(), points);
         moved.into_iter().zip(still).map(|(moved, still)| moved.or(still)).collect()
     }
 
-    /// The picture, warped by a pose: what [`raster::warp`] draws of the [surroundings](Self::surroundings) and the mesh, or, where there
-    /// is no handle, of the picture as it is, with all that is no part of the domain.
+    /// The warped picture: [`raster::warp`] of the [static background](Self::static_background) and the mesh. Without
+    /// handles, the whole picture at rest.
     ///
-    /// [`raster::warped_size`] tells the size, unless the canvas grows.
+    /// It has the size that [`raster::warped_size`] returns, unless the canvas grows.
     ///
     /// # Errors
-    /// [`Error::Scale`]; [`Error::Canvas`]; [`Error::PictureMismatch`] for a picture of another size than was solved, where a picture was, and not a mesh;
-    /// [`Error::PoseOfAnother`].
+    /// - [`Error::Scale`];
+    /// - [`Error::Canvas`];
+    /// - [`Error::PictureMismatch`] for a picture of another size than the solved one; a solved mesh accepts any size;
+    /// - [`Error::PoseOfAnother`].
     pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Warped, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
         raster::warp(picture, &rest, &posed, &triangles, options)
     }
 
-    /// Where the pixels of a warped picture come from, in rows from top to bottom: [`raster::sources`] of what [`warped`](Self::warped)
-    /// made of the same picture and pose in the same way.
+    /// The [sources](raster::sources) of the pixels of a warped picture, in rows from top to bottom. `warped` is the result
+    /// of [`warped`](Self::warped) for the same picture, pose and options.
     ///
     /// # Errors
     /// [`Error::PictureMismatch`] and [`Error::PoseOfAnother`], as for [`warped`](Self::warped).
@@ -320,7 +319,7 @@ impl Solution {
         Ok(raster::sources(picture, &rest, &posed, &triangles, options, warped))
     }
 
-    /// All that a pose draws: the surroundings and the mesh, or, where there is no handle, the picture as it is.
+    /// The static background and the mesh, or the whole picture at rest without handles.
     fn drawn(&self, picture: &Picture<'_>, pose: &Pose) -> Result<Drawn, Error> {
         if let Some(size) = self.prepared.picture {
             check_picture(size, picture)?;
@@ -333,30 +332,30 @@ impl Solution {
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
             return Ok(Drawn { rest: corners.into(), posed: corners.into(), triangles: vec![[0, 1, 2], [0, 2, 3]] });
         }
-        let around = self.surroundings.vertices();
+        let around = self.background.vertices();
         let first = around.len() as u32;
         let drawn = self.drawn_triangles(pose);
         let moved = drawn.iter().map(|triangle| triangle.map(|vertex| first + vertex));
         Ok(Drawn {
             rest: [around, &self.mesh.vertices].concat(),
             posed: [around, &self.posed_vertices(pose)].concat(),
-            triangles: self.surroundings.triangles().iter().copied().chain(moved).collect(),
+            triangles: self.background.triangles().iter().copied().chain(moved).collect(),
         })
     }
 
     /// Intrinsic distances from one point of the domain to others, in pixels; `None` where no path leads.
     ///
     /// # Errors
-    /// [`Error::PointOutside`] where the first point lies outside the domain.
+    /// [`Error::PointOutside`] if the first point lies outside the domain.
     pub fn distances(&self, from: DVec2, at: &[DVec2]) -> Result<Vec<Option<f64>>, Error> {
         let distances = self.navigation().distances_from(from)?;
         Ok(at.iter().map(|&p| distances.to(p)).collect())
     }
 
-    /// The solve in numbers, with the folds of a pose.
+    /// The figures of the solve, and the folds of a pose.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
         let real = self.sites.iter().filter(|site| site.kind.is_real()).count();
@@ -387,19 +386,14 @@ impl Solution {
         }
     }
 
-    /// Triangles over the domain that a pose turns over.
+    /// The number of triangles over the domain that a pose turns over.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If the pose is of another solution.
     #[must_use]
     pub fn folded_triangles(&self, pose: &Pose) -> usize {
         let posed = self.posed_vertices(pose);
-        let inner = self.mesh.triangles.iter().filter(|t| t.iter().all(|&v| (v as usize) < self.samples));
-        let area = |&[a, b, c]: &[u32; 3]| {
-            let [a, b, c] = [a, b, c].map(|v| posed[v as usize]);
-            (b - a).perp_dot(c - a)
-        };
-        inner.filter(|t| area(t) < 0.0).count()
+        FoldingMesh::new(&self.mesh.vertices, &self.mesh.triangles, self.samples).count(&posed, usize::MAX)
     }
 
     fn expect_own(&self, pose: &Pose) {

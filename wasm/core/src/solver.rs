@@ -12,7 +12,7 @@ use crate::{
     error::Error,
     input_mesh::InputMesh,
     picture::Picture,
-    pose::{HarmonicFields, Poser, Quadrature},
+    pose::{HarmonicFields, Poser, PoserInput, Quadrature},
     prepared_domain::{DomainKey, PreparedDomain},
     project::{PoseMode, Project},
     render_mesh::{RenderMesh, leading_parts},
@@ -21,7 +21,7 @@ use crate::{
     site::{Obstacles, Regions, Scores, Site, SiteGraph, insert_virtual_sites},
     solution::Solution,
     stage::Stage,
-    surroundings::Surroundings,
+    static_background::StaticBackground,
     weight::{Basis, Swept, WeightFunctions, support_radii},
 };
 
@@ -248,16 +248,23 @@ fn weigh(
     let harmonic = HarmonicFields::new(&sites, &graph);
     let quadrature =
         (request.mode == PoseMode::Rigid).then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
-    let solved = request.handles.clone();
-    let poser = Poser::new(&sites, &graph, &harmonic, skeleton, solved, request.mode, quadrature);
+    let poser = Poser::new(PoserInput {
+        sites: &sites,
+        graph: &graph,
+        harmonic: &harmonic,
+        skeleton,
+        handles: request.handles.clone(),
+        mode: request.mode,
+        quadrature,
+    });
     let count = samples.len();
     let leading = leading_parts(&nearest, &sites, &harmonic);
     weights.extend_as(&samples.skirt.owners);
-    let surroundings = prepared.background_size.map(|size| Surroundings::new(&samples, size)).unwrap_or_default();
+    let background = prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default();
     let mesh = RenderMesh::new(samples, &leading);
     Solution {
         mesh,
-        surroundings,
+        background,
         weights,
         sites,
         graph,

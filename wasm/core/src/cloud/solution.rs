@@ -7,8 +7,9 @@ use glam::DVec2;
 use super::{PointCloud, regions::Regions};
 use crate::{
     bone::Skeleton,
+    deform::Pose,
     error::Error,
-    pose::{HarmonicFields, Pose, Poser},
+    pose::{HarmonicFields, Poser, PoserInput},
     project::Project,
     request::Request,
     site::{PointSite, Site, SiteGraph, SiteKind},
@@ -60,7 +61,15 @@ impl CloudSolution {
         }
         let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
-        let poser = Poser::new(&sites, &graph, &harmonic, Skeleton::default(), solved, mode, None);
+        let poser = Poser::new(PoserInput {
+            sites: &sites,
+            graph: &graph,
+            harmonic: &harmonic,
+            skeleton: Skeleton::default(),
+            handles: solved,
+            mode,
+            quadrature: None,
+        });
         Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, given, cloud, poser })
     }
 
@@ -86,7 +95,7 @@ impl CloudSolution {
     ///
     /// # Panics
     /// For a site that there is not.
-    pub fn shares(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+    pub fn harmonic_weights(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.harmonic.row(site)
     }
 

@@ -1,39 +1,34 @@
-//! From the posed handles to the posed place of every point (sections III and IV-B, eq. 1 and 4).
+//! From the posed handles to the motions of all sites (section IV-B, eq. 4). [`deform`](crate::deform) blends them.
 //!
 //! Once for a solution:
 //!
-//! - `harmonic`: ϖ, the shares of handles in the motions of virtual sites (eq. 4, section V-C): some n √n for n sites.
+//! - `harmonic`: ϖ, the weights of handles in the motions of virtual sites (eq. 4, section V-C): some n √n for n sites.
 //! - `rigid/quadrature`: the nodes at which the rigid mode measures distortion.
 //!
-//! Once a frame, in `poser`, for handles that match those `solved`:
+//! Once a frame, in `poser`, for handles that match each `solved_handle`:
 //!
 //! - `motion`, `strain`: T_i as logarithms, blended as sums (eq. 4): handles × virtual sites, microseconds.
 //! - `automatic`: the rotations that no person set (section VI).
 //! - `rigid`: the rigid mode in place of eq. 4: half a millisecond to one for 100 virtual sites.
 //! - `unwrap`: whole turns.
 //!
-//! Then for every point:
-//!
-//! - `blend`: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of `dual`: the supports over each point.
-//!
 //! `numeric` has the factorisations and the descent that `harmonic` and `rigid` are computed with.
 
 mod automatic;
-mod blend;
-mod dual;
 mod harmonic;
 mod motion;
 mod numeric;
 mod poser;
 mod rigid;
-mod solved;
+mod solved_handle;
 mod strain;
 mod unwrap;
 
-pub use blend::{Mapped, Pose};
 pub(crate) use harmonic::HarmonicFields;
 pub use motion::Motion;
+pub(crate) use motion::turn;
 pub use poser::Poser;
+pub(crate) use poser::PoserInput;
 pub(crate) use rigid::Quadrature;
-pub(crate) use solved::Solved;
+pub(crate) use solved_handle::SolvedHandle;
 pub use strain::Strain;

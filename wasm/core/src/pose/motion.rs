@@ -83,7 +83,7 @@ impl Motion {
 }
 
 /// Cosine and sine of an angle: the rotation as a complex number.
-pub(super) fn turn(angle: f64) -> DVec2 {
+pub(crate) fn turn(angle: f64) -> DVec2 {
     let (sin, cos) = libm::sincos(angle);
     DVec2::new(cos, sin)
 }

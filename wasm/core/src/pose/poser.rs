@@ -5,7 +5,7 @@ use std::{borrow::Cow, collections::HashMap, sync::Arc};
 use glam::{DMat2, DVec2};
 
 use super::{
-    HarmonicFields, Motion, Pose, Quadrature, Solved,
+    HarmonicFields, Motion, Quadrature, SolvedHandle,
     automatic::Automatic,
     rigid::{Freedom, Rigid},
     unwrap::unwrap_angles,
@@ -13,12 +13,12 @@ use super::{
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
-    project::{Blend, Form, Handle, PoseMode, Rotation, Shape, check_handles},
+    project::{Form, Handle, PoseMode, Rotation, Shape, check_handles},
     site::{Site, SiteGraph, SiteKind},
 };
 
-/// Poses a solved scene. It knows the sites and how they depend on one another, no picture and no samples, and as bytes it goes to
-/// where no solution is, such as another thread of a page.
+/// Poses a solved scene. It knows the sites and how they depend on one another, but no picture and no samples. Its
+/// [bytes](Self::to_bytes) can be sent to another thread or process that has no solution.
 ///
 /// ```
 /// # use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -37,34 +37,38 @@ use crate::{
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 ///
-/// Cost of a pose: a look at every share of a handle in a virtual site, and at every pair of handles that has an edge where
-/// rotations are automatic. Microseconds for tens of handles, some milliseconds for 1,000. In the rigid mode some hundreds of microseconds
-/// more for 100 virtual sites, some ten milliseconds for 500 handles; and the first pose of a poser takes 10 to 20 times as long, in which it
-/// factorises its matrices.
+/// Cost of a pose: a visit of every harmonic weight, and of every pair of handles with an edge if rotations are automatic.
+/// Microseconds for tens of handles, some milliseconds for 1,000. The rigid mode adds some hundreds of microseconds for
+/// 100 virtual sites, and some ten milliseconds for 500 handles. The first pose factorises matrices, which takes 10 to 20
+/// times as long.
 #[derive(Debug, Clone)]
 pub struct Poser {
     rest: Arc<[DVec2]>,
     kinds: Vec<SiteKind>,
     skeleton: Skeleton,
-    /// What each handle was solved as.
-    solved: Vec<Solved>,
-    /// ϖ: for each site its real sites and their shares.
-    shares: Vec<Vec<(u32, f64)>>,
+    solved: Vec<SolvedHandle>,
+    /// ϖ: for each site its real sites and their weights.
+    harmonic: Vec<Vec<(u32, f64)>>,
     automatic: Automatic,
-    /// In the rigid mode.
+    /// `None` in the harmonic mode.
     rigid: Option<Rigid>,
 }
 
+/// The parts of a solution that a [`Poser`] is made from.
+pub(crate) struct PoserInput<'a> {
+    pub(crate) sites: &'a [Site],
+    pub(crate) graph: &'a SiteGraph,
+    pub(crate) harmonic: &'a HarmonicFields,
+    pub(crate) skeleton: Skeleton,
+    pub(crate) handles: Vec<SolvedHandle>,
+    pub(crate) mode: PoseMode,
+    /// Needed for the relaxation of the rigid mode; a point cloud has none.
+    pub(crate) quadrature: Option<Quadrature>,
+}
+
 impl Poser {
-    pub(crate) fn new(
-        sites: &[Site],
-        graph: &SiteGraph,
-        harmonic: &HarmonicFields,
-        skeleton: Skeleton,
-        solved: Vec<Solved>,
-        mode: PoseMode,
-        quadrature: Option<Quadrature>,
-    ) -> Self {
+    pub(crate) fn new(input: PoserInput<'_>) -> Self {
+        let PoserInput { sites, graph, harmonic, skeleton, handles: solved, mode, quadrature } = input;
         let freedom = |site: &Site| match site.kind {
             SiteKind::Virtual => Freedom::Whole,
             SiteKind::Point { .. } => Freedom::Linear,
@@ -84,31 +88,38 @@ impl Poser {
             kinds: sites.iter().map(|site| site.kind).collect(),
             skeleton,
             solved,
-            shares: harmonic.rows.clone(),
+            harmonic: harmonic.rows.clone(),
             automatic: Automatic::new(sites, graph, harmonic),
             rigid,
         }
     }
 
-    /// The motions of all sites when the handles are posed as given, in any order, to be blended in one way or the other; their rest
-    /// places play no part, but for the turn of bars and polygons.
+    /// The number of sites.
+    #[must_use]
+    pub fn sites(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// The rest places of the sites.
+    pub(crate) fn rest(&self) -> &Arc<[DVec2]> {
+        &self.rest
+    }
+
+    /// The motions of all sites, with the handles posed as given, in any order.
     ///
     /// # Errors
-    /// [`Error::PoseMismatch`] for more or fewer handles than were solved, [`Error::PoseMissing`] where one of these is not among them,
-    /// [`Error::PoseShape`] for one of another kind or with other
-    /// corners; [`Error::Project`] for what no handle of a project may be, such as one with a scale of 0; [`Error::PoseNotFinite`] for
-    /// numbers that overflow; [`Error::PoserBytes`] where bytes that were read say of bars what no scene says.
-    pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
+    /// Those of [`Poser::pose`].
+    pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
         let given = handles;
         let handles = &*self.as_solved(given)?;
-        for (handle, &Solved { form: solved, .. }) in handles.iter().zip(&self.solved) {
+        for (handle, &SolvedHandle { form: solved, .. }) in handles.iter().zip(&self.solved) {
             if let Some(posed) = Form::of(&handle.shape).into_iter().find(|&form| form != solved) {
                 return Err(Error::PoseShape { id: handle.id.clone(), solved, posed });
             }
         }
         check_handles(given)?;
         if !self.skeleton.fits(handles) {
-            // A skeleton that is made is made of the handles' corners; one that was read need not be.
+            // Bytes can hold a skeleton that does not fit the handles.
             return Err(Error::PoserBytes);
         }
         let mut motions = self.real_motions(handles);
@@ -126,18 +137,12 @@ impl Poser {
                 SiteKind::Bone { .. } | SiteKind::Boundary => false,
             };
             let is_free: Vec<bool> = self.kinds.iter().map(is_free).collect();
-            rigid.settle(&self.rest, &mut motions, &is_free, &self.scales(handles));
+            rigid.minimize(&self.rest, &mut motions, &is_free, &self.scales(handles));
             let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
             unwrap_angles(&mut angles, &is_free, rigid.links().map(|(i, j, _)| (i, j)));
             motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
         }
-        Ok(Pose::new(Arc::clone(&self.rest), motions, blend))
-    }
-
-    /// Whether a pose is of what this poses: the same sites.
-    pub(crate) fn has_made(&self, pose: &Pose) -> bool {
-        // The poser that made it may have been one of the same bytes.
-        Arc::ptr_eq(pose.rest(), &self.rest) || *pose.rest() == self.rest
+        Ok(motions)
     }
 
     /// The handles in the order in which they were solved.
@@ -149,13 +154,13 @@ impl Poser {
             return Ok(Cow::Borrowed(handles));
         }
         let by_id: HashMap<&str, &Handle> = handles.iter().map(|handle| (handle.id.as_str(), handle)).collect();
-        let find = |Solved { id, .. }: &Solved| {
+        let find = |SolvedHandle { id, .. }: &SolvedHandle| {
             by_id.get(id.as_str()).copied().cloned().ok_or_else(|| Error::PoseMissing { id: id.clone() })
         };
         self.solved.iter().map(find).collect::<Result<_, _>>().map(Cow::Owned)
     }
 
-    /// The motions of the real sites, but for automatic rotations; none of the virtual ones yet.
+    /// The motions of the real sites, before automatic rotations. Virtual sites have the identity.
     pub(super) fn real_motions(&self, handles: &[Handle]) -> Vec<Motion> {
         let bones = self.skeleton.motions(handles);
         let motion = |(&rest, kind): (&DVec2, &SiteKind)| match *kind {
@@ -166,9 +171,9 @@ impl Poser {
         self.rest.iter().zip(&self.kinds).map(motion).collect()
     }
 
-    /// Blends the motions of virtual sites from those of real ones, by their harmonic shares (eq. 4).
+    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4).
     fn blend_virtual(&self, motions: &mut [Motion]) {
-        // A motion that is the identity adds nothing: a held outline's, and usually those of most handles.
+        // The identity adds nothing. A held outline has it, and usually most handles.
         let passed_on = |motion: &Motion| {
             (*motion != Motion::default()).then(|| {
                 let passed_on = motion.passed_on();
@@ -177,49 +182,50 @@ impl Poser {
         };
         let passed_on: Vec<Option<(Motion, DMat2)>> = motions.iter().map(passed_on).collect();
         for site in (0..motions.len()).filter(|&site| !self.kinds[site].is_real()) {
-            let here = |&(real, share): &(u32, f64)| {
+            let here = |&(real, weight): &(u32, f64)| {
                 let real = real as usize;
                 let from = self.rest[site] - self.rest[real];
-                passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), share))
+                passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), weight))
             };
-            motions[site] = Motion::blended(self.shares[site].iter().filter_map(here));
+            motions[site] = Motion::blended(self.harmonic[site].iter().filter_map(here));
         }
     }
 
-    /// The scales of the handles at each site, spread by their harmonic shares. The stretch of a bar along itself is not passed on.
+    /// The scales of the handles at each site, spread by harmonic weights. The stretch of a bar along itself is not passed
+    /// on.
     fn scales(&self, handles: &[Handle]) -> Vec<f64> {
         let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
         if logs.iter().all(|&log| log == 0.0) {
             return vec![1.0; self.rest.len()];
         }
-        let log = |&(real, share): &(u32, f64)| {
+        let log = |&(real, weight): &(u32, f64)| {
             let handle = self.kinds[real as usize].handle();
-            share * handle.map_or(0.0, |handle| logs[handle])
+            weight * handle.map_or(0.0, |handle| logs[handle])
         };
-        self.shares.iter().map(|shares| libm::exp(shares.iter().map(log).sum())).collect()
+        self.harmonic.iter().map(|row| libm::exp(row.iter().map(log).sum())).collect()
     }
 
-    /// The poser as bytes, to be made again elsewhere by [`Poser::from_bytes`] of the same version.
+    /// The poser as bytes, for [`Poser::from_bytes`] of the same version.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        // Not by a derived implementation: anybody could then read one past the checks of `from_bytes`.
-        let Self { rest, kinds, skeleton, solved, shares, automatic, rigid } = self;
-        let all = (rest, kinds, skeleton, solved, shares, automatic, rigid);
+        // A derived implementation would allow reading without the checks of `from_bytes`.
+        let Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid } = self;
+        let all = (rest, kinds, skeleton, solved, harmonic, automatic, rigid);
         postcard::to_allocvec(&all).expect("plain data can be written to memory")
     }
 
     /// A poser from its bytes.
     ///
     /// # Errors
-    /// [`Error::PoserBytes`] for bytes that make no consistent poser. What is consistent is not known to be the result of
+    /// [`Error::PoserBytes`] for bytes that make no consistent poser. Consistent bytes need not come from
     /// [`Poser::to_bytes`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         let (all, rest) = postcard::take_from_bytes(bytes).map_err(|_| Error::PoserBytes)?;
         if !rest.is_empty() {
             return Err(Error::PoserBytes);
         }
-        let (rest, kinds, skeleton, solved, shares, automatic, rigid) = all;
-        let poser = Self { rest, kinds, skeleton, solved, shares, automatic, rigid };
+        let (rest, kinds, skeleton, solved, harmonic, automatic, rigid) = all;
+        let poser = Self { rest, kinds, skeleton, solved, harmonic, automatic, rigid };
         let sites = poser.rest.len();
         let real = |site: u32| poser.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
         let known = |kind: &SiteKind| match *kind {
@@ -232,8 +238,8 @@ impl Poser {
             SiteKind::Boundary | SiteKind::Virtual => true,
         };
         let whole = poser.kinds.len() == sites
-            && poser.shares.len() == sites
-            && poser.shares.iter().flatten().all(|&(site, _)| real(site))
+            && poser.harmonic.len() == sites
+            && poser.harmonic.iter().flatten().all(|&(site, _)| real(site))
             && poser.automatic.is_whole(real, poser.solved.len())
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
             && poser.skeleton.is_whole(poser.solved.len())
@@ -251,7 +257,7 @@ fn of_point(rest: DVec2, handle: &Handle) -> Motion {
     Motion::similarity(angle, handle.scale, posed - rest, handle.depth)
 }
 
-/// What a bone does at one of its sites.
+/// The motion of a site on a bone.
 fn of_bone(rest: DVec2, bone: &BoneMotion, depth: f64) -> Motion {
     let motion = Motion::of_bone(bone.angle, bone.along, bone.stretch, bone.across, DVec2::ZERO, depth);
     Motion { translation: bone.posed + motion.linear() * (rest - bone.rest) - rest, ..motion }

@@ -38,6 +38,16 @@ impl SparseWeights {
         }
     }
 
+    /// Rows of compressed arrays, as [`into_parts`](Self::into_parts) returns them; `None` unless these are consistent.
+    #[must_use]
+    pub fn from_parts(offsets: Vec<u32>, sites: Vec<u32>, weights: Vec<f64>) -> Option<Self> {
+        let is_whole = offsets.first() == Some(&0)
+            && offsets.is_sorted()
+            && offsets.last().is_some_and(|&entries| entries as usize == sites.len())
+            && sites.len() == weights.len();
+        is_whole.then_some(Self { offsets, sites, weights })
+    }
+
     /// Appends `points` rows from dense columns, one for each site in ascending order; zero weights are skipped.
     pub(crate) fn push_rows<'a, const N: usize>(
         &mut self,

@@ -79,7 +79,7 @@ impl Rigid {
 
     /// Replaces harmonic motions by rigid ones. `is_free` says for each site whether its rotation is free, `scales` are those
     /// requested at the sites.
-    pub(super) fn settle(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
+    pub(super) fn minimize(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
         if rest.is_empty() {
             return;
         }
@@ -94,7 +94,7 @@ impl Rigid {
         let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
         bend(laplacian, self.links(), rest, motions, is_free, scales, bent * extent);
         if let Some(relaxation) = relaxation {
-            relaxation.settle(motions, is_free, scales, RELAXED * extent);
+            relaxation.minimize(motions, is_free, scales, RELAXED * extent);
         }
     }
 }

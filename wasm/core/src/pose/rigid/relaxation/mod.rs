@@ -95,7 +95,7 @@ impl Relaxation {
 
     /// Lowers the distortion of motions. `is_free` says for each site whether its rotation is free, `scales` are those
     /// requested at the sites; the descent ends with an iteration that moves no site by more than `settled` pixels.
-    pub(super) fn settle(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], settled: f64) {
+    pub(super) fn minimize(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], settled: f64) {
         if self.hold.is_empty() {
             return;
         }

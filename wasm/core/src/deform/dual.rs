@@ -12,10 +12,10 @@
 //! a mean with complex weights, so it does not depend on the origin. Stretches enter through the y_i alone: at each point a
 //! motion counts as the rotation by θ_i that takes the point to y_i.
 //!
-//! Guaranteed: equal motions blend to that motion; a site with all the weight moves its point; a point that all motions take
-//! to one place goes there. Where nothing is stretched and the angles at a point lie within 240° of one another, the point
-//! moves by a rigid motion, about the common pivot if there are two motions with one. The result depends smoothly (C²) on
-//! places, weights and angles, through any number of turns.
+//! Guaranteed: equal motions blend to that motion; a site with all the weight moves its point; a point that all motions
+//! take to one place goes there. Without stretches, and with angles within 240° of one another, a point moves by a rigid
+//! motion. Two motions with a common pivot turn it about that pivot. The result depends smoothly (C²) on places, weights
+//! and angles, through any number of turns.
 //!
 //! Limits: weights change from point to point, and with them the rigid motion, so a picture still bends. Beyond 240° the sum
 //! P = Σ w p may come near 0, where no choice of a rigid motion is continuous: as one of two angles makes a full turn, the
@@ -29,7 +29,7 @@ use std::ops::{Add, Mul};
 
 use glam::{DMat2, DVec2};
 
-use super::{Motion, motion::turn};
+use crate::pose::{Motion, turn};
 
 /// The blend is rigid from this |P|² on: cos² of 60°, the least for angles within 240°.
 const RIGID: f64 = 0.25;
@@ -73,8 +73,7 @@ impl Sums {
         self.place_along(p, &[]).0
     }
 
-    /// The posed place of p, and its derivatives with respect to the same variables as `changes`, the derivatives of the
-    /// sums.
+    /// The posed place of p, and its derivatives along the variables that `changes` holds the derivatives of the sums for.
     fn place_along<const N: usize>(&self, p: DVec2, changes: &[Self; N]) -> (DVec2, [DVec2; N]) {
         let Self { posed, half, moved } = *self;
         // The rigid blend minus the linear one, times P̄.

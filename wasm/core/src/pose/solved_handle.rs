@@ -1,12 +1,12 @@
-//! What a pose must match: the handles that were solved.
+//! The name and the form of a handle, which a pose must match.
 
 use serde::{Deserialize, Serialize};
 
 use crate::project::Form;
 
-/// A handle as it was solved.
+/// A handle as it was solved, without its places.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Solved {
+pub(crate) struct SolvedHandle {
     pub(crate) id: String,
     pub(crate) form: Form,
 }

@@ -1,29 +1,32 @@
 //! The posed place of a point: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of [`dual`](super::dual).
 //!
-//! Cost: some floating-point operations for each site that moves the point.
+//! `web/src/render/warp.vert.glsl` is the only other implementation. Cost: some floating-point operations for each site
+//! that moves the point.
 
 use std::{ops::Add, sync::Arc};
 
 use glam::{DMat2, DVec2};
 
-use super::{
-    Motion,
-    dual::{Dual, Sums, half_turn, mapped},
+use super::dual::{Dual, Sums, half_turn, mapped};
+use crate::{
+    error::Error,
+    pose::{Motion, Poser},
+    project::{Blend, Handle},
+    weight::{Influence, SparseWeights},
 };
-use crate::{project::Blend, weight::Influence};
 
-/// Where everything goes: the maps of all sites, T_i(p) = posed_i + [a c; b d] (p − rest_i), and how they are blended (eq. 1). Made by a
-/// [`Poser`](super::Poser).
+/// The maps of all sites, T_i(p) = posed_i + [a c; b d] (p − rest_i), and how they are blended (eq. 1). Made by
+/// [`Poser::pose`].
 #[derive(Debug, Clone)]
 pub struct Pose {
     rest: Arc<[DVec2]>,
     motions: Vec<Motion>,
     maps: Vec<SiteMap>,
-    /// For the rigid blend: one for each site.
+    /// One for each site, for the rigid blend.
     duals: Option<Vec<Dual>>,
 }
 
-/// T_i: what a vertex needs of a motion, in one place of memory.
+/// T_i in the form that vertices are mapped with, contiguous in memory.
 #[derive(Debug, Clone, Copy)]
 struct SiteMap {
     rest: DVec2,
@@ -41,8 +44,29 @@ pub struct Mapped {
     pub det: f64,
 }
 
+impl Poser {
+    /// The pose of handles, given in any order. Their rest places matter for the turns of bars and polygons alone.
+    ///
+    /// # Errors
+    /// - [`Error::PoseMismatch`] if the number of handles differs from the solved one;
+    /// - [`Error::PoseMissing`] if a solved handle is not among them;
+    /// - [`Error::PoseShape`] for a handle of another kind or number of corners;
+    /// - [`Error::Project`] for a handle that no project may have, such as one with a scale of 0;
+    /// - [`Error::PoseNotFinite`] for numbers that overflow;
+    /// - [`Error::PoserBytes`] if the poser was read from bytes whose bars contradict its handles.
+    pub fn pose(&self, handles: &[Handle], blend: Blend) -> Result<Pose, Error> {
+        Ok(Pose::new(Arc::clone(self.rest()), self.motions(handles)?, blend))
+    }
+
+    /// Whether a pose is of the sites of this poser.
+    pub(crate) fn has_made(&self, pose: &Pose) -> bool {
+        // The poser that made it may be another copy of the same bytes.
+        Arc::ptr_eq(&pose.rest, self.rest()) || pose.rest == *self.rest()
+    }
+}
+
 impl Pose {
-    pub(crate) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
+    pub(super) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
         let sites = || rest.iter().zip(&motions);
         let map = |(&rest, motion): (&DVec2, &Motion)| SiteMap {
             rest,
@@ -55,23 +79,18 @@ impl Pose {
         Self { rest, motions, maps, duals }
     }
 
-    /// Where the sites rest.
-    pub(super) fn rest(&self) -> &Arc<[DVec2]> {
-        &self.rest
-    }
-
     /// T_i(p) for one site: where it alone would take a point, in pixels.
     ///
     /// # Panics
-    /// For a site that the solution has not.
+    /// If `site` is out of bounds.
     #[must_use]
     pub fn moved(&self, site: usize, p: DVec2) -> DVec2 {
         let SiteMap { rest, posed, linear } = self.maps[site];
         posed + linear * (p - rest)
     }
 
-    /// The posed place of a point, in pixels, from the sites that move it and their weights: a row of
-    /// [`SparseWeights`](crate::weight::SparseWeights), for example. A point without weights stays.
+    /// The posed place of a point, in pixels, from the sites that move it and their weights, for example a row of
+    /// [`SparseWeights`]. A point without weights stays.
     ///
     /// # Panics
     /// If the solution has no such site.
@@ -111,12 +130,20 @@ impl Pose {
         Mapped { posed, det: derivative.determinant() }
     }
 
+    /// The posed places of points, from the row of each in the weights.
+    ///
+    /// # Panics
+    /// If a point has no row, or the solution has no such site.
+    pub(crate) fn blend_all(&self, points: &[DVec2], weights: &SparseWeights) -> Vec<DVec2> {
+        points.iter().enumerate().map(|(row, &p)| self.blended(p, weights.row(row))).collect()
+    }
+
     /// Sites × 12 for a vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest y, posed x,
     /// posed y, depth, angle, cosine and sine of half the angle. Places are in image pixels, angles in radians.
     ///
-    /// Vertex v of the mesh, at rest at p, is moved by the sites and weights of its row, `sites[offsets[v]..offsets[v + 1]]` and
-    /// `weights[offsets[v]..offsets[v + 1]]` of [`SparseWeights`](crate::weight::SparseWeights). Site i alone would take it to
-    /// y_i = posed_i + [a c; b d] (p − rest_i). A vertex without a row stays. Of the others
+    /// Vertex v of the mesh, at rest at p, is moved by the sites and weights of its row,
+    /// `sites[offsets[v]..offsets[v + 1]]` and `weights[offsets[v]..offsets[v + 1]]` of [`SparseWeights`]. Site i alone
+    /// would take it to y_i = posed_i + [a c; b d] (p − rest_i). A vertex without a row stays. The others go to
     ///
     /// ```text
     /// linear  p′ = Σ w_i y_i
@@ -125,9 +152,10 @@ impl Pose {
     ///         g(s) = 1/s for s ≥ ¼, else 4 (3 − 12 s + 16 s²)
     /// ```
     ///
-    /// where products are those of complex numbers, x + iy. Texture coordinates are p / (width, height) of the picture, and the depth of
-    /// a triangle is the mean of its corners' Σ w_i depth_i: [`Solution::drawn_triangles`](crate::Solution::drawn_triangles) sorts by it.
-    /// [`Solution::posed_vertices`](crate::Solution::posed_vertices) gives all p′, in the blend of the pose, without any of this.
+    /// where products are those of complex numbers, x + iy. Texture coordinates are p / (width, height) of the picture.
+    /// The depth of a triangle is the mean of its corners' Σ w_i depth_i, and
+    /// [`Solution::drawn_triangles`](crate::Solution::drawn_triangles) sorts by it.
+    /// [`Solution::posed_vertices`](crate::Solution::posed_vertices) returns all p′ without any of this.
     #[must_use]
     pub fn packed(&self) -> Vec<f32> {
         let sites = self.maps.iter().zip(&self.motions);
@@ -178,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn packed_numbers_move_points_by_the_formulas_that_are_told() {
+    fn packed_numbers_follow_the_documented_formulas() {
         let rest: Arc<[DVec2]> = [(10.0, 20.0), (90.0, 30.0), (50.0, 80.0)].map(DVec2::from).into();
         let p = DVec2::new(45.0, 40.0);
         let weights = [0.5, 0.3, 0.2];

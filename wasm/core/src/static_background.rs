@@ -1,7 +1,6 @@
-//! What of the picture lies around a domain that the project draws by polygons: it stays where it is, behind what bends.
+//! The part of a picture outside a domain that is given as polygons: it stays in place, behind the part that bends.
 //!
-//! Its triangles have the outline's samples for corners, so that no sample of a pixel is missed between them and an outline that
-//! is held.
+//! Its triangles share the samples of the outline, so that no gap appears along an outline that is held.
 //!
 //! Cost: O(n log n) in the outline's samples.
 
@@ -9,15 +8,15 @@ use glam::DVec2;
 
 use crate::{sample::Samples, triangulation::Triangulation};
 
-/// A mesh over the surroundings of a domain. Empty where there is nothing to be drawn.
+/// A mesh over the part of a picture outside the domain. Empty unless the domain is given as polygons.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Surroundings {
+pub struct StaticBackground {
     vertices: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
 }
 
-impl Surroundings {
-    /// Those of sampled rings in a picture of this size.
+impl StaticBackground {
+    /// The background of sampled rings in a picture of this size.
     pub(crate) fn new(samples: &Samples, size: DVec2) -> Self {
         let mut vertices = vec![DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
         let mut segments = Vec::new();

@@ -1,0 +1,46 @@
+//! The blended map on the processor (sections III and IV-B, eq. 1): from the motions of all sites to the posed place of
+//! every point, and back. The shader `web/src/render/warp.vert.glsl` is the only other implementation.
+//!
+//! For every point:
+//!
+//! - `pose`: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of `dual`.
+//! - `drawing_order`: the triangles from the farthest to the nearest.
+//! - `locate`, `inverse`: the point of the picture that is drawn at one place, or at many.
+//!
+//! For the editor:
+//!
+//! - `posed_picture`: all of it for one solution, without the solution itself.
+//! - `placement`: where a handle can be placed.
+//! - `folds`, `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
+//! - `reach`, `coverage`, `bounds`, `borders`: what the overlays show.
+//!
+//! Cost: a blend visits the supports over each vertex; everything else is linear in the mesh.
+
+mod borders;
+mod bounds;
+mod coverage;
+mod drawing_order;
+mod dual;
+mod fold_guard;
+mod folds;
+mod handle_pose;
+mod inverse;
+mod locate;
+mod placement;
+mod pose;
+mod posed_picture;
+mod reach;
+mod rounding;
+mod triangle;
+mod way;
+
+pub use bounds::Bounds;
+pub(crate) use drawing_order::{depths, drawing_order};
+pub use fold_guard::FoldLimit;
+pub(crate) use folds::FoldingMesh;
+pub use handle_pose::HandlePose;
+pub(crate) use inverse::rest_points;
+pub use locate::Correspondence;
+pub use pose::{Mapped, Pose};
+pub use posed_picture::{PictureMesh, PosedPicture};
+pub use way::{GroupMember, GroupTransform, GroupWay, HandleWay, Turn};

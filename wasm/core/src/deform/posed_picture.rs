@@ -1,0 +1,297 @@
+//! A solved picture without its solution: the mesh, the weights and the poser, and every question about a pose.
+//!
+//! This is all that a page needs while handles are dragged; the solution itself stays with the thread that solves. Vertices
+//! and weights may be rounded to 32 bits, as they are for a graphics card.
+//!
+//! Cost: a pose takes the time of [`Poser::pose`]. Posed vertices and the drawing order are computed at first use and kept
+//! until the next pose.
+
+use std::{borrow::Cow, cell::OnceCell};
+
+use glam::DVec2;
+
+use super::{
+    Bounds, Correspondence, FoldLimit, GroupWay, HandlePose, HandleWay, Pose,
+    borders::posed_borders,
+    coverage::coverage,
+    drawing_order::{depths, drawing_order},
+    fold_guard::fold_limit,
+    folds::FoldingMesh,
+    locate::{locate, locate_near, triangle_at},
+    placement::placement,
+    reach::{MOVES, STEP, reach},
+    triangle::{corners, interpolate},
+    way::Way,
+};
+use crate::{
+    cell_borders::BorderPiece,
+    error::Error,
+    pose::Poser,
+    project::{Blend, Handle},
+    weight::SparseWeights,
+};
+
+/// The mesh of a [`Solution`](crate::Solution), as a page receives it.
+#[derive(Debug, Clone)]
+pub struct PictureMesh {
+    /// Vertices at rest, in image pixels: the samples, then those of the skirt.
+    pub vertices: Vec<DVec2>,
+    /// Triangles × 3 vertices, in drawing order while no handle has a depth.
+    pub triangles: Vec<[u32; 3]>,
+    /// Number of samples: the first vertices.
+    pub samples: usize,
+    /// Vertices × sites.
+    pub weights: SparseWeights,
+    /// Vertices of the static background.
+    pub background: Vec<DVec2>,
+}
+
+/// A solved picture and its present pose. At first it is at rest.
+#[derive(Debug)]
+pub struct PosedPicture {
+    mesh: PictureMesh,
+    poser: Poser,
+    /// The handles as they were solved.
+    handles: Vec<Handle>,
+    folding: FoldingMesh,
+    background: Option<Bounds>,
+    present: Present,
+    order: Order,
+}
+
+/// The present pose, and its vertices once they are asked for.
+#[derive(Debug, Default)]
+struct Present {
+    pose: Option<Pose>,
+    posed: OnceCell<Vec<DVec2>>,
+}
+
+/// The triangles of the present depths.
+#[derive(Debug, Default)]
+struct Order {
+    depths: Vec<f64>,
+    /// `None` while the order is that of the mesh.
+    triangles: Option<Vec<[u32; 3]>>,
+    version: u32,
+}
+
+impl PosedPicture {
+    /// The picture of a mesh, the poser of its solution, and the handles that were solved.
+    ///
+    /// # Errors
+    /// [`Error::PoserBytes`] if these are not parts of one solution.
+    pub fn new(mesh: PictureMesh, poser: Poser, handles: Vec<Handle>) -> Result<Self, Error> {
+        let vertices = mesh.vertices.len();
+        let is_whole = mesh.weights.len() == vertices
+            && mesh.samples <= vertices
+            && mesh.triangles.iter().flatten().all(|&vertex| (vertex as usize) < vertices)
+            && mesh.weights.sites().iter().all(|&site| (site as usize) < poser.sites());
+        if !is_whole {
+            return Err(Error::PoserBytes);
+        }
+        let folding = FoldingMesh::new(&mesh.vertices, &mesh.triangles, mesh.samples);
+        let background = Bounds::new(&mesh.background);
+        Ok(Self { mesh, poser, handles, folding, background, present: Present::default(), order: Order::default() })
+    }
+
+    /// Poses the picture. `poses` are those of the solved handles, in their order; more may follow. Returns the motions.
+    ///
+    /// # Errors
+    /// Those of [`Poser::pose`], and [`Error::PoseMismatch`] for fewer poses than handles. The present pose then stays.
+    pub fn set_pose(&mut self, poses: &[HandlePose], blend: Blend) -> Result<&Pose, Error> {
+        let pose = self.pose(poses, blend)?;
+        let depths = depths(pose.motions());
+        if self.order.depths != depths {
+            self.order.triangles = match drawing_order(&self.mesh.triangles, &self.mesh.weights, &depths) {
+                Cow::Borrowed(_) => None,
+                Cow::Owned(triangles) => Some(triangles),
+            };
+            self.order.version += 1;
+            self.order.depths = depths;
+        }
+        self.present = Present::default();
+        Ok(self.present.pose.insert(pose))
+    }
+
+    /// Any pose of the picture.
+    fn pose(&self, poses: &[HandlePose], blend: Blend) -> Result<Pose, Error> {
+        self.poser.pose(&self.posed_handles(poses)?, blend)
+    }
+
+    fn posed_handles(&self, poses: &[HandlePose]) -> Result<Vec<Handle>, Error> {
+        if poses.len() < self.handles.len() {
+            return Err(Error::PoseMismatch { expected: self.handles.len(), found: poses.len() });
+        }
+        let mut handles = self.handles.clone();
+        for (handle, pose) in handles.iter_mut().zip(poses) {
+            // Another number of corners is another handle: the solved one stays.
+            pose.write_to(handle);
+        }
+        Ok(handles)
+    }
+
+    /// The numbers of corners of the solved handles.
+    pub fn corner_counts(&self) -> impl Iterator<Item = usize> + '_ {
+        self.handles.iter().map(|handle| handle.shape.rest().len())
+    }
+
+    /// The posed vertices.
+    #[must_use]
+    pub fn posed_vertices(&self) -> &[DVec2] {
+        match &self.present.pose {
+            Some(pose) => self.present.posed.get_or_init(|| pose.blend_all(&self.mesh.vertices, &self.mesh.weights)),
+            None => &self.mesh.vertices,
+        }
+    }
+
+    /// The triangles in drawing order.
+    #[must_use]
+    pub fn drawn_triangles(&self) -> &[[u32; 3]] {
+        self.order.triangles.as_deref().unwrap_or(&self.mesh.triangles)
+    }
+
+    /// A number that changes with the depths, and so with every change of [`drawn_triangles`](Self::drawn_triangles).
+    #[must_use]
+    pub fn order_version(&self) -> u32 {
+        self.order.version
+    }
+
+    /// The place that a point of the picture goes to; `None` outside the mesh. Blends three vertices.
+    #[must_use]
+    pub fn map(&self, rest: DVec2) -> Option<Correspondence> {
+        let (triangle, coordinates) = triangle_at(self.drawn_triangles(), &self.mesh.vertices, rest)?;
+        let posed = |vertex: u32| {
+            let (p, vertex) = (self.mesh.vertices[vertex as usize], vertex as usize);
+            self.present.pose.as_ref().map_or(p, |pose| pose.blended(p, self.mesh.weights.row(vertex)))
+        };
+        let both = [corners(&self.mesh.vertices, triangle), triangle.map(posed)];
+        Some(Correspondence::new(rest, interpolate(both[1], coordinates), both))
+    }
+
+    /// The point of the picture that is drawn at a place; `None` beside the picture.
+    #[must_use]
+    pub fn locate(&self, posed: DVec2) -> Option<Correspondence> {
+        locate(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
+    }
+
+    /// Like [`locate`](Self::locate); beside the picture its nearest part continues. `None` without triangles.
+    #[must_use]
+    pub fn locate_near(&self, posed: DVec2) -> Option<Correspondence> {
+        locate_near(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
+    }
+
+    /// Where a handle can be placed: at a place that bends, or at the nearest one, at most `within` pixels away.
+    #[must_use]
+    pub fn placement(&self, posed: DVec2, within: f64) -> Option<Correspondence> {
+        let both = [&self.mesh.vertices[..], self.posed_vertices()];
+        placement(both, self.drawn_triangles(), self.mesh.samples, posed, within)
+    }
+
+    /// Whether a point at rest bends: whether it is part of the domain, and not of the skirt around it.
+    #[must_use]
+    pub fn bends(&self, rest: DVec2) -> bool {
+        let both = [&self.mesh.vertices[..], &self.mesh.vertices];
+        placement(both, &self.mesh.triangles, self.mesh.samples, rest, 0.0).is_some_and(|place| place.posed == rest)
+    }
+
+    /// The number of triangles that the present pose turns over, counted up to `limit` + 1.
+    #[must_use]
+    pub fn fold_count(&self, limit: usize) -> usize {
+        self.folding.count(self.posed_vertices(), limit)
+    }
+
+    /// The triangles that the present pose turns over.
+    pub fn folded_triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
+        self.folding.folded(self.posed_vertices())
+    }
+
+    /// The number of triangles that any pose turns over, counted up to `limit` + 1.
+    ///
+    /// # Errors
+    /// Those of [`set_pose`](Self::set_pose).
+    pub fn fold_count_of(&self, poses: &[HandlePose], blend: Blend, limit: usize) -> Result<usize, Error> {
+        let posed = self.pose(poses, blend)?.blend_all(&self.mesh.vertices, &self.mesh.weights);
+        Ok(self.folding.count(&posed, limit))
+    }
+
+    /// The farthest poses between two that fold at most `allowed` triangles. Those at the start are taken to be allowed; a
+    /// pose that cannot be made is not.
+    #[must_use]
+    pub fn fold_limit(&self, way: &HandleWay, blend: Blend, allowed: usize) -> FoldLimit {
+        self.limit(way, blend, allowed)
+    }
+
+    /// Like [`fold_limit`](Self::fold_limit), for handles that turn and scale together.
+    #[must_use]
+    pub fn group_fold_limit(&self, way: &GroupWay, blend: Blend, allowed: usize) -> FoldLimit {
+        self.limit(way, blend, allowed)
+    }
+
+    fn limit(&self, way: &impl Way, blend: Blend, allowed: usize) -> FoldLimit {
+        fold_limit(way, |poses| self.fold_count_of(poses, blend, allowed).is_ok_and(|count| count <= allowed))
+    }
+
+    /// How much of a move of the `selected` handles each vertex follows: 1 moves as far as they do, 0 stays. `diagonal` is
+    /// that of the picture, in pixels.
+    ///
+    /// # Errors
+    /// Those of [`set_pose`](Self::set_pose).
+    ///
+    /// # Panics
+    /// If a selected index is out of bounds.
+    pub fn reach(
+        &self,
+        poses: &[HandlePose],
+        blend: Blend,
+        selected: &[usize],
+        diagonal: f64,
+    ) -> Result<Vec<f32>, Error> {
+        let step = STEP * diagonal;
+        let handles = self.posed_handles(poses)?;
+        let moved = |by: DVec2| {
+            let mut handles = handles.clone();
+            for &index in selected {
+                handles[index].shape.posed_mut().iter_mut().for_each(|corner| *corner += step * by);
+            }
+            self.poser.pose(&handles, blend)
+        };
+        let [right, left, down, up] = MOVES.map(moved);
+        Ok(reach(&self.mesh.vertices, &self.mesh.weights, &[right?, left?, down?, up?], step))
+    }
+
+    /// The number of sites that move each vertex.
+    pub fn coverage(&self) -> impl Iterator<Item = u32> + '_ {
+        coverage(&self.mesh.weights)
+    }
+
+    /// The bounding box of the posed picture and the static background, without the skirt; `None` without vertices.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        let posed = Bounds::new(&self.posed_vertices()[..self.mesh.samples])?;
+        Some(self.background.map_or(posed, |background| posed.union(background)))
+    }
+
+    /// The bounding box at rest, without the skirt and the static background.
+    #[must_use]
+    pub fn rest_bounds(&self) -> Option<Bounds> {
+        Bounds::new(&self.mesh.vertices[..self.mesh.samples])
+    }
+
+    /// Both ends of each piece of the borders between cells, posed.
+    pub fn borders<'a>(&'a self, pieces: &'a [BorderPiece]) -> impl Iterator<Item = [DVec2; 2]> + 'a {
+        posed_borders(pieces, self.posed_vertices())
+    }
+
+    /// Bytes of memory for mesh and weights.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let PictureMesh { vertices, triangles, weights, background, .. } = &self.mesh;
+        size_of_val(&vertices[..])
+            + size_of_val(&triangles[..])
+            + size_of_val(weights.offsets())
+            + size_of_val(weights.sites())
+            + size_of_val(weights.weights())
+            + size_of_val(&background[..])
+            + self.folding.bytes()
+    }
+}
