@@ -1,10 +1,12 @@
 //! The core of c2warp for JavaScript: thin wrappers that turn typed arrays, JSON and errors into each other's terms.
 //!
-//! [`Session`] lives in a worker and solves; [`Poser`] lives in the page and poses a solution once a frame. Arrays are copied
+//! [`Session`] lives in a worker and solves; [`PosedPicture`] lives in the page and answers for a solution. Arrays are copied
 //! out once, into typed arrays that the caller may transfer: views of the module's memory become invalid when it grows.
 
 mod cell_borders;
 mod error;
+mod handle_poses;
+mod posed_picture;
 mod poser;
 mod session;
 mod solution;
@@ -14,6 +16,7 @@ use c2warp::project::Project;
 use wasm_bindgen::prelude::*;
 
 pub use cell_borders::CellBorders;
+pub use posed_picture::{PictureArrays, PosedPicture};
 pub use poser::Poser;
 pub use session::Session;
 pub use solution::Solution;

@@ -85,7 +85,7 @@ mod tests {
         };
         // The first moves right: it is stopped at 60°. The end is refused although its poses are those of the start.
         let mut is_end = true;
-        let most = 8.0 * 60_f64.to_radians().sin();
+        let most = 8.0 * libm::sin(60_f64.to_radians());
         let limit = fold_limit(&way, |poses| !std::mem::take(&mut is_end) && x(poses) <= most);
         let rotations = limit.poses.iter().map(|pose| match pose.rotation {
             Rotation::Degrees(degrees) => degrees,

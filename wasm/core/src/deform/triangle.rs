@@ -51,7 +51,7 @@ mod tests {
     #[test]
     fn similarity_of_a_turned_and_scaled_triangle_is_exact() {
         let from = [[1.0, 2.0], [4.0, 2.5], [0.0, 7.0]].map(DVec2::from);
-        let turn = DVec2::from_angle(100_f64.to_radians());
+        let turn = crate::pose::turn(100_f64.to_radians());
         let to = from.map(|p| 2.5 * turn.rotate(p) + DVec2::new(30.0, -4.0));
         let (rotation, scale) = nearest_similarity(from, to);
         assert!((rotation - 100.0).abs() < 1e-9 && (scale - 2.5).abs() < 1e-12, "{rotation} {scale}");

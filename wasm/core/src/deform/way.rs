@@ -169,14 +169,14 @@ mod tests {
         HandlePose { posed, rotation: rotation.into(), scale: 1.0, depth: 0.0 }
     }
 
-    fn halfway(from: HandlePose, to: HandlePose, turn: Turn) -> HandlePose {
-        between(&from, &to, turn, 0.5)
+    fn halfway(from: &HandlePose, to: &HandlePose, turn: Turn) -> HandlePose {
+        between(from, to, turn, 0.5)
     }
 
     #[test]
     fn a_bar_turns_as_a_whole_and_keeps_its_length() {
         let turn = Turn { from: 0.0, to: 180.0, is_given: true };
-        let half = halfway(pose(&[[0.0, 0.0], [10.0, 0.0]], 0.0), pose(&[[10.0, 0.0], [0.0, 0.0]], 180.0), turn);
+        let half = halfway(&pose(&[[0.0, 0.0], [10.0, 0.0]], 0.0), &pose(&[[10.0, 0.0], [0.0, 0.0]], 180.0), turn);
         assert_eq!(half, pose(&[[5.0, -5.0], [5.0, 5.0]], 90.0));
     }
 
@@ -184,10 +184,10 @@ mod tests {
     fn an_automatic_point_turns_from_the_rotation_that_was_found() {
         let free = pose(&[[0.0, 0.0]], Rotation::Auto);
         let turn = Turn { from: 20.0, to: 40.0, is_given: true };
-        assert_eq!(halfway(free.clone(), pose(&[[4.0, 0.0]], 40.0), turn), pose(&[[2.0, 0.0]], 30.0));
+        assert_eq!(halfway(&free, &pose(&[[4.0, 0.0]], 40.0), turn), pose(&[[2.0, 0.0]], 30.0));
         let stays = Turn { from: 20.0, to: 20.0, is_given: false };
         let moved = pose(&[[4.0, 0.0]], Rotation::Auto);
-        assert_eq!(halfway(free, moved, stays).rotation, Rotation::Auto);
+        assert_eq!(halfway(&free, &moved, stays).rotation, Rotation::Auto);
     }
 
     #[test]
@@ -205,7 +205,7 @@ mod tests {
     #[test]
     fn a_handle_that_stays_keeps_all_digits() {
         let still = pose(&[[1.0 / 3.0, 0.0]], 0.0);
-        assert_eq!(halfway(still.clone(), still.clone(), Turn { from: 0.0, to: 0.0, is_given: true }), still);
+        assert_eq!(halfway(&still, &still, Turn { from: 0.0, to: 0.0, is_given: true }), still);
     }
 
     #[test]

@@ -1,0 +1,268 @@
+//! A solved picture in the page: mesh, weights and poser, and every question about a pose.
+//!
+//! Everything that crosses the border during a drag is a number or a typed array. Poses have the layout of
+//! `handle_poses`. Points are returned as `[rest x, rest y, posed x, posed y, rotation in degrees, scale]`.
+
+use c2warp::{
+    BorderPiece, Error, deform,
+    deform::{Bounds, Correspondence, FoldLimit, GroupMember, GroupTransform, GroupWay, HandleWay, PictureMesh, Turn},
+    pose::Poser,
+    project::{Blend, handles_from_json},
+    weight::SparseWeights,
+};
+use glam::DVec2;
+use wasm_bindgen::prelude::*;
+
+use crate::{
+    error::to_js,
+    handle_poses::{read, write},
+};
+
+#[wasm_bindgen]
+extern "C" {
+    /// The arrays of a solution, as [`Solution`](crate::Solution) returned them.
+    #[derive(Debug)]
+    pub type PictureArrays;
+
+    #[wasm_bindgen(method, getter)]
+    fn positions(this: &PictureArrays) -> Vec<f32>;
+    #[wasm_bindgen(method, getter)]
+    fn triangles(this: &PictureArrays) -> Vec<u32>;
+    #[wasm_bindgen(method, getter, js_name = backgroundPositions)]
+    fn background_positions(this: &PictureArrays) -> Vec<f32>;
+    #[wasm_bindgen(method, getter)]
+    fn offsets(this: &PictureArrays) -> Vec<u32>;
+    #[wasm_bindgen(method, getter)]
+    fn sites(this: &PictureArrays) -> Vec<u32>;
+    #[wasm_bindgen(method, getter)]
+    fn weights(this: &PictureArrays) -> Vec<f32>;
+    #[wasm_bindgen(method, getter)]
+    fn poser(this: &PictureArrays) -> Vec<u8>;
+}
+
+/// A picture of one solution, and its present pose. A pose that cannot be made leaves the present one.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct PosedPicture(deform::PosedPicture);
+
+#[wasm_bindgen]
+impl PosedPicture {
+    /// Takes the arrays of a solution, the number of its samples, and the solved handles as JSON.
+    ///
+    /// # Errors
+    /// For arrays that are not parts of one solution.
+    #[wasm_bindgen(constructor)]
+    pub fn new(arrays: &PictureArrays, samples: usize, handles_json: &str) -> Result<Self, JsValue> {
+        Self::try_new(arrays, samples, handles_json).map_err(|error| to_js(&error))
+    }
+
+    /// Poses the picture. Returns the motions of all sites, sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth,
+    /// angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
+    ///
+    /// # Errors
+    /// For poses that do not fit the solved handles, or cannot be made.
+    pub fn set_pose(&mut self, poses: &[f64], rigid: bool) -> Result<Vec<f32>, JsValue> {
+        let pose = self.0.set_pose(&read(poses)?, blend(rigid)).map_err(|error| to_js(&error))?;
+        Ok(pose.packed())
+    }
+
+    /// Vertices × 2: the posed mesh.
+    pub fn posed_positions(&self) -> Vec<f32> {
+        flat(self.0.posed_vertices().iter().copied())
+    }
+
+    /// A number that changes with every change of [`triangles`](Self::triangles).
+    #[wasm_bindgen(getter)]
+    pub fn order_version(&self) -> u32 {
+        self.0.order_version()
+    }
+
+    /// Triangles × 3 in drawing order.
+    pub fn triangles(&self) -> Vec<u32> {
+        self.0.drawn_triangles().concat()
+    }
+
+    /// The point that a rest point is posed at, as six numbers; `undefined` outside the mesh.
+    pub fn map(&self, x: f64, y: f64) -> Option<Vec<f64>> {
+        self.0.map(DVec2::new(x, y)).map(numbers)
+    }
+
+    /// The rest point that is drawn at a place, as six numbers; `undefined` beside the picture.
+    pub fn locate(&self, x: f64, y: f64) -> Option<Vec<f64>> {
+        self.0.locate(DVec2::new(x, y)).map(numbers)
+    }
+
+    /// Like [`locate`](Self::locate); beside the picture its nearest part continues.
+    pub fn locate_near(&self, x: f64, y: f64) -> Option<Vec<f64>> {
+        self.0.locate_near(DVec2::new(x, y)).map(numbers)
+    }
+
+    /// Where a handle can be placed, at most `within` away, as six numbers; `undefined` farther away.
+    pub fn placement(&self, x: f64, y: f64, within: f64) -> Option<Vec<f64>> {
+        self.0.placement(DVec2::new(x, y), within).map(numbers)
+    }
+
+    /// Whether a rest point bends.
+    pub fn bends(&self, x: f64, y: f64) -> bool {
+        self.0.bends(DVec2::new(x, y))
+    }
+
+    /// The number of triangles that the present pose turns over.
+    pub fn fold_count(&self) -> usize {
+        self.0.fold_count(usize::MAX)
+    }
+
+    /// Triangles × 3: those that the present pose turns over.
+    pub fn folded_triangles(&self) -> Vec<u32> {
+        self.0.folded_triangles().flatten().collect()
+    }
+
+    /// The number of triangles that any pose turns over, counted up to `limit` + 1; infinite for a pose that cannot be made.
+    ///
+    /// # Errors
+    /// For a malformed array.
+    pub fn fold_count_of(&self, poses: &[f64], rigid: bool, limit: f64) -> Result<f64, JsValue> {
+        let count = self.0.fold_count_of(&read(poses)?, blend(rigid), limit as usize);
+        Ok(count.map_or(f64::INFINITY, |count| count as f64))
+    }
+
+    /// The farthest poses between two with at most `allowed` folds: the fraction of the way, then the poses. `turns` has for
+    /// each handle its turn at the start and at the end, and 1 if its rotation is a number, else 0.
+    ///
+    /// # Errors
+    /// For a malformed array.
+    pub fn fold_limit(
+        &self,
+        from: &[f64],
+        to: &[f64],
+        turns: &[f64],
+        rigid: bool,
+        allowed: f64,
+    ) -> Result<Vec<f64>, JsValue> {
+        let turn = |&[from, to, is_given]: &[f64; 3]| Turn { from, to, is_given: is_given != 0.0 };
+        let turns = turns.as_chunks::<3>().0.iter().map(turn).collect();
+        let way = HandleWay { from: read(from)?, to: read(to)?, turns };
+        Ok(limit_numbers(&self.0.fold_limit(&way, blend(rigid), allowed as usize)))
+    }
+
+    /// Like [`fold_limit`](Self::fold_limit), for the handles with these indices, which turn and scale together.
+    ///
+    /// `origins` has their poses before that, `rotations` their rotations then. `group` has the pivot's x and y, turn and
+    /// scale at the start, turn and scale at the end, and the least and greatest scale.
+    ///
+    /// # Errors
+    /// For a malformed array.
+    #[allow(clippy::too_many_arguments, reason = "wasm-bindgen has no structs of typed arrays")]
+    pub fn group_fold_limit(
+        &self,
+        to: &[f64],
+        members: &[u32],
+        origins: &[f64],
+        rotations: &[f64],
+        group: &[f64],
+        rigid: bool,
+        allowed: f64,
+    ) -> Result<Vec<f64>, JsValue> {
+        let &[x, y, start_turn, start_scale, end_turn, end_scale, least, most] = group else {
+            return Err(crate::error::with_code("a group has eight numbers", "engine"));
+        };
+        let members = members.iter().zip(read(origins)?).zip(rotations);
+        let member = |((&index, origin), &rotation)| GroupMember { index: index as usize, origin, rotation };
+        let way = GroupWay {
+            to: read(to)?,
+            members: members.map(member).collect(),
+            pivot: DVec2::new(x, y),
+            transforms: [
+                GroupTransform { turn: start_turn, scale: start_scale },
+                GroupTransform { turn: end_turn, scale: end_scale },
+            ],
+            scales: [least, most],
+        };
+        Ok(limit_numbers(&self.0.group_fold_limit(&way, blend(rigid), allowed as usize)))
+    }
+
+    /// Vertices: how far each follows a move of the `selected` handles, by index; 1 moves as far as they do.
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn reach(&self, poses: &[f64], rigid: bool, selected: &[u32], diagonal: f64) -> Result<Vec<f32>, JsValue> {
+        let selected: Vec<usize> = selected.iter().map(|&index| index as usize).collect();
+        self.0.reach(&read(poses)?, blend(rigid), &selected, diagonal).map_err(|error| to_js(&error))
+    }
+
+    /// Vertices: the number of sites that move each.
+    pub fn coverage(&self) -> Vec<u32> {
+        self.0.coverage().collect()
+    }
+
+    /// The bounding box of the posed picture and its static background, without the rim: least x and y, greatest x and y.
+    pub fn bounds(&self) -> Option<Vec<f64>> {
+        self.0.bounds().map(edges)
+    }
+
+    /// The bounding box at rest.
+    pub fn rest_bounds(&self) -> Option<Vec<f64>> {
+        self.0.rest_bounds().map(edges)
+    }
+
+    /// The posed borders between cells, pieces × 2 ends × 2, from the arrays of [`CellBorders`](crate::CellBorders).
+    pub fn borders(&self, corners: &[u32], barycentric: &[f32]) -> Vec<f32> {
+        let pieces: Vec<BorderPiece> = corners
+            .as_chunks::<3>()
+            .0
+            .iter()
+            .zip(barycentric.as_chunks::<3>().0.as_chunks::<2>().0)
+            .map(|(&corners, ends)| BorderPiece::new(corners, ends.map(|end| end.map(f64::from))))
+            .collect();
+        flat(self.0.borders(&pieces).flatten())
+    }
+
+    /// Bytes of memory for mesh and weights.
+    #[wasm_bindgen(getter)]
+    pub fn bytes(&self) -> usize {
+        self.0.bytes()
+    }
+}
+
+impl PosedPicture {
+    fn try_new(arrays: &PictureArrays, samples: usize, handles_json: &str) -> Result<Self, Error> {
+        let weights = arrays.weights().into_iter().map(f64::from).collect();
+        let weights = SparseWeights::from_parts(arrays.offsets(), arrays.sites(), weights).ok_or(Error::PoserBytes)?;
+        let mesh = PictureMesh {
+            vertices: points(&arrays.positions()),
+            triangles: arrays.triangles().as_chunks::<3>().0.to_vec(),
+            samples,
+            weights,
+            background: points(&arrays.background_positions()),
+        };
+        let poser = Poser::from_bytes(&arrays.poser())?;
+        deform::PosedPicture::new(mesh, poser, handles_from_json(handles_json)?).map(Self)
+    }
+}
+
+fn blend(rigid: bool) -> Blend {
+    if rigid { Blend::Rigid } else { Blend::Linear }
+}
+
+fn points(coordinates: &[f32]) -> Vec<DVec2> {
+    let point = |&[x, y]: &[f32; 2]| DVec2::new(x.into(), y.into());
+    coordinates.as_chunks::<2>().0.iter().map(point).collect()
+}
+
+fn flat(points: impl Iterator<Item = DVec2>) -> Vec<f32> {
+    points.flat_map(|p| [p.x as f32, p.y as f32]).collect()
+}
+
+fn numbers(found: Correspondence) -> Vec<f64> {
+    vec![found.rest.x, found.rest.y, found.posed.x, found.posed.y, found.rotation, found.scale]
+}
+
+fn edges(Bounds { min, max }: Bounds) -> Vec<f64> {
+    vec![min.x, min.y, max.x, max.y]
+}
+
+fn limit_numbers(limit: &FoldLimit) -> Vec<f64> {
+    let mut numbers = vec![limit.fraction];
+    write(&limit.poses, &mut numbers);
+    numbers
+}
