@@ -195,7 +195,7 @@ impl PosedPicture {
         self.0.coverage().collect()
     }
 
-    /// The bounding box of the posed picture and its static background, without the rim: least x and y, greatest x and y.
+    /// The bounding box of the posed picture and its static background, without the skirt: least x and y, greatest x and y.
     pub fn bounds(&self) -> Option<Vec<f64>> {
         self.0.bounds().map(edges)
     }
