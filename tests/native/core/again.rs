@@ -8,7 +8,8 @@ use c2warp::{
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::scenes::{cases, handle, scenes};
+use crate::handles::point_handle;
+use crate::scenes::{cases, scenes};
 
 /// Everything of a solution that is drawn.
 fn drawn(solution: &Solution) -> impl PartialEq + use<'_> {
@@ -48,7 +49,8 @@ fn a_picture_of_another_size_has_an_outline_of_its_own() {
         let mut project = Project::new(ImageRef::new("white.png", width, height));
         let far = DVec2::new(f64::from(width), f64::from(height)) - 4.0;
         project.samples = 300;
-        project.handles = vec![handle(0, DVec2::splat(4.0), DVec2::splat(4.0), 0.0), handle(1, far, far, 0.0)];
+        project.handles =
+            vec![point_handle(0, DVec2::splat(4.0), DVec2::splat(4.0), 0.0), point_handle(1, far, far, 0.0)];
         assert!(!solver.has_solved(&project));
         advance(&mut solver, &project, &picture).expect("handles on the picture");
         assert!(solver.has_solved(&project));
@@ -71,7 +73,7 @@ proptest! {
         // A corner of the outline, the middle of an edge, close to a handle, anywhere.
         let edge = rings[0][0].midpoint(rings[0][1]);
         for p in [rings[0][2], edge, places[0] + DVec2::new(0.3, 0.1), more.into()] {
-            project.handles.push(handle(project.handles.len(), p, p, 0.0));
+            project.handles.push(point_handle(project.handles.len(), p, p, 0.0));
             projects.push(project.clone());
             if solve(&project, &picture).is_err() {
                 project.handles.pop();

@@ -4,7 +4,8 @@ use c2warp::project::Blend;
 use glam::{DMat2, DVec2};
 use proptest::prelude::*;
 
-use crate::scenes::{cases, handle, project, scenes, solved, spread};
+use crate::handles::point_handle;
+use crate::scenes::{cases, project, scenes, solved, spread};
 
 proptest! {
     #![proptest_config(cases(32))]
@@ -14,7 +15,7 @@ proptest! {
         let mut project = project(&rings, &places, support);
         let solution = solved(&project).expect("a valid scene");
         let to = |p: DVec2| p * 0.7 + DVec2::new(3.0, 40.0);
-        let turned = |(id, &p): (usize, &DVec2)| handle(id, p, to(p), degrees * id as f64);
+        let turned = |(id, &p): (usize, &DVec2)| point_handle(id, p, to(p), degrees * id as f64);
         project.handles = places.iter().enumerate().map(turned).collect();
         let pose = solution.poser().pose(&project.handles, Blend::Rigid).expect("finite");
         for &rest in &places {
@@ -35,7 +36,7 @@ proptest! {
     ) {
         let mut project = project(&rings, &places, support);
         let solution = solved(&project).expect("a valid scene");
-        let turned = |(id, &p): (usize, &DVec2)| handle(id, p, p + DVec2::splat(turns[id % 8] / 10.0), turns[id % 8]);
+        let turned = |(id, &p): (usize, &DVec2)| point_handle(id, p, p + DVec2::splat(turns[id % 8] / 10.0), turns[id % 8]);
         project.handles = places.iter().enumerate().map(turned).collect();
         for handle in &mut project.handles {
             handle.scale = 1.3;

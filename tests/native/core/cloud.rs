@@ -8,7 +8,8 @@ use c2warp::{
 };
 use glam::DVec2;
 
-use crate::scenes::{handle, project, spread};
+use crate::handles::point_handle;
+use crate::scenes::{project, spread};
 
 const NEIGHBOURS: usize = 8;
 
@@ -80,7 +81,7 @@ fn a_pose_moves_handles_where_they_are_taken_in_either_mode() {
     for mode in [PoseMode::Harmonic, PoseMode::Rigid] {
         let mut project = scene(&places);
         project.pose.mode = mode;
-        project.handles[0] = handle(0, places[0], places[0] + DVec2::new(30.0, -10.0), 20.0);
+        project.handles[0] = point_handle(0, places[0], places[0] + DVec2::new(30.0, -10.0), 20.0);
         let points = shaken(|_| true);
         let cloud = PointCloud::new(points.clone(), NEIGHBOURS).expect("a cloud");
         let solution = solve_cloud(&project, &cloud).expect("a scene that can be solved");

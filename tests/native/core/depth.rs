@@ -7,8 +7,8 @@ use c2warp::{
 };
 use glam::DVec2;
 
-use crate::bars::{bar, polygon};
-use crate::scenes::{SIZE, handle, project, solved};
+use crate::handles::{bar, point_handle, polygon};
+use crate::scenes::{SIZE, project, solved};
 
 const RED: [u8; 4] = [220, 30, 30, 255];
 const BLUE: [u8; 4] = [30, 30, 220, 255];
@@ -23,7 +23,7 @@ fn crossing(depths: [f64; 3]) -> Project {
     project.pose.density = 20;
     let posed = |(id, (rest, posed)): (usize, (DVec2, DVec2))| {
         let degrees = [0.0, -35.0, 35.0][id];
-        handle(id, rest, posed, degrees).at_depth(depths[id])
+        point_handle(id, rest, posed, degrees).at_depth(depths[id])
     };
     project.handles = moves.into_iter().enumerate().map(posed).collect();
     project
@@ -64,13 +64,13 @@ fn the_nearer_leg_covers_the_other_whole() {
 fn one_bar_covers_another_whole() {
     let c = [(60, 60), (340, 60), (340, 140), (90, 140), (90, 160), (340, 160), (340, 240), (60, 240)];
     let c = c.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec();
-    for handle in [bar, polygon] {
-        let handle = |id, rest: &[(f64, f64)], posed: &[(f64, f64)]| handle(id, rest, posed);
+    for new_handle in [bar, polygon] {
+        let new_handle = |id, rest: &[(f64, f64)], posed: &[(f64, f64)]| new_handle(id, rest, posed);
         let mut project = project(std::slice::from_ref(&c), &[], Support::Smooth);
         let (upper, lower) =
             ([(120.0, 100.0), (220.0, 98.0), (320.0, 100.0)], [(120.0, 200.0), (220.0, 202.0), (320.0, 200.0)]);
         let over = upper.map(|(x, y)| (x + 10.0, y + 100.0));
-        project.handles = vec![handle("upper", &upper, &over), handle("lower", &lower, &lower)];
+        project.handles = vec![new_handle("upper", &upper, &over), new_handle("lower", &lower, &lower)];
         let (solution, pose) = posed(&project);
         let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at / SIZE < 150 { RED } else { BLUE }).collect();
         let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
@@ -97,7 +97,7 @@ fn the_way_back_leads_to_where_a_point_came_from() {
     let corners = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)].map(DVec2::from).to_vec();
     let mut project = project(&[corners], &[(100.0, 200.0), (300.0, 200.0)].map(DVec2::from), Support::Smooth);
     project.samples = 20_000;
-    project.handles[0] = handle(0, DVec2::new(100.0, 200.0), DVec2::new(103.0, 207.0), 0.0);
+    project.handles[0] = point_handle(0, DVec2::new(100.0, 200.0), DVec2::new(103.0, 207.0), 0.0);
     let (solution, pose) = posed(&project);
     // On the outline rounding decides whether a vertex is inside.
     let inner = |&(p, _): &(&DVec2, DVec2)| p.min_element() > 41.0 && p.max_element() < 359.0;

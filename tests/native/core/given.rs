@@ -8,8 +8,8 @@ use c2warp::{
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::bars::bar;
-use crate::scenes::{cases, handle, project, scenes, solved, spread};
+use crate::handles::{bar, point_handle};
+use crate::scenes::{cases, project, scenes, solved, spread};
 
 /// What the order of triangles and corners may change: rounding in the places of virtual sites.
 const ROUNDING: f64 = 1e-7;
@@ -99,7 +99,7 @@ fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
         let mut project = project(&[], &[], Support::Smooth);
         (project.pose.mode, project.pose.density) = (PoseMode::Rigid, 40);
         for (id, (rest, posed)) in moves.into_iter().enumerate() {
-            let handle = handle(id, DVec2::from(rest) + by, DVec2::from(posed) + by, 0.0);
+            let handle = point_handle(id, DVec2::from(rest) + by, DVec2::from(posed) + by, 0.0);
             project.handles.push(handle.turned(Rotation::Auto));
         }
         let solution = solve_mesh(&project, &mesh).expect("a scene that can be solved");
@@ -174,10 +174,10 @@ fn handles_beside_the_mesh_and_on_its_held_boundary_are_refused() {
     let mut outside = project(&[], &[(5.0, 5.0).into(), (30.5, 5.0).into()], Support::Paper);
     let expected = Error::HandleOutside { id: "h1".into(), x: 30.5, y: 5.0 };
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle outside"), expected);
-    outside.handles = [0, 1].map(|id| handle(id, DVec2::splat(5.0), DVec2::splat(5.0), 0.0)).to_vec();
+    outside.handles = [0, 1].map(|id| point_handle(id, DVec2::splat(5.0), DVec2::splat(5.0), 0.0)).to_vec();
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("two on one spot").code(), "handles-too-close");
     outside.fix_boundary = true;
-    outside.handles = vec![handle(0, DVec2::new(5.0, 0.0), DVec2::new(5.0, 2.0), 0.0)];
+    outside.handles = vec![point_handle(0, DVec2::new(5.0, 0.0), DVec2::new(5.0, 2.0), 0.0)];
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle on it").code(), "on-held-boundary");
 }
 

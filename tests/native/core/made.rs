@@ -11,7 +11,7 @@ use c2warp::{
 };
 use glam::DVec2;
 
-use crate::bars::bar;
+use crate::handles::bar;
 use crate::scenes::{SIZE, project, solved};
 
 const RING: [(f64, f64); 4] = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)];

@@ -8,6 +8,7 @@ mod cloud;
 mod depth;
 mod geodesic;
 mod given;
+mod handles;
 mod made;
 mod noise;
 mod properties;

@@ -8,7 +8,8 @@ use c2warp::{
 };
 use glam::DVec2;
 
-use crate::scenes::{handle, project, solved};
+use crate::handles::point_handle;
+use crate::scenes::{project, solved};
 
 /// Numbers that look random (splitmix64).
 pub(crate) struct Random(pub(crate) u64);
@@ -59,7 +60,7 @@ fn noise_of_every_grain_is_solved_or_refused() {
         for id in 0..random.below(6) as usize {
             let Some(&at) = opaque.get(random.below(opaque.len().max(1) as u64) as usize) else { break };
             let place = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
-            project.handles.push(handle(id, place, place + DVec2::new(3.0, -2.0), 30.0));
+            project.handles.push(point_handle(id, place, place + DVec2::new(3.0, -2.0), 30.0));
         }
         match solve(&project, &picture) {
             Ok(solution) => {
@@ -101,7 +102,7 @@ fn a_sprite_at_rest_keeps_every_pixel() {
         let picture = Picture::new(width, height, &rgba).expect("a valid size");
         let Some(at) = (0..width * height).find(|&i| is_opaque(i)) else { continue };
         let place = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
-        let project = Project::for_picture(width, height).with_handles([handle(0, place, place, 0.0)]);
+        let project = Project::for_picture(width, height).with_handles([point_handle(0, place, place, 0.0)]);
         let solution = solve(&project, &picture).expect("a sprite");
         let pose = solution.pose(&project).expect("at rest");
         let warped = solution.warped(&picture, &pose, ResampleOptions::default()).expect("a picture");

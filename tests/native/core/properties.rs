@@ -4,7 +4,8 @@ use c2warp::{Solution, project::Support, site::Site};
 use glam::DVec2;
 use proptest::prelude::*;
 
-use crate::scenes::{cases, handle, project, scenes, solved, spread};
+use crate::handles::point_handle;
+use crate::scenes::{cases, project, scenes, solved, spread};
 
 /// Sums of a dozen weights, each rounded to 1e-16.
 const UNITY: f64 = 1e-12;
@@ -132,7 +133,7 @@ proptest! {
         let shift = DVec2::from(shift);
         let mut project = project(&rings, &places, support);
         let solution = solved(&project).expect("a valid scene");
-        project.handles = places.iter().enumerate().map(|(id, &p)| handle(id, p, p + shift, 0.0)).collect();
+        project.handles = places.iter().enumerate().map(|(id, &p)| point_handle(id, p, p + shift, 0.0)).collect();
         let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         for p in spread(300) {
             let moved = solution.weights_at(p).is_some_and(|weights| !weights.is_empty());
@@ -189,7 +190,7 @@ proptest! {
         let mut project = project(&rings, &[rest], Support::Paper);
         let Ok(solution) = solved(&project) else { return Ok(()) };
         let posed = rest + DVec2::new(12.0, -7.0);
-        project.handles = vec![handle(0, rest, posed, degrees)];
+        project.handles = vec![point_handle(0, rest, posed, degrees)];
         let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         for p in spread(100) {
             let weights = solution.weights_at(p);
@@ -214,7 +215,7 @@ fn the_scene_moves_and_the_result_moves_with_it() {
         let moved: Vec<DVec2> = places.iter().map(|&p| p + shift).collect();
         let mut project = project(&[ring(shift)], &moved, Support::Paper);
         (project.image.width, project.image.height) = (10_300, 300);
-        project.handles[0] = handle(0, moved[0], moved[0] + DVec2::new(5.0, 25.0), 40.0);
+        project.handles[0] = point_handle(0, moved[0], moved[0] + DVec2::new(5.0, 25.0), 40.0);
         let solution = solved(&project).expect("a valid scene");
         let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
         let inside = spread(2000).filter_map(|p| solution.map(&pose, p + shift));
@@ -238,11 +239,11 @@ fn a_symmetric_scene_has_a_symmetric_result() {
     let places = [(200.0, 60.0), (350.0, 215.0), (50.0, 215.0), (192.0, 290.0), (208.0, 290.0)].map(DVec2::from);
     let mut project = project(&[ring], &places, Support::Paper);
     project.handles = vec![
-        handle(0, places[0], places[0] + DVec2::new(0.0, -15.0), 0.0),
-        handle(1, places[1], places[1] + DVec2::new(20.0, -60.0), -35.0),
-        handle(2, places[2], places[2] + DVec2::new(-20.0, -60.0), 35.0),
-        handle(3, places[3], places[3] + DVec2::new(-4.0, 3.0), 10.0),
-        handle(4, places[4], places[4] + DVec2::new(4.0, 3.0), -10.0),
+        point_handle(0, places[0], places[0] + DVec2::new(0.0, -15.0), 0.0),
+        point_handle(1, places[1], places[1] + DVec2::new(20.0, -60.0), -35.0),
+        point_handle(2, places[2], places[2] + DVec2::new(-20.0, -60.0), 35.0),
+        point_handle(3, places[3], places[3] + DVec2::new(-4.0, 3.0), 10.0),
+        point_handle(4, places[4], places[4] + DVec2::new(4.0, 3.0), -10.0),
     ];
     let solution = solved(&project).expect("a valid scene");
     assert!(solution.sites().len() > 8);

@@ -6,7 +6,8 @@ use c2warp::{Solution, project::Support};
 use c2warp_tests::{maxima::Maxima, outlines};
 use glam::DVec2;
 
-use crate::scenes::{handle, project, solved, spread};
+use crate::handles::point_handle;
+use crate::scenes::{project, solved, spread};
 
 /// Where a handle rests, and by how much it goes, as plain numbers.
 type Move = ((f64, f64), (f64, f64));
@@ -54,7 +55,7 @@ fn scene(
     let places: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
     let mut project = project(rings, &places, support);
     (project.image.width, project.image.height, project.samples) = (outlines::SIZE, outlines::SIZE, samples);
-    project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| handle(id, rest, posed, 0.0)).collect();
+    project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| point_handle(id, rest, posed, 0.0)).collect();
     let solution = solved(&project).expect("a valid scene");
     (project, solution)
 }

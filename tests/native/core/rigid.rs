@@ -8,8 +8,8 @@ use c2warp::{
 use glam::{DMat2, DVec2};
 
 use crate::{
-    bars::bar,
-    scenes::{handle, project, solved, spread},
+    handles::{bar, point_handle},
+    scenes::{project, solved, spread},
 };
 
 /// A project whose handles rest and go, with rotations left to the solver.
@@ -17,7 +17,7 @@ fn posed(rings: &[Vec<DVec2>], moves: &[(DVec2, DVec2)], mode: PoseMode) -> Proj
     let places: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
     let mut project = project(rings, &places, Support::Smooth);
     (project.pose.mode, project.pose.density) = (mode, 60);
-    project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| handle(id, rest, posed, 0.0)).collect();
+    project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| point_handle(id, rest, posed, 0.0)).collect();
     for handle in &mut project.handles {
         handle.rotation = Rotation::Auto;
     }

@@ -2,11 +2,13 @@
 
 use c2warp::{
     Error, Picture, Solution,
-    project::{DomainSpec, Handle, ImageRef, Project, Support},
+    project::{DomainSpec, ImageRef, Project, Support},
     solve,
 };
 use glam::DVec2;
 use proptest::prelude::*;
+
+use crate::handles::point_handle;
 
 /// So many cases of a property. The seed is fixed, so that a run says the same everywhere.
 pub(crate) fn cases(cases: u32) -> ProptestConfig {
@@ -72,17 +74,13 @@ pub(crate) fn places() -> impl Strategy<Value = Vec<DVec2>> {
     )
 }
 
-pub(crate) fn handle(id: usize, rest: DVec2, posed: DVec2, degrees: f64) -> Handle {
-    Handle::point(format!("h{id}"), rest).posed_at([posed]).turned(degrees)
-}
-
 /// A project with point handles at rest; without rings, of what stands for the domain.
 pub(crate) fn project(rings: &[Vec<DVec2>], places: &[DVec2], support: Support) -> Project {
     let mut project = Project::new(ImageRef::new("white.png", SIZE, SIZE));
     project.domain = (!rings.is_empty()).then(|| DomainSpec::Polygon { rings: rings.to_vec() });
     project.samples = 1500;
     project.weighting.support = support;
-    project.handles = places.iter().enumerate().map(|(id, &p)| handle(id, p, p, 0.0)).collect();
+    project.handles = places.iter().enumerate().map(|(id, &p)| point_handle(id, p, p, 0.0)).collect();
     project
 }
 

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 
 use crate::{
     alpha::{covered, stroke},
-    bars::{bar, polygon},
+    handles::{bar, polygon},
     noise::Random,
     scenes::{SIZE, cases, is_inside, project, solved, spread},
 };
