@@ -14,7 +14,7 @@ use glam::DVec2;
 use crate::{
     distance::Navigation,
     render_mesh::RenderMesh,
-    site::{Site, SiteKind},
+    site::{Site, SiteField, SiteKind},
 };
 
 /// Halvings of an edge.
@@ -43,6 +43,7 @@ pub(crate) fn cell_borders(
     mesh: &RenderMesh,
     nearest: &[u32],
     sites: &[Site],
+    fields: &[SiteField],
     navigation: &Navigation,
 ) -> Vec<BorderPiece> {
     let site = |vertex: u32| sites.get(nearest[vertex as usize] as usize);
@@ -55,7 +56,7 @@ pub(crate) fn cell_borders(
         let (from, to) = (a.min(b), a.max(b));
         let share = *found.entry((from, to)).or_insert_with(|| {
             let [start, end] = [from, to].map(|vertex| mesh.vertices[vertex as usize]);
-            let [one, other] = [site(from), site(to)].map(|site| site.expect("the edge lies between two cells"));
+            let [one, other] = [from, to].map(|vertex| &fields[nearest[vertex as usize] as usize]);
             as_far(navigation, [one, other], start, end)
         });
         if a == from { share } else { 1.0 - share }
@@ -94,14 +95,14 @@ fn share_a_cell(one: &Site, other: &Site) -> bool {
 }
 
 /// How far along a segment both sites are as far, if the one is nearer to its start and the other to its end.
-fn as_far(navigation: &Navigation, [one, other]: [&Site; 2], start: DVec2, end: DVec2) -> f64 {
+fn as_far(navigation: &Navigation, [one, other]: [&SiteField; 2], start: DVec2, end: DVec2) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);
         let p = start.lerp(end, middle);
         // A segment along the outline may leave the domain by rounding.
         let Some((triangle, p)) = navigation.locate(p) else { break };
-        match one.field.distance(triangle, p) < other.field.distance(triangle, p) {
+        match one.distance(triangle, p) < other.distance(triangle, p) {
             true => low = middle,
             false => high = middle,
         }

@@ -64,9 +64,12 @@ mod render_mesh;
 mod static_background;
 
 // The façade.
+mod pipeline;
 mod report;
-mod request;
 mod solution;
+mod solve;
+mod solve_input;
+mod solved_sites;
 mod solver;
 mod stage;
 
@@ -79,11 +82,12 @@ pub use input_mesh::InputMesh;
 pub use picture::Picture;
 
 // Solving it.
-pub use solver::{Solver, distances, solve, solve_cloud, solve_domain, solve_mesh};
+pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};
+pub use solver::Solver;
 pub use stage::{Stage, StageTimes};
 
 // What comes out.
-pub use bone::Outside;
+pub use bone::OutsidePart;
 pub use cell_borders::BorderPiece;
 pub use raster::{
     options::{Canvas, Filter, ResampleOptions},

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{bone::Outside, stage::StageTimes};
+use crate::{bone::OutsidePart, stage::StageTimes};
 
 /// The figures of `c2warp inspect --json`, but for the times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -25,7 +25,7 @@ pub struct Report {
     /// Polygon handles.
     pub polygon_handles: usize,
     /// Parts of bars and polygons outside the domain.
-    pub outside: Vec<Outside>,
+    pub outside: Vec<OutsidePart>,
     /// Sites of handles, and of a held boundary.
     pub real_sites: usize,
     /// Sites that Algorithm 1 added.

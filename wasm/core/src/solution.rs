@@ -5,21 +5,22 @@ use std::{borrow::Cow, sync::Arc};
 use glam::DVec2;
 
 use crate::{
-    bone::Outside,
+    bone::OutsidePart,
     cell_borders::{BorderPiece, cell_borders},
     deform::{FoldingMesh, Mapped, Pose, depths, drawing_order, rest_points},
     distance::Navigation,
     domain::Domain,
     error::Error,
     picture::Picture,
-    pose::{HarmonicFields, Poser},
+    pose::Poser,
     prepared_domain::PreparedDomain,
     project::Project,
     raster::{self, options::ResampleOptions, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
-    request::check_picture,
-    site::{Site, SiteGraph},
+    site::Site,
+    solve_input::check_picture,
+    solved_sites::SolvedSites,
     static_background::StaticBackground,
     triangulation::NONE,
     weight::{Influence, SparseWeights, WeightFunctions},
@@ -49,19 +50,13 @@ pub struct Solution {
     pub(crate) mesh: RenderMesh,
     pub(crate) background: StaticBackground,
     pub(crate) weights: SparseWeights,
-    pub(crate) sites: Vec<Site>,
-    pub(crate) graph: SiteGraph,
-    pub(crate) harmonic: HarmonicFields,
+    pub(crate) solved: SolvedSites,
     /// Number of samples: the first vertices of the mesh. The others belong to the skirt.
     pub(crate) samples: usize,
-    /// The nearest site of each sample, [`NONE`] on an island without sites.
-    pub(crate) nearest: Vec<u32>,
     pub(crate) phi_sums: Vec<f64>,
-    pub(crate) scores: Vec<f64>,
     /// Numbers of point handles, bars and polygons.
-    pub(crate) kinds: [usize; 3],
-    pub(crate) outside: Vec<Outside>,
-    pub(crate) poser: Poser,
+    pub(crate) handle_counts: [usize; 3],
+    pub(crate) outside: Vec<OutsidePart>,
     pub(crate) functions: WeightFunctions,
     pub(crate) prepared: Arc<PreparedDomain>,
 }
@@ -115,12 +110,12 @@ impl Solution {
     /// to bottom, then others in the order of insertion.
     #[must_use]
     pub fn sites(&self) -> &[Site] {
-        &self.sites
+        &self.solved.sites
     }
 
     /// The links of the cell graph (section IV-B), ascending: two sites, the lower index first, and a weight in (0, 1].
     pub fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
-        self.graph.iter()
+        self.solved.graph.iter()
     }
 
     /// ϖ: the real sites that a site gets its motion from and their weights (eq. 4), ascending by site. They sum to 1 within
@@ -129,7 +124,7 @@ impl Solution {
     /// # Panics
     /// If `site` is out of bounds.
     pub fn harmonic_weights(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        self.harmonic.row(site)
+        self.solved.harmonic.row(site)
     }
 
     /// The nearest site of a sample, `None` on an island without sites. Its support may end before the sample, beside an
@@ -139,15 +134,15 @@ impl Solution {
     /// If `sample` is out of bounds.
     #[must_use]
     pub fn nearest_site(&self, sample: usize) -> Option<usize> {
-        let site = self.nearest[sample];
-        (site != NONE).then_some(site as usize)
+        self.solved.nearest_site(sample)
     }
 
     /// The borders between the cells 𝒱(h_i), in straight pieces within the triangles of the mesh. The sites of one handle
     /// share one cell. Cost: two milliseconds for 100 sites and 10,000 samples.
     #[must_use]
     pub fn cell_borders(&self) -> Vec<BorderPiece> {
-        cell_borders(&self.mesh, &self.nearest, &self.sites, self.navigation())
+        let SolvedSites { sites, nearest, .. } = &self.solved;
+        cell_borders(&self.mesh, nearest, sites, self.functions.fields(), self.navigation())
     }
 
     /// Σφ at each sample, by which weights are normalised (eq. 2): near 0, weights are steep.
@@ -160,7 +155,7 @@ impl Solution {
     /// greatest radius that the cell may have, in place of r_d − r_h. Infinite without cells.
     #[must_use]
     pub fn scores(&self) -> &[f64] {
-        &self.scores
+        &self.solved.scores
     }
 }
 
@@ -180,7 +175,7 @@ impl Solution {
     /// The poser of this solution.
     #[must_use]
     pub fn poser(&self) -> &Poser {
-        &self.poser
+        &self.solved.poser
     }
 
     /// The pose of a project's handles, blended as the project says: see [`Poser::pose`].
@@ -188,14 +183,14 @@ impl Solution {
     /// # Errors
     /// Those of [`Poser::pose`].
     pub fn pose(&self, project: &Project) -> Result<Pose, Error> {
-        self.poser.pose(&project.handles, project.pose.blend)
+        self.solved.pose(project)
     }
 
     /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
     #[must_use]
     pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
         let (triangle, p) = self.prepared.navigation.locate(p)?;
-        Some(self.functions.at(&self.sites, triangle, p))
+        Some(self.functions.at(triangle, p))
     }
 
     /// The sites that move a point and their weights, ascending by site; `None` outside the domain.
@@ -220,7 +215,7 @@ impl Solution {
 
     /// Parts of bars and polygons that lie outside the domain, or on its held boundary: they move nothing.
     #[must_use]
-    pub fn outside(&self) -> &[Outside] {
+    pub fn outside(&self) -> &[OutsidePart] {
         &self.outside
     }
 
@@ -230,7 +225,7 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<Mapped> {
-        self.expect_own(pose);
+        self.solved.expect_own(pose);
         Some(pose.map(p, &self.influences_at(p)?))
     }
 
@@ -240,7 +235,7 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn posed_vertices(&self, pose: &Pose) -> Vec<DVec2> {
-        self.expect_own(pose);
+        self.solved.expect_own(pose);
         pose.blend_all(&self.mesh.vertices, &self.weights)
     }
 
@@ -250,7 +245,7 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn drawn_triangles(&self, pose: &Pose) -> Cow<'_, [[u32; 3]]> {
-        self.expect_own(pose);
+        self.solved.expect_own(pose);
         drawing_order(&self.mesh.triangles, &self.weights, &depths(pose.motions()))
     }
 
@@ -274,7 +269,7 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn rest_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
-        if self.kinds == [0; 3]
+        if self.handle_counts == [0; 3]
             && let Some((width, height)) = self.prepared.picture
         {
             // Without handles the whole picture is drawn, with the parts outside the domain.
@@ -324,10 +319,8 @@ impl Solution {
         if let Some(size) = self.prepared.picture {
             check_picture(size, picture)?;
         }
-        if !self.poser.has_made(pose) {
-            return Err(Error::PoseOfAnother);
-        }
-        if self.kinds == [0; 3] {
+        self.solved.check_pose(pose)?;
+        if self.handle_counts == [0; 3] {
             let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
             return Ok(Drawn { rest: corners.into(), posed: corners.into(), triangles: vec![[0, 1, 2], [0, 2, 3]] });
@@ -358,10 +351,10 @@ impl Solution {
     /// If the pose is of another solution.
     #[must_use]
     pub fn report(&self, pose: &Pose) -> Report {
-        let real = self.sites.iter().filter(|site| site.kind.is_real()).count();
+        let real = self.solved.sites.iter().filter(|site| site.kind.is_real()).count();
         let entries = self.weights.offsets()[self.samples] as usize;
         let covers = self.weights.offsets()[..=self.samples].windows(2).map(|row| (row[1] - row[0]) as usize);
-        let reached = self.phi_sums.iter().zip(&self.nearest).filter(|&(_, &nearest)| nearest != NONE);
+        let reached = self.phi_sums.iter().zip(&self.solved.nearest).filter(|&(_, &nearest)| nearest != NONE);
         let offsets = self.weights.offsets().iter().map(|&offset| u64::from(offset));
         let sites = self.weights.sites().iter().map(|&site| u64::from(site));
         let bits = self.weights.weights().iter().map(|weight| weight.to_bits());
@@ -371,13 +364,13 @@ impl Solution {
             holes: self.domain().holes(),
             specks: self.domain().specks(),
             reflex_corners: self.prepared.navigation.reflex_corners().count(),
-            point_handles: self.kinds[0],
-            bar_handles: self.kinds[1],
-            polygon_handles: self.kinds[2],
+            point_handles: self.handle_counts[0],
+            bar_handles: self.handle_counts[1],
+            polygon_handles: self.handle_counts[2],
             outside: self.outside.clone(),
             real_sites: real,
-            virtual_sites: self.sites.len() - real,
-            scores: self.scores.iter().copied().filter(|score| score.is_finite()).collect(),
+            virtual_sites: self.solved.sites.len() - real,
+            scores: self.solved.scores.iter().copied().filter(|score| score.is_finite()).collect(),
             cover_mean: entries as f64 / self.samples as f64,
             cover_max: covers.max().unwrap_or(0),
             min_phi_sum: reached.map(|(&sum, _)| sum).reduce(f64::min).unwrap_or(0.0),
@@ -394,9 +387,5 @@ impl Solution {
     pub fn folded_triangles(&self, pose: &Pose) -> usize {
         let posed = self.posed_vertices(pose);
         FoldingMesh::new(&self.mesh.vertices, &self.mesh.triangles, self.samples).count(&posed, usize::MAX)
-    }
-
-    fn expect_own(&self, pose: &Pose) {
-        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnother);
     }
 }

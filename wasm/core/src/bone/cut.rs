@@ -4,7 +4,7 @@
 
 use glam::DVec2;
 
-use super::{Anchor, Line};
+use super::{Anchor, Polyline};
 use crate::{
     error::Error,
     limits::{MAX_SITES, MIN_SEPARATION},
@@ -25,7 +25,7 @@ pub(super) struct Piece {
 
 impl Piece {
     /// The ends of a piece of `line`.
-    pub(super) fn ends(&self, line: &Line) -> [DVec2; 2] {
+    pub(super) fn ends(&self, line: &Polyline) -> [DVec2; 2] {
         let (a, b) = line.segment(self.segment as usize);
         self.shares.map(|share| a.lerp(b, share))
     }
@@ -39,7 +39,7 @@ pub(super) struct Cuts {
 
 /// A segment of a line with the places where it is cut.
 struct Segment<'a> {
-    line: &'a Line,
+    line: &'a Polyline,
     number: usize,
     a: DVec2,
     b: DVec2,
@@ -50,7 +50,7 @@ struct Segment<'a> {
 impl Cuts {
     /// # Errors
     /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::TooManySites`] for more pieces than there may be sites.
-    pub(super) fn new(lines: &[&Line]) -> Result<Self, Error> {
+    pub(super) fn new(lines: &[&Polyline]) -> Result<Self, Error> {
         let mut nodes = Nodes::default();
         let mut segments = Vec::new();
         for line in lines {
@@ -68,7 +68,7 @@ impl<'a> Segment<'a> {
     ///
     /// # Errors
     /// [`Error::BarTooShort`].
-    fn all_of(line: &'a Line, nodes: &mut Nodes) -> Result<Vec<Self>, Error> {
+    fn all_of(line: &'a Polyline, nodes: &mut Nodes) -> Result<Vec<Self>, Error> {
         let first = nodes.anchors.len();
         for corner in 0..line.corners.len() {
             // The last corner of an open line is the end of the last segment.

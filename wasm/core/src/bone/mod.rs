@@ -9,9 +9,9 @@
 
 mod clip;
 mod cut;
-mod lines;
+mod embedded_segment;
 mod motion;
-mod track;
+mod polyline;
 
 use std::{cmp::Ordering, collections::HashMap};
 
@@ -22,10 +22,10 @@ use crate::{distance::Navigation, domain::Domain, error::Error, segment::segment
 
 use clip::Part;
 use cut::Piece;
-pub(crate) use lines::Line;
-pub use lines::Outside;
+pub(crate) use embedded_segment::EmbeddedSegment;
 pub(crate) use motion::BoneMotion;
-pub(crate) use track::Track;
+pub use polyline::OutsidePart;
+pub(crate) use polyline::Polyline;
 
 /// Places this near to a bone, in pixels, are on it: above rounding, far below what handles are apart.
 const ON_BONE: f64 = 1e-6;
@@ -73,13 +73,13 @@ impl Skeleton {
     /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::HandleOutside`] and [`Error::OnHeldBoundary`] for a line of
     /// which nothing is left.
     pub(crate) fn new(
-        lines: &[Line],
+        lines: &[Polyline],
         domain: &Domain,
         navigation: &Navigation,
         held: bool,
-    ) -> Result<(Self, Vec<Outside>), Error> {
+    ) -> Result<(Self, Vec<OutsidePart>), Error> {
         // Rounding depends on the order of lines, which must not be that of the handles.
-        let mut lines: Vec<&Line> = lines.iter().collect();
+        let mut lines: Vec<&Polyline> = lines.iter().collect();
         lines.sort_by(|a, b| lexical(a.coordinates(), b.coordinates()));
         let cuts = cut::Cuts::new(&lines)?;
         let corners: HashMap<u32, &[DVec2]> = lines.iter().map(|line| (line.handle, &line.corners[..])).collect();
@@ -112,7 +112,14 @@ impl Skeleton {
     }
 
     /// Adds the bones of a piece, of which `parts` are kept; `places` are those of the joints between pieces.
-    fn lay(&mut self, line: &Line, piece: &Piece, parts: &[Part], places: &[DVec2], outside: &mut Vec<Outside>) {
+    fn lay(
+        &mut self,
+        line: &Polyline,
+        piece: &Piece,
+        parts: &[Part],
+        places: &[DVec2],
+        outside: &mut Vec<OutsidePart>,
+    ) {
         let [a, b] = piece.ends(line);
         let [from, to] = piece.shares;
         let (first, last) = line.segment(piece.segment as usize);
@@ -122,7 +129,7 @@ impl Skeleton {
         let mut leave_out = |from: f64, to: f64| {
             if from < to {
                 let [from, to] = [from, to].map(|share| a.lerp(b, share));
-                outside.push(Outside { handle: line.id.clone(), from, to });
+                outside.push(OutsidePart { handle: line.id.clone(), from, to });
             }
         };
         let mut end = 0.0;
@@ -176,7 +183,7 @@ impl Skeleton {
 
     /// Whether all is as [`new`](Self::new) makes it, for so many handles: to be asked of what came from elsewhere. What it says of
     /// their corners is asked by [`fits`](Self::fits).
-    pub(crate) fn is_whole(&self, handles: usize) -> bool {
+    pub(crate) fn is_consistent(&self, handles: usize) -> bool {
         let anchor = |anchor: &Anchor| (anchor.handle as usize) < handles && anchor.share.is_finite();
         self.bones.iter().all(|bone| {
             (bone.handle as usize) < handles
@@ -185,7 +192,7 @@ impl Skeleton {
     }
 
     /// For each bone, whether several bones of its body share out what that weighs.
-    pub(crate) fn jointed(&self) -> Vec<bool> {
+    pub(crate) fn shares_body(&self) -> Vec<bool> {
         let mut of_body = vec![0_u32; self.bones.len()];
         self.bones.iter().for_each(|bone| of_body[bone.body as usize] += 1);
         self.bones.iter().map(|bone| of_body[bone.body as usize] > 1).collect()
@@ -248,7 +255,7 @@ impl Bone {
     /// How far a place is off the bone, in square pixels, and the gradient: zero on it and nowhere else, twice
     /// continuously differentiable, and about the squared distance far away. What is on it but for rounding is on it: which bone of a
     /// joint is nearest there is chance, and gradients relative to so little are noise.
-    pub(crate) fn offset(&self, p: DVec2) -> (f64, DVec2) {
+    pub(crate) fn falloff(&self, p: DVec2) -> (f64, DVec2) {
         let [a, b] = self.rest;
         let length = self.length();
         let along = (b - a) / length;
@@ -276,7 +283,7 @@ mod tests {
         let domain = Domain::new(None, &Picture::new(100, 100, &[255; 40_000]).unwrap()).unwrap();
         let line = |handle: u32, corners: &[(f64, f64)]| {
             let corners = corners.iter().map(|&corner| corner.into()).collect();
-            Line { handle, id: handle.to_string(), corners, closed: false }
+            Polyline { handle, id: handle.to_string(), corners, closed: false }
         };
         let lines = [
             line(0, &[(10.0, 95.0), (90.0, 95.0)]),
@@ -288,6 +295,6 @@ mod tests {
         // From top to bottom: the line with a corner and the one that ends there, the one beside them, the lowest.
         let bodies = skeleton.bones.iter().map(|bone| [bone.handle, bone.body]).collect::<Vec<_>>();
         assert_eq!(bodies, [[1, 0], [1, 0], [2, 1], [3, 0], [0, 2]]);
-        assert_eq!(skeleton.jointed(), [true, true, false, true, false]);
+        assert_eq!(skeleton.shares_body(), [true, true, false, true, false]);
     }
 }

@@ -1,14 +1,17 @@
-//! A bare point cloud in place of a picture's outline and mesh (section V-B).
+//! Solves on a point cloud without outline or mesh, as the paper does for meshless domains (section V-B).
 //!
 //! A graph over the k nearest neighbours of each point represents the domain. As in the paper, distances are shortest paths
-//! on it, cells and Algorithm 1 use its points only, and weights are interpolated between points. So everything is an
-//! approximation: distances are some per cent too long however dense the points are, weights jump a little where the set of
-//! the k nearest points changes, and a symmetric cloud may be divided asymmetrically. Where there is an outline or a mesh,
-//! use that.
+//! on this graph. Cells and Algorithm 1 use the points only, and weights are interpolated between points.
 //!
-//! Cost: O(n log n) for the graph; two runs of Dijkstra's algorithm over all of it for each site.
+//! Cost: O(n log n) for the graph, and two runs of Dijkstra's algorithm over all points for each site.
+//!
+//! Limits: all results are approximate. If there is an outline or a mesh, use that.
+//!
+//! - Distances are some per cent too long, however dense the points are.
+//! - Weights jump a little where the set of the k nearest points changes.
+//! - A symmetric cloud may get asymmetric cells.
 
-mod regions;
+mod partition;
 mod solution;
 mod tree;
 
@@ -28,7 +31,7 @@ pub use solution::CloudSolution;
 /// let cloud = PointCloud::new(points, 8)?;
 /// let left = Handle::point("left", [42.0, 97.0]);
 /// let right = Handle::point("right", [250.0, 100.0]).posed_at([[250.0, 130.0]]);
-/// // Of any size: the picture plays no part.
+/// // Of any size, as the picture is ignored.
 /// let project = Project::for_picture(1, 1).with_handles([left, right]);
 /// let solution = solve_cloud(&project, &cloud)?;
 /// let pose = solution.pose(&project)?;
@@ -40,17 +43,19 @@ pub use solution::CloudSolution;
 pub struct PointCloud {
     points: Vec<DVec2>,
     graph: Graph,
-    /// Index of the connected part of each point.
+    /// Points: the index of the connected part of each.
     part: Vec<u32>,
+    /// k: the number of nearest neighbours that each point is linked with.
     neighbours: usize,
     tree: Tree,
 }
 
 impl PointCloud {
-    /// Links every point with its `neighbours` nearest, in either direction. Places are in pixels, each coordinate from
-    /// −1,000,000 to 1,000,000; handles must be at least 0.01 px apart.
+    /// Links every point with its `neighbours` nearest, in either direction.
     ///
-    /// The paper gives no number; 8 is usual. With fewer, distances get longer; with more, links bridge gaps.
+    /// Positions are in pixels, each coordinate from −1,000,000 to 1,000,000. Handles must be at least 0.01 px apart.
+    ///
+    /// The paper gives no number of neighbours; 8 is usual. With fewer, distances get longer. With more, links bridge gaps.
     ///
     /// # Errors
     /// [`Error::CloudNeighbours`], [`Error::CloudPoint`], [`Error::CloudDuplicate`].
@@ -82,7 +87,7 @@ impl PointCloud {
         edges.sort_unstable();
         edges.dedup();
         let graph = Graph::of_edges(points.len(), || edges.iter().copied());
-        let part = parts(&graph, points.len());
+        let part = connected_parts(&graph, points.len());
         Self { points, graph, part, neighbours, tree }
     }
 
@@ -92,27 +97,28 @@ impl PointCloud {
         &self.points
     }
 
-    /// The points that a point is linked with.
+    /// The points linked with a point.
     ///
     /// # Panics
-    /// For a point that there is not.
+    /// If `point` is out of bounds.
     #[must_use]
     pub fn neighbours(&self, point: usize) -> &[u32] {
         self.graph.neighbours(point)
     }
 
-    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite where there is none. Dijkstra's
-    /// algorithm: O(n log n).
+    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite if no path leads there.
+    ///
+    /// Dijkstra's algorithm, O(n log n).
     ///
     /// # Panics
-    /// For a point that there is not.
+    /// If `point` is out of bounds.
     #[must_use]
     pub fn distances_from(&self, point: usize) -> Vec<f64> {
         self.graph.distances(&self.points, point)
     }
 
-    /// Whether a place belongs to the domain that the cloud represents: its distance to the nearest point is at most the
-    /// length of that point's longest link.
+    /// Whether a position belongs to the domain that the cloud represents. Its distance to the nearest point must be at most
+    /// the length of that point's longest link.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {
         self.tree.nearest(&self.points, p, 1).first().is_some_and(|&(square, point)| {
@@ -122,14 +128,16 @@ impl PointCloud {
         })
     }
 
-    /// The cloud with further points, each linked with its nearest neighbours of the cloud and with those further points that
-    /// are nearer. Also returns the index of each; a place that coincides with a point of the cloud gets that point's.
-    fn with(&self, places: &[DVec2]) -> (Self, Vec<u32>) {
+    /// The cloud with further points, and the index of each. A position that coincides with a point of the cloud gets that
+    /// point's index.
+    ///
+    /// Each new point is linked with its nearest neighbours in the cloud, and with new points that are nearer than these.
+    fn with(&self, positions: &[DVec2]) -> (Self, Vec<u32>) {
         let mut points = self.points.clone();
         let links = |from: usize| self.graph.neighbours(from).iter().map(move |&to| (from as u32, to));
         let mut edges: Vec<(u32, u32)> = (0..points.len()).flat_map(links).filter(|(a, b)| a < b).collect();
-        let mut at = Vec::with_capacity(places.len());
-        for &p in places {
+        let mut at = Vec::with_capacity(positions.len());
+        for &p in positions {
             let near = self.tree.nearest(&self.points, p, self.neighbours);
             if let Some(&(_, same)) = near.first().filter(|(square, _)| *square == 0.0) {
                 at.push(same);
@@ -148,8 +156,8 @@ impl PointCloud {
     }
 }
 
-/// The index of the connected part of each node.
-fn parts(graph: &Graph, nodes: usize) -> Vec<u32> {
+/// Nodes: the index of the connected part of each.
+fn connected_parts(graph: &Graph, nodes: usize) -> Vec<u32> {
     let (mut part, mut count) = (vec![NONE; nodes], 0);
     for seed in 0..nodes {
         if part[seed] != NONE {

@@ -1,76 +1,72 @@
-//! A solved cloud: weights of its points by eq. 2, and of any place by interpolation (section V-B).
+//! A solved cloud: weights of its points by eq. 2, and of any position by interpolation (section V-B).
+//!
+//! Cost: to solve, one run of Dijkstra's algorithm for each site; to interpolate, a search for the nearest points.
 
 use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::{PointCloud, regions::Regions};
+use super::{PointCloud, partition::CloudPartition};
 use crate::{
     bone::Skeleton,
     deform::Pose,
     error::Error,
     pose::{HarmonicFields, Poser, PoserInput},
     project::Project,
-    request::Request,
-    site::{PointSite, Site, SiteGraph, SiteKind},
-    triangulation::NONE,
+    site::{Site, SiteKind},
+    solve_input::SolveInput,
+    solved_sites::SolvedSites,
     weight::{Basis, SparseWeights, support_radii},
 };
 
-/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on where the handles are posed: its
-/// [`poser`](Self::poser) makes the poses that it takes, and no other does.
+/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on the pose of the handles. It accepts only poses that
+/// its own [`poser`](Self::poser) made.
 #[derive(Debug, Clone)]
 pub struct CloudSolution {
     weights: SparseWeights,
-    sites: Vec<Site>,
-    graph: SiteGraph,
-    harmonic: HarmonicFields,
-    /// The nearest site of each point, [`NONE`] in a part of the cloud without sites.
-    nearest: Vec<u32>,
-    scores: Vec<f64>,
+    solved: SolvedSites,
+    /// Number of points of the caller.
     points: usize,
-    given: PointCloud,
-    /// The cloud with the handles as points; their short links would make `contains` narrower around them.
+    /// The cloud of the caller. `cloud` has short links around handles, so it contains less.
+    original: PointCloud,
+    /// The cloud with the handles as further points.
     cloud: PointCloud,
-    poser: Poser,
 }
 
 impl CloudSolution {
-    /// Solves for point handles in the cloud, distinct and sorted.
-    pub(crate) fn new(cloud: &PointCloud, handles: &[PointSite<()>], request: Request) -> Result<Self, Error> {
-        let Request { weighting, density, mode, handles: solved, .. } = request;
-        let points = cloud.points.len();
-        let places: Vec<DVec2> = handles.iter().map(|handle| handle.rest).collect();
-        let given = cloud.clone();
-        let (cloud, at) = cloud.with(&places);
-        let mut regions = Regions::new(&cloud);
-        for (&PointSite { handle, .. }, &point) in handles.iter().zip(&at) {
-            regions.insert(point, SiteKind::Point { handle });
+    /// Solves for point handles in the cloud: their distinct positions, sorted, and their indices.
+    pub(crate) fn new(original: &PointCloud, handles: &[(DVec2, u32)], input: &SolveInput) -> Result<Self, Error> {
+        let positions: Vec<DVec2> = handles.iter().map(|&(rest, _)| rest).collect();
+        let (cloud, at) = original.with(&positions);
+        let mut partition = CloudPartition::new(&cloud);
+        for (&(_, handle), &point) in handles.iter().zip(&at) {
+            partition.insert(point, SiteKind::Point { handle });
         }
-        let scores = regions.insert_virtual_sites(density)?;
-        let graph = regions.dual();
-        let Regions { mut sites, points: at, nearest, .. } = regions;
-        let basis = Basis::new(weighting.degree, weighting.filling);
-        let mut by_site = Vec::with_capacity(sites.len());
-        let radii = support_radii(&weighting, &sites);
+        let scores = partition.insert_virtual_sites(input.density)?;
+        let graph = partition.dual_graph();
+        let CloudPartition { mut sites, points: at, nearest, .. } = partition;
+        let basis = Basis::new(input.weighting.degree, input.weighting.filling);
+        let mut phi_by_site = Vec::with_capacity(sites.len());
+        let radii = support_radii(&input.weighting, &sites);
         for ((site, radius), &at) in sites.iter_mut().zip(radii).zip(&at) {
             site.support_radius = radius;
             let distances = cloud.graph.distances(&cloud.points, at as usize).into_iter().enumerate();
             let covered = distances.filter(|&(_, d)| d < radius);
-            by_site.push(covered.map(|(point, d)| (point as u32, basis.value(d / radius))).collect());
+            phi_by_site.push(covered.map(|(point, d)| (point as u32, basis.value(d / radius))).collect());
         }
-        let (weights, _) = SparseWeights::normalised(cloud.points.len(), &by_site);
+        let (weights, _) = SparseWeights::normalised(cloud.points.len(), &phi_by_site);
         let harmonic = HarmonicFields::new(&sites, &graph);
         let poser = Poser::new(PoserInput {
             sites: &sites,
             graph: &graph,
             harmonic: &harmonic,
             skeleton: Skeleton::default(),
-            handles: solved,
-            mode,
+            handles: input.handles.clone(),
+            mode: input.mode,
             quadrature: None,
         });
-        Ok(Self { weights, sites, graph, harmonic, nearest, scores, points, given, cloud, poser })
+        let solved = SolvedSites { sites, graph, harmonic, poser, nearest, scores };
+        Ok(Self { weights, solved, points: original.points.len(), original: original.clone(), cloud })
     }
 
     /// The weights of the cloud's points in the caller's order, then those of handles between them: points × sites.
@@ -79,65 +75,62 @@ impl CloudSolution {
         &self.weights
     }
 
-    /// Real sites from top to bottom, then virtual ones as they were inserted.
+    /// The real sites from top to bottom, then the virtual ones as they were inserted.
     #[must_use]
     pub fn sites(&self) -> &[Site] {
-        &self.sites
+        &self.solved.sites
     }
 
-    /// The links of the cells' dual graph: two sites, the lower index first, and the weight of the link, which is 1. Ascending.
+    /// The links of the cells' dual graph: two sites, the lower index first, and the weight, 1. Ascending.
     pub fn links(&self) -> impl Iterator<Item = (usize, usize, f64)> + Clone + '_ {
-        self.graph.iter()
+        self.solved.graph.iter()
     }
 
-    /// ϖ: the real sites that a site gets its motion from and their shares (eq. 4), which sum to 1 within rounding; ascending by site. Of a
-    /// real site itself alone.
+    /// See [`Solution::harmonic_weights`](crate::Solution::harmonic_weights).
     ///
     /// # Panics
-    /// For a site that there is not.
+    /// If `site` is out of bounds.
     pub fn harmonic_weights(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        self.harmonic.row(site)
+        self.solved.harmonic.row(site)
     }
 
-    /// The nearest site of a point of [`weights`](Self::weights), `None` in a part of the cloud without sites.
+    /// The nearest site of a point of [`weights`](Self::weights); `None` in a part of the cloud without sites.
     ///
     /// # Panics
-    /// For a point that there is not.
+    /// If `point` is out of bounds.
     #[must_use]
     pub fn nearest_site(&self, point: usize) -> Option<usize> {
-        let site = self.nearest[point];
-        (site != NONE).then_some(site as usize)
+        self.solved.nearest_site(point)
     }
 
-    /// The score δ / r_d of the worst cell before each insertion, as in the paper's figure 3 (right), with δ = r_d minus the
-    /// greatest radius that the cell may have, in place of r_d − r_h. Infinite where there is no cell.
+    /// See [`Solution::scores`](crate::Solution::scores). Each round inserts one site.
     #[must_use]
     pub fn scores(&self) -> &[f64] {
-        &self.scores
+        &self.solved.scores
     }
 
     /// Makes poses of this solution.
     #[must_use]
     pub fn poser(&self) -> &Poser {
-        &self.poser
+        &self.solved.poser
     }
 
-    /// The pose of a project's handles, blended as the project says: see [`Poser::pose`].
+    /// The pose of a project's handles, with the project's blend: see [`Poser::pose`].
     ///
     /// # Errors
     /// Those of [`Poser::pose`].
     pub fn pose(&self, project: &Project) -> Result<Pose, Error> {
-        self.poser.pose(&project.handles, project.pose.blend)
+        self.solved.pose(project)
     }
 
-    /// The sites that move a place and their weights, ascending by site; `None` outside the cloud.
+    /// The sites that move a position, and their weights, ascending by site; `None` outside the cloud.
     ///
-    /// Interpolated by reciprocal distances (the paper's \[18\]) from the nearest points of one connected part. At a point of
-    /// the cloud they are that point's.
+    /// Interpolates by reciprocal distances (the paper's \[18\]) from the nearest points of one connected part. At a point of
+    /// the cloud, returns the weights of that point.
     #[must_use]
     pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
         let cloud = &self.cloud;
-        if !self.given.contains(p) {
+        if !self.original.contains(p) {
             return None;
         }
         let near = cloud.tree.nearest(&cloud.points, p, cloud.neighbours);
@@ -148,39 +141,36 @@ impl CloudSolution {
         let part = cloud.part[first as usize];
         let near = near.into_iter().filter(|&(_, point)| cloud.part[point as usize] == part);
         // Relative to the nearest, so that no reciprocal overflows.
-        let shares: Vec<(usize, f64)> = near.map(|(square, point)| (point as usize, (least / square).sqrt())).collect();
-        let sum: f64 = shares.iter().map(|&(_, share)| share).sum();
+        let reciprocals: Vec<(usize, f64)> =
+            near.map(|(square, point)| (point as usize, (least / square).sqrt())).collect();
+        let sum: f64 = reciprocals.iter().map(|&(_, reciprocal)| reciprocal).sum();
         let mut weights: BTreeMap<usize, f64> = BTreeMap::new();
-        for (point, share) in shares {
+        for (point, reciprocal) in reciprocals {
             for (site, weight) in self.weights.row(point) {
-                *weights.entry(site).or_default() += share / sum * weight;
+                *weights.entry(site).or_default() += reciprocal / sum * weight;
             }
         }
         Some(weights.into_iter().collect())
     }
 
-    /// Where a place goes (eq. 1), in pixels; `None` outside the cloud.
+    /// The posed position of a position at rest (eq. 1), in pixels; `None` outside the cloud.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If another solution's poser made the pose.
     #[must_use]
     pub fn map(&self, pose: &Pose, p: DVec2) -> Option<DVec2> {
-        self.expect_own(pose);
+        self.solved.expect_own(pose);
         Some(pose.blended(p, self.weights_at(p)?))
     }
 
-    /// Where the cloud's points go, in the caller's order.
+    /// The posed positions of the cloud's points, in the caller's order.
     ///
     /// # Panics
-    /// Where the pose is of another solution.
+    /// If another solution's poser made the pose.
     #[must_use]
     pub fn posed_points(&self, pose: &Pose) -> Vec<DVec2> {
-        self.expect_own(pose);
+        self.solved.expect_own(pose);
         let points = self.cloud.points[..self.points].iter().enumerate();
         points.map(|(point, &p)| pose.blended(p, self.weights.row(point))).collect()
-    }
-
-    fn expect_own(&self, pose: &Pose) {
-        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnother);
     }
 }

@@ -1,10 +1,10 @@
-//! The points nearest to a place: a k-d tree in one array, in which the middle of each range is its root.
+//! The points nearest to a position (section V-B): a k-d tree in one array. The middle of each range is the root of its subtree.
 //!
-//! Cost: n log n to build, about log n for a query of a few points.
+//! Cost: O(n log n) to build, about O(log n) for a query of a few points.
 
 use glam::DVec2;
 
-/// A permutation of the points into a tree that is split by x and y alternately.
+/// A permutation of the points into a tree, split by x and y alternately.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
     order: Vec<u32>,
@@ -17,7 +17,7 @@ impl Tree {
         Self { order }
     }
 
-    /// The `count` points nearest to a place, ascending by squared distance, then by index.
+    /// The `count` points nearest to a position, ascending by squared distance, then by index.
     pub(super) fn nearest(&self, points: &[DVec2], p: DVec2, count: usize) -> Vec<(f64, u32)> {
         let mut found = Vec::with_capacity(count + 1);
         search(points, &self.order, 0, (p, count), &mut found);
@@ -60,9 +60,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn finds_the_same_as_a_look_at_every_point() {
+    fn finds_the_points_of_a_search_over_all() {
         let at = |i: usize| DVec2::new((0.754_877 * i as f64).fract(), (0.569_840 * i as f64).fract() * 0.1);
-        // Some on one line, some twice.
+        // Some points lie on one line, and some coincide.
         let points: Vec<DVec2> = (0..200).map(|i| if i % 3 == 0 { at(i / 6) * DVec2::X } else { at(i) }).collect();
         let tree = Tree::new(&points);
         for p in (0..50).map(|i| at(i * 7) * 1.2) {

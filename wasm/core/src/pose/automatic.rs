@@ -148,9 +148,9 @@ mod tests {
         );
         let project = Project::from_json(&json).unwrap();
         let solution = solve(&project, &Picture::new(100, 100, &[255; 40_000]).unwrap()).unwrap();
-        let automatic = Automatic::new(&solution.sites, &solution.graph, &solution.harmonic);
+        let automatic = Automatic::new(solution.sites(), &solution.solved.graph, &solution.solved.harmonic);
         let (rest, kinds): (Vec<DVec2>, Vec<SiteKind>) =
-            solution.sites.iter().map(|site| (site.rest, site.kind)).unzip();
+            solution.sites().iter().map(|site| (site.rest, site.kind)).unzip();
         let still = solution.poser().real_motions(&project.handles);
         let mut turned = still.clone();
         automatic.turn_to_fit(&rest, &kinds, &project.handles, &mut turned);

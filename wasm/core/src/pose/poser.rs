@@ -242,7 +242,7 @@ impl Poser {
             && poser.harmonic.iter().flatten().all(|&(site, _)| real(site))
             && poser.automatic.is_whole(real, poser.solved.len())
             && poser.rigid.as_ref().is_none_or(|rigid| rigid.is_whole(sites))
-            && poser.skeleton.is_whole(poser.solved.len())
+            && poser.skeleton.is_consistent(poser.solved.len())
             && poser.kinds.iter().all(known);
         if whole { Ok(poser) } else { Err(Error::PoserBytes) }
     }

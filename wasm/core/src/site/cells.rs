@@ -1,7 +1,8 @@
-//! 𝒱(h_i): which coarse samples are nearer to a site than to any other (section III-B).
+//! 𝒱(h_i): the coarse samples that are nearer to a site than to any other (section III-B).
 //!
-//! Cells are updated as sites are inserted: a new site takes over the coarse samples around it that are nearer to it, and no others
-//! are visited. Cost of an insertion: its cell, a margin of one coarse sample around it, and the cells that lose coarse samples to it.
+//! Inserting a site updates the cells. The new site takes the coarse samples that are nearer to it from other cells.
+//!
+//! Cost of an insertion: the samples of the new cell, a margin of one sample around it, and the cells that lose samples.
 
 use glam::DVec2;
 
@@ -11,39 +12,42 @@ use crate::{distance::PathEnd, sample::CoarseSamples, triangulation::NONE};
 /// The cells of all sites, over the coarse samples.
 #[derive(Debug, Clone)]
 pub(crate) struct Cells {
-    /// The nearest site of each coarse sample; [`NONE`] on an island without sites.
-    pub(crate) nearest: Vec<u32>,
-    /// The distance of each coarse sample to that site.
-    pub(crate) distance: Vec<f64>,
-    /// The last vertex at which the path from that site bends.
-    pub(crate) pseudo_source: Vec<DVec2>,
-    /// The coarse samples of each cell as linked lists: the first coarse sample of each site, and the next coarse sample of each coarse sample.
+    /// Samples: the nearest site of each; [`NONE`] on an island without sites.
+    pub(super) nearest: Vec<u32>,
+    /// Samples: the distance of each to that site, in pixels.
+    pub(super) distance: Vec<f64>,
+    /// Samples: the last vertex at which the path from that site bends.
+    pub(super) pseudo_source: Vec<DVec2>,
+    /// Sites: the first sample of each cell's linked list, or [`NONE`].
     first: Vec<u32>,
+    /// Samples: the next sample of the same cell, or [`NONE`].
     next: Vec<u32>,
-    /// The farthest coarse sample of each cell, or [`NONE`].
+    /// Sites: the farthest sample of each cell, or [`NONE`].
     farthest: Vec<u32>,
-    /// The coarse samples that the last insertion visited.
-    seen: VisitStamps,
+    /// The samples that the last insertion visited.
+    visited: VisitStamps,
     stack: Vec<u32>,
 }
 
 impl Cells {
-    pub(crate) fn new(coarse: usize) -> Self {
+    pub(super) fn new(samples: usize) -> Self {
         Self {
-            nearest: vec![NONE; coarse],
-            distance: vec![f64::INFINITY; coarse],
-            pseudo_source: vec![DVec2::ZERO; coarse],
+            nearest: vec![NONE; samples],
+            distance: vec![f64::INFINITY; samples],
+            pseudo_source: vec![DVec2::ZERO; samples],
             first: Vec::new(),
-            next: vec![NONE; coarse],
+            next: vec![NONE; samples],
             farthest: Vec::new(),
-            seen: VisitStamps::new(coarse),
+            visited: VisitStamps::new(samples),
             stack: Vec::new(),
         }
     }
 
-    /// Inserts a site at `rest`: its cell consists of the coarse samples nearer to it than to all sites before. `start` are the coarse samples
-    /// around the site, `path_end` gives the path from the site to a coarse sample.
-    pub(crate) fn insert(
+    /// Inserts a site at `rest`. Its cell takes the samples that are nearer to it than to all earlier sites.
+    ///
+    /// `start` lists the corners of the triangle that contains the site. `path_end` returns the shortest path from the site
+    /// to a sample.
+    pub(super) fn insert(
         &mut self,
         coarse: &CoarseSamples,
         (rest, start): (DVec2, [u32; 3]),
@@ -52,16 +56,16 @@ impl Cells {
         let site = self.first.len() as u32;
         self.first.push(NONE);
         self.farthest.push(NONE);
-        self.seen.clear();
+        self.visited.clear();
         let mut losers: Vec<u32> = Vec::new();
         self.stack.extend(start);
         let (mut first, mut farthest, mut radius) = (NONE, NONE, -1.0);
         while let Some(sample) = self.stack.pop() {
             let at = sample as usize;
-            if !self.seen.mark(sample) {
+            if !self.visited.mark(sample) {
                 continue;
             }
-            // The path to a coarse sample of the cell crosses triangles whose corners are at most an edge away from the path.
+            // The path to a sample of the cell crosses triangles whose corners are at most one edge away from the path.
             let known = self.distance[at];
             let margin = known + 2.0 * coarse.reach[at];
             // No path is shorter than the straight line.
@@ -84,17 +88,17 @@ impl Cells {
             }
         }
         for &loser in &losers {
-            first = self.release(loser, site, first);
+            first = self.split_list(loser, site, first);
         }
         if losers.is_empty() && farthest != NONE {
-            // The first site of an island: there is no list to take coarse samples from.
-            first = self.collect(site);
+            // The first site of an island: no list has its samples yet.
+            first = self.collect_list(site);
         }
         (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
     }
 
-    /// Moves the coarse samples that `site` took from `loser` to the list that begins with `first`. Returns the new first.
-    fn release(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
+    /// Moves the samples that `site` took from `loser` to the list that begins with `first`. Returns the new first sample.
+    fn split_list(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
         let (mut kept, mut farthest, mut radius) = (NONE, NONE, -1.0);
         let mut sample = self.first[loser as usize];
         while sample != NONE {
@@ -112,7 +116,8 @@ impl Cells {
         first
     }
 
-    fn collect(&mut self, site: u32) -> u32 {
+    /// Links all samples of a site. Returns the first.
+    fn collect_list(&mut self, site: u32) -> u32 {
         let mut first = NONE;
         for at in (0..self.nearest.len()).filter(|&at| self.nearest[at] == site) {
             self.next[at] = first;
@@ -121,19 +126,20 @@ impl Cells {
         first
     }
 
-    /// Whether the last insertion visited all three coarse samples. The new cell has no point in any other triangle.
-    pub(crate) fn saw(&self, coarse: [u32; 3]) -> bool {
-        coarse.iter().all(|&at| self.seen.has(at))
+    /// Whether the last insertion visited all three samples. The new cell has points only in triangles with such corners.
+    pub(super) fn visited_all(&self, samples: [u32; 3]) -> bool {
+        samples.iter().all(|&at| self.visited.has(at))
     }
 
-    /// The coarse samples of a site's cell.
-    pub(crate) fn of(&self, site: usize) -> impl Iterator<Item = usize> + '_ {
+    /// The samples of a site's cell.
+    pub(super) fn of(&self, site: usize) -> impl Iterator<Item = usize> + '_ {
         let some = |sample: u32| (sample != NONE).then_some(sample as usize);
         std::iter::successors(some(self.first[site]), move |&at| some(self.next[at]))
     }
 
-    /// The farthest coarse sample of a cell; `None` for a cell that contains no coarse sample.
-    pub(crate) fn farthest_sample(&self, site: usize) -> Option<usize> {
-        (self.farthest[site] != NONE).then_some(self.farthest[site] as usize)
+    /// The greatest distance of a cell's samples, 0 if the cell has none: a lower bound of the cell radius.
+    pub(super) fn sampled_radius(&self, site: usize) -> f64 {
+        let farthest = self.farthest[site];
+        if farthest == NONE { 0.0 } else { self.distance[farthest as usize] }
     }
 }

@@ -1,20 +1,22 @@
-//! A bone or a ring of a held outline as a line with sites on it.
+//! A bone or a ring of a held outline, as a polyline with sites on it (section V-D).
+//!
+//! Cost: a pass over the corners, or over the sites, for each call.
 
 use glam::DVec2;
 
 use super::{SiteKind, TIE};
 use crate::segment::nearest_on_segment;
 
-/// Greatest gap over the reach of the sites at its ends.
+/// Greatest gap between two sites, over the reach of each.
 const MAX_GAP: f64 = 0.5;
-/// Corners of a held outline at which the cosine of the turning angle is below this get a site each: more than 20°.
+/// A corner of a held outline gets a site if the cosine of its turning angle is below this: more than 20°.
 const SHARP_COSINE: f64 = 0.94;
 
-/// A line with sites on it.
+/// A polyline with sites on it. Positions on it are arc lengths from its first corner, in pixels.
 pub(super) struct Chain {
     pub(super) kind: SiteKind,
     corners: Vec<DVec2>,
-    /// Arc length at each corner, and at the end.
+    /// Edges + 1: the arc length at each corner, and at the end.
     lengths: Vec<f64>,
     closed: bool,
     /// Arc length and index of each site, ascending.
@@ -36,14 +38,15 @@ impl Chain {
         self.lengths[self.lengths.len() - 1]
     }
 
+    /// The point at an arc length.
     pub(super) fn at(&self, length: f64) -> DVec2 {
         let edge = self.lengths[1..self.lengths.len() - 1].partition_point(|&end| end <= length);
         let (from, to) = (self.corners[edge], self.corners[(edge + 1) % self.corners.len()]);
         from.lerp(to, (length - self.lengths[edge]) / (self.lengths[edge + 1] - self.lengths[edge]))
     }
 
-    /// Arc lengths of the first sites.
-    pub(super) fn start(&self) -> Vec<f64> {
+    /// Arc lengths of the first sites: the middle of a bone, or the sharp corners of a ring.
+    pub(super) fn initial_sites(&self) -> Vec<f64> {
         if !self.closed {
             return vec![self.length() / 2.0];
         }
@@ -56,7 +59,7 @@ impl Chain {
         if sharp.is_empty() { self.extremes() } else { sharp }
     }
 
-    /// Arc lengths of the leftmost, rightmost, uppermost and lowest corners: the same in a mirror image.
+    /// Arc lengths of the leftmost, rightmost, uppermost and lowest corners. A mirror image has the same.
     fn extremes(&self) -> Vec<f64> {
         let [low, high] = [DVec2::min, DVec2::max].map(|of| self.corners.iter().copied().fold(self.corners[0], of));
         let slack = TIE * (high - low).max_element();
@@ -64,7 +67,7 @@ impl Chain {
         self.corners.iter().zip(&self.lengths).filter(|(p, _)| is_extreme(**p)).map(|(_, &length)| length).collect()
     }
 
-    /// The arc length nearest to `length` that is clear of both ends, by a third of what is free there.
+    /// The arc length nearest to `length` that keeps a third of the first and of the last gap free.
     pub(super) fn clear_of_ends(&self, length: f64) -> f64 {
         if self.closed {
             return length;
@@ -73,8 +76,8 @@ impl Chain {
         length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
     }
 
-    /// The straight distance from a point to the line, and the arc lengths of the nearest places. Of tied places, those
-    /// farther than `apart` from one another.
+    /// The straight distance from a point, and the arc lengths of the nearest points of the chain. Tied points that are no
+    /// farther than `apart` from each other count as one.
     pub(super) fn nearest(&self, p: DVec2, apart: f64) -> (f64, Vec<f64>) {
         let n = self.corners.len();
         let feet: Vec<(DVec2, f64)> = (0..self.lengths.len() - 1)
@@ -95,35 +98,37 @@ impl Chain {
         (least, kept.into_iter().map(|(_, length)| length).collect())
     }
 
+    /// Whether a site lies less than `within` away along the chain.
     pub(super) fn has_site_near(&self, length: f64, within: f64) -> bool {
         self.sites.iter().any(|&(known, _)| (known - length).abs() < within)
     }
 
-    /// Arc lengths of new sites: in gaps that are too large for the reach of the sites at their ends.
-    pub(super) fn wanted(&self, reach: impl Fn(usize) -> f64) -> Vec<f64> {
-        let mut wanted = Vec::new();
+    /// Arc lengths of new sites, one in each gap that is too large for the sites at its ends. `reach` returns how far the
+    /// support of a site may reach.
+    pub(super) fn missing_sites(&self, reach: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut missing = Vec::new();
         let limit = |i: usize, j: usize| MAX_GAP * reach(self.sites[i].1).min(reach(self.sites[j].1));
         let last = self.sites.len() - 1;
         for i in 0..last {
             let (from, to) = (self.sites[i].0, self.sites[i + 1].0);
             if to - from > limit(i, i + 1) {
-                wanted.push(f64::midpoint(from, to));
+                missing.push(f64::midpoint(from, to));
             }
         }
         let (first, end) = (self.sites[0].0, self.length() - self.sites[last].0);
         if self.closed {
             if end + first > limit(0, last) {
                 let middle = self.sites[last].0 + (end + first) / 2.0;
-                wanted.push(if middle < self.length() { middle } else { middle - self.length() });
+                missing.push(if middle < self.length() { middle } else { middle - self.length() });
             }
         } else {
             if 2.0 * first > limit(0, 0) {
-                wanted.push(first / 3.0);
+                missing.push(first / 3.0);
             }
             if 2.0 * end > limit(last, last) {
-                wanted.push(self.length() - end / 3.0);
+                missing.push(self.length() - end / 3.0);
             }
         }
-        wanted
+        missing
     }
 }

@@ -1,140 +1,144 @@
-//! Contacts: where the cells of two handles meet with nothing virtual between them.
+//! Contacts: points where the cells of two handles meet and no virtual site is nearer.
 //!
-//! There the picture has to go from one motion to another within the reach of both, by the basis function's slope alone. A site
-//! halfway shares the way out, and its motion is free. Algorithm 1 looks at the farthest point of a cell, which is on its open side: a
-//! narrow gap between two bars would be the last to be divided.
+//! There the picture passes from one motion to another within the reach of both, by the slope of φ alone. A site halfway
+//! takes a share of that change, and its motion is free. Algorithm 1 inserts at the farthest point of a cell, which is on its
+//! open side. So it would divide a narrow gap between two bars last.
 //!
-//! Each is found between two coarse samples and lies on the border itself. Where along the border, they decide: it is where the edge between
-//! them leads across it. So these sites change where the lattice of coarse samples does: where the picture is turned, or its outline has one more
-//! corner.
+//! Each contact is found between two coarse samples, and lies exactly on the border of the cells.
 //!
-//! Cost: each time that real sites are new, a look at every triangle of coarse samples, and for each coarse sample on the border of a cell at the real sites
-//! that are about as near as its own; for each pair of them that two handles meet between, at all sites. Afterwards a look at the contacts
-//! that are left and the sites that are new.
+//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample on the border of a
+//! cell, a look at the real sites about as near as its own. For each pair of such samples of two handles, a look at all
+//! sites. Later rounds look at the contacts left and at the new sites.
+//!
+//! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses it. So
+//! these sites change with the lattice, for example if the picture is rotated or its outline has one more corner.
 
 use std::collections::HashMap;
 
 use glam::DVec2;
 
-use super::{Regions, Site, TIE, farthest::FarPoint};
+use super::{Site, SiteField, SiteInserter, TIE, farthest::FarPoint, obstacles::Obstacles, room, voronoi::Voronoi};
 use crate::{grid::Grid, limits::MIN_SEPARATION};
 
-/// Steps onto the border, as Newton's method does them. Between two points the first ends there.
+/// Steps of Newton's method onto the border. Between two points the first step reaches it.
 const STEPS: usize = 3;
-/// Directions that differ by a smaller square lead along the border, not to it.
+/// If the squared difference of two gradients is smaller, it leads along the border, not to it.
 const ALONG: f64 = 1e-3;
 
-/// All contacts, as far as they are not known to be closed.
+/// All contacts that are not known to be closed.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
     list: Vec<FarPoint>,
-    /// So many real sites they were looked for among.
+    /// Number of real sites when the contacts were found.
     real_sites: usize,
-    /// So many sites are known to be no nearer than those that meet there.
+    /// The first so many sites do not close any contact of the list.
     sites: usize,
 }
 
 impl Contacts {
-    /// The widest that are still open, more than one where there is a tie; empty where there is none.
-    pub(super) fn widest(&mut self, regions: &Regions) -> Vec<FarPoint> {
-        let real_sites = regions.sites.iter().filter(|site| site.kind.is_real()).count();
+    /// The open contacts whose sites are farthest apart, with all ties. Empty if none is open.
+    pub(super) fn widest(&mut self, inserter: &SiteInserter) -> Vec<FarPoint> {
+        let (voronoi, sites) = (&inserter.voronoi, inserter.sites());
+        let real_sites = sites.iter().filter(|site| site.kind.is_real()).count();
         if self.real_sites != real_sites {
-            *self = Self { list: regions.contacts(), real_sites, sites: regions.sites.len() };
+            *self = Self { list: find_contacts(voronoi, inserter.obstacles), real_sites, sites: sites.len() };
         }
-        let new = &regions.sites[self.sites..];
-        let closes = |site: &Site, contact: &FarPoint| {
+        let new = || sites[self.sites..].iter().zip(&voronoi.fields[self.sites..]);
+        let closes = |(site, field): (&Site, &SiteField), contact: &FarPoint| {
             site.rest.distance(contact.at) < contact.distance
-                && site.field.distance(contact.triangle, contact.at) < contact.distance
+                && field.distance(contact.triangle, contact.at) < contact.distance
         };
-        self.list.retain(|contact| !new.iter().any(|site| closes(site, contact)));
-        self.sites = regions.sites.len();
+        self.list.retain(|contact| !new().any(|site| closes(site, contact)));
+        self.sites = sites.len();
         let widest = self.list.iter().map(|contact| contact.distance).fold(0.0, f64::max);
         self.list.iter().filter(|contact| contact.distance >= (1.0 - TIE) * widest).copied().collect()
     }
 }
 
-impl Regions<'_> {
-    fn contacts(&self) -> Vec<FarPoint> {
-        let mut pairs: Vec<[u32; 2]> = Vec::new();
-        let are_apart = |[a, b]: [u32; 2]| self.cells.nearest[a as usize] != self.cells.nearest[b as usize];
-        let add_pairs = |edges: &[[u32; 2]]| {
-            let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
-            pairs.extend(edges.iter().flat_map(ends).filter(|&[a, b]| a < b && are_apart([a, b])));
-        };
-        self.coarse.mesh.visit_polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
-        // Most come from both sides.
-        pairs.sort_unstable();
-        pairs.dedup();
-        let nearest = self.nearest_handles(pairs.as_flattened());
-        let contacts = |pair: [u32; 2]| self.contacts_between(pair, pair.map(|sample| &nearest[&sample][..]));
-        pairs.iter().flat_map(|&pair| contacts(pair)).collect()
-    }
-
-    /// Where the cells meet that two coarse samples are in, if those are of two handles.
-    fn contacts_between<'a>(
-        &'a self,
-        coarse: [u32; 2],
-        [of_a, of_b]: [&'a [usize]; 2],
-    ) -> impl Iterator<Item = FarPoint> + 'a {
-        let sites = of_a.iter().flat_map(move |&s| of_b.iter().map(move |&t| [s, t]));
-        sites.filter_map(move |[s, t]| {
-            let (a, b) = (&self.sites[s], &self.sites[t]);
-            let are_apart = s != t && self.is_obstacle(t, a.island, self.body(a.kind));
-            let coarse = coarse.map(|sample| sample as usize);
-            are_apart.then(|| self.on_border(self.between(coarse, a, b), a, b)).flatten()
-        })
-    }
-
-    /// For each of some coarse samples, the real sites nearest to it, ascending: several where it is on a border, as on an axis of
-    /// symmetry.
-    fn nearest_handles(&self, coarse: &[u32]) -> HashMap<u32, Vec<usize>> {
-        let distances = coarse.iter().map(|&sample| self.cells.distance[sample as usize]);
-        // The average radius of a query, which then touches a few cells of the grid.
-        let side = (distances.sum::<f64>() / coarse.len() as f64).max(MIN_SEPARATION);
-        let real = self.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
-        let grid = Grid::new(side, real.map(|(at, site)| (site.rest, at)));
-        let nearest = |sample: usize| {
-            let (triangle, p) = (self.coarse.nav_triangles[sample], self.coarse.mesh.vertices[sample]);
-            let within = self.cells.distance[sample] * (1.0 + TIE);
-            let is_near = |site: &Site| site.rest.distance(p) <= within && site.field.distance(triangle, p) <= within;
-            let mut near: Vec<usize> = grid.around(p, within).filter(|&at| is_near(&self.sites[at])).collect();
-            near.sort_unstable();
-            near
-        };
-        let mut known = HashMap::new();
-        for &sample in coarse {
-            known.entry(sample).or_insert_with(|| nearest(sample as usize));
-        }
-        known
-    }
-
-    /// About where the border of two sites is between two coarse samples, one in the cell of each.
-    fn between(&self, coarse: [usize; 2], s: &Site, t: &Site) -> DVec2 {
-        let [a, b] = coarse.map(|sample| self.coarse.mesh.vertices[sample]);
-        // By how much the other site is farther: both nearly linear along the edge.
-        let off_a = t.field.distance(self.coarse.nav_triangles[coarse[0]], a) - self.cells.distance[coarse[0]];
-        let off_b = s.field.distance(self.coarse.nav_triangles[coarse[1]], b) - self.cells.distance[coarse[1]];
-        let share = off_a / (off_a + off_b);
-        a.lerp(b, if share.is_finite() { share } else { 0.5 })
-    }
-
-    /// The point near another that is as far from one site as from the other, if there is nothing virtual nearer.
-    fn on_border(&self, mut p: DVec2, s: &Site, t: &Site) -> Option<FarPoint> {
-        let mut triangle = self.navigation.triangle_at(p)?;
-        for _ in 0..STEPS {
-            let [(to_s, from_s), (to_t, from_t)] =
-                [s.field.distance_and_gradient(triangle, p)?, t.field.distance_and_gradient(triangle, p)?];
-            let apart = from_s - from_t;
-            if apart.length_squared() < ALONG {
-                break;
+/// All contacts between the sites inserted so far.
+fn find_contacts(voronoi: &Voronoi, obstacles: &Obstacles) -> Vec<FarPoint> {
+    let cells = &voronoi.cells;
+    let mut pairs: Vec<[u32; 2]> = Vec::new();
+    let are_apart = |[a, b]: [u32; 2]| cells.nearest[a as usize] != cells.nearest[b as usize];
+    let add_pairs = |edges: &[[u32; 2]]| {
+        let ends = |&[a, _]: &[u32; 2]| edges.iter().map(move |&[b, _]| [a, b]);
+        pairs.extend(edges.iter().flat_map(ends).filter(|&[a, b]| a < b && are_apart([a, b])));
+    };
+    voronoi.coarse.mesh.visit_polygons(|[a, b, c]| are_apart([a, b]) || are_apart([b, c]), add_pairs);
+    // Most pairs are found from both sides.
+    pairs.sort_unstable();
+    pairs.dedup();
+    let nearest = nearest_real_sites(voronoi, pairs.as_flattened());
+    let mut contacts = Vec::new();
+    for pair in pairs {
+        let [of_a, of_b] = pair.map(|sample| &nearest[&sample][..]);
+        for [s, t] in of_a.iter().flat_map(|&s| of_b.iter().map(move |&t| [s, t])) {
+            let body = obstacles.body(voronoi.sites[s].kind);
+            let are_apart = s != t && room::limits(voronoi, obstacles, t, voronoi.fields[s].island, body);
+            if are_apart {
+                let start = border_estimate(voronoi, pair.map(|sample| sample as usize), [s, t]);
+                contacts.extend(point_on_border(voronoi, start, [s, t]));
             }
-            p -= (to_s - to_t) * apart / apart.length_squared();
-            // Beside the outline by what counts as rounding, it is moved onto it: no site is outside.
-            (triangle, p) = self.navigation.locate(p)?;
         }
-        let (distance, site) = self.nearest(triangle, p)?;
-        site.kind.is_real().then_some(FarPoint { at: p, triangle, distance })
     }
+    contacts
+}
+
+/// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an axis of
+/// symmetry.
+fn nearest_real_sites(voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<usize>> {
+    let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
+    let distances = samples.iter().map(|&sample| cells.distance[sample as usize]);
+    // The average radius of a query, so that a query touches a few cells of the grid.
+    let side = (distances.sum::<f64>() / samples.len() as f64).max(MIN_SEPARATION);
+    let real = voronoi.sites.iter().enumerate().filter(|(_, site)| site.kind.is_real());
+    let grid = Grid::new(side, real.map(|(at, site)| (site.rest, at)));
+    let nearest = |sample: usize| {
+        let (triangle, p) = (coarse.nav_triangles[sample], coarse.mesh.vertices[sample]);
+        let within = cells.distance[sample] * (1.0 + TIE);
+        let is_near = |&site: &usize| {
+            voronoi.sites[site].rest.distance(p) <= within && voronoi.distance(site, triangle, p) <= within
+        };
+        let mut near: Vec<usize> = grid.around(p, within).filter(is_near).collect();
+        near.sort_unstable();
+        near
+    };
+    let mut known = HashMap::new();
+    for &sample in samples {
+        known.entry(sample).or_insert_with(|| nearest(sample as usize));
+    }
+    known
+}
+
+/// Approximately the point where the border of two sites crosses the edge between two coarse samples, one in each cell.
+fn border_estimate(voronoi: &Voronoi, samples: [usize; 2], [s, t]: [usize; 2]) -> DVec2 {
+    let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
+    let [a, b] = samples.map(|sample| coarse.mesh.vertices[sample]);
+    // How much farther the other site is; nearly linear along the edge.
+    let off_a = voronoi.distance(t, coarse.nav_triangles[samples[0]], a) - cells.distance[samples[0]];
+    let off_b = voronoi.distance(s, coarse.nav_triangles[samples[1]], b) - cells.distance[samples[1]];
+    let fraction = off_a / (off_a + off_b);
+    a.lerp(b, if fraction.is_finite() { fraction } else { 0.5 })
+}
+
+/// The point near `p` at equal distances from two sites; `None` if a virtual site is nearer.
+fn point_on_border(voronoi: &Voronoi, mut p: DVec2, sites: [usize; 2]) -> Option<FarPoint> {
+    let navigation = voronoi.navigation;
+    let [s, t] = sites.map(|site| &voronoi.fields[site].distances);
+    let mut triangle = navigation.triangle_at(p)?;
+    for _ in 0..STEPS {
+        let [(to_s, from_s), (to_t, from_t)] =
+            [s.distance_and_gradient(triangle, p)?, t.distance_and_gradient(triangle, p)?];
+        let apart = from_s - from_t;
+        if apart.length_squared() < ALONG {
+            break;
+        }
+        p -= (to_s - to_t) * apart / apart.length_squared();
+        // A step may end outside by as little as rounding. Move the point onto the outline, as no site may be outside.
+        (triangle, p) = navigation.locate(p)?;
+    }
+    let (distance, site) = voronoi.nearest(triangle, p)?;
+    site.kind.is_real().then_some(FarPoint { at: p, triangle, distance })
 }
 
 #[cfg(test)]
@@ -148,51 +152,51 @@ mod tests {
         prepared_domain::PreparedDomain,
         project::{Handle, Project},
         sample::{BaseSamples, CoarseSamples},
-        site::{Obstacles, SiteKind},
+        site::SiteKind,
         solve,
     };
 
     #[test]
-    fn the_nearest_handles_of_samples_are_those_that_a_look_at_all_finds() {
+    fn nearest_real_sites_are_those_of_a_search_over_all() {
         let prepared = PreparedDomain::without_picture(Domain::rectangle(200, 150));
         let navigation = &prepared.navigation;
         let scattered = (0..20)
             .map(f64::from)
             .map(|i| DVec2::new((0.618_033_988_75 * i).fract() * 200.0, (0.754_877_666_25 * i).fract() * 50.0));
-        // Two on both sides of an axis, on which there are coarse samples.
+        // The first two are mirror images, and there are coarse samples on their axis.
         let points: Vec<DVec2> =
             [(95.0, 100.0), (105.0, 100.0)].map(DVec2::from).into_iter().chain(scattered).collect();
         let base = BaseSamples::new(&prepared, &[], 1500);
         let coarse = CoarseSamples::new(&base, &prepared, &points);
         let skeleton = Skeleton::default();
-        let obstacles = Obstacles { skeleton: &skeleton, tracks: Vec::new(), held: None };
+        let obstacles = Obstacles::new(&skeleton, navigation, None);
         let mut propagation = Propagation::default();
-        let mut regions = Regions::new(navigation, &coarse, &obstacles, &mut propagation);
+        let mut inserter = SiteInserter::new(navigation, &coarse, &obstacles, &mut propagation);
         let free = [(30.0, 120.0), (170.0, 120.0)].map(|p| (DVec2::from(p), SiteKind::Virtual));
         let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
         for (p, kind) in (0..).zip(&points).map(point).chain(free) {
             let (triangle, p) = navigation.locate(p).expect("inside");
-            regions.insert(p, triangle, kind);
+            inserter.insert(p, triangle, kind);
         }
+        let voronoi = &inserter.voronoi;
         let all: Vec<u32> = (0..coarse.len() as u32).collect();
-        let nearest = regions.nearest_handles(&all);
+        let nearest = nearest_real_sites(voronoi, &all);
         let mut found = [0; 3];
         for sample in all {
             let at = sample as usize;
-            let within = regions.cells.distance[at] * (1.0 + TIE);
-            let is_near =
-                |site: &Site| site.field.distance(coarse.nav_triangles[at], coarse.mesh.vertices[at]) <= within;
-            let real = |&at: &usize| regions.sites[at].kind.is_real() && is_near(&regions.sites[at]);
-            let plain: Vec<usize> = (0..regions.sites.len()).filter(real).collect();
-            assert_eq!(nearest[&sample], plain, "sample {sample}");
-            found[plain.len().min(2)] += 1;
+            let within = voronoi.cells.distance[at] * (1.0 + TIE);
+            let distance = |site: usize| voronoi.distance(site, coarse.nav_triangles[at], coarse.mesh.vertices[at]);
+            let is_near = |&site: &usize| voronoi.sites[site].kind.is_real() && distance(site) <= within;
+            let expected: Vec<usize> = (0..voronoi.sites.len()).filter(is_near).collect();
+            assert_eq!(nearest[&sample], expected, "sample {sample}");
+            found[expected.len().min(2)] += 1;
         }
         assert!(found.iter().all(|&count| count > 3), "{found:?}");
     }
 
     /// Between the first and the fifth of these handles a step ends 3e-7 px outside.
     #[test]
-    fn no_contact_is_outside_of_the_domain() {
+    fn contacts_lie_in_the_domain() {
         let places = [
             [129.79036821351957, 1.1188086859163615],
             [63.69093185855097, 227.99112546593065],

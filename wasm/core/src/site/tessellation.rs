@@ -1,21 +1,23 @@
-//! Sites along bones and along a held outline (section V-D; locally adapted, which the paper's conclusion leaves to future
-//! work).
+//! Sites along bones and along a held outline (section V-D). The spacing is locally adapted, which the paper's conclusion
+//! leaves to future work.
 //!
-//! The paper divides all bars into pieces as long as the least distance between any two handles. Here the gap between sites
-//! depends on their own reach, so that a close pair costs sites in its surroundings only: where a gap is larger than a share
-//! of the reach of the sites at its ends, a site enters at its midpoint. Supports then overlap so far that the weight of a
-//! bar is constant along it within a few per cent. Gaps are checked again whenever Algorithm 1 has inserted sites.
+//! The paper divides all bars into pieces as long as the least distance between any two handles. Here a gap between sites
+//! depends on the reach of the sites at its ends, so a close pair costs sites near it only. If a gap is too large for their
+//! reach, a site enters at its midpoint. Supports then overlap so far that the weight of a bar is constant along it within a
+//! few per cent. Gaps are checked again after each round of Algorithm 1.
 //!
-//! A virtual site must keep clear of the whole bone, not of its sites alone. One that would be much nearer to the bone than
-//! to any site is not inserted: the bone gets a site there instead, as Ruppert's Delaunay refinement (1995) splits a segment
-//! that a new vertex encroaches on. Without this, ever smaller cells would crowd before the gaps.
+//! A virtual site must keep clear of the whole bone, not of its sites alone. If it would be much nearer to the bone than to
+//! any site, the bone gets a site instead. In the same way Ruppert's Delaunay refinement (1995) splits a segment that a new
+//! vertex encroaches on. Otherwise ever smaller cells would fill the gaps along the bone.
 //!
 //! Sites of a bone keep half a gap from its ends, and so a whole gap across a joint. A site at the joint itself would belong
-//! to one bone, and the other would get none.
+//! to one bone alone.
+//!
+//! Cost: for each round a pass over all chains and their sites.
 
 use glam::DVec2;
 
-use super::{PointSite, Regions, SiteKind, TIE, chain::Chain, farthest::FarPoint};
+use super::{PointSite, SiteInserter, SiteKind, TIE, chain::Chain, farthest::FarPoint, obstacles::Obstacles};
 use crate::{
     distance::{NavTriangle, Navigation},
     domain::Domain,
@@ -23,128 +25,133 @@ use crate::{
     limits::MAX_SITES,
 };
 
-/// A site closer to another than this, in pixels, is requested only because of rounding, and insertion would not end.
+/// Only rounding asks for a site that is closer to another than this, in pixels. Insertion would then not end.
 const MIN_SPACING_PX: f64 = 1e-9;
 /// Least distance of a virtual site from a bone or held outline, over its distance from the nearest site.
 const LINE_CLEARANCE: f64 = 0.9;
-/// A site on a bone serves for a wanted place within this share of the distance.
+/// A chain needs no new site if it has one this near to the encroached point, over the distance of that point.
 const NEAR_ENOUGH: f64 = 0.05;
+
+/// The chains of a scene: its bones and the rings of a held outline.
+pub(crate) struct Tessellation {
+    chains: Vec<Chain>,
+}
 
 /// A site about to be inserted.
 struct NewSite {
     rest: DVec2,
     triangle: NavTriangle,
     kind: SiteKind,
-    /// The chain that the site belongs to, and its arc length there.
+    /// The index of the site's chain, and its arc length there.
     on_chain: Option<(usize, f64)>,
 }
 
 impl NewSite {
-    fn of_chain(navigation: &Navigation, (at, chain): (usize, &Chain), length: f64) -> Self {
+    fn on_chain(navigation: &Navigation, (at, chain): (usize, &Chain), length: f64) -> Self {
         let (triangle, rest) = navigation.locate(chain.at(length)).expect("lines lie in the domain");
         Self { rest, triangle, kind: chain.kind, on_chain: Some((at, length)) }
     }
 }
 
-impl Regions<'_> {
-    /// Inserts the real sites: those of point handles, and the first sites of bones and of a held outline, from top
-    /// to bottom.
-    ///
-    /// # Errors
-    /// [`Error::TooManySites`].
-    pub(crate) fn insert_real_sites(&mut self, points: &[PointSite]) -> Result<(), Error> {
-        let navigation = self.navigation;
-        let bones = self.obstacles.skeleton.bones.iter().enumerate().map(|(at, bone)| {
+impl Tessellation {
+    /// The chains of a scene, without sites.
+    pub(crate) fn new(obstacles: &Obstacles) -> Self {
+        let bones = obstacles.skeleton().bones.iter().enumerate().map(|(at, bone)| {
             let kind = SiteKind::Bone { handle: bone.handle, bone: at as u32 };
             Chain::new(kind, bone.rest.to_vec(), false)
         });
-        let rings = self.obstacles.held.map_or(&[][..], Domain::rings);
+        let rings = obstacles.held().map_or(&[][..], Domain::rings);
         let outline = rings.iter().map(|ring| Chain::new(SiteKind::Boundary, ring.clone(), true));
-        self.chains = bones.chain(outline).collect();
+        Self { chains: bones.chain(outline).collect() }
+    }
+
+    /// Inserts the real sites from top to bottom: those of point handles, and those along the chains.
+    ///
+    /// # Errors
+    /// [`Error::TooManySites`].
+    pub(crate) fn insert_real_sites(&mut self, inserter: &mut SiteInserter, points: &[PointSite]) -> Result<(), Error> {
+        let navigation = inserter.voronoi.navigation;
         let of_points = points.iter().map(|&PointSite { rest, triangle, handle }| {
             let kind = SiteKind::Point { handle };
             NewSite { rest, triangle, kind, on_chain: None }
         });
         let of_chains = self.chains.iter().enumerate().flat_map(|chain| {
-            let lengths = chain.1.start().into_iter();
-            lengths.map(move |length| NewSite::of_chain(navigation, chain, length))
+            let lengths = chain.1.initial_sites().into_iter();
+            lengths.map(move |length| NewSite::on_chain(navigation, chain, length))
         });
         let sites = of_points.chain(of_chains).collect();
-        self.insert_from_top(sites)?;
-        self.tessellate()
+        self.insert_from_top(inserter, sites)?;
+        self.refine(inserter)
     }
 
     /// Inserts sites on chains until no gap is too large.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
-    pub(super) fn tessellate(&mut self) -> Result<(), Error> {
-        let navigation = self.navigation;
+    pub(super) fn refine(&mut self, inserter: &mut SiteInserter) -> Result<(), Error> {
+        let navigation = inserter.voronoi.navigation;
         loop {
             let of_chains = self.chains.iter().enumerate().flat_map(|chain| {
-                let lengths = chain.1.wanted(|site| self.sites[site].reach_limit()).into_iter();
-                lengths.map(move |length| NewSite::of_chain(navigation, chain, length))
+                let lengths = chain.1.missing_sites(|site| inserter.sites()[site].reach_limit()).into_iter();
+                lengths.map(move |length| NewSite::on_chain(navigation, chain, length))
             });
             let sites: Vec<NewSite> = of_chains.collect();
             if sites.is_empty() {
                 return Ok(());
             }
-            self.insert_from_top(sites)?;
+            self.insert_from_top(inserter, sites)?;
         }
     }
 
-    /// Inserts virtual sites at points, or, for a point too near to a bone or held outline, a site on that line. Returns the
-    /// number of virtual ones.
+    /// Inserts a virtual site at each point, or a site on the chains that it would encroach on. Returns the number of
+    /// virtual sites.
     ///
     /// # Errors
     /// [`Error::TooManySites`].
-    pub(super) fn insert_virtual(&mut self, points: &[FarPoint]) -> Result<usize, Error> {
+    pub(super) fn insert_virtual(&mut self, inserter: &mut SiteInserter, points: &[FarPoint]) -> Result<usize, Error> {
         let (mut sites, mut count) = (Vec::new(), 0);
         for point in points {
             if point.distance < MIN_SPACING_PX {
                 return Err(Error::TooManySites);
             }
-            let encroached = self.encroached_on(point);
+            let encroached = self.encroached_on(inserter, point);
             if encroached.is_empty() {
                 count += 1;
-                sites.push(NewSite {
-                    rest: point.at,
-                    triangle: point.triangle,
-                    kind: SiteKind::Virtual,
-                    on_chain: None,
-                });
+                let (rest, triangle) = (point.at, point.triangle);
+                sites.push(NewSite { rest, triangle, kind: SiteKind::Virtual, on_chain: None });
             }
             for (chain, length) in encroached {
-                sites.push(NewSite::of_chain(self.navigation, (chain, &self.chains[chain]), length));
+                let on_chain = (chain, &self.chains[chain]);
+                sites.push(NewSite::on_chain(inserter.voronoi.navigation, on_chain, length));
             }
         }
-        self.insert_from_top(sites)?;
+        self.insert_from_top(inserter, sites)?;
         Ok(count)
     }
 
-    /// The chains that a virtual site would encroach on, each with the arc length of the nearest place that may have a site.
-    /// Several where they are equally near, on one chain or on many.
-    fn encroached_on(&mut self, point: &FarPoint) -> Vec<(usize, f64)> {
-        // In a nook the sites of bones bound the cell, so they come first.
-        let is_in_nook = self.is_in_nook(point.at, point.triangle, point.distance);
-        let (clear, there) =
-            (if is_in_nook { 1.0 } else { LINE_CLEARANCE } * point.distance, NEAR_ENOUGH * point.distance);
+    /// The chains that a virtual site would encroach on, each with the arc length of the nearest point that may get a site.
+    /// Equally near points are all returned, on one chain or on several.
+    fn encroached_on(&self, inserter: &mut SiteInserter, point: &FarPoint) -> Vec<(usize, f64)> {
+        // In an acute joint the sites of bones bound the cell, so they come first.
+        let is_in_acute_joint = inserter.is_in_acute_joint(point.at, point.triangle, point.distance);
+        let clearance = if is_in_acute_joint { 1.0 } else { LINE_CLEARANCE };
+        let (clear, apart) = (clearance * point.distance, NEAR_ENOUGH * point.distance);
         let mut near: Vec<(usize, f64, f64)> = Vec::new();
         for (at, chain) in self.chains.iter().enumerate() {
-            let (distance, lengths) = chain.nearest(point.at, there);
+            let (distance, lengths) = chain.nearest(point.at, apart);
             if distance < clear {
                 let lengths = lengths.into_iter().map(|length| chain.clear_of_ends(length));
-                near.extend(lengths.filter(|&l| !chain.has_site_near(l, there)).map(|length| (at, length, distance)));
+                near.extend(lengths.filter(|&l| !chain.has_site_near(l, apart)).map(|length| (at, length, distance)));
             }
         }
         if near.is_empty() {
             return Vec::new();
         }
-        let field = self.field(point.at, point.triangle, clear);
+        let field = inserter.field(point.at, point.triangle, clear);
         for (at, _, distance) in &mut near {
-            // The straight line to the nearest point of the outline is not obstructed.
+            // The straight line to the nearest point of the outline is never obstructed.
             if let SiteKind::Bone { bone, .. } = self.chains[*at].kind {
-                *distance = self.obstacles.tracks[bone as usize].distance(&field);
+                *distance = inserter.obstacles.distance_to_bone(bone, &field);
             }
         }
         let least = near.iter().fold(clear, |least, &(.., distance)| least.min(distance));
@@ -152,8 +159,8 @@ impl Regions<'_> {
         near.into_iter().map(|(at, length, _)| (at, length)).collect()
     }
 
-    fn insert_from_top(&mut self, mut sites: Vec<NewSite>) -> Result<(), Error> {
-        if self.sites.len() + sites.len() > MAX_SITES {
+    fn insert_from_top(&mut self, inserter: &mut SiteInserter, mut sites: Vec<NewSite>) -> Result<(), Error> {
+        if inserter.sites().len() + sites.len() > MAX_SITES {
             return Err(Error::TooManySites);
         }
         sites.sort_by(|a, b| a.rest.y.total_cmp(&b.rest.y).then(a.rest.x.total_cmp(&b.rest.x)));
@@ -161,9 +168,9 @@ impl Regions<'_> {
             if let Some((chain, length)) = on_chain {
                 let sites = &mut self.chains[chain].sites;
                 let at = sites.partition_point(|&(known, _)| known < length);
-                sites.insert(at, (length, self.sites.len()));
+                sites.insert(at, (length, inserter.sites().len()));
             }
-            self.insert(rest, triangle, kind);
+            inserter.insert(rest, triangle, kind);
         }
         Ok(())
     }

@@ -1,72 +1,78 @@
 //! Algorithm 1, virtual handle insertion (section IV-A).
 //!
-//! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell. The
-//! limit, [`Site::reach_limit`](super::Site::reach_limit), is less strict than the paper's r_d ≤ r_h for virtual sites, and
-//! between two bones that meet at a shallow angle, [`Site::in_nook`](super::Site::in_nook). Three conditions are stricter:
+//! While some cell is larger than its site's support may reach, insert a site at the farthest point of the worst cell.
 //!
-//! - farthest points are those of the cell itself, not of its samples;
-//! - tied points, of one cell or of several, enter in one round, so that a symmetric scene stays symmetric;
-//! - the condition holds with a [`MARGIN`]: with r_d = r_h the farthest point of a cell has no weight at all.
+//! The limit of a cell, [`Site::reach_limit`], is less strict than the paper's r_d ≤ r_h for virtual sites and in
+//! [acute joints](Site::in_acute_joint). Three conditions are stricter:
 //!
-//! A virtual site enters at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell it splits.
-//! So spacing cannot shrink without end: r_d is above 1.6 times the separation of that cell's site, or above 0.95 times its
-//! clearance. Between two handles on a picture of 1,000 px the number of virtual sites is some 90 for a gap of 10 px, and
-//! some 300 for 0.01 px.
+//! - Farthest points are those of the cell itself, not of its samples.
+//! - Tied points, of one cell or of several, enter in one round. So a symmetric scene stays symmetric.
+//! - The condition holds with a [`MARGIN`]. At r_d = r_h the farthest point of a cell would have no weight at all.
 //!
-//! Cost: for each round the insertion of its sites (see `cells` and `farthest`), and a heap of all cells.
+//! A virtual site enters at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell that it
+//! splits. So spacing cannot shrink without end: r_d is above 1.6 times the separation of that cell's site, or above 0.95
+//! times its clearance. Two handles on a picture of 1,000 px cause about 90 virtual sites at a gap of 10 px, and about 300 at
+//! 0.01 px.
+//!
+//! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a heap of all cells.
 
 use std::collections::BinaryHeap;
 
 use glam::DVec2;
 
 use super::{
-    Regions, Site, TIE,
+    Site, SiteInserter, TIE, Tessellation,
     contacts::Contacts,
     farthest::{FarPoint, SAME_POINT},
+    voronoi::Voronoi,
 };
 use crate::{error::Error, min_entry::MinEntry};
 
-/// Cells must be smaller than the limit by this share: at the limit the farthest point of a cell has no weight, and near it
+/// Cells must be smaller than their limit by this share. At the limit the farthest point of a cell has no weight, and near it
 /// weights are steep.
 const MARGIN: f64 = 0.05;
-/// Tied points closer than this share of their distance to the nearest site crowd each other.
+/// Tied points crowd each other if they are closer than this, relative to their distance to the nearest site.
 const CROWDED: f64 = 0.5;
 
-/// Weight of a contact against a cell when the next site is chosen: `CONTACT · √distance` is compared with [`grown`]. With
+/// Weight of a contact against a cell in the choice of the next site: compares `CONTACT · √distance` with [`size_rank`]. With
 /// 1.5 in place of 2, narrow gaps between bars stay without sites; with 3, sites are missing elsewhere.
 const CONTACT: f64 = 2.0;
 
-/// The score δ / r_d of the worst cell in each round, as in the paper's figure 3 (right), with δ = r_d − `reach_limit` in
-/// place of r_d − r_h.
-pub(crate) type Scores = Vec<f64>;
-
 /// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
 ///
-/// Then further sites enter where the picture bends most, until there are `density` virtual ones: between handles, where the
-/// gap is [widest](Contacts), and at the farthest points of cells that are [large](grown) for their distance from handles.
+/// Then more sites enter where the picture bends most, until there are `density` virtual ones: between handles, at the
+/// [widest contacts](Contacts), and at the farthest points of cells that are [large](size_rank) for their distance from
+/// handles.
+///
+/// Returns the score δ / r_d of the worst cell before each round, as in figure 3 (right). Here δ = r_d − reach_limit, in place
+/// of r_d − r_h.
 ///
 /// # Errors
 /// [`Error::TooManySites`].
-pub(crate) fn insert_virtual_sites(regions: &mut Regions, density: usize) -> Result<Scores, Error> {
-    let mut scores = Scores::new();
+pub(crate) fn insert_virtual_sites(
+    inserter: &mut SiteInserter,
+    tessellation: &mut Tessellation,
+    density: usize,
+) -> Result<Vec<f64>, Error> {
+    let mut scores = Vec::new();
     let limit = allowed_score();
     let mut inserted = 0;
     let mut contacts = Contacts::default();
     loop {
-        // Bones first: no virtual site may lie on them.
-        regions.tessellate()?;
-        let worst = greatest(regions, score_of);
+        // Bones first, as no virtual site may lie on them.
+        tessellation.refine(inserter)?;
+        let worst = greatest_rank(inserter, score_rank);
         scores.push(worst);
         let points = if worst > limit {
-            tied_farthest(regions, score_of, worst)
-        } else if inserted < density && !regions.sites.is_empty() {
-            let (largest, widest) = (greatest(regions, grown), contacts.widest(regions));
+            tied_farthest_points(inserter, score_rank, worst)
+        } else if inserted < density && !inserter.sites().is_empty() {
+            let (largest, widest) = (greatest_rank(inserter, size_rank), contacts.widest(inserter));
             let is_wider = widest.first().is_some_and(|point| CONTACT * point.distance.sqrt() > largest);
-            if is_wider { spread_out(regions, widest) } else { tied_farthest(regions, grown, largest) }
+            if is_wider { spread_out(inserter, widest) } else { tied_farthest_points(inserter, size_rank, largest) }
         } else {
             return Ok(scores);
         };
-        inserted += regions.insert_virtual(&points)?;
+        inserted += tessellation.insert_virtual(inserter, &points)?;
     }
 }
 
@@ -76,68 +82,70 @@ pub(crate) fn allowed_score() -> f64 {
     1.0 - 1.0 / (1.0 - MARGIN)
 }
 
-/// The rank by which the next cell is chosen, from its radius and its site.
-type Rank = fn(f64, &Site) -> f64;
-
 /// Algorithm 1's score, δ / r_d.
 pub(crate) fn score(radius: f64, limit: f64) -> f64 {
     if radius > 0.0 { 1.0 - limit / radius } else { f64::NEG_INFINITY }
 }
 
-fn score_of(radius: f64, site: &Site) -> f64 {
+/// Ranks a cell by its radius and its site. The cell with the greatest rank is divided next.
+type Rank = fn(f64, &Site) -> f64;
+
+/// Ranks cells by Algorithm 1's score.
+fn score_rank(radius: f64, site: &Site) -> f64 {
     score(radius, site.reach_limit())
 }
 
-/// The rank for sites beyond those that Algorithm 1 needs: cell radii grow with the square root of the distance to the next
-/// handle. Around a displaced handle the picture bends roughly in inverse proportion to that distance; radii in proportion to
-/// the distance itself would crowd sites around handles.
-fn grown(radius: f64, site: &Site) -> f64 {
+/// Ranks cells for sites beyond those that Algorithm 1 needs: r_d over the square root of the distance to the next handle.
+///
+/// Around a displaced handle the picture bends roughly in inverse proportion to that distance. Radii in proportion to the
+/// distance itself would crowd sites around handles.
+fn size_rank(radius: f64, site: &Site) -> f64 {
     let from_handle = if site.kind.is_real() { radius } else { site.clearance };
     if from_handle > 0.0 && from_handle.is_finite() { radius / from_handle.sqrt() } else { radius }
 }
 
-/// The greatest rank of all cells. Farthest points are computed only for cells that may have it.
-fn greatest(regions: &mut Regions, rank: Rank) -> f64 {
-    // Keyed by the greatest possible rank, with whether it is exact.
-    let ranked = |regions: &Regions, site: usize| {
-        let known = regions.known_farthest(site).map(|points| points[0].distance);
-        let radius = known.unwrap_or_else(|| regions.greatest_radius(site));
-        MinEntry { key: -rank(radius, &regions.sites[site]), item: (site, known.is_some()) }
+/// The greatest rank of all cells. Computes farthest points only for cells that may have it.
+fn greatest_rank(inserter: &mut SiteInserter, rank: Rank) -> f64 {
+    // Keyed by an upper bound of the rank, with whether it is exact.
+    let ranked = |inserter: &SiteInserter, site: usize| {
+        let known = inserter.farthest.known(site).map(|points| points[0].distance);
+        let radius = known.unwrap_or_else(|| inserter.farthest.radius_bound(site));
+        MinEntry { key: -rank(radius, &inserter.sites()[site]), item: (site, known.is_some()) }
     };
-    let mut cells: BinaryHeap<_> = (0..regions.sites.len()).map(|site| ranked(regions, site)).collect();
+    let mut cells: BinaryHeap<_> = (0..inserter.sites().len()).map(|site| ranked(inserter, site)).collect();
     while let Some(MinEntry { key, item: (site, is_known) }) = cells.pop() {
         if is_known {
             return -key;
         }
-        regions.refine_farthest(site);
-        cells.push(ranked(regions, site));
+        inserter.farthest.refine(&inserter.voronoi, site);
+        cells.push(ranked(inserter, site));
     }
     f64::NEG_INFINITY
 }
 
-/// The farthest points of all cells whose rank is tied with the greatest, in an order independent of the sites'.
-fn tied_farthest(regions: &mut Regions, rank: Rank, greatest: f64) -> Vec<FarPoint> {
-    let tied = |regions: &Regions, site: usize, radius: f64| {
-        rank(radius, &regions.sites[site]) >= greatest - TIE * greatest.abs()
+/// The farthest points of all cells whose rank is tied with the greatest. Their order does not depend on that of the sites.
+fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank, greatest: f64) -> Vec<FarPoint> {
+    let is_tied = |inserter: &SiteInserter, site: usize, radius: f64| {
+        rank(radius, &inserter.sites()[site]) >= greatest - TIE * greatest.abs()
     };
     let mut points: Vec<FarPoint> = Vec::new();
-    for site in 0..regions.sites.len() {
-        while regions.known_farthest(site).is_none() && tied(regions, site, regions.greatest_radius(site)) {
-            regions.refine_farthest(site);
+    for site in 0..inserter.sites().len() {
+        while inserter.farthest.known(site).is_none() && is_tied(inserter, site, inserter.farthest.radius_bound(site)) {
+            inserter.farthest.refine(&inserter.voronoi, site);
         }
-        let far = regions.known_farthest(site).unwrap_or(&[]);
-        for &point in far.iter().filter(|point| tied(regions, site, point.distance)) {
+        let farthest = inserter.farthest.known(site).unwrap_or(&[]);
+        for &point in farthest.iter().filter(|point| is_tied(inserter, site, point.distance)) {
             // A common corner of several cells is a farthest point of each.
             if points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * point.distance) {
                 points.push(point);
             }
         }
     }
-    spread_out(regions, points)
+    spread_out(inserter, points)
 }
 
-/// Replaces tied points that crowd each other by one between them, or, where that is impossible, by some of them.
-fn spread_out(regions: &mut Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
+/// Replaces tied points that crowd each other by one between them or, if that is impossible, by some of them.
+fn spread_out(inserter: &mut SiteInserter, mut points: Vec<FarPoint>) -> Vec<FarPoint> {
     points.sort_by(|a, b| a.at.y.total_cmp(&b.at.y).then(a.at.x.total_cmp(&b.at.x)));
     let mut groups: Vec<Vec<FarPoint>> = Vec::new();
     for point in points {
@@ -148,23 +156,25 @@ fn spread_out(regions: &mut Regions, mut points: Vec<FarPoint>) -> Vec<FarPoint>
         apart.push(joined.into_iter().flatten().chain([point]).collect());
         groups = apart;
     }
-    groups.iter().flat_map(|group| representatives(regions, group)).collect()
+    groups.iter().flat_map(|group| representatives(inserter, group)).collect()
 }
 
-fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
+/// The points that enter for a group of points that crowd each other.
+fn representatives(inserter: &mut SiteInserter, group: &[FarPoint]) -> Vec<FarPoint> {
     if let [alone] = group {
         return vec![*alone];
     }
     let least = group.iter().map(|point| point.distance).fold(f64::INFINITY, f64::min);
-    let middle = group.iter().map(|point| point.at).sum::<DVec2>() / group.len() as f64;
-    if let Some(point) = point_at(regions, middle).filter(|point| point.distance > (1.0 - CROWDED / 2.0) * least) {
+    let mean = group.iter().map(|point| point.at).sum::<DVec2>() / group.len() as f64;
+    let at_mean = far_point_at(&inserter.voronoi, mean);
+    if let Some(point) = at_mean.filter(|point| point.distance > (1.0 - CROWDED / 2.0) * least) {
         return vec![point];
     }
-    // An obstacle is between them. Of two points on both sides of an axis of symmetry, the obstacle is on the axis, and so is
-    // the midpoint of the path around it.
-    match innermost(group, middle)[..] {
+    // An obstacle lies between the points. If two of them are mirror images, the obstacle lies on the axis of symmetry, and so
+    // does the midpoint of the path around it.
+    match innermost(group, mean)[..] {
         [alone] => vec![alone],
-        [one, other] => halfway(regions, one, other).map_or_else(|| vec![one, other], |point| vec![point]),
+        [one, other] => midpoint_of_path(inserter, one, other).map_or_else(|| vec![one, other], |point| vec![point]),
         _ => {
             let mut chosen: Vec<FarPoint> = Vec::new();
             for point in group {
@@ -177,21 +187,22 @@ fn representatives(regions: &mut Regions, group: &[FarPoint]) -> Vec<FarPoint> {
     }
 }
 
-/// A point with its distance to the nearest site, if it lies in the domain.
-fn point_at(regions: &Regions, at: DVec2) -> Option<FarPoint> {
-    let triangle = regions.navigation.triangle_at(at)?;
-    regions.nearest(triangle, at).map(|(distance, _)| FarPoint { at, triangle, distance })
+/// A point with its distance to the nearest site; `None` outside the domain and on an island without sites.
+fn far_point_at(voronoi: &Voronoi, at: DVec2) -> Option<FarPoint> {
+    let triangle = voronoi.navigation.triangle_at(at)?;
+    voronoi.nearest(triangle, at).map(|(distance, _)| FarPoint { at, triangle, distance })
 }
 
 /// The points of a group that are nearest to its mean.
-fn innermost(group: &[FarPoint], middle: DVec2) -> Vec<FarPoint> {
-    let from_middle = |point: &FarPoint| point.at.distance(middle);
-    let least = group.iter().map(from_middle).fold(f64::INFINITY, f64::min);
-    group.iter().filter(|point| from_middle(point) <= least + SAME_POINT * point.distance).copied().collect()
+fn innermost(group: &[FarPoint], mean: DVec2) -> Vec<FarPoint> {
+    let from_mean = |point: &FarPoint| point.at.distance(mean);
+    let least = group.iter().map(from_mean).fold(f64::INFINITY, f64::min);
+    group.iter().filter(|point| from_mean(point) <= least + SAME_POINT * point.distance).copied().collect()
 }
 
-/// The midpoint of the shortest path between two points that crowd each other; `None` where the path is too long.
-fn halfway(regions: &mut Regions, one: FarPoint, other: FarPoint) -> Option<FarPoint> {
-    let field = regions.field(one.at, one.triangle, CROWDED * one.distance.min(other.distance));
-    point_at(regions, field.halfway(regions.navigation, other.triangle, other.at)?)
+/// The midpoint of the shortest path between two points that crowd each other; `None` if the path is too long.
+fn midpoint_of_path(inserter: &mut SiteInserter, one: FarPoint, other: FarPoint) -> Option<FarPoint> {
+    let field = inserter.field(one.at, one.triangle, CROWDED * one.distance.min(other.distance));
+    let voronoi = &inserter.voronoi;
+    far_point_at(voronoi, field.halfway(voronoi.navigation, other.triangle, other.at)?)
 }

@@ -1,9 +1,9 @@
-//! Visited flags of a graph search, cleared in O(1): each item stores the number of the last search that visited it.
+//! Visited flags of a graph search that are cleared in O(1): each item stores the number of the last search that visited it.
 
 /// Visited flags of the items 0 to n − 1.
 #[derive(Debug, Clone)]
 pub(super) struct VisitStamps {
-    /// The last search that visited each item.
+    /// Items: the last search that visited each.
     last: Vec<u32>,
     search: u32,
 }
@@ -19,7 +19,7 @@ impl VisitStamps {
         self.search += 1;
     }
 
-    /// Marks an item as visited. Returns whether it was not yet.
+    /// Marks an item as visited. Returns whether it was unvisited before.
     pub(super) fn mark(&mut self, at: u32) -> bool {
         std::mem::replace(&mut self.last[at as usize], self.search) != self.search
     }

@@ -1,24 +1,26 @@
 //! φ: the basis function, a Bézier polynomial (section V-A, eq. 5).
 //!
-//! φ(0) = 1, φ(t) = 0 for t ≥ 1, φ decreases in between, and its first and second derivatives vanish at both ends, so that
-//! weights are C². Evaluated as `(1 − t)³` times a sum of non-negative terms: never negative, and positive for every t < 1.
+//! φ(0) = 1, φ(t) = 0 for t ≥ 1, and φ decreases in between. Its first and second derivatives vanish at both ends, so that
+//! weights are C². It is evaluated as `(1 − t)³` times a sum of non-negative terms, so it is positive for every t < 1.
+//!
+//! Cost: O(n) for degree n.
 
 use crate::project::Filling;
 
 /// The basis function of one degree and filling.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Basis {
-    /// `b_i · C(n, i)` for i from 0 to n − 3; the last three control values are 0.
+    /// `b_i · C(n, i)` for i from 0 to n − 3. The last three control values are 0.
     value: Vec<f64>,
-    /// `−n (b_{i+1} − b_i) · C(n − 1, i)` for i from 2 to n − 3; the other differences are 0.
-    fall: Vec<f64>,
+    /// `−n (b_{i+1} − b_i) · C(n − 1, i)` for i from 2 to n − 3. The other differences are 0.
+    slope: Vec<f64>,
 }
 
 impl Basis {
-    /// The basis of degree `n`; `filling` gives the control values between the three at 1 and the three at 0.
+    /// The basis of degree `n`. `filling` sets the control values between the three at 1 and the three at 0.
     ///
     /// # Panics
-    /// For a degree below 5, which has too few control values for the conditions.
+    /// If the degree is below 5: the conditions on φ need six control values.
     pub(crate) fn new(degree: u32, filling: Filling) -> Self {
         assert!(degree >= 5, "the conditions on φ need six control values");
         let n = degree as usize;
@@ -29,8 +31,8 @@ impl Basis {
             (i, Filling::Line) => 1.0 - (i - 2) as f64 / (n - 4) as f64,
         };
         let value = (0..=n - 3).map(|i| control(i) * binomial(n, i)).collect();
-        let fall = (2..=n - 3).map(|i| n as f64 * (control(i) - control(i + 1)) * binomial(n - 1, i)).collect();
-        Self { value, fall }
+        let slope = (2..=n - 3).map(|i| n as f64 * (control(i) - control(i + 1)) * binomial(n - 1, i)).collect();
+        Self { value, slope }
     }
 
     /// φ(t) for t ≥ 0.
@@ -42,9 +44,9 @@ impl Basis {
         u * u * u * homogeneous(&self.value, t, u)
     }
 
-    /// Replaces each t, none above 1, by φ(t). The same bits as [`value`](Self::value).
+    /// Replaces each t by φ(t), for t from 0 to 1. Returns the same bits as [`value`](Self::value).
     pub(crate) fn values(&self, ts: &mut [f64]) {
-        // Degree 5, the usual one, has three coefficients.
+        // Degree 5, the default, has three coefficients.
         if let [a, b, c] = self.value[..] {
             for t in ts {
                 let u = 1.0 - *t;
@@ -62,15 +64,15 @@ impl Basis {
             return 0.0;
         }
         let u = 1.0 - t;
-        -(t * t) * (u * u) * homogeneous(&self.fall, t, u)
+        -(t * t) * (u * u) * homogeneous(&self.slope, t, u)
     }
 }
 
 /// Σ c_i tⁱ uᵐ⁻ⁱ for i from 0 to m.
 fn homogeneous(c: &[f64], t: f64, u: f64) -> f64 {
-    let (first, rest) = c.split_first().expect("a basis has coefficients");
+    let (first, others) = c.split_first().expect("a basis has coefficients");
     let (mut sum, mut power) = (*first, 1.0);
-    for c in rest {
+    for c in others {
         power *= t;
         sum = sum * u + c * power;
     }
@@ -100,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn meets_the_conditions_of_section_iii_b() {
+    fn meets_the_criteria_of_section_iii_b() {
         for basis in bases() {
             assert_eq!(basis.value(0.0), 1.0);
             assert_eq!(basis.value(1.0), 0.0);
@@ -110,10 +112,10 @@ mod tests {
                 let t = f64::from(i) / 1000.0;
                 assert!(basis.derivative(t) < 0.0);
                 let slope = (basis.value(t + h) - basis.value(t - h)) / (2.0 * h);
-                // Central differences: h² times a third derivative of at most some thousands.
+                // The error of central differences is h² times a third derivative of at most some thousands.
                 assert!((basis.derivative(t) - slope).abs() < 1e-4);
             }
-            // φ″ vanishes at both ends: φ′ is of second order there.
+            // φ″ vanishes at both ends, so φ′ is of second order there.
             for t in [1e-4, 1.0 - 1e-4] {
                 assert!(basis.derivative(t).abs() < 1e-5);
             }
@@ -121,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn is_positive_up_to_the_last_bit() {
+    fn is_positive_just_below_1() {
         for basis in bases() {
             assert!(basis.value(1.0 - f64::EPSILON) > 0.0);
         }

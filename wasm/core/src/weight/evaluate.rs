@@ -1,7 +1,9 @@
 //! Weights at any point by eq. 2 itself, without interpolation.
 //!
-//! Cost: for each support that reaches the point's triangle, the windows of its field there; with shared bones, O(n log n) in
-//! these supports. Limits: where two paths to a site are equally short, weights have a crease and the gradient is a mean.
+//! Cost: for each support that reaches the point's triangle, the windows of its field there. If bones share a body,
+//! O(n log n) in these supports.
+//!
+//! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is a mean.
 
 use std::{collections::HashSet, ops::Range};
 
@@ -9,15 +11,15 @@ use glam::DVec2;
 
 use super::{
     Basis,
-    sharing::Sharing,
-    sweep::{Swept, sweep},
+    bodies::BodyWeights,
+    sweep::{ReachingSite, SampleWeights, sweep},
 };
 use crate::{
     bone::Skeleton,
     distance::{NavTriangle, Navigation},
     rows::Rows,
     sample::Samples,
-    site::Site,
+    site::{Site, SiteField},
     triangulation::NONE,
 };
 
@@ -36,9 +38,20 @@ pub struct Influence {
 #[derive(Debug, Clone)]
 pub(crate) struct WeightFunctions {
     basis: Basis,
-    sharing: Sharing,
-    /// The supports that reach into each triangle of the navigation mesh, ascending by site.
+    bodies: BodyWeights,
+    /// Sites: the support of each.
+    supports: Vec<SupportDisc>,
+    /// Sites: the distance field of each.
+    fields: Vec<SiteField>,
+    /// Triangles of the navigation mesh × the supports that reach into each, ascending by site.
     reaching: Rows<Reaching>,
+}
+
+/// A geodesic disc: the support of a site.
+#[derive(Debug, Clone)]
+struct SupportDisc {
+    centre: DVec2,
+    radius: f64,
 }
 
 /// A support that reaches into a triangle.
@@ -50,28 +63,42 @@ struct Reaching {
 }
 
 impl WeightFunctions {
-    /// Prepares the weight functions of sites whose support radii are set and whose fields reach as far.
-    pub(crate) fn new(navigation: &Navigation, sites: &[Site], skeleton: &Skeleton, basis: Basis) -> Self {
-        let supports = || {
-            (0..).zip(sites).flat_map(|(number, site)| {
-                let triangles = site.field.windows_within(site.support_radius);
+    /// Prepares the weight functions of sites whose support radii are set. Each field must reach as far as its site's support.
+    pub(crate) fn new(
+        navigation: &Navigation,
+        sites: &[Site],
+        fields: Vec<SiteField>,
+        skeleton: &Skeleton,
+        basis: Basis,
+    ) -> Self {
+        let reaching = || {
+            (0..).zip(sites.iter().zip(&fields)).flat_map(|(number, (site, field))| {
+                let triangles = field.distances.windows_within(site.support_radius);
                 triangles.map(move |(triangle, windows)| (triangle as usize, Reaching { site: number, windows }))
             })
         };
-        let reaching = Rows::from_pairs(navigation.mesh.triangles.len(), supports);
-        Self { basis, sharing: Sharing::new(sites, skeleton), reaching }
+        let reaching = Rows::from_pairs(navigation.mesh.triangles.len(), reaching);
+        let disc = |site: &Site| SupportDisc { centre: site.rest, radius: site.support_radius };
+        let supports = sites.iter().map(disc).collect();
+        Self { basis, bodies: BodyWeights::new(sites, skeleton), supports, fields, reaching }
     }
 
-    /// The weights at a point and their gradients, ascending by site. Empty where no support reaches.
+    /// Sites: the distance field of each.
+    pub(crate) fn fields(&self) -> &[SiteField] {
+        &self.fields
+    }
+
+    /// The weights at a point and their gradients, ascending by site. Empty if no support reaches it.
     ///
-    /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, behind a hole for
-    /// example, weights have a crease and several gradients: their mean is returned.
-    pub(crate) fn at(&self, sites: &[Site], triangle: NavTriangle, p: DVec2) -> Vec<Influence> {
+    /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, as behind a hole,
+    /// weights have a crease and several gradients: returns their mean.
+    pub(crate) fn at(&self, triangle: NavTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
         for Reaching { site, windows } in self.reaching_in(triangle) {
-            let &Site { rest, support_radius: radius, ref field, .. } = &sites[*site as usize];
-            if rest.distance_squared(p) >= radius * radius {
+            let site = *site as usize;
+            let (&SupportDisc { centre, radius }, field) = (&self.supports[site], &self.fields[site].distances);
+            if centre.distance_squared(p) >= radius * radius {
                 continue;
             }
             let windows = field.windows(windows.clone());
@@ -81,9 +108,9 @@ impl WeightFunctions {
             let gradient = slope * path.gradient_in(windows, p);
             sum += phi;
             sum_gradient += gradient;
-            influences.push(Influence { site: *site as usize, weight: phi, gradient });
+            influences.push(Influence { site, weight: phi, gradient });
         }
-        self.sharing.share_out(p, &mut influences, &mut Vec::new());
+        self.bodies.redistribute(p, &mut influences, &mut Vec::new());
         for influence in &mut influences {
             influence.weight /= sum;
             influence.gradient = (influence.gradient - influence.weight * sum_gradient) / sum;
@@ -91,19 +118,16 @@ impl WeightFunctions {
         influences
     }
 
-    /// As [`at`](Self::at), with gradients from central differences over `step`: where weights have a crease, the mean of
-    /// both sides.
+    /// As [`at`](Self::at), with gradients from central differences over `step`. On a crease they are the mean of both sides.
     pub(crate) fn across(
         &self,
         navigation: &Navigation,
-        sites: &[Site],
         (triangle, p): (NavTriangle, DVec2),
         step: f64,
     ) -> Vec<Influence> {
-        let mut here = self.at(sites, triangle, p);
-        // Beside a sharp corner a point may be moved by more than a step when it is located.
-        let at =
-            |q: DVec2| navigation.locate(q).map_or((p, here.clone()), |(triangle, q)| (q, self.at(sites, triangle, q)));
+        let mut here = self.at(triangle, p);
+        // Beside a sharp corner, locating a point may move it by more than a step.
+        let at = |q: DVec2| navigation.locate(q).map_or((p, here.clone()), |(triangle, q)| (q, self.at(triangle, q)));
         let [left, right, above, below] = [-DVec2::X, DVec2::X, -DVec2::Y, DVec2::Y].map(|axis| at(p + step * axis));
         let slope = |(from, before): &(DVec2, Vec<Influence>), (to, after): &(DVec2, Vec<Influence>), site: usize| {
             let weight = |list: &[Influence]| list.iter().find(|one| one.site == site).map_or(0.0, |one| one.weight);
@@ -118,19 +142,22 @@ impl WeightFunctions {
 
     /// The weights of all samples.
     ///
-    /// Cost: see [`sweep`]; a look at every site for each sample that no support covers, of which there should be none.
-    pub(crate) fn of_samples(&self, navigation: &Navigation, sites: &[Site], samples: &Samples) -> Swept {
-        let mut swept = sweep(sites, samples, &self.basis, |triangle| {
-            let reaching = self.reaching_in(triangle).iter();
-            reaching.map(|Reaching { site, windows }| (*site, sites[*site as usize].field.windows(windows.clone())))
+    /// Cost: see [`sweep`]. A look at every site for each sample that no support covers; there should be none.
+    pub(crate) fn of_samples(&self, navigation: &Navigation, samples: &Samples) -> SampleWeights {
+        let mut swept = sweep(samples, &self.basis, |triangle| {
+            self.reaching_in(triangle).iter().map(|Reaching { site, windows }| ReachingSite {
+                site: *site,
+                support_radius: self.supports[*site as usize].radius,
+                windows: self.fields[*site as usize].distances.windows(windows.clone()),
+            })
         });
-        self.sharing.share_out_rows(&samples.mesh.vertices, &mut swept.weights);
-        let islands: HashSet<usize> = sites.iter().map(|site| site.island).collect();
-        for sample in (0..samples.len()).filter(|&sample| swept.sums[sample] == 0.0) {
+        self.bodies.redistribute_rows(&samples.mesh.vertices, &mut swept.weights);
+        let islands: HashSet<usize> = self.fields.iter().map(|field| field.island).collect();
+        for sample in (0..samples.len()).filter(|&sample| swept.phi_sums[sample] == 0.0) {
             let (triangle, p) = (samples.nav_triangles[sample], samples.mesh.vertices[sample]);
             if islands.contains(&navigation.island_of(triangle)) {
                 // Fields reach over their cells.
-                let distances = (0..).zip(sites).map(|(number, site)| (site.field.distance(triangle, p), number));
+                let distances = (0..).zip(&self.fields).map(|(number, field)| (field.distance(triangle, p), number));
                 let nearest =
                     distances.fold((f64::INFINITY, NONE), |least, one| if one.0 < least.0 { one } else { least });
                 swept.nearest[sample] = nearest.1;
@@ -155,11 +182,12 @@ mod tests {
     };
 
     #[test]
-    fn what_no_support_covers_is_reported_and_has_a_nearest_site() {
+    fn uncovered_samples_are_reported_and_have_a_nearest_site() {
         let json = r#"{
             "format": "c2warp/1", "image": { "src": "", "width": 100, "height": 100 }, "samples": 500,
             "domain": { "kind": "polygon", "rings": [
-                [[5, 5], [45, 5], [45, 95], [5, 95]], [[55, 5], [75, 5], [75, 95], [55, 95]], [[80, 5], [95, 5], [95, 95], [80, 95]]
+                [[5, 5], [45, 5], [45, 95], [5, 95]], [[55, 5], [75, 5], [75, 95], [55, 95]],
+                [[80, 5], [95, 5], [95, 95], [80, 95]]
             ] },
             "handles": [
                 { "id": "a", "kind": "point", "rest": [20, 50], "posed": [20, 50] },
@@ -171,14 +199,15 @@ mod tests {
         let pose = solution.poser().pose(&project.handles, project.pose.blend).unwrap();
         assert!(solution.report(&pose).min_phi_sum > 0.0);
         let navigation = &solution.prepared.navigation;
-        let mut sites = solution.sites.clone();
+        let mut sites = solution.sites().to_vec();
         sites.iter_mut().filter(|site| site.rest.x > 50.0).for_each(|site| site.support_radius = 0.0);
         let handles: Vec<DVec2> = sites.iter().filter(|site| site.kind.is_real()).map(|site| site.rest).collect();
         let base = BaseSamples::new(&solution.prepared, &[], 500);
         let samples = base.with_sites(&solution.prepared, &handles);
-        let functions =
-            WeightFunctions::new(navigation, &sites, &Skeleton::default(), Basis::new(5, Filling::default()));
-        let Swept { sums, nearest, .. } = functions.of_samples(navigation, &sites, &samples);
+        let fields = solution.functions.fields().to_vec();
+        let basis = Basis::new(5, Filling::default());
+        let functions = WeightFunctions::new(navigation, &sites, fields, &Skeleton::default(), basis);
+        let SampleWeights { phi_sums, nearest, .. } = functions.of_samples(navigation, &samples);
         for (&p, &nearest) in samples.mesh.vertices.iter().zip(&nearest) {
             let on_island = sites.iter().filter(|site| (site.rest.x > 50.0) == (p.x > 50.0));
             let distances = on_island.map(|site| site.rest.distance(p));
@@ -189,14 +218,14 @@ mod tests {
                 None => assert!(p.x > 78.0 && nearest == NONE),
             }
         }
-        assert_eq!(sums.len(), solution.samples());
-        (solution.phi_sums, solution.nearest) = (sums, nearest);
+        assert_eq!(phi_sums.len(), solution.samples());
+        (solution.phi_sums, solution.solved.nearest) = (phi_sums, nearest);
         assert_eq!(solution.report(&pose).min_phi_sum, 0.0);
     }
 
-    /// Where paths begin to bend around a corner the level lines of the distance have another centre.
+    /// Where paths begin to bend around a corner, the level lines of the distance change their centre.
     #[test]
-    fn behind_a_corner_gradients_go_on_and_second_derivatives_jump() {
+    fn behind_a_corner_gradients_are_continuous_and_second_derivatives_jump() {
         let json = r#"{
             "format": "c2warp/1", "image": { "src": "", "width": 400, "height": 400 }, "samples": 500,
             "domain": { "kind": "polygon", "rings": [[[0, 0], [400, 0], [400, 400], [200, 400], [200, 200], [0, 200]]] },

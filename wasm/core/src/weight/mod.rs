@@ -1,16 +1,24 @@
-//! The weights w_i of linear blending (section III-B, eq. 2), in closed form at any point: φ (`basis`, eq. 5), r_i
-//! (`support`, eq. 3), w_i and its gradient at one point (`evaluate`), w_i of all samples (`sweep`, stored in `sparse`), and
-//! the division among connected bones (`sharing`).
+//! The weights w_i of linear blending (section III-B, eq. 2), in closed form at any point.
 //!
-//! Cost: at one point, the windows of the supports that reach its triangle; for all samples, some 10 ns for each sample and
-//! such support. Limits: weights are C² except at joints of bones and where distances are not, behind corners: where two paths to a
-//! site are equally short weights have a crease, and along the line at which paths begin to bend around a corner they are C¹. Their
-//! second derivative jumps there, the more the nearer the corner. Eq. 2 does not rule out second maxima: a weight may grow again in a dead
-//! end, or where several supports end together.
+//! - `basis`: φ (section V-A, eq. 5).
+//! - `support`: r_i (eq. 3).
+//! - `evaluate`: w_i and its gradient at one point.
+//! - `sweep`: w_i at all samples, stored in `sparse`.
+//! - `bodies`: how the bones of a body divide its weight (section V-D).
+//!
+//! Cost: at one point, the windows of the supports that reach its triangle. For all samples, about 10 ns for each sample and
+//! such support.
+//!
+//! Limits:
+//!
+//! - Weights are C² except at joints of bones and where distances are not C², behind reflex corners. Where two paths to a
+//!   site are equally short, weights have a crease. Where paths begin to bend around a corner, weights are C¹: their second
+//!   derivative jumps, and the jump grows towards the corner.
+//! - Eq. 2 does not rule out second maxima: a weight may grow again in a dead end, or where several supports end together.
 
 mod basis;
+mod bodies;
 mod evaluate;
-mod sharing;
 mod sparse;
 mod support;
 mod sweep;
@@ -20,4 +28,4 @@ pub use evaluate::Influence;
 pub(crate) use evaluate::WeightFunctions;
 pub use sparse::SparseWeights;
 pub(crate) use support::support_radii;
-pub(crate) use sweep::Swept;
+pub(crate) use sweep::SampleWeights;

@@ -1,9 +1,10 @@
 //! The weights of all samples (eq. 2), in one sweep.
 //!
-//! Samples of one triangle of the navigation mesh are consecutive and share its windows. So each window is evaluated for a
+//! Samples in one triangle of the navigation mesh are consecutive and share its windows. So each window is evaluated for a
 //! [`BATCH`] of samples at once, in branchless loops over flat arrays, unless it cannot reach their bounding box.
 //!
-//! Cost: for each sample and each support that reaches into its triangle, some 4 ns a window and as much for φ and the row.
+//! Cost: for each sample and each support that reaches into its triangle, about 4 ns for each window, and as much for φ and
+//! the row.
 
 use glam::DVec2;
 
@@ -11,26 +12,34 @@ use super::{Basis, SparseWeights};
 use crate::{
     distance::{NavTriangle, WINDOW_SLACK, Window},
     sample::Samples,
-    site::Site,
     triangulation::NONE,
 };
 
-/// Samples asked at once. With twice as many the boxes around them are wider, and more windows reach these.
+/// Samples evaluated at once. With twice as many, their bounding boxes are larger and more windows reach them.
 const BATCH: usize = 32;
 
-/// What the sweep finds.
+/// The weights of all samples, and the sums that normalise them.
 #[derive(Debug)]
-pub(crate) struct Swept {
+pub(crate) struct SampleWeights {
+    /// Samples × sites.
     pub(crate) weights: SparseWeights,
-    /// Σφ at each sample.
-    pub(crate) sums: Vec<f64>,
-    /// The nearest site of each sample of those whose supports reach it or a sample beside it; [`NONE`] where there is none.
+    /// Samples: Σφ at each.
+    pub(crate) phi_sums: Vec<f64>,
+    /// Samples: the nearest of the sites whose supports reach the sample or its batch; [`NONE`] if none reaches.
     pub(crate) nearest: Vec<u32>,
+}
+
+/// A site whose support reaches into a triangle.
+pub(super) struct ReachingSite<'a> {
+    pub(super) site: u32,
+    pub(super) support_radius: f64,
+    /// The windows of the site's field in the triangle.
+    pub(super) windows: &'a [Window],
 }
 
 /// Samples of one triangle.
 struct Batch {
-    /// The box around them.
+    /// Their bounding box.
     low: DVec2,
     high: DVec2,
     x: [f64; BATCH],
@@ -38,47 +47,41 @@ struct Batch {
     count: usize,
 }
 
-/// A site, and its distance and φ, then weight, at each sample of a batch.
+/// A site with its distance, and first φ, then the weight, at each sample of a batch.
 struct Column {
     site: u32,
     distance: [f64; BATCH],
     phi: [f64; BATCH],
 }
 
-/// Sweeps over the samples. `reaching` tells the supports that reach into a triangle, ascending by site, each with the windows
-/// of its field there.
-pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
-    sites: &[Site],
+/// The weights of all samples. `reaching` returns the sites whose supports reach into a triangle, ascending.
+pub(super) fn sweep<'a, R: Iterator<Item = ReachingSite<'a>>>(
     samples: &Samples,
     basis: &Basis,
     reaching: impl Fn(NavTriangle) -> R,
-) -> Swept {
+) -> SampleWeights {
     let count = samples.len();
-    let mut swept = Swept {
+    let mut swept = SampleWeights {
         weights: SparseWeights::with_capacity(count),
-        sums: Vec::with_capacity(count),
+        phi_sums: Vec::with_capacity(count),
         nearest: Vec::with_capacity(count),
     };
     let mut columns: Vec<Column> = Vec::new();
     let mut batch = Batch { low: DVec2::ZERO, high: DVec2::ZERO, x: [0.0; BATCH], y: [0.0; BATCH], count: 0 };
-    let mut rest = &samples.mesh.vertices[..];
+    let mut remaining = &samples.mesh.vertices[..];
     for same in samples.nav_triangles.chunk_by(|a, b| a == b) {
-        let (mut of_triangle, after) = rest.split_at(same.len());
-        rest = after;
+        let (mut of_triangle, after) = remaining.split_at(same.len());
+        remaining = after;
         while !of_triangle.is_empty() {
             let (now, later) = of_triangle.split_at(of_triangle.len().min(BATCH));
             of_triangle = later;
-            batch.count = now.len();
-            (batch.low, batch.high) = now.iter().fold((now[0], now[0]), |(low, high), &p| (low.min(p), high.max(p)));
-            for (k, p) in now.iter().enumerate() {
-                (batch.x[k], batch.y[k]) = (p.x, p.y);
-            }
+            batch.fill(now);
             let mut used = 0;
-            for (site, windows) in reaching(same[0]) {
+            for reaching in reaching(same[0]) {
                 if used == columns.len() {
-                    columns.push(Column { site, distance: [0.0; BATCH], phi: [0.0; BATCH] });
+                    columns.push(Column { site: reaching.site, distance: [0.0; BATCH], phi: [0.0; BATCH] });
                 }
-                used += usize::from(columns[used].fill(site, &sites[site as usize], windows, &batch, basis));
+                used += usize::from(columns[used].fill(&reaching, &batch, basis));
             }
             swept.push_rows(&mut columns[..used], batch.count);
         }
@@ -86,19 +89,31 @@ pub(super) fn sweep<'a, R: Iterator<Item = (u32, &'a [Window])>>(
     swept
 }
 
+impl Batch {
+    /// Takes up to [`BATCH`] points, at least one.
+    fn fill(&mut self, points: &[DVec2]) {
+        self.count = points.len();
+        (self.low, self.high) = points.iter().fold((points[0], points[0]), |(low, high), &p| (low.min(p), high.max(p)));
+        for (k, p) in points.iter().enumerate() {
+            (self.x[k], self.y[k]) = (p.x, p.y);
+        }
+    }
+}
+
 impl Column {
-    /// Distances of a site and φ at a batch; false where its support covers none of it.
-    fn fill(&mut self, number: u32, site: &Site, windows: &[Window], batch: &Batch, basis: &Basis) -> bool {
+    /// Evaluates the distances of a site and φ at a batch. Returns false if its support covers none of it.
+    fn fill(&mut self, reaching: &ReachingSite, batch: &Batch, basis: &Basis) -> bool {
         let Self { distance, phi, .. } = self;
-        self.site = number;
+        let &ReachingSite { site, support_radius: radius, windows } = reaching;
+        self.site = site;
         let n = batch.count;
         let (distance, phi, x, y) = (&mut distance[..n], &mut phi[..n], &batch.x[..n], &batch.y[..n]);
         distance.fill(f64::INFINITY);
         for window in windows {
-            if window.nearest >= site.support_radius {
+            if window.nearest >= radius {
                 break;
             }
-            if !window.may_reach(batch.low, batch.high, site.support_radius) {
+            if !window.may_reach(batch.low, batch.high, radius) {
                 continue;
             }
             let Window { source, offset, first, last, .. } = *window;
@@ -111,12 +126,12 @@ impl Column {
             }
         }
         let least = distance.iter().fold(f64::INFINITY, |least, &d| if d < least { d } else { least });
-        if least >= site.support_radius {
+        if least >= radius {
             return false;
         }
         for k in 0..n {
-            let t = distance[k] / site.support_radius;
-            // Where no path leads and the support has no end, t is not a number.
+            let t = distance[k] / radius;
+            // Without a path to an infinite support, t is NaN.
             phi[k] = if t < 1.0 { t } else { 1.0 };
         }
         basis.values(phi);
@@ -124,7 +139,7 @@ impl Column {
     }
 }
 
-impl Swept {
+impl SampleWeights {
     /// Appends the rows of a batch, normalised: the quotient of eq. 2.
     fn push_rows(&mut self, columns: &mut [Column], count: usize) {
         let (mut sums, mut least, mut nearest) = ([0.0; BATCH], [f64::INFINITY; BATCH], [NONE; BATCH]);
@@ -138,11 +153,11 @@ impl Swept {
             }
         }
         for column in &mut *columns {
-            // Where nothing reaches, what is not a number takes the place of zero.
+            // Without a reaching support the quotient is NaN, and `SparseWeights` skips it as it skips zero.
             column.phi[..count].iter_mut().zip(&*sums).for_each(|(phi, sum)| *phi /= sum);
         }
         self.weights.push_rows(count, &columns.iter().map(|column| (column.site, &column.phi)));
-        self.sums.extend_from_slice(sums);
+        self.phi_sums.extend_from_slice(sums);
         self.nearest.extend_from_slice(nearest);
     }
 }

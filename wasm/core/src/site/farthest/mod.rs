@@ -1,98 +1,142 @@
 //! The farthest points of cells, where Algorithm 1 inserts its sites (section IV-A).
 //!
-//! They are those of the cell itself, not of the coarse samples in it, and are looked for only in cells that may be the worst, in three steps:
+//! They are the farthest points of the cell itself, not of its coarse samples. Only cells that may be the worst are searched,
+//! in three steps:
 //!
-//! - `triangles`: which triangles of the coarse samples' mesh may contain them;
-//! - `search`: the best of these first, subdivided into [`pieces`] by branch and bound, each a [`piece`] with an upper bound from the
-//!   paths to its corners (`corner_paths`);
-//! - `ascent`: in a piece that is small enough, up the cones of the distance to where they meet.
+//! - `candidates`: the triangles of the coarse mesh that may contain them.
+//! - `search`: the best of these first, by branch and bound. It subdivides triangles into [`pieces`]; each [`piece`] has an
+//!   upper bound from the paths to its corners (`corner_paths`, `bounds`).
+//! - `maxima`: in a piece that is small enough, an ascent of the distance (`ascent`, `linear_program`).
+//!
+//! Cost: about a third of an insertion, for the cells that it changes.
 
 mod ascent;
+mod bounds;
+mod candidates;
 mod corner_paths;
+mod linear_program;
+mod maxima;
 mod piece;
 mod pieces;
 mod search;
-mod triangles;
 
 use glam::DVec2;
 
-use super::{Regions, Site};
+use self::{
+    candidates::{Candidate, CandidateTriangles},
+    pieces::Pieces,
+    search::farthest_points,
+};
+use super::voronoi::Voronoi;
 use crate::{distance::NavTriangle, min_max::fast_max};
 
-pub(crate) use pieces::Pieces;
-
-/// Points no farther apart than this share of their distance are one point found twice.
+/// Two farthest points no farther apart than this, relative to their distance, are one point found twice.
 pub(super) const SAME_POINT: f64 = 1e-8;
 
-/// A point of the domain, its triangle of the outline, and the distance to the nearest site.
+/// A point of the domain with its distance to the nearest site.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FarPoint {
     pub(super) at: DVec2,
+    /// The triangle of the navigation mesh that contains it.
     pub(super) triangle: NavTriangle,
+    /// Distance to the nearest site, in pixels.
     pub(super) distance: f64,
 }
 
 /// State of the search for a cell's farthest points.
-pub(super) enum Far {
-    /// No farther than this.
+enum SearchState {
+    /// No point of the cell is farther than this.
     Within(f64),
-    /// No farther than `farthest_sample`, the farthest coarse sample when this was found, or in one of `triangles`, each with an upper bound,
-    /// descending.
-    InTriangles { farthest_sample: f64, triangles: Vec<(u32, f64)> },
-    /// These, all at the same distance from the site: at least one.
+    /// No point is farther than `sample`, the greatest distance of a sample at that time, or it lies in one of `triangles`,
+    /// sorted by descending upper bound.
+    InTriangles { sample: f64, triangles: Vec<Candidate> },
+    /// At least one point; all are equally far from the site.
     Known(Vec<FarPoint>),
 }
 
-impl Regions<'_> {
-    /// Takes the search for a cell's farthest points one step further: first the triangles that may contain them, then the
-    /// points.
-    pub(super) fn refine_farthest(&mut self, site: usize) {
-        let radius = self.sampled_radius(site);
-        self.far[site] = match std::mem::replace(&mut self.far[site], Far::Within(f64::INFINITY)) {
-            // If the cell has lost its farthest coarse sample since, the points may be in other triangles.
-            Far::InTriangles { farthest_sample, triangles } if farthest_sample <= radius => {
-                Far::Known(self.farthest_points(site, &triangles))
+/// The farthest points of each cell, as far as they are known.
+pub(super) struct FarthestPoints {
+    /// Sites: the state of each cell's search.
+    states: Vec<SearchState>,
+    pieces: Pieces,
+    candidates: CandidateTriangles,
+}
+
+impl FarthestPoints {
+    /// No cells yet, over a coarse mesh of `triangles` triangles.
+    pub(super) fn new(triangles: usize) -> Self {
+        Self { states: Vec::new(), pieces: Pieces::new(triangles), candidates: CandidateTriangles::new(triangles) }
+    }
+
+    /// Adds the cell of the last site inserted. `coarse_triangle` contains the site, and `bound` is an upper bound of the
+    /// cell radius.
+    pub(super) fn insert(&mut self, voronoi: &Voronoi, coarse_triangle: usize, bound: f64) {
+        self.pieces.insert(voronoi);
+        self.drop_points_of_last_site(voronoi);
+        self.states.push(SearchState::Within(bound));
+        self.candidates.insert(coarse_triangle);
+    }
+
+    /// Advances the search for a cell's farthest points by one step: first to candidate triangles, then to the points.
+    pub(super) fn refine(&mut self, voronoi: &Voronoi, site: usize) {
+        let radius = voronoi.cells.sampled_radius(site);
+        let unknown = SearchState::Within(f64::INFINITY);
+        self.states[site] = match std::mem::replace(&mut self.states[site], unknown) {
+            // If the cell has since lost its farthest sample, the points may be in other triangles.
+            SearchState::InTriangles { sample, triangles } if sample <= radius => {
+                SearchState::Known(farthest_points(voronoi, &mut self.pieces, site, &triangles))
             }
-            Far::Within(_) | Far::InTriangles { .. } => {
-                Far::InTriangles { farthest_sample: radius, triangles: self.triangles_of(site, radius) }
+            SearchState::Within(_) | SearchState::InTriangles { .. } => {
+                let triangles = self.candidates.find(voronoi, &self.pieces, site, radius);
+                SearchState::InTriangles { sample: radius, triangles }
             }
-            known @ Far::Known(_) => known,
+            known @ SearchState::Known(_) => known,
         }
     }
 
-    /// The farthest points of a site's cell, including ties, if known already.
-    pub(super) fn known_farthest(&self, site: usize) -> Option<&[FarPoint]> {
-        match &self.far[site] {
-            Far::Known(points) => Some(points),
-            Far::Within(_) | Far::InTriangles { .. } => None,
+    /// The farthest points of a cell with all ties, if they are known.
+    pub(super) fn known(&self, site: usize) -> Option<&[FarPoint]> {
+        match &self.states[site] {
+            SearchState::Known(points) => Some(points),
+            SearchState::Within(_) | SearchState::InTriangles { .. } => None,
+        }
+    }
+
+    /// The cell radius r_d.
+    pub(super) fn radius(&mut self, voronoi: &Voronoi, site: usize) -> f64 {
+        loop {
+            if let Some(points) = self.known(site) {
+                return points[0].distance;
+            }
+            self.refine(voronoi, site);
         }
     }
 
     /// Upper bound of the cell radius.
-    pub(super) fn greatest_radius(&self, site: usize) -> f64 {
-        match &self.far[site] {
-            Far::Within(radius) => *radius,
-            Far::InTriangles { farthest_sample, triangles } => {
-                triangles.first().map_or(*farthest_sample, |&(_, upper_bound)| fast_max(upper_bound, *farthest_sample))
+    pub(super) fn radius_bound(&self, site: usize) -> f64 {
+        match &self.states[site] {
+            SearchState::Within(radius) => *radius,
+            SearchState::InTriangles { sample, triangles } => {
+                triangles.first().map_or(*sample, |candidate| fast_max(candidate.upper_bound, *sample))
             }
-            Far::Known(points) => points[0].distance,
+            SearchState::Known(points) => points[0].distance,
         }
     }
 
     /// Drops the farthest points that the last site has taken over.
     ///
-    /// Cells only shrink: a farthest point that stays in its cell stays the farthest, and any later one is no farther.
-    pub(super) fn keep_far_points(&mut self) {
-        let Some(Site { rest, field, .. }) = self.sites.last() else { return };
-        let kept = |point: &FarPoint| {
-            rest.distance(point.at) >= point.distance || field.distance(point.triangle, point.at) >= point.distance
+    /// Cells only shrink. A farthest point that stays in its cell stays the farthest, and no later one is farther.
+    fn drop_points_of_last_site(&mut self, voronoi: &Voronoi) {
+        let (Some(site), Some(field)) = (voronoi.sites.last(), voronoi.fields.last()) else { return };
+        let stays = |point: &FarPoint| {
+            site.rest.distance(point.at) >= point.distance || field.distance(point.triangle, point.at) >= point.distance
         };
-        for far in &mut self.far {
-            if let Far::Known(points) = far {
+        for state in &mut self.states {
+            if let SearchState::Known(points) = state {
                 let radius = points[0].distance;
-                points.retain(kept);
+                points.retain(stays);
                 if points.is_empty() {
-                    *far = Far::Within(radius);
+                    *state = SearchState::Within(radius);
                 }
             }
         }

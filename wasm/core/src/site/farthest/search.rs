@@ -1,82 +1,85 @@
 //! A best-first search for the farthest points of a cell, over the pieces of the triangles that may contain them.
 //!
-//! It looks into a few triangles only, and finds the farthest point however few coarse samples there are.
+//! It opens only a few triangles, and finds the exact farthest point however few coarse samples there are.
 //!
 //! Cost: the pieces that it opens, and a heap of them.
 
 use std::collections::BinaryHeap;
 
 use super::{
-    super::{Regions, TIE},
+    super::{TIE, voronoi::Voronoi},
     FarPoint, SAME_POINT,
+    candidates::Candidate,
+    maxima::maxima,
     pieces::Pieces,
 };
 use crate::min_entry::MinEntry;
 
-impl Regions<'_> {
-    /// The farthest points of a site's cell, at least one, searched in `triangles`.
-    pub(super) fn farthest_points(&mut self, site: usize, triangles: &[(u32, f64)]) -> Vec<FarPoint> {
-        let tied = |distance: f64, greatest: f64| distance >= greatest * (1.0 - TIE);
-        let radius = self.sampled_radius(site);
-        let of_coarse = self.cells.of(site).filter(|&at| tied(self.cells.distance[at], radius));
-        let mut found: Vec<FarPoint> = of_coarse.map(|at| self.far_point(at)).collect();
-        let mut pieces = std::mem::take(&mut self.pieces);
-        let mut greatest = radius;
-        let mut search = Search { triangles, open: BinaryHeap::new() };
-        while let Some(at) = search.next(&mut pieces, self, site) {
-            let piece = pieces.piece(at);
-            if !tied(piece.upper_bound, greatest) {
-                break;
-            }
-            let mut maxima = Vec::new();
-            if piece.is_flat() {
-                if piece.upper_bound_of(site).is_none_or(|upper_bound| !tied(upper_bound, greatest)) {
-                    continue;
-                }
-                maxima = piece.maxima(self, site, greatest);
-            }
-            if maxima.is_empty() {
-                let parts = pieces.parts(self, at);
-                parts.for_each(|part| search.open(&pieces, part, site));
-            }
-            greatest = maxima.iter().map(|point| point.distance).fold(greatest, f64::max);
-            found.extend(maxima);
+/// The farthest points of a site's cell, at least one, searched in candidate triangles.
+pub(super) fn farthest_points(
+    voronoi: &Voronoi,
+    pieces: &mut Pieces,
+    site: usize,
+    candidates: &[Candidate],
+) -> Vec<FarPoint> {
+    let tied = |distance: f64, greatest: f64| distance >= greatest * (1.0 - TIE);
+    let cells = &voronoi.cells;
+    let radius = cells.sampled_radius(site);
+    let samples = cells.of(site).filter(|&at| tied(cells.distance[at], radius));
+    let mut found: Vec<FarPoint> = samples.map(|at| sample_point(voronoi, at)).collect();
+    let mut greatest = radius;
+    let mut search = Search { candidates, open: BinaryHeap::new() };
+    while let Some(at) = search.next(voronoi, pieces, site) {
+        let piece = pieces.piece(at);
+        if !tied(piece.upper_bound, greatest) {
+            break;
         }
-        self.pieces = pieces;
-        let mut points: Vec<FarPoint> = Vec::new();
-        for point in found {
-            if tied(point.distance, greatest)
-                && points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * greatest)
-            {
-                points.push(point);
+        let mut maxima_found = Vec::new();
+        if piece.is_flat() {
+            if piece.upper_bound_of(site).is_none_or(|upper_bound| !tied(upper_bound, greatest)) {
+                continue;
             }
+            maxima_found = maxima(voronoi, piece, site, greatest);
         }
-        if points.is_empty() {
-            // The cell contains no other point: the site itself.
-            let site = &self.sites[site];
-            points.push(FarPoint { at: site.rest, triangle: site.triangle, distance: 0.0 });
+        if maxima_found.is_empty() {
+            pieces.subdivide(voronoi, at).for_each(|part| search.push(pieces, part, site));
         }
-        points
+        greatest = maxima_found.iter().map(|point| point.distance).fold(greatest, f64::max);
+        found.extend(maxima_found);
     }
+    let mut points: Vec<FarPoint> = Vec::new();
+    for point in found {
+        if tied(point.distance, greatest)
+            && points.iter().all(|known| known.at.distance(point.at) > SAME_POINT * greatest)
+        {
+            points.push(point);
+        }
+    }
+    if points.is_empty() {
+        // The cell has no point but the site itself.
+        let (at, triangle) = (voronoi.sites[site].rest, voronoi.fields[site].triangle);
+        points.push(FarPoint { at, triangle, distance: 0.0 });
+    }
+    points
+}
 
-    /// A coarse sample as a far point.
-    fn far_point(&self, sample: usize) -> FarPoint {
-        let (at, triangle) = (self.coarse.mesh.vertices[sample], self.coarse.nav_triangles[sample]);
-        FarPoint { at, triangle, distance: self.cells.distance[sample] }
-    }
+/// A coarse sample as a far point.
+fn sample_point(voronoi: &Voronoi, sample: usize) -> FarPoint {
+    let (at, triangle) = (voronoi.coarse.mesh.vertices[sample], voronoi.coarse.nav_triangles[sample]);
+    FarPoint { at, triangle, distance: voronoi.cells.distance[sample] }
 }
 
 /// The triangles and pieces that may still contain a farthest point.
 struct Search<'a> {
-    /// Triangles not opened yet, each with an upper bound, descending.
-    triangles: &'a [(u32, f64)],
-    /// Pieces of opened triangles that the cell may enter, keyed by their upper bounds, negative.
+    /// Triangles not opened yet, sorted by descending upper bound.
+    candidates: &'a [Candidate],
+    /// Pieces of opened triangles that the cell may enter. The keys are their upper bounds, negated.
     open: BinaryHeap<MinEntry<u32>>,
 }
 
 impl Search<'_> {
-    /// Opens a piece, if the cell may enter it.
-    fn open(&mut self, pieces: &Pieces, at: u32, site: usize) {
+    /// Adds a piece, if the cell may enter it.
+    fn push(&mut self, pieces: &Pieces, at: u32, site: usize) {
         let piece = pieces.piece(at);
         if piece.has(site) {
             self.open.push(MinEntry { key: -piece.upper_bound, item: at });
@@ -84,13 +87,13 @@ impl Search<'_> {
     }
 
     /// Removes and returns the piece with the greatest upper bound.
-    fn next(&mut self, pieces: &mut Pieces, regions: &Regions, site: usize) -> Option<u32> {
-        while let &[(triangle, bound), ref others @ ..] = self.triangles
-            && self.open.peek().is_none_or(|farthest| bound > -farthest.key)
+    fn next(&mut self, voronoi: &Voronoi, pieces: &mut Pieces, site: usize) -> Option<u32> {
+        while let &[Candidate { triangle, upper_bound }, ref others @ ..] = self.candidates
+            && self.open.peek().is_none_or(|farthest| upper_bound > -farthest.key)
         {
-            self.triangles = others;
-            let root = pieces.root(regions, triangle);
-            self.open(pieces, root, site);
+            self.candidates = others;
+            let root = pieces.open(voronoi, triangle);
+            self.push(pieces, root, site);
         }
         self.open.pop().map(|farthest| farthest.item)
     }

@@ -93,7 +93,9 @@ impl Quadrature {
         let is_alone = |&site: &usize| !has_node[site] && sites[site].kind != SiteKind::Boundary;
         let around = areas_around(sites.len(), &areas, weights);
         let alone = (0..sites.len()).filter(is_alone);
-        nodes.extend(alone.filter_map(|site| placing.node(sites[site].rest, sites[site].triangle, around[site])));
+        nodes.extend(
+            alone.filter_map(|site| placing.node(sites[site].rest, functions.fields()[site].triangle, around[site])),
+        );
         Self { nodes }
     }
 
@@ -167,8 +169,8 @@ impl Placing<'_> {
     fn node(&self, at: DVec2, triangle: NavTriangle, area: f64) -> Option<PackedNode> {
         let Self { navigation, sites, functions, held } = *self;
         let here = match navigation.is_on_edge(triangle, at) {
-            true => functions.across(navigation, sites, (triangle, at), STEP * area.sqrt()),
-            false => functions.at(sites, triangle, at),
+            true => functions.across(navigation, (triangle, at), STEP * area.sqrt()),
+            false => functions.at(triangle, at),
         };
         let mut influences: Vec<Influence> = Vec::new();
         here.into_iter().for_each(|one| held.add(&mut influences, sites, one));

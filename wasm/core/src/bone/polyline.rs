@@ -1,24 +1,27 @@
-//! The line of a bar or polygon at rest, and what of it the domain has no room for.
+//! The line of a bar or polygon at rest, and its parts outside the domain (section V-D).
 
 use glam::DVec2;
 use serde::Serialize;
 
-/// A chain of corners, closed for a polygon.
+/// The corners of a bar or polygon, with a straight segment from each to the next.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Line {
-    /// Index of the handle.
+pub(crate) struct Polyline {
+    /// Index of the handle in the project.
     pub(crate) handle: u32,
+    /// Id of the handle.
     pub(crate) id: String,
     pub(crate) corners: Vec<DVec2>,
+    /// Whether a segment leads from the last corner to the first: a polygon.
     pub(crate) closed: bool,
 }
 
-impl Line {
+impl Polyline {
+    /// All coordinates in order, y before x.
     pub(super) fn coordinates(&self) -> impl Iterator<Item = f64> + '_ {
         self.corners.iter().flat_map(|corner| [corner.y, corner.x])
     }
 
-    /// Number of segments between corners.
+    /// Number of segments.
     pub(crate) fn segments(&self) -> usize {
         if self.closed { self.corners.len() } else { self.corners.len() - 1 }
     }
@@ -29,14 +32,14 @@ impl Line {
     }
 }
 
-/// A part of a bar or polygon that lies outside the domain, or on its held boundary: it moves nothing.
+/// A part of a bar or polygon that lies outside the domain, or on its held boundary. It moves nothing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct Outside {
+pub struct OutsidePart {
     /// Id of the handle.
     pub handle: String,
-    /// Where the part begins, at rest, in image pixels.
+    /// Start of the part at rest, in image pixels.
     pub from: DVec2,
-    /// Where it ends.
+    /// End of the part at rest, in image pixels.
     pub to: DVec2,
 }

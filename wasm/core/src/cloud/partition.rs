@@ -1,37 +1,47 @@
-//! Cells and Algorithm 1 on the points of a cloud (sections IV-A and V-B).
+//! Cells and Algorithm 1 over the points of a cloud (sections IV-A and V-B).
 //!
-//! While some cell is larger than its site's support may reach, the farthest point of the worst cell becomes a site. A point
-//! becomes a site at most once, so this ends; where the points are too sparse for close handles, it ends with all points
-//! around them being sites (the paper's "failure").
+//! While some cell is larger than its site's support may reach, the farthest point of the worst cell becomes a site.
 //!
 //! Cost: for each insertion one run of Dijkstra's algorithm and a pass over all points.
+//!
+//! Limits: a point becomes a site at most once, so this ends. If the points are too sparse for close handles, all points
+//! around them become sites: the paper's "failure" of the insertion.
 
 use super::PointCloud;
 use crate::{
-    distance::{DistanceField, NavTriangle},
     error::Error,
     limits::MAX_SITES,
     site::{Site, SiteGraph, SiteKind, allowed_score, score},
     triangulation::NONE,
 };
 
-pub(super) struct Regions<'a> {
+/// A cloud, partitioned into the cells of its sites.
+pub(super) struct CloudPartition<'a> {
     cloud: &'a PointCloud,
     pub(super) sites: Vec<Site>,
-    /// The point of each site.
+    /// Sites: the point of each.
     pub(super) points: Vec<u32>,
-    /// The nearest site of each point, [`NONE`] in a part without sites; then its distance.
+    /// Points: the nearest site of each; [`NONE`] in a part without sites.
     pub(super) nearest: Vec<u32>,
+    /// Points: the distance of each to that site, in pixels.
     distance: Vec<f64>,
 }
 
-impl<'a> Regions<'a> {
+/// The farthest point of a cell.
+struct FarthestPoint {
+    distance: f64,
+    point: u32,
+}
+
+impl<'a> CloudPartition<'a> {
+    /// A cloud without sites.
     pub(super) fn new(cloud: &'a PointCloud) -> Self {
         let n = cloud.points.len();
         let (nearest, distance) = (vec![NONE; n], vec![f64::INFINITY; n]);
         Self { cloud, sites: Vec::new(), points: Vec::new(), nearest, distance }
     }
 
+    /// Inserts a site at a point.
     pub(super) fn insert(&mut self, point: u32, kind: SiteKind) {
         let (at, new) = (point as usize, self.sites.len() as u32);
         let from = self.cloud.graph.distances(&self.cloud.points, at);
@@ -51,30 +61,28 @@ impl<'a> Regions<'a> {
                 (self.nearest[p], self.distance[p]) = (new, d);
             }
         }
-        let rest = self.cloud.points[at];
         self.points.push(point);
         self.sites.push(Site {
-            rest,
+            rest: self.cloud.points[at],
             kind,
             separation,
             clearance,
             cell_radius: 0.0,
-            in_nook: false,
             support_radius: 0.0,
-            island: self.cloud.part[at] as usize,
-            // A cloud has no triangles: its distances are those of the graph.
-            triangle: NavTriangle(NONE),
-            field: DistanceField { source: rest, bound: 0.0, triangles: Vec::new(), windows: Vec::new() },
+            in_acute_joint: false,
         });
     }
 
-    /// Algorithm 1. Returns the worst score before each insertion, and sets the cells' radii.
+    /// Algorithm 1. Sets the radii of the cells. Returns the score of the worst cell before each insertion.
+    ///
+    /// # Errors
+    /// [`Error::TooManySites`].
     pub(super) fn insert_virtual_sites(&mut self, density: usize) -> Result<Vec<f64>, Error> {
         let (real, mut scores) = (self.sites.len(), Vec::new());
         loop {
-            let farthest = self.farthest();
-            for (site, &(radius, _)) in self.sites.iter_mut().zip(&farthest) {
-                site.cell_radius = radius;
+            let farthest = self.farthest_points();
+            for (site, farthest) in self.sites.iter_mut().zip(&farthest) {
+                site.cell_radius = farthest.distance;
             }
             let rank = |site: &Site| score(site.cell_radius, site.reach_limit());
             let (worst, by_score) = greatest(self.sites.iter().map(rank));
@@ -90,30 +98,28 @@ impl<'a> Regions<'a> {
             if self.sites.len() >= MAX_SITES {
                 return Err(Error::TooManySites);
             }
-            self.insert(farthest[next].1, SiteKind::Virtual);
+            self.insert(farthest[next].point, SiteKind::Virtual);
         }
     }
 
-    /// For each site the farthest point of its cell, after its distance.
-    fn farthest(&self) -> Vec<(f64, u32)> {
-        let mut farthest: Vec<(f64, u32)> = self.points.iter().map(|&point| (0.0, point)).collect();
-        for (point, (&site, &d)) in
-            self.nearest.iter().zip(&self.distance).enumerate().filter(|(_, (s, _))| **s != NONE)
-        {
-            let known = &mut farthest[site as usize];
-            if d > known.0 {
-                *known = (d, point as u32);
+    /// Sites: the farthest point of each cell.
+    fn farthest_points(&self) -> Vec<FarthestPoint> {
+        let site_itself = |&point: &u32| FarthestPoint { distance: 0.0, point };
+        let mut farthest: Vec<FarthestPoint> = self.points.iter().map(site_itself).collect();
+        for (point, (&site, &distance)) in (0..).zip(self.nearest.iter().zip(&self.distance)) {
+            if site != NONE && distance > farthest[site as usize].distance {
+                farthest[site as usize] = FarthestPoint { distance, point };
             }
         }
         farthest
     }
 
-    /// The dual graph of the cells with uniform weights (section V-C): two sites are linked where a link of the cloud joins
-    /// their cells.
-    pub(super) fn dual(&self) -> SiteGraph {
+    /// The dual graph of the cells with uniform weights (section V-C). Two sites are linked if a link of the cloud joins their
+    /// cells.
+    pub(super) fn dual_graph(&self) -> SiteGraph {
         let cell = |point: usize| self.nearest[point];
         let across = |a: usize| self.cloud.graph.neighbours(a).iter().map(move |&b| [cell(a), cell(b as usize)]);
-        // Each link is seen from both ends.
+        // Each link is found from both ends.
         let mut links: Vec<[u32; 2]> =
             (0..self.nearest.len()).flat_map(across).filter(|&[i, j]| i < j && j != NONE).collect();
         links.sort_unstable();
@@ -122,7 +128,7 @@ impl<'a> Regions<'a> {
     }
 }
 
-/// The greatest number and its index, the first one of ties.
+/// The greatest number and its index; of ties, the first.
 fn greatest(ranks: impl Iterator<Item = f64>) -> (f64, usize) {
     ranks.enumerate().fold((f64::NEG_INFINITY, 0), |best, (at, rank)| if rank > best.0 { (rank, at) } else { best })
 }

@@ -1,0 +1,131 @@
+//! The stages of a solve, each as a function of what earlier stages return.
+//!
+//! Cost: see the modules that each stage calls. `wasm/README.md` lists what bounds the time of each.
+
+use std::sync::Arc;
+
+use crate::{
+    distance::{Navigation, Propagation},
+    error::Error,
+    pose::{HarmonicFields, Poser, PoserInput, Quadrature},
+    prepared_domain::PreparedDomain,
+    project::{PoseMode, Weighting},
+    render_mesh::{RenderMesh, leading_parts},
+    sample::{CoarseSamples, Samples, SamplingCache, coarse_sample_count},
+    site::{Obstacles, Partition, Site, SiteField, SiteGraph, SiteInserter, Tessellation, insert_virtual_sites},
+    solution::Solution,
+    solve_input::{LocatedHandles, SolveInput},
+    solved_sites::SolvedSites,
+    static_background::StaticBackground,
+    weight::{Basis, SampleWeights, WeightFunctions, support_radii},
+};
+
+/// The samples of a domain with handles: the vertices of the drawn mesh (section V-B).
+pub(crate) fn sample(
+    cache: &mut SamplingCache,
+    prepared: &PreparedDomain,
+    located: &LocatedHandles,
+    input: &SolveInput,
+) -> Samples {
+    let base = cache.fine(prepared, &located.bone_positions(), input.samples);
+    base.with_sites(prepared, &located.point_positions())
+}
+
+/// The coarse samples, over which cells are stored.
+pub(crate) fn sample_coarsely(
+    cache: &mut SamplingCache,
+    prepared: &PreparedDomain,
+    located: &LocatedHandles,
+    input: &SolveInput,
+) -> CoarseSamples {
+    let count = coarse_sample_count(input.samples, input.density);
+    let base = cache.coarse(prepared, &located.bone_positions(), count);
+    CoarseSamples::new(base, prepared, &located.point_positions())
+}
+
+/// Partitions the domain into the cells of real and virtual sites (sections III-B and IV-A).
+///
+/// # Errors
+/// [`Error::TooManySites`].
+pub(crate) fn partition(
+    propagation: &mut Propagation,
+    prepared: &PreparedDomain,
+    coarse: &CoarseSamples,
+    located: &LocatedHandles,
+    input: &SolveInput,
+) -> Result<Partition, Error> {
+    let PreparedDomain { domain, navigation, .. } = prepared;
+    let obstacles = Obstacles::new(&located.skeleton, navigation, input.fix_boundary.then_some(domain));
+    let mut inserter = SiteInserter::new(navigation, coarse, &obstacles, propagation);
+    let mut tessellation = Tessellation::new(&obstacles);
+    tessellation.insert_real_sites(&mut inserter, &located.points)?;
+    let scores = insert_virtual_sites(&mut inserter, &mut tessellation, input.density)?;
+    inserter.measure_cells();
+    // Upper bounds of the radii: the obstacles that extended fields reach only reduce them.
+    let radii = support_radii(&input.weighting, inserter.sites());
+    inserter.extend_fields(&radii);
+    Ok(inserter.into_partition(scores))
+}
+
+/// Computes the weights of the samples (eq. 2), the cell graph, the harmonic fields (eq. 4), and the mesh in drawing order.
+pub(crate) fn compute_weights(
+    propagation: &mut Propagation,
+    prepared: Arc<PreparedDomain>,
+    input: &SolveInput,
+    located: LocatedHandles,
+    samples: Samples,
+    partition: Partition,
+) -> Solution {
+    let LocatedHandles { skeleton, outside, .. } = located;
+    let Partition { mut sites, mut fields, scores } = partition;
+    let navigation = &prepared.navigation;
+    set_support_radii(&mut sites, &input.weighting);
+    extend_fields(propagation, navigation, &sites, &mut fields);
+    let graph = SiteGraph::new(&sites, &fields, &skeleton);
+    let harmonic = HarmonicFields::new(&sites, &graph);
+    let basis = Basis::new(input.weighting.degree, input.weighting.filling);
+    let functions = WeightFunctions::new(navigation, &sites, fields, &skeleton, basis);
+    let SampleWeights { mut weights, phi_sums, nearest } = functions.of_samples(navigation, &samples);
+    let quadrature =
+        (input.mode == PoseMode::Rigid).then(|| Quadrature::new(navigation, &sites, &samples, &weights, &functions));
+    let poser = Poser::new(PoserInput {
+        sites: &sites,
+        graph: &graph,
+        harmonic: &harmonic,
+        skeleton,
+        handles: input.handles.clone(),
+        mode: input.mode,
+        quadrature,
+    });
+    let leading = leading_parts(&nearest, &sites, &harmonic);
+    weights.push_copies(&samples.skirt.owners);
+    Solution {
+        background: prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default(),
+        samples: samples.len(),
+        mesh: RenderMesh::new(samples, &leading),
+        weights,
+        phi_sums,
+        solved: SolvedSites { sites, graph, harmonic, poser, nearest, scores },
+        functions,
+        handle_counts: input.handle_counts(),
+        outside,
+        prepared,
+    }
+}
+
+/// Sets r_i (eq. 3).
+fn set_support_radii(sites: &mut [Site], weighting: &Weighting) {
+    for (radius, site) in support_radii(weighting, sites).into_iter().zip(sites) {
+        site.support_radius = radius;
+    }
+}
+
+/// Extends the fields of sites to their supports and to the sites that they may be linked with.
+fn extend_fields(propagation: &mut Propagation, navigation: &Navigation, sites: &[Site], fields: &mut [SiteField]) {
+    for (site, field) in sites.iter().zip(fields) {
+        let bound = site.support_radius.max(SiteGraph::field_bound(site.cell_radius));
+        if field.distances.bound() < bound {
+            field.distances = propagation.field(navigation, field.triangle, site.rest, bound);
+        }
+    }
+}

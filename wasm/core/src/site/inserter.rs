@@ -1,0 +1,112 @@
+//! The state of Algorithm 1: inserts sites one at a time and updates fields, cells, room and farthest points.
+//!
+//! Cost of an insertion: a distance field up to its bound, the coarse samples of the cells around it, and a pass over all
+//! sites.
+
+use glam::DVec2;
+
+use super::{
+    Site, SiteField, SiteKind,
+    farthest::FarthestPoints,
+    obstacles::Obstacles,
+    room::{Room, extend_field, make_room},
+    voronoi::Voronoi,
+};
+use crate::{
+    distance::{DistanceField, NavTriangle, Navigation, Propagation},
+    sample::CoarseSamples,
+};
+
+/// Bound of the fields of real sites, over the greatest cell radius. If there are bones, the bound of all fields.
+/// Nearly all supports end within it, so the fields find their obstacles.
+const FIELD_REACH: f64 = 1.75;
+
+/// The domain, partitioned into the cells of its sites.
+#[derive(Debug)]
+pub(crate) struct Partition {
+    pub(crate) sites: Vec<Site>,
+    /// Sites: the distance field of each.
+    pub(crate) fields: Vec<SiteField>,
+    /// Rounds: the score of the worst cell before each. See [`insert_virtual_sites`](super::insert_virtual_sites).
+    pub(crate) scores: Vec<f64>,
+}
+
+/// Inserts sites into a Voronoi diagram.
+pub(crate) struct SiteInserter<'a> {
+    pub(super) voronoi: Voronoi<'a>,
+    pub(super) farthest: FarthestPoints,
+    pub(super) obstacles: &'a Obstacles<'a>,
+    propagation: &'a mut Propagation,
+}
+
+impl<'a> SiteInserter<'a> {
+    pub(crate) fn new(
+        navigation: &'a Navigation,
+        coarse: &'a CoarseSamples,
+        obstacles: &'a Obstacles<'a>,
+        propagation: &'a mut Propagation,
+    ) -> Self {
+        let farthest = FarthestPoints::new(coarse.mesh.triangles.len());
+        Self { voronoi: Voronoi::new(navigation, coarse), farthest, obstacles, propagation }
+    }
+
+    /// The sites inserted so far.
+    pub(crate) fn sites(&self) -> &[Site] {
+        &self.voronoi.sites
+    }
+
+    /// Inserts a site at a point of the domain.
+    pub(super) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) {
+        let (navigation, coarse) = (self.voronoi.navigation, self.voronoi.coarse);
+        let island = navigation.island_of(triangle);
+        // No coarse sample of the island is farther from its nearest site, so the new cell reaches no farther either.
+        let radius = self.voronoi.sampled_radius_of_island(island);
+        let reaches_beyond_cell = kind.is_real() || !self.obstacles.skeleton().bones.is_empty();
+        let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
+        let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * coarse.longest_edge));
+        let field = SiteField { island, triangle, distances: self.field(rest, triangle, bound) };
+        let Room { separation, clearance, in_acute_joint } =
+            make_room(&mut self.voronoi, self.obstacles, self.propagation, (rest, kind, &field));
+        let (cell_radius, support_radius) = (0.0, 0.0);
+        let site = Site { rest, kind, separation, clearance, cell_radius, support_radius, in_acute_joint };
+        let coarse_triangle = coarse.triangle_at(rest);
+        self.voronoi.insert(site, field, coarse_triangle);
+        let bound = radius.map_or(f64::INFINITY, |radius| radius + coarse.longest_edge);
+        self.farthest.insert(&self.voronoi, coarse_triangle, bound);
+    }
+
+    /// The distance field of a point, up to a bound in pixels.
+    pub(super) fn field(&mut self, from: DVec2, triangle: NavTriangle, bound: f64) -> DistanceField {
+        self.propagation.field(self.voronoi.navigation, triangle, from, bound)
+    }
+
+    /// Whether a point lies in an acute joint: see [`Obstacles::has_acute_joint`].
+    pub(super) fn is_in_acute_joint(&mut self, p: DVec2, triangle: NavTriangle, within: f64) -> bool {
+        self.obstacles.has_acute_joint(self.voronoi.navigation, self.propagation, (triangle, p), within)
+    }
+
+    /// Sets the cell radii r_d of all sites.
+    pub(crate) fn measure_cells(&mut self) {
+        for site in 0..self.voronoi.sites.len() {
+            self.voronoi.sites[site].cell_radius = self.farthest.radius(&self.voronoi, site);
+        }
+    }
+
+    /// Extends each site's field to at least its radius in `radii`, and reduces the site's room by the obstacles found.
+    ///
+    /// Sites of one body do not limit each other, so the nearest other site may be many cells away.
+    pub(crate) fn extend_fields(&mut self, radii: &[f64]) {
+        for (site, &radius) in radii.iter().enumerate() {
+            if radius > self.voronoi.fields[site].distances.bound() {
+                let distances = self.field(self.voronoi.sites[site].rest, self.voronoi.fields[site].triangle, radius);
+                extend_field(&mut self.voronoi, self.obstacles, site, distances);
+            }
+        }
+    }
+
+    /// The sites with their fields, and the scores of the rounds that inserted them.
+    pub(crate) fn into_partition(self, scores: Vec<f64>) -> Partition {
+        let Voronoi { sites, fields, .. } = self.voronoi;
+        Partition { sites, fields, scores }
+    }
+}

@@ -1,0 +1,54 @@
+//! The solved sites of a domain or a point cloud: how they move, and their cells. Shared by `solution` and `cloud`.
+
+use crate::{
+    deform::Pose,
+    error::Error,
+    pose::{HarmonicFields, Poser},
+    project::Project,
+    site::{Site, SiteGraph},
+    triangulation::NONE,
+};
+
+/// Sites with the cell graph, harmonic fields and poser made of them.
+#[derive(Debug, Clone)]
+pub(crate) struct SolvedSites {
+    pub(crate) sites: Vec<Site>,
+    pub(crate) graph: SiteGraph,
+    pub(crate) harmonic: HarmonicFields,
+    pub(crate) poser: Poser,
+    /// Samples: the nearest site of each; [`NONE`] on an island without sites.
+    pub(crate) nearest: Vec<u32>,
+    /// Rounds of Algorithm 1: the score of the worst cell before each.
+    pub(crate) scores: Vec<f64>,
+}
+
+impl SolvedSites {
+    /// The nearest site of a sample; `None` on an island without sites.
+    ///
+    /// # Panics
+    /// If `sample` is out of bounds.
+    pub(crate) fn nearest_site(&self, sample: usize) -> Option<usize> {
+        let site = self.nearest[sample];
+        (site != NONE).then_some(site as usize)
+    }
+
+    /// The pose of a project's handles.
+    ///
+    /// # Errors
+    /// Those of [`Poser::pose`].
+    pub(crate) fn pose(&self, project: &Project) -> Result<Pose, Error> {
+        self.poser.pose(&project.handles, project.pose.blend)
+    }
+
+    /// # Errors
+    /// [`Error::PoseOfAnother`] if another solution's poser made the pose.
+    pub(crate) fn check_pose(&self, pose: &Pose) -> Result<(), Error> {
+        if self.poser.has_made(pose) { Ok(()) } else { Err(Error::PoseOfAnother) }
+    }
+
+    /// # Panics
+    /// If another solution's poser made the pose.
+    pub(crate) fn expect_own(&self, pose: &Pose) {
+        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnother);
+    }
+}
