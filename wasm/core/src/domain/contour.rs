@@ -1,30 +1,32 @@
 //! Sub-pixel contours of the alpha channel by marching squares.
 //!
-//! Pixel centres are the nodes; outside the picture alpha is zero. Contours are closed, simple and disjoint, with the opaque
-//! side on the right in the y-down image: outer contours have positive area, holes negative area. At saddles the mean of the
-//! four nodes decides, so that a diagonal stroke one pixel wide stays connected.
+//! Pixel centres are the nodes. Outside the picture, alpha is zero. Contours are closed, simple and disjoint. Their
+//! opaque side is on the right in the y-down image, so outer contours have positive area and holes negative area. At
+//! saddles the mean of the four nodes decides, so a diagonal stroke one pixel wide stays connected.
 //!
-//! Cost: one look at each pixel, and one byte of memory for each, besides the current contour.
+//! Cost: linear in the pixels, with one byte of memory for each, besides the current contour.
 
 use glam::DVec2;
 
-use super::Ring;
+use super::ring::Ring;
 use crate::picture::Picture;
 
-/// Least distance of crossings from the nodes of their edge, as a share of the edge, so that no two crossings of a contour
-/// coincide, even where a pixel's alpha equals the threshold.
+/// Least distance of a crossing from the nodes of its edge, as a fraction of the edge.
+///
+/// It keeps the crossings of a contour distinct, even if a pixel's alpha equals the threshold.
 const NODE_CLEARANCE: f64 = 1.0 / 64.0;
-/// Crossings are rounded to multiples of this many pixels, far below the effect of one step of alpha: so the crossings of a
-/// picture and of its mirror image are mirrored to the last bit.
-const GRAIN: f64 = 1.0 / 65_536.0;
+/// Crossings are rounded to multiples of this many pixels, far below the effect of one step of alpha.
+///
+/// The crossings of a picture and of its mirror image are then mirrored to the last bit.
+const CROSSING_STEP: f64 = 1.0 / 65_536.0;
 
-/// Contours of `alpha ≥ threshold`, with the threshold in (0, 1].
+/// The contours of `alpha ≥ threshold`. The threshold must be in (0, 1].
 pub(super) fn alpha_contours<'a>(picture: &'a Picture<'a>, threshold: f64) -> impl Iterator<Item = Ring> + 'a {
     let field = Alpha { picture, threshold };
     let (width, height) = (i64::from(picture.width()), i64::from(picture.height()));
     let mut seen = vec![false; (width * height) as usize];
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y))).filter_map(move |(x, y)| {
-        // Every contour passes a node whose left neighbour is outside.
+        // Every contour passes a node with its left neighbour outside.
         let is_new = field.inside(x, y) && !field.inside(x - 1, y) && !seen[(y * width + x) as usize];
         is_new.then(|| field.trace(x, y, |x, y| seen[(y * width + x) as usize] = true))
     })
@@ -66,13 +68,15 @@ impl Alpha<'_> {
     }
 
     /// Follows the contour upwards through the edge between (x − 1, y), outside, and (x, y), inside.
-    fn trace(&self, x: i64, y: i64, mut saw: impl FnMut(i64, i64)) -> Ring {
+    ///
+    /// Calls `visit` with each node that has its left neighbour outside.
+    fn trace(&self, x: i64, y: i64, mut visit: impl FnMut(i64, i64)) -> Ring {
         let start = Cell { x: x - 1, y: y - 1 };
         let (mut cell, mut entry) = (start, Side::Bottom);
         let mut ring = Vec::new();
         loop {
             if entry == Side::Bottom {
-                saw(cell.x + 1, cell.y + 1);
+                visit(cell.x + 1, cell.y + 1);
             }
             ring.push(self.crossing(cell, entry));
             (cell, entry) = self.next(cell, entry);
@@ -82,10 +86,10 @@ impl Alpha<'_> {
         }
     }
 
-    /// The cell beyond this one along the contour, and the side by which it is entered.
+    /// The next cell along the contour, and the side on which the contour enters it.
     fn next(&self, cell: Cell, entry: Side) -> (Cell, Side) {
         let Cell { x, y } = cell;
-        // The inside is on the right: entering from below, the bottom right node is inside.
+        // The inside is on the right: on entry from below, the bottom right node is inside.
         let [top_left, top_right, bottom_right, bottom_left] =
             [self.inside(x, y), self.inside(x + 1, y), self.inside(x + 1, y + 1), self.inside(x, y + 1)];
         let (ahead_left, ahead_right) = match entry {
@@ -98,19 +102,19 @@ impl Alpha<'_> {
             (false, false) => true,
             (false, true) => return straight(cell, entry),
             (true, true) => false,
-            // Saddle: if the inside is connected, the contour turns left.
+            // At a saddle the contour turns left if the inside is connected.
             (true, false) => !self.saddle_inside(cell),
         };
         if turn_right { right(cell, entry) } else { left(cell, entry) }
     }
 
     fn saddle_inside(&self, Cell { x, y }: Cell) -> bool {
-        // Summed by diagonals, so that a mirror image gives the same bits.
+        // Sum by diagonals: a mirror image gives the same bits.
         let sum = (self.at(x, y) + self.at(x + 1, y + 1)) + (self.at(x + 1, y) + self.at(x, y + 1));
         sum / 4.0 >= self.threshold
     }
 
-    /// The crossing of the contour with a side, clamped to the picture.
+    /// The point where the contour crosses a side, clamped to the picture.
     fn crossing(&self, Cell { x, y }: Cell, side: Side) -> DVec2 {
         let ((ax, ay), (bx, by)) = match side {
             Side::Top => ((x, y), (x + 1, y)),
@@ -120,7 +124,7 @@ impl Alpha<'_> {
         };
         let (a, b) = (self.at(ax, ay), self.at(bx, by));
         let t = ((self.threshold - a) / (b - a)).clamp(NODE_CLEARANCE, 1.0 - NODE_CLEARANCE);
-        let t = (t / GRAIN).round() * GRAIN;
+        let t = (t / CROSSING_STEP).round() * CROSSING_STEP;
         let (from, to) = (DVec2::new(ax as f64, ay as f64), DVec2::new(bx as f64, by as f64));
         let size = DVec2::new(f64::from(self.picture.width()), f64::from(self.picture.height()));
         (from + (to - from) * t + 0.5).clamp(DVec2::ZERO, size)

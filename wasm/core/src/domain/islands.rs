@@ -1,31 +1,33 @@
-//! Classifies rings as islands, holes and specks.
+//! Classification of rings as islands, holes and specks.
 //!
 //! Cost: O(rings × corners) for the nesting of a project's rings, O(corners) for specks.
 
 use glam::DVec2;
 
-use super::{Ring, contains, signed_area};
+use super::ring::{Ring, contains, signed_area};
 
 /// Regions smaller than this, in square pixels, are specks: a few pixels, too small for a handle.
 const SPECK_AREA: f64 = 4.0;
-/// In large pictures specks may be larger: this share of the picture's area (a 10 × 10 px spot in 10 megapixels).
-const SPECK_SHARE: f64 = 1e-5;
+/// In large pictures specks may be larger: this fraction of the picture's area (a 10 × 10 px spot in 10 megapixels).
+const SPECK_FRACTION: f64 = 1e-5;
 
-/// Islands of a picture no larger than this, in square pixels, are no specks: each pixel of a sprite is meant. Even where every
-/// second pixel is an island, four corners each are fewer than [`MAX_CORNERS`](crate::limits::MAX_CORNERS).
+/// In pictures up to this area, in square pixels, no island is a speck: each pixel of a sprite is meant.
+///
+/// If every second pixel is an island of four corners, they are still fewer than
+/// [`MAX_CORNERS`](crate::limits::MAX_CORNERS).
 const SPRITE_AREA: f64 = 128.0 * 128.0;
 
-/// The rings that are kept, and the number of those dropped.
-pub(super) struct Kept {
+/// Rings without specks, and the number of specks dropped.
+pub(super) struct FilteredRings {
     pub(super) rings: Vec<Ring>,
     pub(super) specks: usize,
 }
 
 /// Drops small islands, with the holes in them, and small holes.
 ///
-/// `contours` are oriented: outer ones with positive area. `picture_area` is in square pixels.
-pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area: f64) -> Kept {
-    let least_hole = SPECK_AREA.max(SPECK_SHARE * picture_area);
+/// Outer contours must have positive area, holes negative. `picture_area` is in square pixels.
+pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area: f64) -> FilteredRings {
+    let least_hole = SPECK_AREA.max(SPECK_FRACTION * picture_area);
     let least_island = if picture_area <= SPRITE_AREA { 0.0 } else { least_hole };
     let mut specks = 0;
     let is_kept = |ring: &Ring| {
@@ -36,10 +38,11 @@ pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area:
         is_kept
     };
     let rings = contours.filter(is_kept).collect();
-    Kept { rings, specks }
+    FilteredRings { rings, specks }
 }
 
-/// The rings with positive area for outer rings and negative area for holes, by their nesting depth.
+/// The same rings, with positive area for outer rings and negative area for holes. A ring at an odd depth of nesting
+/// is a hole.
 pub(super) fn oriented(rings: &[Ring]) -> Vec<Ring> {
     let depth = |at: usize, p: DVec2| {
         rings.iter().enumerate().filter(|&(other, ring)| other != at && contains(ring, p)).count()

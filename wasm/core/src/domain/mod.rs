@@ -1,11 +1,12 @@
-//! Ω: the closed region that is warped, as rings in image pixels (section III-A).
+//! Ω: the closed region to warp, as rings in image pixels (section III-A).
 //!
-//! A domain consists of islands, each an outer ring with holes. Rings never cross or touch. They come from the picture's
-//! rectangle, from its alpha (`contour`, then `simplify`), or from the project (`polygon`).
+//! A domain consists of islands, each an outer ring with holes. Rings never cross or touch. They come from the
+//! picture's rectangle, from its alpha (`contour`, then `simplify`), or from the project (`polygon`).
 
 mod contour;
 mod islands;
 mod polygon;
+mod ring;
 mod simplify;
 
 use glam::DVec2;
@@ -18,11 +19,8 @@ use crate::{
     segment::segment_distance,
 };
 
-/// A closed chain of at least three points, the first not repeated.
-///
-/// In a [`Domain`], outer rings have a positive signed area, holes a negative one: walking along a ring in the y-down image, the
-/// domain lies on the right hand. A ring that a caller gives may run either way.
-pub type Ring = Vec<DVec2>;
+pub use ring::Ring;
+pub(crate) use ring::{contains, edges, signed_area};
 
 /// The region to warp, in image pixels. See the [module](self) for its invariants.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,11 +31,11 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// The domain that a project specifies: by default the opaque part of a picture with transparency and the whole rectangle
-    /// of any other.
+    /// The domain that a project specifies. The default is the opaque part of a picture with transparency, and the
+    /// whole rectangle of any other.
     ///
     /// # Errors
-    /// Those of [`Domain::from_alpha`] and [`Domain::from_rings`], and [`Error::RingOutsidePicture`].
+    /// The errors of [`Domain::from_alpha`] and [`Domain::from_rings`], and [`Error::RingOutsidePicture`].
     pub fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
         match spec {
             Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width(), picture.height())),
@@ -52,58 +50,66 @@ impl Domain {
     pub(crate) fn rectangle(width: u32, height: u32) -> Self {
         let (w, h) = (f64::from(width), f64::from(height));
         let ring = vec![DVec2::ZERO, DVec2::new(w, 0.0), DVec2::new(w, h), DVec2::new(0.0, h)];
-        Self::of_oriented(vec![ring], 0)
+        Self::from_checked(vec![ring], 0)
     }
 
     /// The region where the picture's alpha reaches `threshold` (in (0, 1]), bounded by sub-pixel contours.
     ///
     /// # Errors
-    /// [`Error::NothingOpaque`], [`Error::OnlySpecks`], [`Error::OutlineTooFine`]; [`Error::Project`] for what is no threshold.
+    /// - [`Error::Project`] for a threshold out of range.
+    /// - [`Error::NothingOpaque`] or [`Error::OnlySpecks`] if no region is large enough.
+    /// - [`Error::OutlineTooFine`] for too many corners.
     pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
         DomainSpec::check_threshold(threshold)?;
         let area = f64::from(picture.width()) * f64::from(picture.height());
-        let kept = islands::without_specks(contour::alpha_contours(picture, threshold), area);
-        if kept.rings.is_empty() {
-            return Err(match kept.specks {
+        let filtered = islands::without_specks(contour::alpha_contours(picture, threshold), area);
+        if filtered.rings.is_empty() {
+            return Err(match filtered.specks {
                 0 => Error::NothingOpaque { threshold },
                 specks => Error::OnlySpecks { threshold, specks },
             });
         }
-        // Simplification keeps at least three corners of each ring.
+        // Simplification keeps at least three corners of each ring, so many rings are refused before it.
         let check = |corners| if corners > MAX_CORNERS { Err(Error::OutlineTooFine { corners }) } else { Ok(()) };
-        check(3 * kept.rings.len())?;
-        let rings = simplify::simplified(&kept.rings);
+        check(3 * filtered.rings.len())?;
+        let rings = simplify::simplified(&filtered.rings);
         check(corners(&rings))?;
-        Ok(Self::of_oriented(rings, kept.specks))
+        Ok(Self::from_checked(rings, filtered.specks))
     }
 
     /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
     ///
     /// # Errors
-    /// As [`from_rings`](Self::from_rings), but [`Error::RingOutsidePicture`] for a point outside the picture.
+    /// The errors of [`from_rings`](Self::from_rings), but [`Error::RingOutsidePicture`] for a point outside the
+    /// picture.
     pub(crate) fn from_polygon(rings: &[Ring], width: u32, height: u32) -> Result<Self, Error> {
         DomainSpec::check_rings(rings)?;
-        check_fineness(rings)?;
+        check_corner_count(rings)?;
         polygon::check(rings, width, height)?;
-        Ok(Self::of_oriented(islands::oriented(rings), 0))
+        Ok(Self::from_checked(islands::oriented(rings), 0))
     }
 
-    /// The inside of rings by the even-odd rule, without a picture: places in pixels, each coordinate from −1,000,000 to 1,000,000.
+    /// The inside of rings by the even-odd rule, without a picture.
     ///
-    /// Tolerances are in pixels, as for an [`InputMesh`](crate::InputMesh): scale up rings in units of 0 to 1 to some hundreds of pixels.
+    /// Points are in pixels, each coordinate from −1,000,000 to 1,000,000. Tolerances are in pixels, as for an
+    /// [`InputMesh`](crate::InputMesh). Scale rings in units of 0 to 1 up to some hundreds of pixels.
     ///
     /// ```
     /// use c2warp::{domain::Domain, glam::DVec2};
     ///
-    /// let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
+    /// let square = |low: f64, high: f64| {
+    ///     [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec()
+    /// };
     /// let domain = Domain::from_rings(&[square(-50.0, 50.0), square(-20.0, 20.0)])?;
     /// assert_eq!((domain.islands(), domain.holes(), domain.area()), (1, 1, 8400.0));
     /// # Ok::<(), c2warp::Error>(())
     /// ```
     ///
     /// # Errors
-    /// One of the `Ring…` errors, naming ring and point; [`Error::RingsTooFine`]; [`Error::Project`] for no ring at all, and for one of
-    /// less than three points or with one that is not finite.
+    /// - [`Error::Project`] for no ring, a ring of fewer than three points, or a point that is not finite.
+    /// - [`Error::RingPoint`], [`Error::RingDuplicate`], [`Error::RingFlat`] or [`Error::RingsCross`] with the ring
+    ///   and point.
+    /// - [`Error::RingsTooFine`] for too many points.
     pub fn from_rings(rings: &[Ring]) -> Result<Self, Error> {
         DomainSpec::check_rings(rings)?;
         for (ring, points) in rings.iter().enumerate() {
@@ -111,25 +117,25 @@ impl Domain {
                 return Err(Error::RingPoint { ring, point });
             }
         }
-        check_fineness(rings)?;
+        check_corner_count(rings)?;
         polygon::check_rings(rings)?;
-        Ok(Self::of_oriented(islands::oriented(rings), 0))
+        Ok(Self::from_checked(islands::oriented(rings), 0))
     }
 
-    /// The region to the right of rings of finite points.
+    /// The region to the right of rings. Points must be finite.
     ///
     /// # Errors
-    /// [`Error::RingsTooFine`], [`Error::RingDuplicate`], [`Error::RingsCross`]; [`Error::RingFlat`] for a ring that is an
-    /// island within an island, or a hole outside of all.
+    /// - [`Error::RingsTooFine`], [`Error::RingDuplicate`], [`Error::RingsCross`].
+    /// - [`Error::RingFlat`] for an island inside an island, or a hole outside all islands.
     pub(crate) fn from_oriented(rings: Vec<Ring>) -> Result<Self, Error> {
-        check_fineness(&rings)?;
+        check_corner_count(&rings)?;
         polygon::check_simple(&rings)?;
-        let turned = rings.iter().zip(islands::oriented(&rings)).position(|(ring, oriented)| *ring != oriented);
-        turned.map_or_else(|| Ok(Self::of_oriented(rings, 0)), |ring| Err(Error::RingFlat { ring }))
+        let misplaced = rings.iter().zip(islands::oriented(&rings)).position(|(ring, oriented)| *ring != oriented);
+        misplaced.map_or_else(|| Ok(Self::from_checked(rings, 0)), |ring| Err(Error::RingFlat { ring }))
     }
 
-    /// From checked rings, each with the domain to its right.
-    fn of_oriented(rings: Vec<Ring>, specks: usize) -> Self {
+    /// A domain from checked rings, each with the domain to its right.
+    fn from_checked(rings: Vec<Ring>, specks: usize) -> Self {
         let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
         Self { rings, islands, specks }
     }
@@ -164,7 +170,7 @@ impl Domain {
         self.rings.iter().map(|ring| signed_area(ring)).sum()
     }
 
-    /// Least and greatest coordinates, in pixels.
+    /// The bounding box: least and greatest coordinates, in pixels.
     #[must_use]
     pub fn bounds(&self) -> (DVec2, DVec2) {
         let points = self.rings.iter().flatten();
@@ -176,22 +182,10 @@ fn corners(rings: &[Ring]) -> usize {
     rings.iter().map(Vec::len).sum()
 }
 
-/// # Errors
-/// [`Error::RingsTooFine`].
-fn check_fineness(rings: &[Ring]) -> Result<(), Error> {
+/// Refuses rings with more corners than [`MAX_CORNERS`].
+fn check_corner_count(rings: &[Ring]) -> Result<(), Error> {
     let corners = corners(rings);
     if corners > MAX_CORNERS { Err(Error::RingsTooFine { corners }) } else { Ok(()) }
-}
-
-/// Signed area of a ring: positive for an outer ring, negative for a hole.
-pub(crate) fn signed_area(ring: &[DVec2]) -> f64 {
-    let Some(&origin) = ring.first() else { return 0.0 };
-    edges(ring).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum::<f64>() / 2.0
-}
-
-/// The edges of a ring, the closing one last.
-pub(crate) fn edges(ring: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
-    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| (a, b))
 }
 
 impl Domain {
@@ -200,17 +194,10 @@ impl Domain {
         self.rings.iter().flat_map(|ring| edges(ring))
     }
 
-    /// Straight distance of a point to the outline. For a point of the domain also the intrinsic distance: nothing lies
-    /// between.
+    /// Straight distance of a point to the outline, in pixels.
+    ///
+    /// For a point of the domain this is also the intrinsic distance: nothing lies between.
     pub(crate) fn distance_to_outline(&self, p: DVec2) -> f64 {
         self.edges().map(|(a, b)| segment_distance(p, a, b)).fold(f64::INFINITY, f64::min)
     }
-}
-
-/// Whether a point lies inside a ring, by the even-odd rule.
-pub(crate) fn contains(ring: &[DVec2], p: DVec2) -> bool {
-    edges(ring).fold(false, |inside, (a, b)| {
-        let crosses = (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-        inside != crosses
-    })
 }

@@ -1,26 +1,28 @@
-//! Checks that the rings of a project lie inside the picture, are simple and disjoint.
+//! Checks of a project's rings: they must be inside the picture, simple and disjoint.
 //!
 //! Orientations are computed exactly, as in the triangulation. In addition, rings must keep [`RING_CLEARANCE`] from
-//! themselves and from one another, so that the same holds for the samples along their edges, whose places are rounded.
+//! themselves and from one another. Samples along their edges are rounded, and must be disjoint, too.
 //!
-//! Cost: a sweep over the edges sorted by their left ends; quadratic only where very many edges overlap in x.
+//! Cost: a sweep over the edges sorted by their left ends. It is quadratic only if very many edges overlap in x.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
 
-use super::{Ring, edges, signed_area};
+use super::ring::{Ring, edges, signed_area};
 use crate::{error::Error, segment::segment_distance};
 
-/// Rings with an area below this, in square pixels, enclose nothing.
+/// Least area of a ring, in square pixels.
 const MIN_AREA: f64 = 1e-6;
-/// Points this near to one another, in pixels, coincide, and edges touch; consecutive edges whose angle has a sine below this
-/// overlap. Twice the rounding of samples where coordinates are largest, a million pixels in a mesh from the caller.
+/// Closer points coincide, and closer edges touch (in pixels). Consecutive edges overlap if the sine of their angle
+/// is smaller.
+///
+/// It is twice the rounding of samples at the greatest coordinate, a million pixels.
 const RING_CLEARANCE: f64 = 1e-9;
 
-/// Checks rings of at least three finite points.
+/// Checks rings in a picture. Each must have at least three points, all finite.
 ///
 /// # Errors
-/// The first ring, or pair of rings, that breaks the rules.
+/// The error of the first offending ring or pair of rings.
 pub(super) fn check(rings: &[Ring], width: u32, height: u32) -> Result<(), Error> {
     let size = DVec2::new(f64::from(width), f64::from(height));
     for (ring, points) in rings.iter().enumerate() {
@@ -33,18 +35,20 @@ pub(super) fn check(rings: &[Ring], width: u32, height: u32) -> Result<(), Error
     check_rings(rings)
 }
 
-/// Checks rings of at least three finite points, wherever they lie.
+/// Checks rings anywhere. Each must have at least three points, all finite.
 ///
 /// # Errors
-/// The first ring, or pair of rings, that breaks the rules.
+/// The error of the first offending ring or pair of rings.
 pub(super) fn check_rings(rings: &[Ring]) -> Result<(), Error> {
     check_simple(rings)?;
     let flat = rings.iter().position(|ring| signed_area(ring).abs() < MIN_AREA);
     flat.map_or(Ok(()), |ring| Err(Error::RingFlat { ring }))
 }
 
+/// Checks that rings are simple and disjoint.
+///
 /// # Errors
-/// The first pair of points that coincide, or of edges that cross or touch.
+/// The error of the first pair of coinciding points, or of edges that cross or touch.
 pub(super) fn check_simple(rings: &[Ring]) -> Result<(), Error> {
     check_distinct(rings)?;
     check_crossings(rings)
@@ -67,12 +71,15 @@ fn check_distinct(rings: &[Ring]) -> Result<(), Error> {
     Ok(())
 }
 
-/// An edge from point `point` of ring `ring` to the next of `points`.
+/// An edge of a ring.
 struct Edge {
     from: DVec2,
     to: DVec2,
+    /// Index of the ring.
     ring: usize,
+    /// Index of the first point.
     point: usize,
+    /// Number of points of the ring.
     points: usize,
 }
 
@@ -107,7 +114,7 @@ fn check_crossings(rings: &[Ring]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether two edges, whose boxes overlap in x, meet or nearly meet, except at the common point of neighbours.
+/// Whether two edges meet or nearly meet, except at the common point of neighbours. Their boxes must overlap in x.
 fn conflict(a: &Edge, b: &Edge) -> bool {
     if a.follows(b) {
         return folds_back(b.from, a.from, a.to);
@@ -128,15 +135,16 @@ fn conflict(a: &Edge, b: &Edge) -> bool {
         || [a.from, a.to].iter().any(|&end| segment_distance(end, b.from, b.to) < RING_CLEARANCE)
 }
 
-/// The side of the line from p through q on which r lies: 1, 0 or −1, without rounding. The sign, since the product of two
-/// tiny areas may underflow to 0.
+/// The side of r on the line from p through q: 1, 0 or −1, without rounding.
+///
+/// It is a sign and no area, as the product of two tiny areas may underflow to 0.
 fn side(p: DVec2, q: DVec2, r: DVec2) -> f64 {
     let [p, q, r] = [p, q, r].map(|DVec2 { x, y }| Coord { x, y });
     let area = orient2d(p, q, r);
     if area == 0.0 { 0.0 } else { area.signum() }
 }
 
-/// Whether the chain p → q → r returns onto itself.
+/// Whether the chain p → q → r folds back onto itself.
 fn folds_back(p: DVec2, q: DVec2, r: DVec2) -> bool {
     let (before, after) = (q - p, r - q);
     before.dot(after) < 0.0 && before.perp_dot(after).abs() <= RING_CLEARANCE * (before.length() * after.length())
@@ -152,21 +160,21 @@ mod tests {
     }
 
     #[test]
-    fn an_apex_beyond_an_edge_by_rounding_crosses_it() {
+    fn apex_beyond_an_edge_by_rounding_crosses_it() {
         let edge = [[8.676_470_058_428_729, 20.407_480_568_925_045], [76.093_982_495_697_9, 41.446_550_677_428_22]];
         let ring = [edge[0], edge[1], [90.0, 90.0], [10.0, 90.0]];
         let apex = [45.146_904_038_154_07, 31.788_855_966_021_476];
-        // The edge to the apex from the left meets the other first.
+        // The sweep finds the edge to the apex from the left first.
         let crossing = Some(Error::RingsCross { ring: 1, point: 2, other_ring: 0, other_point: 0 });
         assert_eq!(refused(&[&ring, &[apex, [60.0, 5.0], [40.0, 5.0]]]), crossing);
-        // Nor may it be that near to the edge: samples along it are rounded, too.
+        // An apex that close to the edge is refused as well: samples along the edge are rounded.
         let beside = |by: f64| refused(&[&ring, &[[apex[0], apex[1] - by], [60.0, 5.0], [40.0, 5.0]]]);
         assert_eq!(beside(1e-13), crossing);
         assert_eq!(beside(1e-8), None);
     }
 
     #[test]
-    fn points_on_one_spot_but_for_rounding_are_on_one_spot() {
+    fn points_that_differ_by_rounding_coincide() {
         for hair in [1e-10, 1e-50, 1e-200] {
             let duplicate = Some(Error::RingDuplicate { ring: 0, point: 3, other_ring: 0, other_point: 0 });
             assert_eq!(refused(&[&[[3.0, 0.0], [10.0, 5.0], [0.0, 5.0], [3.0, hair]]]), duplicate);
@@ -175,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn a_needle_without_width_folds_back() {
+    fn needle_without_width_folds_back() {
         let needle = |width: f64| refused(&[&[[10.0, 10.0], [90.0, 10.0], [50.0, 10.0 + width], [50.0, 50.0]]]);
         assert_eq!(needle(1e-10), Some(Error::RingsCross { ring: 0, point: 1, other_ring: 0, other_point: 0 }));
         assert_eq!(needle(1e-6), None);
