@@ -1,10 +1,13 @@
-//! What tests and measurements share: the scenes of `scenes/` and their pictures, which are drawn by formulas; outlines that are
-//! hard for distances, and the geodesic in them; second maxima of weights.
+//! Code that tests, benchmarks and quality measurements share.
+//!
+//! - The scenes of `scenes/` and their generated pictures.
+//! - Outlines that are difficult for distances, and exact geodesics in them.
+//! - Secondary maxima of weights.
 
-pub mod maxima;
 pub mod outlines;
 pub mod pictures;
 mod scene;
+pub mod secondary_maxima;
 pub mod visibility;
 
 pub use scene::Scene;

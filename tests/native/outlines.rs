@@ -1,31 +1,32 @@
-//! Domains that are hard for distances, drawn by formulas.
+//! Domains that are difficult for distances.
 
 use c2warp::{Picture, domain::Domain};
 use glam::DVec2;
 
 use crate::visibility::VisibilityGraph;
 
-/// Side of the square picture that they lie in, in pixels.
+/// Side of the square picture around each domain, in pixels.
 pub const SIZE: u32 = 1000;
 
-/// Corners of the rings of a domain, in pixels: outer ones with positive area, holes with negative.
+/// Corners of the rings of a domain, in pixels. Outer rings have a positive area, holes a negative one.
 pub type Rings = Vec<Vec<DVec2>>;
 
-/// A domain from its rings.
+/// Returns the domain of valid rings.
 ///
 /// # Panics
-/// Where the rings make no domain.
+/// If the rings are invalid.
 #[must_use]
 pub fn polygon(rings: &Rings) -> Domain {
     Domain::from_rings(rings).expect("the test's rings are valid")
 }
 
+/// Returns a regular polygon.
 fn circle(centre: DVec2, radius: f64, corners: usize) -> Vec<DVec2> {
     let at = |i: usize| DVec2::from_angle(std::f64::consts::TAU * i as f64 / corners as f64);
     (0..corners).map(|i| centre + radius * at(i)).collect()
 }
 
-/// A figure with a head, arms and legs.
+/// Returns a figure with a head, arms and legs.
 #[must_use]
 pub fn gingerbread() -> Rings {
     let half = [
@@ -63,7 +64,7 @@ pub fn gingerbread() -> Rings {
     vec![right.chain([DVec2::new(500.0, 715.0)]).chain(left).collect()]
 }
 
-/// A band wound two and a half times, with many corners.
+/// Returns a band with many corners that winds two and a half times.
 #[must_use]
 pub fn spiral() -> Rings {
     let arm = |i: usize, width: f64| {
@@ -75,7 +76,7 @@ pub fn spiral() -> Rings {
     vec![outer.chain(inner).collect()]
 }
 
-/// A square with a hole that has corners of every sort.
+/// Returns a square with a hole of convex and reflex corners.
 #[must_use]
 pub fn holed_square() -> Rings {
     let hole = [
@@ -94,7 +95,7 @@ pub fn holed_square() -> Rings {
     vec![square.map(DVec2::from).to_vec(), hole.map(DVec2::from).to_vec()]
 }
 
-/// A bar with teeth 6 px wide and gaps of 3 px.
+/// Returns a bar with teeth 6 px wide and gaps of 3 px.
 #[must_use]
 pub fn comb() -> Rings {
     let mut ring = vec![DVec2::new(50.0, 100.0), DVec2::new(950.0, 100.0), DVec2::new(950.0, 250.0)];
@@ -104,16 +105,16 @@ pub fn comb() -> Rings {
         x -= 9.0;
     }
     ring.push(DVec2::new(50.0, 250.0));
-    // The first tooth begins on the corner of the bar.
+    // The first tooth starts at the corner of the bar.
     ring.remove(2);
     ring.insert(2, DVec2::new(950.0, 240.0));
     vec![ring]
 }
 
-/// Bays, capes, holes and small scallops: the outline of a picture's alpha, with over 500 corners.
+/// Returns the domain of a picture with bays, capes, holes and small scallops. It has more than 500 corners.
 ///
 /// # Panics
-/// Never: the picture is drawn here.
+/// Never, because the picture is generated here.
 #[must_use]
 pub fn alpha() -> Domain {
     let n = SIZE as usize;
@@ -131,16 +132,16 @@ pub fn alpha() -> Domain {
     Domain::from_alpha(&picture, 0.5).expect("a picture with opaque parts")
 }
 
-/// A convex domain.
+/// Returns a convex domain.
 #[must_use]
 pub fn disc() -> Rings {
     vec![circle(DVec2::splat(500.0), 420.0, 48)]
 }
 
-/// `count` points of a low-discrepancy sequence, from its `start` on, that lie in one of these domains.
+/// Returns `count` points of a low-discrepancy sequence inside a domain, beginning at index `start`.
 #[must_use]
 pub fn scattered(domain: &VisibilityGraph, start: usize, count: usize) -> Vec<DVec2> {
-    // The plastic number's multiples spread evenly in the square (Roberts' R2 sequence).
+    // Roberts' R2 sequence: multiples of the powers of the plastic number.
     let at = |i: usize| {
         let i = i as f64;
         DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)

@@ -1,4 +1,4 @@
-//! A project of `scenes/` with its picture.
+//! The projects of `scenes/` with their pictures.
 
 use std::{fs, path::Path};
 
@@ -11,7 +11,7 @@ use image::RgbaImage;
 
 use crate::pictures;
 
-/// A project and the picture that it names.
+/// A project and its picture.
 #[derive(Debug, Clone)]
 pub struct Scene {
     /// The project.
@@ -21,16 +21,16 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene of `scenes/NAME.c2warp.json`.
+    /// Reads the scene `scenes/NAME.c2warp.json`.
     ///
     /// # Panics
-    /// Where there is none, or none that can be read.
+    /// If the scene does not exist or is invalid.
     #[must_use]
     pub fn named(name: &str) -> Self {
         Self::enlarged(name, 1)
     }
 
-    /// The same with everything so many times as large; its picture is drawn at that size.
+    /// Reads a scene and enlarges it `times` times. The picture is drawn at that size.
     ///
     /// # Panics
     /// As [`Scene::named`].
@@ -56,10 +56,10 @@ impl Scene {
         Self { project, picture }
     }
 
-    /// The picture as the solver takes it.
+    /// Returns the picture for the solver.
     ///
     /// # Panics
-    /// For a picture too small or too large to warp, which no scene has.
+    /// If the picture is too small or too large. No scene has such a picture.
     #[must_use]
     pub fn solver_picture(&self) -> Picture<'_> {
         let (width, height) = self.picture.dimensions();

@@ -1,27 +1,28 @@
-//! The geodesic distance in a polygon, by the visibility graph of its reflex corners: slow, simple, and sharing nothing with
-//! the solver.
+//! Geodesic distances in a polygon by the visibility graph of its reflex corners.
+//!
+//! The code is slow and simple, and shares nothing with the solver.
 
 use glam::DVec2;
 
-/// A polygon with holes, and which of its reflex corners see one another.
+/// A polygon with holes and the visibility graph of its reflex corners.
 pub struct VisibilityGraph {
     edges: Vec<(DVec2, DVec2)>,
     corners: Vec<DVec2>,
     links: Vec<Vec<(usize, f64)>>,
 }
 
-/// A point of the polygon, and the corners that it sees with their distances.
+/// A point of the polygon and its visible corners with their distances.
 pub struct Viewpoint {
-    /// Where it is, in pixels.
+    /// The position in pixels.
     pub at: DVec2,
     corners: Vec<(usize, f64)>,
 }
 
-/// Points this near to a line or edge, in pixels, lie on it.
-const ON: f64 = 1e-9;
+/// Tolerance for points on a line or edge, in pixels.
+const TOLERANCE: f64 = 1e-9;
 
 impl VisibilityGraph {
-    /// Rings: outer ones with positive area, holes with negative.
+    /// Builds the graph. Outer rings have a positive area, holes a negative one.
     #[must_use]
     pub fn new(rings: &[Vec<DVec2>]) -> Self {
         let (mut edges, mut corners) = (Vec::new(), Vec::new());
@@ -36,11 +37,11 @@ impl VisibilityGraph {
             }
         }
         let mut graph = Self { edges, corners, links: Vec::new() };
-        graph.links = graph.corners.iter().map(|&corner| graph.seen_corners(corner)).collect();
+        graph.links = graph.corners.iter().map(|&corner| graph.visible_corners(corner)).collect();
         graph
     }
 
-    /// Whether a point lies in the polygon.
+    /// Returns whether `p` is inside the polygon.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {
         let crossings = self
@@ -50,17 +51,17 @@ impl VisibilityGraph {
         crossings.count() % 2 == 1
     }
 
-    /// A point with the corners that it sees.
+    /// Returns `p` with its visible corners.
     #[must_use]
     pub fn viewpoint(&self, p: DVec2) -> Viewpoint {
-        Viewpoint { at: p, corners: self.seen_corners(p) }
+        Viewpoint { at: p, corners: self.visible_corners(p) }
     }
 
-    /// Distances from one point to others, in pixels; infinite where no path leads.
+    /// Returns the distances from one point to others, in pixels. A distance is infinite if no path exists.
     #[must_use]
     pub fn distances(&self, from: DVec2, to: &[Viewpoint]) -> Vec<f64> {
         let mut distance = vec![f64::INFINITY; self.corners.len()];
-        let mut open: Vec<(usize, f64)> = self.seen_corners(from);
+        let mut open: Vec<(usize, f64)> = self.visible_corners(from);
         while let Some(least) = (0..open.len()).min_by(|&i, &j| open[i].1.total_cmp(&open[j].1)) {
             let (corner, d) = open.swap_remove(least);
             if d < distance[corner] {
@@ -77,12 +78,12 @@ impl VisibilityGraph {
         to.iter().map(through).collect()
     }
 
-    fn seen_corners(&self, p: DVec2) -> Vec<(usize, f64)> {
+    fn visible_corners(&self, p: DVec2) -> Vec<(usize, f64)> {
         let seen = self.corners.iter().enumerate().filter(|&(_, &corner)| corner != p && self.sees(p, corner));
         seen.map(|(i, &corner)| (i, p.distance(corner))).collect()
     }
 
-    /// Whether the segment between two points stays in the closed polygon.
+    /// Returns whether the segment between two points stays in the closed polygon.
     fn sees(&self, p: DVec2, q: DVec2) -> bool {
         let along = q - p;
         let length = along.length();
@@ -91,28 +92,28 @@ impl VisibilityGraph {
             let (side_a, side_b) = (along.perp_dot(a - p) / length, along.perp_dot(b - p) / length);
             let edge = (b - a).normalize();
             let (side_p, side_q) = (edge.perp_dot(p - a), edge.perp_dot(q - a));
-            let apart = |s: f64, t: f64| (s > ON && t < -ON) || (s < -ON && t > ON);
+            let apart = |s: f64, t: f64| (s > TOLERANCE && t < -TOLERANCE) || (s < -TOLERANCE && t > TOLERANCE);
             if apart(side_a, side_b) && apart(side_p, side_q) {
                 return false;
             }
-            if side_a.abs() <= ON {
+            if side_a.abs() <= TOLERANCE {
                 stops.push((a - p).dot(along) / (length * length));
             }
         }
-        // Where the segment touches corners, each piece between them lies inside or along the rim.
+        // The segment may touch corners. Each part between them must be inside or on an edge.
         stops.retain(|t| (0.0..=1.0).contains(t));
         stops.sort_by(f64::total_cmp);
-        stops.windows(2).filter(|pair| (pair[1] - pair[0]) * length > 4.0 * ON).all(|pair| {
+        stops.windows(2).filter(|pair| (pair[1] - pair[0]) * length > 4.0 * TOLERANCE).all(|pair| {
             let middle = p + along * (pair[0] + pair[1]) / 2.0;
-            self.contains(middle) || self.on_rim(middle)
+            self.contains(middle) || self.is_on_edge(middle)
         })
     }
 
-    fn on_rim(&self, p: DVec2) -> bool {
+    fn is_on_edge(&self, p: DVec2) -> bool {
         self.edges.iter().any(|&(a, b)| {
             let along = b - a;
             let t = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            p.distance(a + along * t) <= 2.0 * ON
+            p.distance(a + along * t) <= 2.0 * TOLERANCE
         })
     }
 }

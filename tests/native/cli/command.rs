@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 
-/// Returns the binary beside this test, and builds it first.
+/// Returns the binary in the folder of this test, and builds it first.
 ///
 /// Cargo builds it by itself only for tests in the binary's own package.
 fn binary() -> &'static Path {

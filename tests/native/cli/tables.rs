@@ -173,7 +173,7 @@ fn points_on_bars_and_polygons_stay_on_them() {
 }
 
 #[test]
-fn fixed_boundary_has_real_sites_without_handles() {
+fn held_boundary_has_real_sites_without_handles() {
     let folder = SceneFolder::new("tower");
     let (_, cells) = table(&folder, "weights", &[[0.0, 50.0]]);
     assert!(!cells.is_empty() && cells.iter().all(|row| (&row[2], &row[3]) == ("real", "")));

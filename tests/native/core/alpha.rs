@@ -1,51 +1,31 @@
-//! Outlines from alpha: where they run, and that nothing thin is cut and nothing narrow bridged.
+//! Tests of outlines from alpha: their position, thin parts and narrow gaps.
 
 use c2warp::{Error, Picture, domain::Domain, project::DomainSpec};
 use glam::DVec2;
 
-use crate::noise::Random;
+use crate::alpha_shapes::{coverage, disc, stroke};
+use crate::random::Random;
 
-/// Larger than a sprite, whose specks are islands.
+/// Side of the pictures in pixels, larger than a sprite. In a sprite, specks are islands.
 const SIZE: u32 = 136;
 
-/// The domain of a picture by the alpha of each of its pixels.
+/// Returns the domain of a picture with this alpha at each pixel.
 fn domain_of(alpha: impl Fn(u32, u32) -> u8) -> Result<Domain, Error> {
     let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|i| [0, 0, 0, alpha(i % SIZE, i / SIZE)]).collect();
     Domain::from_alpha(&Picture::new(SIZE, SIZE, &rgba).expect("a valid picture"), 0.5)
 }
 
-/// How opaque a pixel is: the share of it that lies within a distance field's zero.
-pub(crate) fn covered(depth: impl Fn(DVec2) -> f64) -> impl Fn(u32, u32) -> u8 {
-    move |x, y| {
-        let centre = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
-        (255.0 * (depth(centre) + 0.5).clamp(0.0, 1.0)).round() as u8
-    }
-}
-
+/// Returns the domain of a shape, given by its signed distance.
 fn domain(depth: impl Fn(DVec2) -> f64) -> Result<Domain, Error> {
-    domain_of(covered(depth))
-}
-
-fn disc(centre: DVec2, radius: f64) -> impl Fn(DVec2) -> f64 {
-    move |p| radius - p.distance(centre)
-}
-
-/// A stroke with round ends.
-pub(crate) fn stroke(a: DVec2, b: DVec2, width: f64) -> impl Fn(DVec2) -> f64 {
-    move |p| {
-        let along = b - a;
-        let t = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        width / 2.0 - p.distance(a + along * t)
-    }
+    domain_of(coverage(depth))
 }
 
 #[test]
-fn the_outline_of_a_disc_is_within_a_fraction_of_a_pixel() {
+fn outline_of_a_disc_is_accurate_to_a_fraction_of_a_pixel() {
     let centre = DVec2::new(60.3, 59.8);
     let domain = domain(disc(centre, 40.0)).expect("a disc");
     assert_eq!((domain.islands(), domain.holes(), domain.specks()), (1, 0, 0));
-    // Alpha tells a pixel's distance up to half a pixel; beyond it is full or empty, and the crossing between such a pixel and
-    // its neighbour is off by up to a tenth.
+    // Alpha encodes distances up to half a pixel. Next to a full or empty pixel, the crossing is off by up to 0.1 px.
     for p in &domain.rings()[0] {
         assert!((p.distance(centre) - 40.0).abs() < 0.15);
     }
@@ -55,7 +35,7 @@ fn the_outline_of_a_disc_is_within_a_fraction_of_a_pixel() {
 }
 
 #[test]
-fn a_whisker_two_pixels_wide_holds_together_in_every_direction() {
+fn whisker_of_two_pixels_is_connected_in_every_direction() {
     for step in 0..24 {
         let along = DVec2::from_angle(std::f64::consts::TAU * f64::from(step) / 24.0);
         let (body, tip) = (DVec2::new(60.2, 60.7), DVec2::new(60.2, 60.7) + 55.0 * along);
@@ -68,7 +48,7 @@ fn a_whisker_two_pixels_wide_holds_together_in_every_direction() {
 }
 
 #[test]
-fn two_fingers_two_pixels_apart_stay_apart_in_every_direction() {
+fn fingers_two_pixels_apart_stay_separate_in_every_direction() {
     for step in 0..24 {
         let along = DVec2::from_angle(std::f64::consts::TAU * f64::from(step) / 24.0);
         let side = 4.0 * along.perp();
@@ -77,7 +57,7 @@ fn two_fingers_two_pixels_apart_stay_apart_in_every_direction() {
         let (left, right, hand) = (finger(side), finger(-side), disc(palm, 14.0));
         let domain = domain(|p| left(p).max(right(p)).max(hand(p))).expect("a hand");
         assert_eq!((domain.islands(), domain.holes()), (1, 0), "step {step}");
-        // A shortest path from one tip to the other goes around by the palm.
+        // The shortest path between the tips goes through the palm.
         let navigation = c2warp::distance::Navigation::new(&domain);
         let [a, b] = [side, -side].map(|side| palm + side + 58.0 * along);
         let distances = navigation.distances_from(a).expect("a tip");
@@ -86,7 +66,7 @@ fn two_fingers_two_pixels_apart_stay_apart_in_every_direction() {
 }
 
 #[test]
-fn holes_and_islands_are_kept_and_specks_counted() {
+fn holes_and_islands_are_kept_and_specks_are_counted() {
     let ring = |p: DVec2| 10.0 - (p.distance(DVec2::new(35.0, 35.0)) - 20.0).abs();
     let (island, dust, grain) =
         (disc(DVec2::new(90.0, 80.0), 18.0), disc(DVec2::new(90.0, 20.0), 0.9), disc(DVec2::new(20.0, 100.0), 0.8));
@@ -95,7 +75,7 @@ fn holes_and_islands_are_kept_and_specks_counted() {
 }
 
 #[test]
-fn in_a_sprite_one_pixel_is_an_island() {
+fn single_pixel_of_a_sprite_is_an_island() {
     let mut rgba = vec![0; 16 * 16 * 4];
     for at in [0, 1, 16, 17, 18, 120, 255] {
         rgba[4 * at + 3] = 255;
@@ -105,17 +85,17 @@ fn in_a_sprite_one_pixel_is_an_island() {
     assert_eq!((domain.islands(), domain.holes(), domain.specks()), (3, 0, 0));
 }
 
-/// Drawings with edges of every slope, soft and hard, and noise: in a mirror each corner is the mirrored one, to the last bit.
+/// Pictures with soft and hard edges of every slope, and with noise. The corners must agree to the last bit.
 #[test]
-fn the_outline_of_a_mirrored_picture_is_mirrored() {
+fn outline_of_a_mirrored_picture_is_mirrored() {
     let mut random = Random(11);
     for case in 0..60 {
         let grain = 1 + random.below(12) as u32;
         let noise: Vec<u8> = (0..SIZE * SIZE).map(|_| random.below(256) as u8).collect();
-        let place = |random: &mut Random| 120.0 * DVec2::new(random.unit(), random.unit());
+        let position = |random: &mut Random| 120.0 * DVec2::new(random.unit(), random.unit());
         let strokes: Vec<(DVec2, DVec2, f64)> =
-            (0..4).map(|_| (place(&mut random), place(&mut random), 1.0 + 20.0 * random.unit())).collect();
-        let drawn = covered(|p| strokes.iter().map(|&(a, b, w)| stroke(a, b, w)(p)).fold(f64::MIN, f64::max));
+            (0..4).map(|_| (position(&mut random), position(&mut random), 1.0 + 20.0 * random.unit())).collect();
+        let drawn = coverage(|p| strokes.iter().map(|&(a, b, w)| stroke(a, b, w)(p)).fold(f64::MIN, f64::max));
         let alpha = |x: u32, y: u32| match case % 3 {
             0 => noise[(y / grain * SIZE + x / grain) as usize],
             1 => drawn(x, y),
@@ -144,14 +124,14 @@ fn the_outline_of_a_mirrored_picture_is_mirrored() {
 }
 
 #[test]
-fn a_picture_with_nothing_opaque_is_refused_and_so_is_dust() {
+fn transparent_pictures_and_specks_alone_are_rejected() {
     assert_eq!(domain(|_| -1.0), Err(Error::NothingOpaque { threshold: 0.5 }));
     let dust = disc(DVec2::new(60.0, 60.0), 0.9);
     assert_eq!(domain(dust), Err(Error::OnlySpecks { threshold: 0.5, specks: 1 }));
 }
 
 #[test]
-fn opaque_up_to_the_rim_reaches_the_rim() {
+fn opaque_picture_has_a_domain_up_to_its_border() {
     let domain = domain(|p| 200.0 - p.x).expect("a picture");
     let (low, high) = domain.bounds();
     assert_eq!((low, high), (DVec2::ZERO, DVec2::splat(f64::from(SIZE))));
@@ -159,22 +139,22 @@ fn opaque_up_to_the_rim_reaches_the_rim() {
 }
 
 #[test]
-fn rings_that_are_none_are_refused_by_name() {
+fn invalid_rings_are_rejected_by_key() {
     let ring = |points: &[(f64, f64)]| -> Vec<DVec2> { points.iter().map(|&p| p.into()).collect() };
     let square = ring(&[(10.0, 10.0), (90.0, 10.0), (90.0, 90.0), (10.0, 90.0)]);
     let rgba = [255; 100 * 100 * 4];
     let picture = Picture::new(100, 100, &rgba).expect("a valid picture");
-    let refused = |rings: &[Vec<DVec2>]| {
+    let rejected = |rings: &[Vec<DVec2>]| {
         let spec = DomainSpec::Polygon { rings: rings.to_vec() };
         Domain::new(Some(&spec), &picture).expect_err("not a domain").to_string()
     };
-    let with = |other: &[(f64, f64)]| refused(&[square.clone(), ring(other)]);
+    let with = |other: &[(f64, f64)]| rejected(&[square.clone(), ring(other)]);
     assert_eq!(with(&[(20.0, 20.0), (30.0, 20.0)]), "domain.rings[1]: expected at least 3 points, found 2");
     assert_eq!(
         with(&[(20.0, 20.0), (f64::NAN, 20.0), (20.0, 30.0)]),
         "domain.rings[1][1][0]: expected a finite number, found NaN"
     );
-    assert_eq!(refused(&[]), "domain.rings: expected at least one ring");
+    assert_eq!(rejected(&[]), "domain.rings: expected at least one ring");
     assert!(
         with(&[(20.0, 20.0), (130.0, 20.0), (20.0, 30.0)]).starts_with("domain.rings[1][1] = (130, 20) lies outside")
     );
@@ -183,7 +163,7 @@ fn rings_that_are_none_are_refused_by_name() {
         "domain.rings[1][3] stands on the same spot as domain.rings[1][0]"
     );
     assert_eq!(
-        refused(&[ring(&[(10.0, 10.0), (90.0, 90.0), (90.0, 10.0), (10.0, 90.0)])]),
+        rejected(&[ring(&[(10.0, 10.0), (90.0, 90.0), (90.0, 10.0), (10.0, 90.0)])]),
         "domain.rings[0] at point 2 crosses domain.rings[0] at point 0"
     );
     assert_eq!(
@@ -191,33 +171,33 @@ fn rings_that_are_none_are_refused_by_name() {
         "domain.rings[1] at point 0 crosses domain.rings[0] at point 1"
     );
     assert_eq!(
-        refused(&[ring(&[(10.0, 10.0), (50.0, 50.0), (90.0, 90.0), (30.0, 30.0)])]),
+        rejected(&[ring(&[(10.0, 10.0), (50.0, 50.0), (90.0, 90.0), (30.0, 30.0)])]),
         "domain.rings[0] at point 3 crosses domain.rings[0] at point 0"
     );
 }
 
 #[test]
-fn rings_without_a_picture_lie_anywhere_that_can_be_computed_with() {
+fn rings_without_a_picture_have_a_coordinate_limit() {
     let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from).to_vec();
     let domain = Domain::from_rings(&[square(-1e6, 1e6), square(-1.0, 1.0)]).expect("a square with a hole");
     assert_eq!((domain.islands(), domain.holes(), domain.area()), (1, 1, 4e12 - 4.0));
-    let refused = |rings: &[Vec<DVec2>]| Domain::from_rings(rings).expect_err("not a domain");
-    assert_eq!(refused(&[square(0.0, 1.0), square(2.0, 1.1e6)]), Error::RingPoint { ring: 1, point: 1 });
-    for none in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert_eq!(refused(&[square(0.0, none)]).code(), "project");
+    let rejected = |rings: &[Vec<DVec2>]| Domain::from_rings(rings).expect_err("not a domain");
+    assert_eq!(rejected(&[square(0.0, 1.0), square(2.0, 1.1e6)]), Error::RingPoint { ring: 1, point: 1 });
+    for invalid in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(rejected(&[square(0.0, invalid)]).code(), "project");
     }
-    assert_eq!(refused(&[square(0.0, 1e-4)]), Error::RingFlat { ring: 0 });
-    assert_eq!(refused(&[Vec::new()]).to_string(), "domain.rings[0]: expected at least 3 points, found 0");
+    assert_eq!(rejected(&[square(0.0, 1e-4)]), Error::RingFlat { ring: 0 });
+    assert_eq!(rejected(&[Vec::new()]).to_string(), "domain.rings[0]: expected at least 3 points, found 0");
 }
 
 #[test]
-fn outlines_too_fine_are_refused_with_what_there_is_to_do() {
+fn outlines_with_too_many_corners_are_rejected() {
     let ring: Vec<DVec2> =
         (0..20_001).map(|i| DVec2::splat(50.0) + 40.0 * DVec2::from_angle(f64::from(i) * 3e-4)).collect();
     let error = Domain::from_rings(&[ring]).expect_err("too many points");
     assert_eq!(error, Error::RingsTooFine { corners: 20_001 });
     assert!(!error.to_string().contains("threshold"), "{error}");
-    // Squares of 3 px in a chequered pattern: too many before any is looked at closely.
+    // A pattern of 3 px squares. It has too many corners even before simplification.
     let side = 600;
     let rgba: Vec<u8> = (0..side * side)
         .flat_map(|i| [0, 0, 0, if (i % side) % 5 < 3 && (i / side) % 5 < 3 { 255 } else { 0 }])

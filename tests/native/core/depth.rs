@@ -1,4 +1,4 @@
-//! What lies over what where a picture covers itself.
+//! Tests of the drawing order where a picture overlaps itself.
 
 use c2warp::{
     Picture, ResampleOptions, Solution,
@@ -13,7 +13,7 @@ use crate::scenes::{SIZE, project, solved};
 const RED: [u8; 4] = [220, 30, 30, 255];
 const BLUE: [u8; 4] = [30, 30, 220, 255];
 
-/// A hip with two legs, whose feet change places.
+/// Returns a hip with two legs that cross.
 fn crossing(depths: [f64; 3]) -> Project {
     let ring = [(60, 40), (340, 40), (340, 360), (230, 360), (230, 140), (170, 140), (170, 360), (60, 360)];
     let ring = ring.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec();
@@ -35,33 +35,33 @@ fn posed(project: &Project) -> (Solution, Pose) {
     (solution, pose)
 }
 
-/// The warped picture of a figure that is red on the left and blue on the right.
-fn drawn(project: &Project) -> Vec<u8> {
+/// Warps a figure that is red on the left and blue on the right.
+fn warped(project: &Project) -> Vec<u8> {
     let (solution, pose) = posed(project);
     let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|at| if at % SIZE < SIZE / 2 { RED } else { BLUE }).collect();
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
     solution.warped(&picture, &pose, ResampleOptions::default()).expect("a fair size").rgba
 }
 
-/// How many pixels around the place where the legs cross are red, and how many blue.
+/// Returns the numbers of red and of blue pixels around the crossing of the legs.
 fn at_the_crossing(project: &Project) -> [usize; 2] {
-    let rgba = drawn(project);
+    let rgba = warped(project);
     let around = (240..260).flat_map(|y| (190..210).map(move |x| ((y * SIZE + x) * 4) as usize));
     let pixels: Vec<&[u8]> = around.map(|at| &rgba[at..at + 4]).collect();
     [RED, BLUE].map(|colour| pixels.iter().filter(|pixel| **pixel == colour).count())
 }
 
 #[test]
-fn the_nearer_leg_covers_the_other_whole() {
+fn nearer_leg_covers_the_other() {
     for depth in [1.0, 1e-3, 1e6] {
         assert_eq!(at_the_crossing(&crossing([0.0, depth, -depth])), [400, 0]);
         assert_eq!(at_the_crossing(&crossing([0.0, -depth, depth])), [0, 400]);
     }
 }
 
-/// The upper arm of a C, red, is laid over the lower one, blue: on it nothing of the other shows, along all of either bar.
+/// The upper arm of a C, red, is moved over the lower arm, blue. Along the bars only one colour may show.
 #[test]
-fn one_bar_covers_another_whole() {
+fn one_bar_covers_another_completely() {
     let c = [(60, 60), (340, 60), (340, 140), (90, 140), (90, 160), (340, 160), (340, 240), (60, 240)];
     let c = c.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec();
     for new_handle in [bar, polygon] {
@@ -82,7 +82,7 @@ fn one_bar_covers_another_whole() {
 }
 
 #[test]
-fn what_is_drawn_at_a_point_is_the_nearer_leg() {
+fn inverse_map_finds_the_nearer_leg() {
     let at = |depth: f64| {
         let (solution, pose) = posed(&crossing([0.0, depth, -depth]));
         solution.rest_point(&pose, DVec2::new(200.0, 250.0)).expect("both legs are there").x
@@ -90,16 +90,17 @@ fn what_is_drawn_at_a_point_is_the_nearer_leg() {
     assert!(at(1.0) < 200.0 && at(-1.0) > 200.0, "{} and {}", at(1.0), at(-1.0));
 }
 
-/// The mesh is flat between samples: of a map with second derivative k it is off by h² k / 8 where samples are h apart. Here they are
-/// some 2.5 px apart, and a move of 8 px that fades out over 200 has a k of some hundredths at most: a tenth of a pixel with room to spare.
+/// The mesh interpolates linearly between samples. At a spacing of h its error is k h² / 8 for a second derivative k.
+/// Here h is about 2.5 px. A move of 8 px that fades out over 200 px has k of a few hundredths at most. So the error is
+/// well below 0.1 px.
 #[test]
-fn the_way_back_leads_to_where_a_point_came_from() {
+fn inverse_map_returns_the_rest_position() {
     let corners = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)].map(DVec2::from).to_vec();
     let mut project = project(&[corners], &[(100.0, 200.0), (300.0, 200.0)].map(DVec2::from), Support::Smooth);
     project.samples = 20_000;
     project.handles[0] = point_handle(0, DVec2::new(100.0, 200.0), DVec2::new(103.0, 207.0), 0.0);
     let (solution, pose) = posed(&project);
-    // On the outline rounding decides whether a vertex is inside.
+    // Rounding decides whether a vertex on the outline is inside.
     let inner = |&(p, _): &(&DVec2, DVec2)| p.min_element() > 41.0 && p.max_element() < 359.0;
     let vertices = solution.vertices().iter().zip(solution.posed_vertices(&pose));
     for (&p, posed) in vertices.filter(inner).step_by(37) {
@@ -111,21 +112,21 @@ fn the_way_back_leads_to_where_a_point_came_from() {
         let back = solution.rest_point(&pose, mapped.posed).expect("inside what is drawn");
         assert!(back.distance(p) < 0.1, "{p} came back as {back}");
     }
-    // What lies around the ring stays, and around the picture there is nothing.
+    // The background around the ring stays. Outside the picture there is nothing.
     assert_eq!(solution.rest_point(&pose, DVec2::ZERO), Some(DVec2::ZERO));
     assert_eq!(solution.rest_point(&pose, DVec2::NEG_ONE), None);
 }
 
 #[test]
-fn one_depth_for_all_is_none() {
-    let flat = drawn(&crossing([0.0; 3]));
-    assert!(drawn(&crossing([7.3; 3])) == flat && drawn(&crossing([-1e9; 3])) == flat);
+fn equal_depths_keep_the_drawing_order() {
+    let flat = warped(&crossing([0.0; 3]));
+    assert!(warped(&crossing([7.3; 3])) == flat && warped(&crossing([-1e9; 3])) == flat);
     let (solution, pose) = posed(&crossing([7.3; 3]));
     assert_eq!(solution.drawn_triangles(&pose), solution.triangles());
 }
 
 #[test]
-fn a_depth_orders_the_same_triangles() {
+fn depths_reorder_the_triangles() {
     let (solution, pose) = posed(&crossing([0.0, 1.0, 2.0]));
     let (mut drawn, mut all) = (solution.drawn_triangles(&pose).into_owned(), solution.triangles().to_vec());
     assert!(drawn != all);

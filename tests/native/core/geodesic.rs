@@ -1,4 +1,4 @@
-//! Intrinsic distances against the geodesic of the polygon, computed by other means.
+//! Tests of intrinsic distances against exact geodesics from a visibility graph.
 
 use c2warp::{distance::Navigation, domain::Domain};
 use c2warp_tests::{
@@ -7,19 +7,19 @@ use c2warp_tests::{
 };
 use glam::DVec2;
 
-/// Greatest relative error from several sources to many points, and that of the points next to corners.
+/// Returns the largest relative error from several sources to many points, with points close to corners among them.
 fn worst_error(domain: &Domain) -> f64 {
     let graph = VisibilityGraph::new(domain.rings());
     let navigation = Navigation::new(domain);
     let mut targets = scattered(&graph, 1000, 400);
-    // Shadow lines meet at corners: errors would be largest next to them.
+    // Shadow lines meet at corners, so errors are largest there.
     for ring in domain.rings() {
         let near = ring.iter().flat_map(|&corner| (0..6).map(move |k| corner + 0.7 * DVec2::from_angle(f64::from(k))));
         targets.extend(near.filter(|&p| graph.contains(p)).step_by(7));
     }
     let targets: Vec<Viewpoint> = targets.into_iter().map(|p| graph.viewpoint(p)).collect();
     let mut sources = scattered(&graph, 0, 5);
-    // On the outline, and on a corner.
+    // One source on the outline, and one on a corner.
     sources.push((domain.rings()[0][0] + domain.rings()[0][1]) / 2.0);
     sources.push(domain.rings()[0][3]);
     let mut worst = 0.0_f64;
@@ -39,44 +39,45 @@ fn worst_error(domain: &Domain) -> f64 {
     worst
 }
 
-// Both sides sum square roots of the same lengths: what is left is rounding, some 1e-15 for each corner on the way. Points
-// within the slack of a shadow line (1e-9 px) may differ by as much.
+/// Both computations sum the same square roots, so they differ by rounding: about 1e-15 per corner of the path. Points
+/// within the tolerance of a shadow line (1e-9 px) may differ by that tolerance.
 const EXACT: f64 = 1e-9;
 
 #[test]
-fn exact_on_a_gingerbread_figure() {
+fn distances_are_exact_in_a_gingerbread_figure() {
     assert!(worst_error(&outlines::polygon(&outlines::gingerbread())) < EXACT);
 }
 
 #[test]
-fn exact_in_a_spiral() {
+fn distances_are_exact_in_a_spiral() {
     assert!(worst_error(&outlines::polygon(&outlines::spiral())) < EXACT);
 }
 
 #[test]
-fn exact_around_a_hole() {
+fn distances_are_exact_around_a_hole() {
     assert!(worst_error(&outlines::polygon(&outlines::holed_square())) < EXACT);
 }
 
 #[test]
-fn exact_in_a_comb() {
+fn distances_are_exact_in_a_comb() {
     assert!(worst_error(&outlines::polygon(&outlines::comb())) < EXACT);
 }
 
 #[test]
-fn exact_in_the_outline_of_a_picture() {
+fn distances_are_exact_in_the_outline_of_a_picture() {
     let domain = outlines::alpha();
     assert!(domain.rings().iter().map(Vec::len).sum::<usize>() > 500);
     assert_eq!(domain.holes(), 2);
     assert!(worst_error(&domain) < EXACT);
 }
 
-/// Points of a wall are on it within rounding only, by which the direction to its corner turns more, the nearer that is.
+/// A point on an edge is on it within rounding only. The closer the corner, the more rounding turns the direction to
+/// it.
 #[test]
-fn paths_from_a_wall_turn_around_its_corners_however_near_those_are() {
+fn paths_along_an_edge_turn_around_close_corners() {
     let domain = outlines::alpha();
     let navigation = Navigation::new(&domain);
-    let mut asked = 0;
+    let mut count = 0;
     for ring in domain.rings() {
         let n = ring.len();
         let ends = (0..n).flat_map(|i| [(i, (i + 1) % n), (i, (i + n - 1) % n)]).map(|(i, j)| (ring[i], ring[j]));
@@ -87,17 +88,17 @@ fn paths_from_a_wall_turn_around_its_corners_however_near_those_are() {
                 if let Some(located) = navigation.located(p) {
                     let longest = source.distance(corner) + corner.distance(p);
                     let found = distances.to_located(located).unwrap_or(f64::INFINITY);
-                    assert!(found <= longest + EXACT, "{source} → {p} by way of {corner}: {found} for {longest}");
-                    asked += 1;
+                    assert!(found <= longest + EXACT, "{source} → {p} via {corner}: {found} for {longest}");
+                    count += 1;
                 }
             }
         }
     }
-    assert!(asked > 10_000, "{asked}");
+    assert!(count > 10_000, "{count}");
 }
 
 #[test]
-fn straight_in_a_convex_domain() {
+fn distances_in_a_convex_domain_are_euclidean() {
     let domain = outlines::polygon(&outlines::disc());
     let graph = VisibilityGraph::new(domain.rings());
     let navigation = Navigation::new(&domain);

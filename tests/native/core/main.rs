@@ -1,19 +1,21 @@
-//! What the core promises, on domains that are hard for it.
+//! Tests of the core on difficult domains.
 
-mod again;
 mod alpha;
+mod alpha_shapes;
+mod api;
 mod bars;
 mod blend;
 mod cloud;
 mod depth;
 mod geodesic;
-mod given;
 mod handles;
-mod made;
+mod input_mesh;
 mod noise;
 mod properties;
 mod quality;
+mod random;
+mod reuse;
 mod rigid;
 mod scenes;
-mod surroundings;
+mod static_background;
 mod symmetry;

@@ -1,5 +1,4 @@
-//! Pictures that no one would draw: noise of every grain, up to the rim, at every threshold. Nothing may panic, and whatever is
-//! solved must have weights that sum to 1.
+//! Robustness tests on noise of every grain and threshold. Nothing may panic, and all weights must sum to 1.
 
 use c2warp::{
     Error, Picture, ResampleOptions,
@@ -9,40 +8,20 @@ use c2warp::{
 use glam::DVec2;
 
 use crate::handles::point_handle;
+use crate::random::Random;
 use crate::scenes::{project, solved};
 
-/// Numbers that look random (splitmix64).
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(crate) fn below(&mut self, limit: u64) -> u64 {
-        self.next() % limit
-    }
-
-    pub(crate) fn unit(&mut self) -> f64 {
-        self.below(1 << 32) as f64 / (1_u64 << 32) as f64
-    }
-}
-
 #[test]
-fn noise_of_every_grain_is_solved_or_refused() {
+fn noise_of_every_grain_is_solved_or_rejected() {
     let mut random = Random(7);
-    let (mut solved, mut refused) = (0, 0);
+    let (mut solved, mut rejected) = (0, 0);
     for case in 0..160 {
         let (width, height) = (2 + random.below(90) as u32, 2 + random.below(90) as u32);
-        // Blocks of a few pixels, of alpha all or nothing or anything in between, more or less of them opaque.
-        let (grain, hard, share) = (1 + random.below(9) as u32, random.below(2) == 0, random.unit());
+        // Blocks of a few pixels with hard or soft alpha. The fraction of opaque blocks varies.
+        let (grain, is_hard, fraction) = (1 + random.below(9) as u32, random.below(2) == 0, random.unit());
         let columns = width.div_ceil(grain);
         let blocks: Vec<u8> = (0..columns * height.div_ceil(grain))
-            .map(|_| match (hard, random.unit() < share) {
+            .map(|_| match (is_hard, random.unit() < fraction) {
                 (true, true) => 255,
                 (true, false) => 0,
                 (false, opaque) => (random.below(128) + if opaque { 128 } else { 0 }) as u8,
@@ -55,12 +34,12 @@ fn noise_of_every_grain_is_solved_or_refused() {
         project.samples = 100 + random.below(900) as u32;
         let threshold = [0.004, 0.1, 0.5, 0.502, 0.9, 1.0][random.below(6) as usize];
         project.domain = Some(DomainSpec::Alpha { threshold });
-        // Handles on opaque pixels, now and then two on neighbouring ones.
+        // Handles stand on opaque pixels. Sometimes two of them are neighbours.
         let opaque: Vec<u32> = (0..width * height).filter(|&i| f64::from(alpha(i)) >= threshold * 255.0).collect();
         for id in 0..random.below(6) as usize {
             let Some(&at) = opaque.get(random.below(opaque.len().max(1) as u64) as usize) else { break };
-            let place = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
-            project.handles.push(point_handle(id, place, place + DVec2::new(3.0, -2.0), 30.0));
+            let rest = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
+            project.handles.push(point_handle(id, rest, rest + DVec2::new(3.0, -2.0), 30.0));
         }
         match solve(&project, &picture) {
             Ok(solution) => {
@@ -73,70 +52,72 @@ fn noise_of_every_grain_is_solved_or_refused() {
                 let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
                 assert!(solution.posed_vertices(&pose).iter().all(|p| p.is_finite()), "case {case}");
             }
-            // A handle may stand on what the outline leaves out, or on another handle.
+            // A handle may be outside the outline or on another handle.
             Err(
                 Error::NothingOpaque { .. }
                 | Error::OnlySpecks { .. }
                 | Error::HandleOutside { .. }
                 | Error::HandlesTooClose { .. },
-            ) => refused += 1,
+            ) => rejected += 1,
             Err(other) => panic!("case {case}: {other}"),
         }
     }
-    eprintln!("{solved} solved, {refused} refused");
-    assert!(solved > 60 && refused > 5);
+    eprintln!("{solved} solved, {rejected} rejected");
+    assert!(solved > 60 && rejected > 5);
 }
 
-/// Hard pixels, some alone, some in lines or by their corners: with handles that rest, each is drawn as it is.
+/// Sprites with hard pixels: single ones, lines, and pixels that touch at corners.
 #[test]
-fn a_sprite_at_rest_keeps_every_pixel() {
+fn sprite_at_rest_keeps_every_pixel() {
     let mut random = Random(5);
     for case in 0..60 {
         let (width, height) = (4 + random.below(30) as u32, 4 + random.below(30) as u32);
         let grain = 1 + random.below(4) as u32;
-        let share = 0.1 + 0.8 * random.unit();
-        let opaque: Vec<bool> = (0..width * height).map(|_| random.unit() < share).collect();
+        let fraction = 0.1 + 0.8 * random.unit();
+        let opaque: Vec<bool> = (0..width * height).map(|_| random.unit() < fraction).collect();
         let is_opaque = |i: u32| opaque[(i / width / grain * width + i % width / grain) as usize];
         let rgba: Vec<u8> =
             (0..width * height).flat_map(|i| if is_opaque(i) { [200, i as u8, 50, 255] } else { [0; 4] }).collect();
         let picture = Picture::new(width, height, &rgba).expect("a valid size");
         let Some(at) = (0..width * height).find(|&i| is_opaque(i)) else { continue };
-        let place = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
-        let project = Project::for_picture(width, height).with_handles([point_handle(0, place, place, 0.0)]);
+        let rest = DVec2::new(f64::from(at % width), f64::from(at / width)) + 0.5;
+        let project = Project::for_picture(width, height).with_handles([point_handle(0, rest, rest, 0.0)]);
         let solution = solve(&project, &picture).expect("a sprite");
         let pose = solution.pose(&project).expect("at rest");
         let warped = solution.warped(&picture, &pose, ResampleOptions::default()).expect("a picture");
-        let apart = warped.rgba.iter().zip(&rgba).filter(|(now, before)| now != before).count();
-        assert_eq!(apart, 0, "case {case}: {width} × {height}, grain {grain}");
+        let changed = warped.rgba.iter().zip(&rgba).filter(|(now, before)| now != before).count();
+        assert_eq!(changed, 0, "case {case}: {width} × {height}, grain {grain}");
     }
 }
 
-/// Corners next to edges and to other corners, and needles: by rounding, and by more and more than that.
+/// Corners close to edges and other corners, and needles. The gaps range from rounding errors to a pixel.
 #[test]
-fn rings_a_hair_apart_are_solved_or_refused() {
+fn nearly_touching_rings_are_solved_or_rejected() {
     let mut random = Random(23);
-    let (mut solved_ones, mut refused) = (0, 0);
+    let (mut solved_ones, mut rejected) = (0, 0);
     for case in 0..300 {
-        let hair = 10.0_f64.powi(-(random.below(17) as i32)) * [1.0, -1.0, 0.0][case % 3];
-        let mut near = |low: f64, high: f64| low + (high - low) * random.unit();
+        let gap = 10.0_f64.powi(-(random.below(17) as i32)) * [1.0, -1.0, 0.0][case % 3];
+        let mut between = |low: f64, high: f64| low + (high - low) * random.unit();
         // The edge from a to b is the upper side of a ring.
-        let (a, b) =
-            (DVec2::new(near(20.0, 90.0), near(80.0, 160.0)), DVec2::new(near(300.0, 380.0), near(80.0, 160.0)));
+        let (a, b) = (
+            DVec2::new(between(20.0, 90.0), between(80.0, 160.0)),
+            DVec2::new(between(300.0, 380.0), between(80.0, 160.0)),
+        );
         let ring = vec![a, b, DVec2::new(380.0, 390.0), DVec2::new(20.0, 390.0)];
-        let apex = a.lerp(b, near(0.1, 0.9)) + DVec2::new(0.0, hair);
+        let apex = a.lerp(b, between(0.1, 0.9)) + DVec2::new(0.0, gap);
         let rings = match case / 3 % 3 {
             0 => vec![ring, vec![apex, DVec2::new(260.0, 20.0), DVec2::new(140.0, 20.0)]],
             1 => vec![vec![a, b, apex, ring[2], ring[3]]],
-            _ => vec![vec![a, apex, b, ring[2], ring[3], a + DVec2::new(hair, hair)]],
+            _ => vec![vec![a, apex, b, ring[2], ring[3], a + DVec2::new(gap, gap)]],
         };
         let project = project(&rings, &[DVec2::new(200.0, 300.0)], Support::Paper);
         match solved(&project) {
             Ok(_) => solved_ones += 1,
             Err(error) => {
                 assert_eq!(error.code(), "domain", "case {case}: {error}");
-                refused += 1;
+                rejected += 1;
             }
         }
     }
-    assert!(solved_ones > 50 && refused > 50, "{solved_ones} solved, {refused} refused");
+    assert!(solved_ones > 50 && rejected > 50, "{solved_ones} solved, {rejected} rejected");
 }

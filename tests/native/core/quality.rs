@@ -1,20 +1,20 @@
-//! How good the weights are: smooth, without stray extrema, and hardly dependent on the samples.
+//! Tests of the quality of weights: smoothness, secondary maxima and dependence on the samples.
 
 use std::collections::BTreeSet;
 
 use c2warp::{Solution, project::Support};
-use c2warp_tests::{maxima::Maxima, outlines};
+use c2warp_tests::{outlines, secondary_maxima::SecondaryMaxima};
 use glam::DVec2;
 
 use crate::handles::point_handle;
 use crate::scenes::{project, solved, spread};
 
-/// Where a handle rests, and by how much it goes, as plain numbers.
+/// The rest position of a handle and its displacement, as plain numbers.
 type Move = ((f64, f64), (f64, f64));
-/// Where each handle rests and goes.
+/// The rest position and the posed position of each handle.
 type Moves = Vec<(DVec2, DVec2)>;
 
-/// Scenes of 1,000 px with a pose: rings, and where each handle rests and goes.
+/// Scenes of 1,000 px: name, rings and handles.
 fn posed_scenes() -> Vec<(&'static str, outlines::Rings, Moves)> {
     let moves = |list: &[Move]| -> Moves {
         list.iter().map(|&(rest, shift)| (rest.into(), DVec2::from(rest) + DVec2::from(shift))).collect()
@@ -52,8 +52,8 @@ fn scene(
     samples: u32,
     support: Support,
 ) -> (c2warp::project::Project, Solution) {
-    let places: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
-    let mut project = project(rings, &places, support);
+    let positions: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
+    let mut project = project(rings, &positions, support);
     (project.image.width, project.image.height, project.samples) = (outlines::SIZE, outlines::SIZE, samples);
     project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| point_handle(id, rest, posed, 0.0)).collect();
     let solution = solved(&project).expect("a valid scene");
@@ -61,7 +61,7 @@ fn scene(
 }
 
 #[test]
-fn ten_times_the_samples_change_the_picture_by_little() {
+fn ten_times_the_samples_change_little() {
     for (name, rings, moves) in posed_scenes() {
         let [(coarse_sites, coarse), (fine_sites, fine)] = [8_000, 80_000].map(|samples| {
             let (project, solution) = scene(&rings, &moves, samples, Support::Smooth);
@@ -85,8 +85,8 @@ fn second_derivatives_are_continuous_in_a_convex_domain() {
     let moves = [(430.0, 500.0), (520.0, 480.0), (500.0, 800.0)].map(|p| (p.into(), p.into()));
     for support in [Support::Paper, Support::Smooth] {
         let (_, solution) = scene(&outlines::disc(), &moves, 8_000, support);
-        // Jumps of the second difference along a line, at a step and at a quarter of it: across a kink of the second
-        // derivative they stay, where it is continuous they fall in proportion to the step.
+        // Jumps of the second difference along a line, at one step size and at a quarter of it. If the second
+        // derivative is continuous, they shrink in proportion to the step. At a discontinuity they stay.
         let worst_jump = |step: f64| {
             let (from, along) = (DVec2::new(200.0, 430.0), DVec2::new(0.95, 0.312_25));
             let count = (500.0 / step) as usize;
@@ -110,27 +110,30 @@ fn second_derivatives_are_continuous_in_a_convex_domain() {
 }
 
 #[test]
-fn hardly_a_weight_has_a_second_maximum() {
+fn secondary_maxima_are_rare_and_low() {
     for (name, rings, moves) in posed_scenes() {
         for support in [Support::Paper, Support::Smooth] {
             let (_, solution) = scene(&rings, &moves, 8_000, support);
-            let Maxima { of_sites, of_handles, .. } = Maxima::of(&solution);
-            eprintln!("{name} {support:?}, second maxima: of sites {of_sites:.3?}, of handles {of_handles:.3?}");
+            let SecondaryMaxima { of_sites, of_handles, .. } = SecondaryMaxima::of(&solution);
+            eprintln!("{name} {support:?}, secondary maxima: of sites {of_sites:.3?}, of handles {of_handles:.3?}");
             assert!(
-                of_sites.len() <= STRAYS && of_sites.iter().all(|&life| life < HIGHEST_STRAY),
+                of_sites.len() <= MAX_COUNT && of_sites.iter().all(|&persistence| persistence < MAX_PERSISTENCE),
                 "{name} {support:?}"
             );
-            let highest = if support == Support::Smooth { 0.0 } else { HIGHEST_OF_HANDLE };
-            assert!(of_handles.iter().all(|&life| life < highest), "{name} {support:?}");
+            let highest = if support == Support::Smooth { 0.0 } else { MAX_PERSISTENCE_OF_HANDLES };
+            assert!(of_handles.iter().all(|&persistence| persistence < highest), "{name} {support:?}");
         }
     }
 }
 
-/// The paper saw no second maximum in its examples and could not prove that there is none. There are some: where a point is
-/// reached by two supports that both end close by, what is left of one may grow again next to what is left of the other. Found
-/// on these scenes: at most this many in one scene, of some 30 fields, and this high. `npm run quality` counts them on others.
-const STRAYS: usize = 2;
-const HIGHEST_STRAY: f64 = 0.2;
-/// In the field of a handle, the sum of those of all sites times its shares of them (eq. 4), neighbours make up for it: with
-/// smooth supports nothing is left, with the paper's 0.013, where two paths around the hole meet.
-const HIGHEST_OF_HANDLE: f64 = 0.02;
+/// Largest number of secondary maxima in one scene of about 30 weight fields, as found on these scenes.
+///
+/// The paper saw no secondary maximum in its examples and could not prove that none exists. They occur where two
+/// supports end close to a point: one weight may grow again where the other one ends. `npm run quality` counts them on
+/// other scenes.
+const MAX_COUNT: usize = 2;
+/// Largest persistence of a secondary maximum, as found on these scenes.
+const MAX_PERSISTENCE: f64 = 0.2;
+/// Largest persistence in the field of a handle (eq. 4). Smooth supports leave none. The paper's supports leave 0.013
+/// where two paths around the hole meet.
+const MAX_PERSISTENCE_OF_HANDLES: f64 = 0.02;

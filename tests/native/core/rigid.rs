@@ -1,4 +1,4 @@
-//! The rigid pose mode: it needs no rotations, keeps handles in place, and bends with little distortion.
+//! Tests of the rigid pose mode. It needs no rotations, interpolates handles, and bends with little distortion.
 
 use c2warp::{
     Error, Solution,
@@ -12,10 +12,10 @@ use crate::{
     scenes::{project, solved, spread},
 };
 
-/// A project whose handles rest and go, with rotations left to the solver.
+/// Returns a project with posed handles whose rotations are left to the solver.
 fn posed(rings: &[Vec<DVec2>], moves: &[(DVec2, DVec2)], mode: PoseMode) -> Project {
-    let places: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
-    let mut project = project(rings, &places, Support::Smooth);
+    let positions: Vec<DVec2> = moves.iter().map(|&(rest, _)| rest).collect();
+    let mut project = project(rings, &positions, Support::Smooth);
     (project.pose.mode, project.pose.density) = (mode, 60);
     project.handles = moves.iter().enumerate().map(|(id, &(rest, posed))| point_handle(id, rest, posed, 0.0)).collect();
     for handle in &mut project.handles {
@@ -24,24 +24,25 @@ fn posed(rings: &[Vec<DVec2>], moves: &[(DVec2, DVec2)], mode: PoseMode) -> Proj
     project
 }
 
+/// Solves a project and poses it.
 fn pose_of(project: &Project) -> (Solution, Pose) {
     let solution = solved(project).expect("a valid scene");
     let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     (solution, pose)
 }
 
-/// A strip of 320 by 80 px, bent upwards in the middle by three pins.
+/// Returns a strip of 320 by 80 px that three pins bend upwards in the middle.
 fn bent_strip(mode: PoseMode) -> Project {
     let ring = [(40.0, 160.0), (360.0, 160.0), (360.0, 240.0), (40.0, 240.0)].map(DVec2::from).to_vec();
     let moves = [((60.0, 200.0), (90.0, 250.0)), ((200.0, 200.0), (200.0, 150.0)), ((340.0, 200.0), (310.0, 250.0))];
     posed(&[ring], &moves.map(|(rest, to)| (rest.into(), to.into())), mode)
 }
 
-/// What the energy of a point counts for at most, as where a point is squeezed to a tenth, and that of one that is turned over.
-const MOST_ENERGY: f64 = 100.0;
+/// Cap of the energy, for points squeezed to a tenth or flipped.
+const MAX_ENERGY: f64 = 100.0;
 
-/// |J|² + |J⁻¹|² − 4 all over the domain, ascending: the symmetric Dirichlet energy, 0 for a rigid motion.
-fn distortion(solution: &Solution, pose: &Pose) -> Vec<f64> {
+/// Returns the symmetric Dirichlet energy |J|² + |J⁻¹|² − 4 over the domain, sorted. It is 0 for a rigid motion.
+fn energies(solution: &Solution, pose: &Pose) -> Vec<f64> {
     let step = 1e-3;
     let at = |p: DVec2| solution.map(pose, p).map(|mapped| mapped.posed);
     let mut energies: Vec<f64> = spread(4000)
@@ -51,7 +52,7 @@ fn distortion(solution: &Solution, pose: &Pose) -> Vec<f64> {
             let jacobian = DMat2::from_cols((right? - left?) / (2.0 * step), (down? - up?) / (2.0 * step));
             let square = |m: DMat2| m.x_axis.length_squared() + m.y_axis.length_squared();
             let energy = square(jacobian) + square(jacobian.inverse()) - 4.0;
-            Some(if jacobian.determinant() > 0.0 { energy.min(MOST_ENERGY) } else { MOST_ENERGY })
+            Some(if jacobian.determinant() > 0.0 { energy.min(MAX_ENERGY) } else { MAX_ENERGY })
         })
         .collect();
     assert!(energies.len() > 300);
@@ -64,76 +65,77 @@ fn mean(energies: &[f64]) -> f64 {
 }
 
 #[test]
-fn a_strip_bends_by_three_pins_with_a_fraction_of_the_harmonic_modes_distortion() {
+fn bent_strip_has_far_less_energy_than_in_the_harmonic_mode() {
     let [harmonic, rigid] = [PoseMode::Harmonic, PoseMode::Rigid].map(|mode| {
         let (solution, pose) = pose_of(&bent_strip(mode));
-        let energies = distortion(&solution, &pose);
+        let energies = energies(&solution, &pose);
         [mean(&energies), energies[energies.len() / 2], energies[energies.len() * 9 / 10], energies[energies.len() - 1]]
     });
-    eprintln!("symmetric Dirichlet energy, mean, median, 90 % and most: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
+    eprintln!("symmetric Dirichlet energy, mean, median, 90 % and largest: harmonic {harmonic:.3?}, rigid {rigid:.3?}");
     assert!(rigid[0] < 0.18 && rigid[1] < 0.09 && rigid[2] < 0.4, "{rigid:?}");
     assert!(rigid[0] < harmonic[0] / 7.0 && rigid[2] < harmonic[2] / 5.0, "{rigid:?} and {harmonic:?}");
-    assert!(rigid[3] < MOST_ENERGY, "folds, or nearly: {rigid:?}");
+    assert!(rigid[3] < MAX_ENERGY, "folded or nearly folded: {rigid:?}");
 }
 
-/// A cross of 320 px with its ends held and its middle, four handles, turned by 90°.
+/// Returns a cross of 320 px with fixed ends, whose middle is rotated by 90° with four handles.
 fn twisted_cross(mode: PoseMode) -> Project {
     let middle = DVec2::splat(200.0);
     let quarter = |k: usize| DVec2::from_angle(std::f64::consts::FRAC_PI_2 * k as f64);
     let arm = [(-40.0, -40.0), (-40.0, -160.0), (40.0, -160.0)].map(DVec2::from);
     let ring = (0..4).flat_map(|k| arm.map(|p| (middle + quarter(k).rotate(p)).round())).collect();
-    let place = |k: usize, far: f64| (middle + quarter(k).rotate(DVec2::new(0.0, -far))).round();
-    let ends = (0..4).map(|k| (place(k, 145.0), place(k, 145.0)));
-    let turned = (0..4).map(|k| (place(k, 30.0), place(k + 1, 30.0)));
+    let position = |k: usize, far: f64| (middle + quarter(k).rotate(DVec2::new(0.0, -far))).round();
+    let ends = (0..4).map(|k| (position(k, 145.0), position(k, 145.0)));
+    let turned = (0..4).map(|k| (position(k, 30.0), position(k + 1, 30.0)));
     posed(&[ring], &ends.chain(turned).collect::<Vec<_>>(), mode)
 }
 
 #[test]
-fn a_cross_is_twisted_by_90_degrees_without_folds() {
+fn cross_twisted_by_90_degrees_does_not_fold() {
     let [harmonic, rigid] = [PoseMode::Harmonic, PoseMode::Rigid].map(|mode| {
         let mut project = twisted_cross(mode);
         project.pose.density = 100;
         let (solution, pose) = pose_of(&project);
-        distortion(&solution, &pose)
+        energies(&solution, &pose)
     });
     eprintln!("mean symmetric Dirichlet energy: harmonic {:.3}, rigid {:.3}", mean(&harmonic), mean(&rigid));
-    assert!(rigid[rigid.len() - 1] < MOST_ENERGY, "{}", rigid[rigid.len() - 1]);
+    assert!(rigid[rigid.len() - 1] < MAX_ENERGY, "{}", rigid[rigid.len() - 1]);
     assert!(mean(&rigid) < 1.0 && mean(&rigid) < mean(&harmonic) / 5.0, "{} and {}", mean(&rigid), mean(&harmonic));
 }
 
+/// Returns the rest and posed positions of a point handle.
 fn point(shape: &Shape) -> (DVec2, DVec2) {
     let Shape::Point { rest, posed } = shape else { unreachable!("all are points") };
     (*rest, *posed)
 }
 
 #[test]
-fn a_drag_is_followed_without_jumps() {
+fn drag_is_continuous() {
     const STEP: f64 = 0.05;
     for density in [0, 100] {
         let mut project = bent_strip(PoseMode::Rigid);
         project.pose.density = density;
         let solution = solved(&project).expect("a valid scene");
-        let places = |project: &Project| -> Vec<DVec2> {
+        let site_positions = |project: &Project| -> Vec<DVec2> {
             let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
             solution.sites().iter().enumerate().map(|(at, site)| pose.moved(at, site.rest)).collect()
         };
-        let mut before = places(&project);
+        let mut before = site_positions(&project);
         let mut worst = 0.0_f64;
         for _ in 0..100 {
             let Shape::Point { posed, .. } = &mut project.handles[1].shape else { unreachable!("all are points") };
             *posed += STEP * DVec2::new(0.6, -0.8);
-            let after = places(&project);
+            let after = site_positions(&project);
             worst = after.iter().zip(&before).map(|(after, before)| after.distance(*before)).fold(worst, f64::max);
             before = after;
         }
-        eprintln!("what moves most moves {:.1} times as far as the handle", worst / STEP);
-        // A part that is bent by a lever moves farther than the handle; a jump would be of pixels, not of hundredths.
+        eprintln!("largest displacement: {:.1} times that of the handle", worst / STEP);
+        // A lever moves farther than the handle. A jump would be of pixels, not of hundredths.
         assert!(worst < 0.5, "{worst} px");
     }
 }
 
 #[test]
-fn a_cross_is_followed_without_jumps_to_its_last_degree() {
+fn twist_of_the_cross_is_continuous() {
     let mut project = twisted_cross(PoseMode::Rigid);
     project.pose.density = 100;
     let solution = solved(&project).expect("a valid scene");
@@ -150,13 +152,13 @@ fn a_cross_is_followed_without_jumps_to_its_last_degree() {
         worst = after.iter().zip(&before).map(|(after, before)| after.distance(*before)).fold(worst, f64::max);
         before = after;
     }
-    eprintln!("what moves most moves {:.1} times as far as the handles", worst / farthest);
-    // Twice as far is what it takes; a jump is of tens.
+    eprintln!("largest displacement: {:.1} times that of the handles", worst / farthest);
+    // The continuous twist needs a factor of 2. A jump would have a factor of tens.
     assert!(worst < 5.0 * farthest, "{worst} px");
 }
 
 #[test]
-fn handles_go_where_they_are_taken() {
+fn handles_reach_their_posed_positions() {
     let project = bent_strip(PoseMode::Rigid);
     let (solution, pose) = pose_of(&project);
     for (rest, to) in [((60.0, 200.0), (90.0, 250.0)), ((200.0, 200.0), (200.0, 150.0))] {
@@ -166,20 +168,20 @@ fn handles_go_where_they_are_taken() {
 }
 
 #[test]
-fn a_turned_scene_is_turned_whole() {
+fn rigid_motion_of_all_handles_moves_every_point() {
     let turn = |p: DVec2| DVec2::splat(200.0) + DVec2::from_angle(0.9).rotate(p - 200.0) + DVec2::new(5.0, -9.0);
     let ring = [(40.0, 160.0), (360.0, 160.0), (330.0, 300.0), (200.0, 220.0), (40.0, 240.0)].map(DVec2::from).to_vec();
-    let places = [(60.0, 200.0), (200.0, 200.0), (320.0, 270.0)].map(DVec2::from);
-    let (solution, pose) = pose_of(&posed(&[ring], &places.map(|p| (p, turn(p))), PoseMode::Rigid));
+    let positions = [(60.0, 200.0), (200.0, 200.0), (320.0, 270.0)].map(DVec2::from);
+    let (solution, pose) = pose_of(&posed(&[ring], &positions.map(|p| (p, turn(p))), PoseMode::Rigid));
     for p in spread(500) {
         if let Some(mapped) = solution.map(&pose, p) {
-            assert!(mapped.posed.distance(turn(p)) < 1e-3, "{p} goes to {}", mapped.posed);
+            assert!(mapped.posed.distance(turn(p)) < 1e-3, "{p} is mapped to {}", mapped.posed);
         }
     }
 }
 
 #[test]
-fn what_its_handles_turn_over_half_a_turn_goes_on_turning_in_both_modes() {
+fn rotation_past_180_degrees_is_continuous_in_both_modes() {
     const STEP: f64 = 0.1;
     for (mode, blend) in [PoseMode::Harmonic, PoseMode::Rigid].into_iter().zip([Blend::Linear, Blend::Rigid]) {
         let mut project = bent_strip(mode);
@@ -188,7 +190,7 @@ fn what_its_handles_turn_over_half_a_turn_goes_on_turning_in_both_modes() {
         let solution = solved(&project).expect("a valid scene");
         let bent = project.handles.clone();
         let mut before = Vec::new();
-        // Bent as the strip is, each handle passes half a turn at another step.
+        // The strip is bent, so each handle passes 180° at another step.
         for step in 0..=600 {
             let turn = DVec2::from_angle((150.0 + STEP * f64::from(step)).to_radians());
             for (handle, bent) in project.handles.iter_mut().zip(&bent) {
@@ -202,7 +204,7 @@ fn what_its_handles_turn_over_half_a_turn_goes_on_turning_in_both_modes() {
             let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
             let after = solution.posed_vertices(&pose);
             let farthest = after.iter().zip(&before).map(|(after, before): (&DVec2, &DVec2)| after.distance(*before));
-            // A tenth of a degree is a third of a pixel at the ends; the rigid mode's descent may end a little sooner or later.
+            // 0.1° is a third of a pixel at the ends. The descent of the rigid mode may stop slightly earlier or later.
             let farthest = farthest.fold(0.0, f64::max);
             assert!(farthest < 0.6, "{farthest} px at step {step} in the mode {mode:?}");
             before = after;
@@ -211,7 +213,7 @@ fn what_its_handles_turn_over_half_a_turn_goes_on_turning_in_both_modes() {
 }
 
 #[test]
-fn a_symmetric_pose_is_symmetric() {
+fn symmetric_pose_has_a_symmetric_result() {
     let (solution, pose) = pose_of(&bent_strip(PoseMode::Rigid));
     let mirror = |p: DVec2| DVec2::new(400.0 - p.x, p.y);
     for p in spread(2000) {
@@ -222,7 +224,7 @@ fn a_symmetric_pose_is_symmetric() {
 }
 
 #[test]
-fn a_set_rotation_is_kept() {
+fn rotation_of_a_handle_is_kept() {
     let mut project = bent_strip(PoseMode::Rigid);
     project.handles[1].rotation = Rotation::Degrees(25.0);
     let (solution, pose) = pose_of(&project);
@@ -232,12 +234,12 @@ fn a_set_rotation_is_kept() {
 }
 
 #[test]
-fn whatever_handles_ask_for_motions_are_finite_or_it_is_refused_by_name() {
+fn extreme_poses_are_finite_or_rejected_by_name() {
     let ring = [(40.0, 160.0), (360.0, 160.0), (360.0, 240.0), (40.0, 240.0)].map(DVec2::from).to_vec();
     let rest = DVec2::new(100.0, 200.0);
     let mut project = posed(&[ring], &[(rest, rest)], PoseMode::Rigid);
-    let places = [(250.0, 180.0), (250.0, 220.0)];
-    project.handles.push(bar("bar", &places, &places));
+    let positions = [(250.0, 180.0), (250.0, 220.0)];
+    project.handles.push(bar("bar", &positions, &positions));
     let solution = solved(&project).expect("a valid scene");
     for scale in [f64::NAN, -1.0, 0.0, 1e-300, 1e-9, 1e9, 1e12, 1e300] {
         for far in [0.0, 1e9, 1e11, 1e300] {
@@ -250,14 +252,14 @@ fn whatever_handles_ask_for_motions_are_finite_or_it_is_refused_by_name() {
                 }
                 match solution.poser().pose(&handles, project.pose.blend) {
                     Ok(pose) => {
-                        assert!(scale > 0.0 && scale < 1e300 && far < 1e300, "{scale} and {far} px are taken");
+                        assert!(scale > 0.0 && scale < 1e300 && far < 1e300, "scale {scale} and {far} px are accepted");
                         let posed = solution.posed_vertices(&pose);
-                        assert!(posed.iter().all(|p| p.is_finite()), "{which} by {scale} and {far} px");
+                        assert!(posed.iter().all(|p| p.is_finite()), "handle {which}, scale {scale}, {far} px");
                     }
                     Err(Error::PoseNotFinite { id }) => assert_eq!(id, handles[which].id),
                     Err(Error::Project(reason)) => {
                         assert_eq!(reason.path, format!("handles[{which}].scale"));
-                        assert!(scale.is_nan() || scale <= 0.0, "{scale} is refused");
+                        assert!(scale.is_nan() || scale <= 0.0, "scale {scale} is rejected");
                     }
                     Err(other) => panic!("{other}"),
                 }

@@ -1,4 +1,4 @@
-//! Random scenes for the properties: domains of every sort with handles in them.
+//! Random scenes for property tests: domains with handles, and projects for them.
 
 use c2warp::{
     Error, Picture, Solution,
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 use crate::handles::point_handle;
 
-/// So many cases of a property. The seed is fixed, so that a run says the same everywhere.
+/// Returns the configuration of a property test with `cases` cases. The seed is fixed, so every run is the same.
 pub(crate) fn cases(cases: u32) -> ProptestConfig {
     ProptestConfig {
         cases,
@@ -20,10 +20,10 @@ pub(crate) fn cases(cases: u32) -> ProptestConfig {
     }
 }
 
-/// Pictures are this many pixels wide and high.
+/// Width and height of the pictures in pixels.
 pub(crate) const SIZE: u32 = 400;
 
-/// A star-shaped ring about a centre, with a radius for each direction.
+/// Returns a star-shaped ring about `centre` with one radius per direction.
 fn star(centre: DVec2, radii: &[f64]) -> Vec<DVec2> {
     let turn = std::f64::consts::TAU / radii.len() as f64;
     radii.iter().enumerate().map(|(i, &radius)| centre + radius * DVec2::from_angle(turn * i as f64)).collect()
@@ -54,53 +54,54 @@ fn islands() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
         .prop_map(|(left, right)| vec![star(DVec2::new(100.0, 200.0), &left), star(DVec2::new(300.0, 200.0), &right)])
 }
 
-/// Rings of a domain: convex, concave, with holes, or of two islands.
+/// Rings of convex and concave domains, domains with holes, and domains of two islands.
 pub(crate) fn domains() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
     prop_oneof![convex(), concave(), with_holes(), islands()]
 }
 
-/// Places for handles anywhere, the last two perhaps close to one another.
-pub(crate) fn places() -> impl Strategy<Value = Vec<DVec2>> {
+/// Positions of handles. The last one may be close to the first one.
+pub(crate) fn positions() -> impl Strategy<Value = Vec<DVec2>> {
     let anywhere = || (10.0..390.0_f64, 10.0..390.0_f64).prop_map(DVec2::from);
     (proptest::collection::vec(anywhere(), 1..7), proptest::option::of((-2.0..1.5_f64, 0.0..6.0_f64))).prop_map(
-        |(mut places, close)| {
+        |(mut positions, close)| {
             if let Some((exponent, angle)) = close {
-                // From 0.01 to 30 px apart.
+                // A gap of 0.01 to 30 px.
                 let gap = 10.0_f64.powf(exponent) + 0.001;
-                places.push(places[0] + gap * DVec2::from_angle(angle));
+                positions.push(positions[0] + gap * DVec2::from_angle(angle));
             }
-            places
+            positions
         },
     )
 }
 
-/// A project with point handles at rest; without rings, of what stands for the domain.
-pub(crate) fn project(rings: &[Vec<DVec2>], places: &[DVec2], support: Support) -> Project {
+/// Returns a project with point handles at rest. Without rings it has no domain of its own.
+pub(crate) fn project(rings: &[Vec<DVec2>], positions: &[DVec2], support: Support) -> Project {
     let mut project = Project::new(ImageRef::new("white.png", SIZE, SIZE));
     project.domain = (!rings.is_empty()).then(|| DomainSpec::Polygon { rings: rings.to_vec() });
     project.samples = 1500;
     project.weighting.support = support;
-    project.handles = places.iter().enumerate().map(|(id, &p)| point_handle(id, p, p, 0.0)).collect();
+    project.handles = positions.iter().enumerate().map(|(id, &p)| point_handle(id, p, p, 0.0)).collect();
     project
 }
 
-/// Solves a project on a white picture.
+/// Solves a project with a white picture.
 pub(crate) fn solved(project: &Project) -> Result<Solution, Error> {
     let (width, height) = (project.image.width, project.image.height);
     let rgba = vec![255; width as usize * height as usize * 4];
     solve(project, &Picture::new(width, height, &rgba).expect("a picture of fair size"))
 }
 
-/// A scene that can be solved: handles that fell outside the domain are left out, and there is at least one.
+/// Scenes that can be solved: rings, positions of handles and support. All handles are inside, and there is at least
+/// one.
 pub(crate) fn scenes() -> impl Strategy<Value = (Vec<Vec<DVec2>>, Vec<DVec2>, Support)> {
     let support = prop_oneof![Just(Support::Paper), Just(Support::Smooth)];
-    (domains(), places(), support).prop_filter_map("no handle in the domain", |(rings, places, support)| {
-        let places: Vec<DVec2> = places.into_iter().filter(|&p| is_inside(&rings, p)).collect();
-        (!places.is_empty()).then_some((rings, places, support))
+    (domains(), positions(), support).prop_filter_map("no handle in the domain", |(rings, positions, support)| {
+        let positions: Vec<DVec2> = positions.into_iter().filter(|&p| is_inside(&rings, p)).collect();
+        (!positions.is_empty()).then_some((rings, positions, support))
     })
 }
 
-/// Whether a point lies in the domain of such rings.
+/// Returns whether `p` is inside the rings, by the even-odd rule.
 pub(crate) fn is_inside(rings: &[Vec<DVec2>], p: DVec2) -> bool {
     rings.iter().filter(|ring| contains(ring, p)).count() % 2 == 1
 }
@@ -112,9 +113,9 @@ fn contains(ring: &[DVec2], p: DVec2) -> bool {
     crossings.count() % 2 == 1
 }
 
-/// Points spread over the picture.
+/// Returns points that are spread evenly over the picture.
 pub(crate) fn spread(count: usize) -> impl Iterator<Item = DVec2> {
-    // Roberts' R2 sequence: multiples of the plastic number's powers.
+    // Roberts' R2 sequence: multiples of the powers of the plastic number.
     let at = |i: usize| {
         let i = i as f64;
         DVec2::new((0.754_877_666_246_692_7 * i).fract(), (0.569_840_290_998_053_2 * i).fract()) * f64::from(SIZE)

@@ -1,5 +1,6 @@
-//! A symmetric scene has a symmetric result, and a scene that is turned over one that is turned over: random scenes with all that
-//! chance might decide on an axis.
+//! Tests that symmetric scenes have symmetric results, and that a flipped scene has the flipped result.
+//!
+//! The random scenes contain everything on the axis that chance might decide.
 
 use c2warp::{
     Error, Picture, Solution,
@@ -11,48 +12,48 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use crate::{
-    alpha::{covered, stroke},
+    alpha_shapes::{coverage, stroke},
     handles::{bar, polygon},
-    noise::Random,
+    random::Random,
     scenes::{SIZE, cases, is_inside, project, solved, spread},
 };
 
-/// In pixels: above rounding and what poses make of it.
+/// Tolerance in pixels, for rounding and its amplification by poses.
 const SYMMETRIC: f64 = 1e-6;
 
-/// Left and right change places.
+/// Mirrors a point left to right.
 fn mirrored(p: DVec2) -> DVec2 {
     DVec2::new(400.0 - p.x, p.y)
 }
 
-/// Top and bottom change places.
-fn turned_over(p: DVec2) -> DVec2 {
+/// Flips a point upside down.
+fn flipped(p: DVec2) -> DVec2 {
     DVec2::new(p.x, 400.0 - p.y)
 }
 
-/// A handle that turns by itself.
+/// Returns a handle whose rotation is left to the solver.
 fn handle(id: usize, shape: Shape) -> Handle {
     Handle::new(format!("h{id}"), shape).turned(Rotation::Auto)
 }
 
-/// What `change` makes of a shape.
-fn changed(shape: &Shape, change: impl Fn(DVec2) -> DVec2) -> Shape {
-    let all = |points: &[DVec2]| points.iter().map(|&p| change(p)).collect();
+/// Returns the shape with every point transformed.
+fn transformed(shape: &Shape, transform: impl Fn(DVec2) -> DVec2) -> Shape {
+    let all = |points: &[DVec2]| points.iter().map(|&p| transform(p)).collect();
     match shape {
-        Shape::Point { rest, posed } => Shape::Point { rest: change(*rest), posed: change(*posed) },
+        Shape::Point { rest, posed } => Shape::Point { rest: transform(*rest), posed: transform(*posed) },
         Shape::Bar { rest, posed } => Shape::Bar { rest: all(rest), posed: all(posed) },
         Shape::Polygon { rest, posed } => Shape::Polygon { rest: all(rest), posed: all(posed) },
     }
 }
 
-/// Rings that are symmetric: an outline of any width at each of some heights, and holes in pairs or on the axis.
+/// Symmetric rings: an outline with a random width at several heights, and holes in pairs or on the axis.
 fn symmetric_rings() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
     let outline = proptest::collection::vec((0.1..0.9_f64, 15.0..185.0_f64), 3..12);
     let holes = proptest::collection::vec((any::<bool>(), 0.0..150.0_f64, 40.0..360.0_f64, 4.0..25.0_f64), 0..3);
     (outline, holes).prop_map(|(outline, holes)| {
         let levels = outline.len() as f64;
-        let corner = |(at, &(share, width)): (usize, &(f64, f64))| {
-            DVec2::new(200.0 + width, 20.0 + 360.0 * (at as f64 + share) / levels)
+        let corner = |(at, &(fraction, width)): (usize, &(f64, f64))| {
+            DVec2::new(200.0 + width, 20.0 + 360.0 * (at as f64 + fraction) / levels)
         };
         let right: Vec<DVec2> = outline.iter().enumerate().map(corner).collect();
         let left = right.iter().rev().map(|&p| mirrored(p));
@@ -73,7 +74,7 @@ fn symmetric_rings() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
     })
 }
 
-/// Handles in pairs and on the axis, not all of them in the domain.
+/// Handles in pairs and on the axis. Some may be outside the domain.
 fn symmetric_handles() -> impl Strategy<Value = Vec<Handle>> {
     let by = || (-20.0..20.0_f64, -20.0..20.0_f64).prop_map(DVec2::from);
     let pairs = proptest::collection::vec(((3.0..180.0_f64, 20.0..380.0_f64), by()), 0..4);
@@ -89,7 +90,7 @@ fn symmetric_handles() -> impl Strategy<Value = Vec<Handle>> {
             let rest = vec![DVec2::new(200.0 + x, y), DVec2::new(200.0 + x, y) + DVec2::from(along)];
             shapes.push(Shape::Bar { posed: vec![rest[0], rest[1] + by], rest });
         }
-        let others: Vec<Shape> = shapes.iter().map(|shape| changed(shape, mirrored)).collect();
+        let others: Vec<Shape> = shapes.iter().map(|shape| transformed(shape, mirrored)).collect();
         shapes.extend(others);
         shapes.extend(middle.into_iter().map(|(y, by)| {
             let rest = DVec2::new(200.0, y);
@@ -99,26 +100,28 @@ fn symmetric_handles() -> impl Strategy<Value = Vec<Handle>> {
     })
 }
 
-/// Symmetric scenes of every sort; some of them are refused.
+/// Symmetric scenes of every kind. Some of them are invalid.
 fn symmetric_scenes() -> impl Strategy<Value = Project> {
     let support = prop_oneof![Just(Support::Paper), Just(Support::Smooth)];
     let mode = prop_oneof![Just(PoseMode::Harmonic), Just(PoseMode::Rigid)];
     let numbers = (prop_oneof![Just(500_u32), Just(2000)], prop_oneof![Just(0_u32), Just(10), Just(40), Just(100)]);
     let scene = (symmetric_rings(), symmetric_handles());
     (scene, support, mode, numbers, prop::bool::weighted(0.15)).prop_map(
-        |((rings, handles), support, mode, (samples, density), held)| {
+        |((rings, handles), support, mode, (samples, density), fix_boundary)| {
             let mut project = project(&rings, &[], support);
             let is_kept =
                 |handle: &Handle| !matches!(handle.shape, Shape::Point { rest, .. } if !is_inside(&rings, rest));
             project.handles = handles.into_iter().filter(is_kept).collect();
             (project.pose.mode, project.pose.density) = (mode, density);
-            (project.samples, project.fix_boundary) = (samples, held);
+            (project.samples, project.fix_boundary) = (samples, fix_boundary);
             project
         },
     )
 }
 
-/// A scene that is not refused, posed; but none in which something turns by 180°: on an axis that goes round on one side or the other.
+/// Solves and poses a scene. Returns `None` if it is invalid, or if anything rotates by about 180°.
+///
+/// On the axis of symmetry, such a rotation has no preferred direction.
 fn posed(project: &Project) -> Option<(Solution, Pose)> {
     posed_as(project, solved(project))
 }
@@ -129,30 +132,30 @@ fn posed_as(project: &Project, solved: Result<Solution, Error>) -> Option<(Solut
     pose.motions().iter().all(|motion| motion.angle.abs() < 3.0).then_some((solution, pose))
 }
 
-/// One scene has sites where another has them, and points go where they go there.
+/// Checks that two scenes have the same sites and posed points, up to a transform.
 fn check_same(
     (here, pose): (&Solution, &Pose),
     (there, other): (&Solution, &Pose),
-    change: impl Fn(DVec2) -> DVec2,
+    transform: impl Fn(DVec2) -> DVec2,
 ) -> Result<(), TestCaseError> {
     prop_assert_eq!(here.sites().len(), there.sites().len());
     for site in here.sites() {
-        let off =
-            there.sites().iter().map(|other| change(site.rest).distance(other.rest)).fold(f64::INFINITY, f64::min);
-        prop_assert!(off <= SYMMETRIC, "the site at {} is {off} px off", site.rest);
+        let error =
+            there.sites().iter().map(|other| transform(site.rest).distance(other.rest)).fold(f64::INFINITY, f64::min);
+        prop_assert!(error <= SYMMETRIC, "the site at {} is {error} px off", site.rest);
     }
     for p in spread(1000) {
-        if let (Some(one), Some(two)) = (here.map(pose, p), there.map(other, change(p))) {
-            let off = change(one.posed).distance(two.posed);
-            prop_assert!(off <= SYMMETRIC, "{p} goes to {}, which is {off} px off", one.posed);
+        if let (Some(one), Some(two)) = (here.map(pose, p), there.map(other, transform(p))) {
+            let error = transform(one.posed).distance(two.posed);
+            prop_assert!(error <= SYMMETRIC, "{p} is mapped to {}, {error} px off", one.posed);
         }
     }
     Ok(())
 }
 
-/// What meets on bones is tied there: which bone a joint or a sample on one belongs to must not be chance.
+/// A joint, or a sample on a bone, may belong to several bones. The choice must not depend on chance.
 #[test]
-fn what_crosses_touches_or_leaves_the_picture_goes_the_same_way_in_a_mirror() {
+fn crossing_touching_and_clipped_bars_are_mirrored() {
     let crossing = bar("crossing", &[(80.0, 80.0), (320.0, 300.0)], &[(100.0, 60.0), (340.0, 320.0)]);
     let crossed = bar("crossed", &[(300.0, 100.0), (120.0, 340.0)], &[(280.0, 120.0), (80.0, 300.0)]);
     let long = bar("long", &[(40.0, 200.0), (360.0, 220.0)], &[(40.0, 180.0), (360.0, 240.0)]);
@@ -177,22 +180,22 @@ fn what_crosses_touches_or_leaves_the_picture_goes_the_same_way_in_a_mirror() {
             (project.domain, project.samples, project.handles) = (None, 300, handles.clone());
             (project.pose.mode, project.pose.density) = (PoseMode::Rigid, density);
             let (solution, pose) = posed(&project).expect("a valid scene");
-            for change in [mirrored, turned_over] {
+            for transform in [mirrored, flipped] {
                 let mut other = project.clone();
                 for handle in &mut other.handles {
-                    handle.shape = changed(&handle.shape, change);
+                    handle.shape = transformed(&handle.shape, transform);
                 }
-                let (there, other) = posed(&other).expect("as valid as the other");
-                check_same((&solution, &pose), (&there, &other), change).expect("the same");
+                let (there, other) = posed(&other).expect("the transformed scene is valid as well");
+                check_same((&solution, &pose), (&there, &other), transform).expect("the same");
             }
         }
     }
 }
 
-/// Limbs in pairs, one on the axis, each with a handle at its end, drawn with soft edges and with hard ones: the outline is found in
-/// the picture.
+/// Pictures of limbs in pairs and one on the axis, with handles at their ends. The outline comes from alpha, with soft
+/// or hard edges.
 #[test]
-fn symmetric_pictures_bend_symmetrically() {
+fn symmetric_pictures_have_symmetric_results() {
     let size = f64::from(SIZE);
     let mut random = Random(5);
     let mut compared = 0;
@@ -203,13 +206,13 @@ fn symmetric_pictures_bend_symmetrically() {
         let limbs: Vec<(DVec2, f64)> = ends.iter().map(|&end| (end, within(14.0, 60.0))).collect();
         let moves: Vec<DVec2> = ends.iter().map(|_| DVec2::new(within(-25.0, 25.0), within(-25.0, 25.0))).collect();
         let limb = |p: DVec2| limbs.iter().map(|&(end, w)| stroke(middle, end, w)(p)).fold(f64::MIN, f64::max);
-        let drawn = covered(|p| limb(p).max(limb(mirrored(p))).max(stroke(middle, DVec2::new(200.0, 20.0), 33.0)(p)));
+        let drawn = coverage(|p| limb(p).max(limb(mirrored(p))).max(stroke(middle, DVec2::new(200.0, 20.0), 33.0)(p)));
         let alpha = |x, y| if case % 2 == 0 { drawn(x, y) } else { 255 * u8::from(drawn(x, y) > 127) };
         let rgba: Vec<u8> = (0..SIZE * SIZE).flat_map(|i| [0, 0, 0, alpha(i % SIZE, i / SIZE)]).collect();
         let picture = Picture::new(SIZE, SIZE, &rgba).expect("a valid size");
         let mut shapes: Vec<Shape> =
             ends.iter().zip(&moves).map(|(&rest, &by)| Shape::Point { rest, posed: rest + by }).collect();
-        shapes.extend(shapes.clone().iter().map(|shape| changed(shape, mirrored)));
+        shapes.extend(shapes.clone().iter().map(|shape| transformed(shape, mirrored)));
         shapes.push(Shape::Point { rest: DVec2::new(200.0, 24.0), posed: DVec2::new(200.0, 10.0) });
         let mut project = project(&[], &[], if case % 3 == 0 { Support::Paper } else { Support::Smooth });
         project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
@@ -236,23 +239,23 @@ proptest! {
     }
 
     #[test]
-    fn scenes_that_are_turned_over_have_results_that_are(project in symmetric_scenes(), kept in 0..8_usize) {
-        // As a rule without the symmetry that it had.
+    fn flipped_scenes_have_flipped_results(project in symmetric_scenes(), removed in 0..8_usize) {
+        // Removing a handle usually breaks the left-right symmetry.
         let mut project = project;
-        if kept < project.handles.len() {
-            project.handles.swap_remove(kept);
+        if removed < project.handles.len() {
+            project.handles.swap_remove(removed);
         }
         let found = posed(&project);
         prop_assume!(found.is_some());
         let (solution, pose) = found.expect("as assumed");
         let mut other = project.clone();
         other.domain = Some(DomainSpec::Polygon {
-            rings: solution.domain().rings().iter().map(|ring| ring.iter().rev().map(|&p| turned_over(p)).collect()).collect(),
+            rings: solution.domain().rings().iter().map(|ring| ring.iter().rev().map(|&p| flipped(p)).collect()).collect(),
         });
         for handle in &mut other.handles {
-            handle.shape = changed(&handle.shape, turned_over);
+            handle.shape = transformed(&handle.shape, flipped);
         }
-        let (there, other) = posed(&other).expect("as valid as the other");
-        check_same((&solution, &pose), (&there, &other), turned_over)?;
+        let (there, other) = posed(&other).expect("the transformed scene is valid as well");
+        check_same((&solution, &pose), (&there, &other), flipped)?;
     }
 }

@@ -1,4 +1,4 @@
-//! What the paper says of its figures 8 (d) and 10.
+//! Tests of the paper's statements about figures 8 (d) and 10.
 
 use c2warp::{
     Solution,
@@ -10,7 +10,7 @@ use c2warp_tests::Scene;
 use glam::DVec2;
 
 fn posed(scene: &Scene) -> (Solution, Pose) {
-    let solution = solve(&scene.project, &scene.solver_picture()).expect("a scene that can be solved");
+    let solution = solve(&scene.project, &scene.solver_picture()).expect("a valid scene");
     let pose = solution
         .poser()
         .pose(&scene.project.handles, scene.project.pose.blend)
@@ -18,7 +18,7 @@ fn posed(scene: &Scene) -> (Solution, Pose) {
     (solution, pose)
 }
 
-/// The moth in a mode, with the rotations of the file or left to the solver.
+/// Returns the moth in a pose mode. With `auto`, the rotations are left to the solver.
 fn moth(mode: PoseMode, auto: bool) -> Scene {
     let mut scene = Scene::named("moth");
     if mode == PoseMode::Rigid {
@@ -31,9 +31,9 @@ fn moth(mode: PoseMode, auto: bool) -> Scene {
     scene
 }
 
-/// The outline is given as a ring: one that is found in a picture is simplified corner by corner, and not the same on both sides.
+/// The scene has a ring as its outline. An outline from alpha is simplified, and differs slightly between the sides.
 #[test]
-fn a_symmetric_pose_of_a_symmetric_domain_is_symmetric() {
+fn symmetric_pose_of_a_symmetric_domain_is_symmetric() {
     let mirror = |p: DVec2| DVec2::new(220.0 - p.x, p.y);
     for (mode, auto) in [PoseMode::Harmonic, PoseMode::Rigid].into_iter().flat_map(|mode| [(mode, false), (mode, true)])
     {
@@ -49,13 +49,13 @@ fn a_symmetric_pose_of_a_symmetric_domain_is_symmetric() {
                 count += 1;
             }
         }
-        eprintln!("{mode:?}, rotations found: {auto}: {worst:.1e} px over {count} points");
-        assert!(count > 3000 && worst <= 1e-6, "{mode:?}, rotations found: {auto}: {worst} px");
+        eprintln!("{mode:?}, automatic rotations: {auto}: {worst:.1e} px over {count} points");
+        assert!(count > 3000 && worst <= 1e-6, "{mode:?}, automatic rotations: {auto}: {worst} px");
     }
 }
 
 #[test]
-fn handles_dragged_past_one_another_fold_the_picture_and_it_is_told() {
+fn handles_dragged_past_each_other_fold_the_picture() {
     for mode in [PoseMode::Harmonic, PoseMode::Rigid] {
         let mut scene = Scene::named("fold");
         scene.project.pose.mode = mode;

@@ -1,5 +1,5 @@
-//! The paper's figures as scenes: their warped pictures as they once were looked at and found good, and what the paper says
-//! of them.
+//! Golden tests of scenes after the paper's figures. The goldens were inspected by eye. Further tests check statements
+//! of the paper about its figures.
 
 mod comparison;
 mod figures;

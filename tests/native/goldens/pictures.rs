@@ -1,7 +1,7 @@
-//! The warped pictures.
+//! Golden tests of the warped pictures.
 //!
-//! After a change that is meant to change them: `RENEW_GOLDENS=1 cargo test -p c2warp-tests --test goldens` writes them anew;
-//! look at every one before it is committed.
+//! After an intended change, `RENEW_GOLDENS=1 cargo test -p c2warp-tests --test goldens` writes the goldens again.
+//! Inspect each one before you commit it.
 
 use std::{fs, path::PathBuf};
 
@@ -19,10 +19,10 @@ fn folder(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
-/// The picture as `c2warp warp` writes it.
+/// Warps a scene as `c2warp warp` does.
 fn warped(scene: &Scene) -> RgbaImage {
     let picture = scene.solver_picture();
-    let solution = solve(&scene.project, &picture).expect("a scene that can be solved");
+    let solution = solve(&scene.project, &picture).expect("a valid scene");
     let pose = solution
         .poser()
         .pose(&scene.project.handles, scene.project.pose.blend)
@@ -34,7 +34,7 @@ fn warped(scene: &Scene) -> RgbaImage {
 }
 
 #[test]
-fn warped_scenes_look_as_they_did() {
+fn warped_scenes_match_their_goldens() {
     let mut different = Vec::new();
     for name in SCENES {
         let actual = warped(&Scene::named(name));
@@ -51,19 +51,19 @@ fn warped_scenes_look_as_they_did() {
             fs::create_dir_all(&output).expect("the folder can be made");
             actual.save(output.join(format!("{name}-actual.png"))).expect("the picture can be written");
             comparison.picture.save(output.join(format!("{name}-difference.png"))).expect("the picture can be written");
-            let Comparison { share, largest, .. } = comparison;
-            different.push(format!("{name}: {:.2} % of the pixels differ, by up to {largest}", 100.0 * share));
+            let Comparison { fraction, largest, .. } = comparison;
+            different.push(format!("{name}: {:.2} % of the pixels differ, by up to {largest}", 100.0 * fraction));
         }
     }
     assert!(
         different.is_empty(),
-        "{}; tests/output/golden has the actual pictures and the differences from tests/golden",
+        "{}; see the actual pictures and the differences in tests/output/golden",
         different.join("; ")
     );
 }
 
 #[test]
-fn half_a_pixel_at_one_handle_shows() {
+fn comparison_detects_a_handle_moved_by_half_a_pixel() {
     for name in SCENES {
         let mut scene = Scene::named(name);
         let before = warped(&scene);
@@ -75,7 +75,7 @@ fn half_a_pixel_at_one_handle_shows() {
             }
         }
         let comparison = Comparison::of(&before, &warped(&scene));
-        eprintln!("{name}: {:.2} % differ", 100.0 * comparison.share);
-        assert!(comparison.share > 0.01, "{name}: {}", comparison.share);
+        eprintln!("{name}: {:.2} % differ", 100.0 * comparison.fraction);
+        assert!(comparison.fraction > 0.01, "{name}: {}", comparison.fraction);
     }
 }

@@ -1,10 +1,10 @@
-//! Pictures for scenes like the figures of the paper.
+//! Pictures that resemble the figures of the paper.
 
 use glam::DVec2;
 
 use super::paint::{CLEAR, Colour, between, disc, ellipse, limb, line, rgb};
 
-/// A figure with arms and legs, on nothing.
+/// A figure with arms and legs on a transparent background.
 pub(super) fn gingerbread(p: DVec2) -> Colour {
     let outside = [
         limb(p, (90.0, 42.0), 30.0, (90.0, 43.0), 30.0),
@@ -87,7 +87,7 @@ pub(super) fn portrait(p: DVec2) -> Colour {
     }
 }
 
-/// A moth, the same on both sides, on nothing.
+/// A symmetric moth on a transparent background.
 pub(super) fn moth(p: DVec2) -> Colour {
     let q = DVec2::new((p.x - 110.0).abs(), p.y);
     let wing = limb(q, (10.0, 80.0), 26.0, (74.0, 46.0), 30.0).min(limb(q, (8.0, 96.0), 22.0, (56.0, 136.0), 24.0));
@@ -126,7 +126,7 @@ pub(super) fn road(p: DVec2) -> Colour {
     }
 }
 
-/// Tiles in two colours that run from one corner to the other.
+/// Tiles in a gradient from one corner to the other.
 pub(super) fn tiles(p: DVec2) -> Colour {
     let colour = between(rgb(70, 110, 180), rgb(220, 120, 70), (p.x / 160.0 + p.y / 120.0) / 2.0);
     let dark = ((p.x / 10.0) as i32 + (p.y / 10.0) as i32) % 2 == 0;

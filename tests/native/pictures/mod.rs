@@ -1,4 +1,4 @@
-//! The pictures of the scenes.
+//! The generated pictures of the scenes.
 
 mod figures;
 mod paint;
@@ -8,19 +8,19 @@ use image::RgbaImage;
 
 use self::paint::painted;
 
-/// The picture of a name, as the scenes refer to it.
+/// Returns the picture with this file name.
 ///
 /// # Panics
-/// Where no scene has a picture of this name.
+/// If no scene has such a picture.
 #[must_use]
 pub fn drawn(name: &str) -> RgbaImage {
     enlarged(name, 1)
 }
 
-/// The same picture drawn at so many times its size.
+/// Returns the picture drawn at `times` its size.
 ///
 /// # Panics
-/// As [`drawn`]; and for a picture that has one size only.
+/// As [`drawn`], and if the picture has one size only.
 #[must_use]
 pub fn enlarged(name: &str, times: u32) -> RgbaImage {
     let figure = |width, height, paint| painted(width, height, times, paint);

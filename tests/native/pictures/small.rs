@@ -1,8 +1,8 @@
-//! Pictures of a few pixels for the command line. None is symmetric in its colours, so that a mirrored or turned one is told apart.
+//! Small pictures for tests of the command line. Their colours are asymmetric, so tests detect flips and rotations.
 
 use image::{Rgba, RgbaImage};
 
-/// The picture of a name, as the scenes refer to it.
+/// Returns the picture with this file name.
 pub(super) fn drawn(name: &str) -> RgbaImage {
     match name {
         "strip.png" => strip(),
@@ -17,7 +17,7 @@ fn colour(x: u32, y: u32) -> [u8; 3] {
     [(60 + 2 * (x % 64) + square) as u8, (30 + 3 * (y % 64)) as u8, (200 - square - x % 64) as u8]
 }
 
-/// Pixels inside are opaque; the rim is as opaque as `inside` of its pixel's centre says.
+/// Draws a picture with the opacity of `opacity` at each pixel's centre.
 fn painted(width: u32, height: u32, opacity: impl Fn(f64, f64) -> f64) -> RgbaImage {
     RgbaImage::from_fn(width, height, |x, y| {
         let [r, g, b] = colour(x, y);

@@ -6,7 +6,7 @@ use c2warp::{
     solve,
 };
 use c2warp_bench::cases::{TABLE_1, table_1};
-use c2warp_tests::maxima::Maxima;
+use c2warp_tests::secondary_maxima::SecondaryMaxima;
 
 use crate::methods::EDITOR_DENSITY;
 
@@ -27,7 +27,7 @@ pub struct SceneMaxima {
     /// How its weights are asked for.
     pub weighting: Weighting,
     /// Its second maxima.
-    pub maxima: Maxima,
+    pub maxima: SecondaryMaxima,
 }
 
 /// Those of all scenes, each in both ways.
@@ -42,7 +42,7 @@ pub fn maxima() -> Result<Vec<SceneMaxima>, Error> {
                 Weighting::Paper => scene.project(paper.samples, paper.virtual_sites),
                 Weighting::Editor => smooth(scene.project(paper.samples, EDITOR_DENSITY)),
             };
-            let maxima = Maxima::of(&solve(&project, &scene.picture()?)?);
+            let maxima = SecondaryMaxima::of(&solve(&project, &scene.picture()?)?);
             all.push(SceneMaxima { scene: paper.name, weighting, maxima });
         }
     }

@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
             for (index, weight) in solution.weights_at(p).unwrap_or_default().into_iter().filter(|&(_, w)| w > 0.0) {
                 let site = &solution.sites()[index];
                 let kind = if site.kind.is_real() { "real" } else { "virtual" };
-                // The sites of a fixed boundary are real, but belong to no handle.
+                // The sites of a held boundary are real, but belong to no handle.
                 let handle = site.kind.handle().map_or("", |handle| loaded.project.handles[handle].id.as_str());
                 table.write_record([
                     &point.to_string(),

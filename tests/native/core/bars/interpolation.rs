@@ -70,7 +70,11 @@ fn symmetric_scene_with_bars_has_a_symmetric_result() {
         for p in spread(3000) {
             let Some(here) = solution.map(&pose, p) else { continue };
             let there = map_point(&solution, &pose, mirror(p));
-            assert!(mirror(here.posed).distance(there) <= 1e-6, "{mode:?}: {p} goes to {} and {there}", here.posed);
+            assert!(
+                mirror(here.posed).distance(there) <= 1e-6,
+                "{mode:?}: {p} is mapped to {} and {there}",
+                here.posed
+            );
         }
     }
 }

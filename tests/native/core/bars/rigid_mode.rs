@@ -89,7 +89,7 @@ fn bar_of_zero_length_acts_like_a_tiny_bar() {
     for (k, p) in far.iter().enumerate() {
         assert!(moved[k].distance(*p) < 1e-6);
         // Less than the length of the tiny bar.
-        assert!(tiny[k].distance(zero[k]) < 0.008, "{p} goes to {} and {}", tiny[k], zero[k]);
+        assert!(tiny[k].distance(zero[k]) < 0.008, "{p} is mapped to {} and {}", tiny[k], zero[k]);
     }
 }
 
@@ -101,6 +101,10 @@ fn handle_scale_applies_to_the_picture_around_it() {
     let (solution, pose) = solve_and_pose(&project);
     for p in [(30.0, 30.0), (370.0, 30.0), (200.0, 360.0)].map(DVec2::from) {
         let to = rest + 1.25 * (p - rest);
-        assert!(map_point(&solution, &pose, p).distance(to) < 1e-6, "{p} goes to {}", map_point(&solution, &pose, p));
+        assert!(
+            map_point(&solution, &pose, p).distance(to) < 1e-6,
+            "{p} is mapped to {}",
+            map_point(&solution, &pose, p)
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! A solver that has solved before, and one that has not.
+//! Tests that a reused solver gives the same results as a new one.
 
 use c2warp::{
     Error, Picture, Solution, Solver,
@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use crate::handles::point_handle;
 use crate::scenes::{cases, scenes};
 
-/// Everything of a solution that is drawn.
-fn drawn(solution: &Solution) -> impl PartialEq + use<'_> {
+/// Returns the parts of a solution that determine the picture.
+fn essentials(solution: &Solution) -> impl PartialEq + use<'_> {
     let nearest: Vec<Option<usize>> = (0..solution.samples()).map(|sample| solution.nearest_site(sample)).collect();
     (solution.vertices(), solution.triangles(), solution.weights(), solution.phi_sums(), nearest)
 }
@@ -23,24 +23,24 @@ fn advance(solver: &mut Solver, project: &Project, picture: &Picture) -> Result<
     Ok(())
 }
 
-/// Solves projects one after the other, and each from nothing: the same bits, or the same refusal.
+/// Solves projects with one solver and with new ones. The results must have the same bits, or the same error.
 fn check(projects: &[Project], picture: &Picture) -> Result<(), TestCaseError> {
     let mut solver = Solver::new();
     for project in projects {
         match (advance(&mut solver, project, picture), solve(project, picture)) {
             (Ok(()), Ok(fresh)) => {
-                let known = solver.solution().expect("every stage has run");
-                prop_assert!(drawn(known) == drawn(&fresh), "{:?}", project.handles);
+                let reused = solver.solution().expect("every stage has run");
+                prop_assert!(essentials(reused) == essentials(&fresh), "{:?}", project.handles);
             }
-            (Err(known), Err(fresh)) => prop_assert_eq!(known, fresh),
-            (known, fresh) => prop_assert!(false, "{known:?}, but {:?}", fresh.map(|_| ())),
+            (Err(reused), Err(fresh)) => prop_assert_eq!(reused, fresh),
+            (reused, fresh) => prop_assert!(false, "{reused:?}, but {:?}", fresh.map(|_| ())),
         }
     }
     Ok(())
 }
 
 #[test]
-fn a_picture_of_another_size_has_an_outline_of_its_own() {
+fn picture_of_another_size_has_a_new_outline() {
     let mut solver = Solver::new();
     assert!(solver.solution().is_none());
     for (width, height) in [(64, 48), (200, 100)] {
@@ -54,7 +54,7 @@ fn a_picture_of_another_size_has_an_outline_of_its_own() {
         assert!(!solver.has_solved(&project));
         advance(&mut solver, &project, &picture).expect("handles on the picture");
         assert!(solver.has_solved(&project));
-        // Of a smaller picture both would be solved as well, but on another outline.
+        // A picture of another size has another outline.
         project.image.width += 1;
         assert!(!solver.has_solved(&project));
     }
@@ -64,15 +64,15 @@ proptest! {
     #![proptest_config(cases(12))]
 
     #[test]
-    fn what_was_solved_before_changes_no_bit((rings, places, support) in scenes(), more in (10.0..390.0_f64, 10.0..390.0_f64)) {
-        let mut project = crate::scenes::project(&rings, &places, support);
+    fn previous_projects_do_not_change_the_result((rings, positions, support) in scenes(), more in (10.0..390.0_f64, 10.0..390.0_f64)) {
+        let mut project = crate::scenes::project(&rings, &positions, support);
         let size = project.image.width;
         let rgba = vec![255; size as usize * size as usize * 4];
         let picture = Picture::new(size, size, &rgba).expect("a picture of fair size");
         let mut projects = vec![project.clone()];
-        // A corner of the outline, the middle of an edge, close to a handle, anywhere.
+        // Add a handle on a corner of the outline, on an edge, close to a handle, and anywhere.
         let edge = rings[0][0].midpoint(rings[0][1]);
-        for p in [rings[0][2], edge, places[0] + DVec2::new(0.3, 0.1), more.into()] {
+        for p in [rings[0][2], edge, positions[0] + DVec2::new(0.3, 0.1), more.into()] {
             project.handles.push(point_handle(project.handles.len(), p, p, 0.0));
             projects.push(project.clone());
             if solve(&project, &picture).is_err() {

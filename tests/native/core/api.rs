@@ -1,4 +1,4 @@
-//! Projects that are made in code rather than read: the same rules hold for them, whatever solves them.
+//! Tests of the public API with projects that are built in code. They follow the same rules as project files.
 
 use c2warp::{
     Error, InputMesh, Picture, ResampleOptions,
@@ -16,28 +16,28 @@ use crate::scenes::{SIZE, project, solved};
 
 const RING: [(f64, f64); 4] = [(40.0, 40.0), (360.0, 40.0), (360.0, 360.0), (40.0, 360.0)];
 
-/// A change of a project and why it is then none.
-type Refused = (fn(&mut Project), &'static str);
+/// An edit that makes a project invalid, and the expected message.
+type InvalidEdit = (fn(&mut Project), &'static str);
 
-/// A square with two handles.
-fn made() -> Project {
-    made_with(DVec2::splat(100.0))
+/// Returns a project with a square domain and two handles.
+fn two_handles() -> Project {
+    two_handles_from(DVec2::splat(100.0))
 }
 
-fn made_with(first: DVec2) -> Project {
+fn two_handles_from(first: DVec2) -> Project {
     project(&[RING.map(DVec2::from).to_vec()], &[first, DVec2::splat(300.0)], Support::Paper)
 }
 
 #[test]
-fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
+fn invalid_projects_are_rejected_by_key_before_solving() {
     let rgba = vec![255; (SIZE * SIZE * 4) as usize];
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
     let corners: Vec<DVec2> = RING.map(DVec2::from).to_vec();
     let mesh = InputMesh::new(corners.clone(), vec![[0, 1, 2], [0, 2, 3]]).expect("a square");
     let grid = (0..400).map(|i| DVec2::new(f64::from(i % 20), f64::from(i / 20)) * 20.0).collect();
     let cloud = PointCloud::new(grid, 8).expect("a grid");
-    let changes: [Refused; 7] = [
-        // Any of these took all memory, did not end, or panicked.
+    let edits: [InvalidEdit; 7] = [
+        // Each of these once exhausted memory, ran forever or panicked.
         (|project| project.samples = 0, "samples: expected a whole number from 100 to 2000000, found 0"),
         (
             |project| project.samples = u32::MAX,
@@ -58,25 +58,25 @@ fn what_cannot_be_solved_is_refused_by_its_key_before_anything_is_begun() {
             "domain.rings: expected at least one ring",
         ),
     ];
-    for (change, refusal) in changes {
-        let mut project = made();
-        change(&mut project);
-        let refusals =
+    for (edit, message) in edits {
+        let mut project = two_handles();
+        edit(&mut project);
+        let errors =
             [solve(&project, &picture).err(), solve_mesh(&project, &mesh).err(), solve_cloud(&project, &cloud).err()];
-        for error in refusals {
-            let error = error.expect("a project that is none");
-            assert_eq!((error.code(), error.to_string().as_str()), ("project", refusal));
+        for error in errors {
+            let error = error.expect("an error");
+            assert_eq!((error.code(), error.to_string().as_str()), ("project", message));
         }
     }
-    let mut nowhere = made();
-    nowhere.domain = Some(DomainSpec::Alpha { threshold: f64::NAN });
-    let refused = distances(&nowhere, &picture, DVec2::splat(9.0), &[]).map_err(|error| error.to_string());
-    assert_eq!(refused, Err("domain.threshold: expected a number above 0 and up to 1, found NaN".into()));
+    let mut invalid = two_handles();
+    invalid.domain = Some(DomainSpec::Alpha { threshold: f64::NAN });
+    let rejected = distances(&invalid, &picture, DVec2::splat(9.0), &[]).map_err(|error| error.to_string());
+    assert_eq!(rejected, Err("domain.threshold: expected a number above 0 and up to 1, found NaN".into()));
 }
 
-/// The crate's own README is compiled and run with its documentation.
+/// The example in the README of the crate is a doc test.
 #[test]
-fn the_readme_shows_the_example_that_is_tested() {
+fn both_readmes_have_the_same_example() {
     let example = |text: &'static str| {
         let (_, code) = text.split_once("```rust\n").expect("an example");
         code.split_once("```").expect("its end").0
@@ -85,8 +85,8 @@ fn the_readme_shows_the_example_that_is_tested() {
 }
 
 #[test]
-fn the_order_in_which_handles_are_posed_means_nothing() {
-    let mut project = made();
+fn order_of_posed_handles_does_not_matter() {
+    let mut project = two_handles();
     project.handles.push(bar("bar", &[(100.0, 300.0), (200.0, 300.0)], &[(100.0, 310.0), (190.0, 330.0)]));
     for (handle, by) in project.handles.iter_mut().zip([(20.0, 5.0), (-10.0, 15.0)]) {
         let Shape::Point { posed, .. } = &mut handle.shape else { panic!("a point") };
@@ -102,9 +102,10 @@ fn the_order_in_which_handles_are_posed_means_nothing() {
 }
 
 #[test]
-fn a_pose_is_of_its_own_solution_alone() {
-    let project = made();
-    let [solution, other] = [100.0, 120.0].map(|first| solved(&made_with(DVec2::splat(first))).expect("a valid scene"));
+fn pose_of_another_solution_is_rejected() {
+    let project = two_handles();
+    let [solution, other] =
+        [100.0, 120.0].map(|first| solved(&two_handles_from(DVec2::splat(first))).expect("a valid scene"));
     let pose = |poser: &Poser| poser.pose(&project.handles, Blend::Linear).expect("handles that were solved");
     let again = Poser::from_bytes(&solution.poser().to_bytes()).expect("the bytes of a poser");
     assert!(solution.map(&pose(&again), DVec2::splat(200.0)).is_some());
@@ -117,31 +118,31 @@ fn a_pose_is_of_its_own_solution_alone() {
         &|| drop(solution.drawn_triangles(&foreign)),
         &|| drop(solution.report(&foreign)),
     ];
-    for used in uses {
-        let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(used)).expect_err("a pose of another");
+    for use_pose in uses {
+        let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(use_pose)).expect_err("a pose of another");
         let message = panic.downcast_ref::<String>().expect("a message");
         assert_eq!(message, "the pose is of another solution: make it by the poser of this one");
     }
 }
 
 #[test]
-fn what_cannot_be_drawn_is_refused() {
-    let project = made();
+fn invalid_scale_picture_and_pose_are_rejected_by_warped() {
+    let project = two_handles();
     let solution = solved(&project).expect("a valid scene");
     let pose = solution.poser().pose(&project.handles, Blend::Linear).expect("finite");
     let rgba = vec![255; (SIZE * SIZE * 4) as usize];
-    let refused = |width: u32, height: u32, scale: f64| {
+    let rejected = |width: u32, height: u32, scale: f64| {
         let picture = Picture::new(width, height, &rgba).expect("a picture");
         solution
             .warped(&picture, &pose, ResampleOptions { scale, ..ResampleOptions::default() })
-            .expect_err("no picture")
+            .expect_err("an error")
             .code()
     };
     for scale in [0.0, f64::NAN, -1.0, 1e9] {
-        assert_eq!(refused(SIZE, SIZE, scale), "scale");
+        assert_eq!(rejected(SIZE, SIZE, scale), "scale");
     }
-    assert_eq!(refused(2 * SIZE, SIZE / 2, 1.0), "picture-mismatch");
-    let moved = made_with(DVec2::splat(120.0));
+    assert_eq!(rejected(2 * SIZE, SIZE / 2, 1.0), "picture-mismatch");
+    let moved = two_handles_from(DVec2::splat(120.0));
     let foreign = solved(&moved).expect("a valid scene").poser().pose(&moved.handles, Blend::Linear).expect("finite");
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
     assert_eq!(solution.warped(&picture, &foreign, ResampleOptions::default()), Err(Error::PoseOfAnother));
@@ -152,24 +153,24 @@ fn what_cannot_be_drawn_is_refused() {
 }
 
 #[test]
-fn what_cannot_be_posed_is_refused_by_its_key() {
-    let project = made();
+fn invalid_handle_scale_is_rejected_by_key() {
+    let project = two_handles();
     let solution = solved(&project).expect("a valid scene");
     let mut handles = project.handles;
     handles[1].scale = 0.0;
-    let refused = solution.poser().pose(&handles, Blend::Linear).map(|_| ());
-    assert!(matches!(refused, Err(Error::Project(_))), "{refused:?}");
+    let rejected = solution.poser().pose(&handles, Blend::Linear).map(|_| ());
+    assert!(matches!(rejected, Err(Error::Project(_))), "{rejected:?}");
     assert_eq!(
-        refused.map_err(|error| error.to_string()),
+        rejected.map_err(|error| error.to_string()),
         Err("handles[1].scale: expected a number above 0, found 0".into())
     );
 }
 
 #[test]
-fn a_domain_without_a_picture_is_solved_as_that_of_a_project_is() {
-    let (project, rings) = (made(), [RING.map(DVec2::from).to_vec()]);
+fn solve_domain_agrees_with_the_domain_of_a_project() {
+    let (project, rings) = (two_handles(), [RING.map(DVec2::from).to_vec()]);
     let with = solved(&project).expect("a valid scene");
-    // The picture and the project's own domain play no part.
+    // The picture and the project's own domain are ignored.
     let mut other = project.clone();
     (other.domain, other.image.width) = (None, 1);
     let without = solve_domain(&other, &Domain::from_rings(&rings).expect("a square")).expect("a valid scene");

@@ -1,4 +1,4 @@
-//! What lies around a domain that a project draws by rings: it stays, and no seam shows.
+//! Tests of the static background: the picture outside a domain of rings stays, without a seam.
 
 use c2warp::{
     Picture, ResampleOptions, Solution, Warped,
@@ -10,7 +10,7 @@ use glam::DVec2;
 const WIDTH: u32 = 160;
 const HEIGHT: u32 = 120;
 
-/// A round ring that leaves the picture's frame at no place, and a hole in it.
+/// Returns a round ring inside the picture, with a hole.
 fn rings() -> Vec<Vec<DVec2>> {
     let circle = |centre: DVec2, radius: f64, count: u32| {
         let corner = |k| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count)) * radius + centre;
@@ -19,7 +19,7 @@ fn rings() -> Vec<Vec<DVec2>> {
     vec![circle(DVec2::new(70.3, 60.1), 40.7, 31), circle(DVec2::new(60.0, 50.0), 8.0, 7)]
 }
 
-/// Opaque, and different at every pixel.
+/// Returns opaque pixels that differ from their neighbours.
 fn pixels() -> Vec<u8> {
     (0..WIDTH * HEIGHT).flat_map(|i| [(i % 251) as u8, (i / WIDTH * 2) as u8, (i % 7 * 30) as u8, 255]).collect()
 }
@@ -39,14 +39,14 @@ fn warped(project: &Project, rgba: &[u8]) -> (Solution, Warped) {
     (solution, warped)
 }
 
-/// Distance from the ring's centre, at a pixel's centre.
-fn away(pixel: usize, from: [f64; 2]) -> f64 {
+/// Returns the distance of a pixel's centre from a point.
+fn distance(pixel: usize, from: [f64; 2]) -> f64 {
     let at = DVec2::new((pixel % WIDTH as usize) as f64 + 0.5, (pixel / WIDTH as usize) as f64 + 0.5);
     at.distance(DVec2::from(from))
 }
 
 #[test]
-fn at_rest_the_picture_is_what_it_was_to_the_byte() {
+fn picture_at_rest_is_unchanged() {
     let rgba = pixels();
     let frame = [(0.0, 0.0), (160.0, 0.0), (160.0, 120.0), (0.0, 120.0)].map(DVec2::from).to_vec();
     let half = [(0.0, 0.0), (80.0, 0.0), (80.0, 120.0), (0.0, 120.0)].map(DVec2::from).to_vec();
@@ -61,7 +61,7 @@ fn at_rest_the_picture_is_what_it_was_to_the_byte() {
 }
 
 #[test]
-fn within_a_held_ring_the_picture_bends_without_a_seam() {
+fn held_ring_bends_without_a_seam() {
     let rgba = pixels();
     let mut project = project(rings(), [88.0, 64.0]);
     project.fix_boundary = true;
@@ -69,8 +69,8 @@ fn within_a_held_ring_the_picture_bends_without_a_seam() {
     let mut changed = 0;
     for (pixel, (now, before)) in warped.rgba.chunks(4).zip(rgba.chunks(4)).enumerate() {
         assert_eq!(now[3], 255, "pixel {pixel}");
-        // A pixel's diagonal beyond the ring, and as far within the hole.
-        if away(pixel, [70.3, 60.1]) > 41.5 || away(pixel, [60.0, 50.0]) < 6.0 {
+        // More than a pixel's diagonal outside the ring, or that far inside the hole.
+        if distance(pixel, [70.3, 60.1]) > 41.5 || distance(pixel, [60.0, 50.0]) < 6.0 {
             assert_eq!(now, before, "pixel {pixel}");
         } else if now != before {
             changed += 1;
@@ -80,14 +80,14 @@ fn within_a_held_ring_the_picture_bends_without_a_seam() {
 }
 
 #[test]
-fn what_moves_away_leaves_a_gap_and_lies_over_what_stays_however_deep_it_is() {
+fn moved_ring_leaves_a_gap_and_covers_the_background() {
     let rgba = pixels();
     let mut project = project(rings(), [120.0, 70.0]);
     project.handles[0].depth = -5.0;
     let (solution, warped) = warped(&project, &rgba);
     let pixel = |x: u32, y: u32| (y * WIDTH + x) as usize * 4;
     let alpha = |x, y| warped.rgba[pixel(x, y) + 3];
-    // Of the ring, which reaches from x = 30 to 111, what lies left of 70 is left bare.
+    // The ring spans x = 30 to 111. It moves right and leaves the part left of x = 70 empty.
     assert_eq!((alpha(20, 60), alpha(35, 60), alpha(140, 60)), (255, 0, 255));
     assert_eq!(warped.rgba[pixel(20, 60)..][..4], rgba[pixel(20, 60)..][..4]);
     assert_eq!(warped.rgba[pixel(140, 60)..][..4], rgba[pixel(100, 60)..][..4]);
@@ -100,7 +100,7 @@ fn what_moves_away_leaves_a_gap_and_lies_over_what_stays_however_deep_it_is() {
 }
 
 #[test]
-fn other_domains_have_none() {
+fn other_domains_have_no_background() {
     let rgba = pixels();
     let mut project = project(rings(), [80.0, 70.0]);
     assert!(!warped(&project, &rgba).0.static_background().triangles().is_empty());

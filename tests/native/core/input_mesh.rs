@@ -1,4 +1,4 @@
-//! Meshes that the caller brings.
+//! Tests of input meshes.
 
 use c2warp::{
     Error, InputMesh, Solution,
@@ -11,17 +11,17 @@ use proptest::prelude::*;
 use crate::handles::{bar, point_handle};
 use crate::scenes::{cases, project, scenes, solved, spread};
 
-/// What the order of triangles and corners may change: rounding in the places of virtual sites.
+/// Tolerance for weights: the order of triangles and corners changes the rounding of virtual sites.
 const ROUNDING: f64 = 1e-7;
 
 type Triangles = Vec<[u32; 3]>;
 
-/// The vertices and triangles of a solution's own mesh.
+/// Returns the vertices and triangles of a solution's mesh.
 fn own_mesh(solution: &Solution) -> (Vec<DVec2>, Triangles) {
     (solution.vertices().to_vec(), solution.triangles().to_vec())
 }
 
-/// A grid of quads, each of two triangles that wind in opposite ways.
+/// Returns a grid of quads of two triangles each. The orientation of the triangles varies.
 fn grid(columns: u32, rows: u32, spacing: f64) -> (Vec<DVec2>, Triangles) {
     let vertices = (0..rows).flat_map(|y| (0..columns).map(move |x| spacing * DVec2::new(x.into(), y.into())));
     let quads = (0..rows - 1).flat_map(|y| (0..columns - 1).map(move |x| y * columns + x));
@@ -30,12 +30,12 @@ fn grid(columns: u32, rows: u32, spacing: f64) -> (Vec<DVec2>, Triangles) {
     (vertices.collect(), triangles.enumerate().map(turned).collect())
 }
 
-fn solved_on(mesh: (Vec<DVec2>, Triangles), places: &[DVec2]) -> Solution {
+fn solved_on(mesh: (Vec<DVec2>, Triangles), positions: &[DVec2]) -> Solution {
     let mesh = InputMesh::new(mesh.0, mesh.1).expect("a mesh");
-    solve_mesh(&project(&[], places, Support::Paper), &mesh).expect("a scene that can be solved")
+    solve_mesh(&project(&[], positions, Support::Paper), &mesh).expect("a scene that can be solved")
 }
 
-fn refusal(vertices: &[(f64, f64)], triangles: &[[u32; 3]]) -> Error {
+fn mesh_error(vertices: &[(f64, f64)], triangles: &[[u32; 3]]) -> Error {
     let vertices = vertices.iter().copied().map(DVec2::from).collect();
     let error = InputMesh::new(vertices, triangles.to_vec()).expect_err("no mesh");
     assert!(matches!(error.code(), "mesh" | "domain"));
@@ -46,11 +46,11 @@ proptest! {
     #![proptest_config(cases(48))]
 
     #[test]
-    fn the_solvers_own_mesh_is_solved_as_by_the_solver((rings, places, support) in scenes()) {
-        let project = project(&rings, &places, support);
+    fn mesh_of_a_solution_gives_the_same_solution((rings, positions, support) in scenes()) {
+        let project = project(&rings, &positions, support);
         let own = solved(&project).expect("a valid scene");
         let (vertices, triangles) = own_mesh(&own);
-        let mesh = InputMesh::new(vertices, triangles).expect("the solver's meshes are meshes");
+        let mesh = InputMesh::new(vertices, triangles).expect("a valid mesh");
         let given = solve_mesh(&project, &mesh).expect("solved before");
         prop_assert_eq!(given.vertices(), own.vertices());
         prop_assert_eq!(given.domain().rings().len(), own.domain().rings().len());
@@ -68,10 +68,10 @@ proptest! {
 }
 
 #[test]
-fn weights_sum_to_one_and_handles_between_vertices_have_all_of_their_own() {
-    let places = [(33.0, 41.0), (257.5, 120.25), (90.0, 180.0), (36.0, 44.5)].map(DVec2::from);
+fn handles_between_vertices_have_full_weight() {
+    let positions = [(33.0, 41.0), (257.5, 120.25), (90.0, 180.0), (36.0, 44.5)].map(DVec2::from);
     let (vertices, triangles) = grid(33, 21, 10.0);
-    let solution = solved_on((vertices.clone(), triangles), &places);
+    let solution = solved_on((vertices.clone(), triangles), &positions);
     assert_eq!(solution.vertices(), vertices);
     assert_eq!(solution.samples(), vertices.len());
     assert_eq!(solution.weights().len(), vertices.len());
@@ -89,9 +89,8 @@ fn weights_sum_to_one_and_handles_between_vertices_have_all_of_their_own() {
     }
 }
 
-/// Where a mesh lies plays no part in how it bends.
 #[test]
-fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
+fn position_of_a_mesh_does_not_change_its_deformation() {
     let moves = [((0.06, 0.2), (0.1, 0.3)), ((0.52, 0.21), (0.52, 0.02)), ((0.94, 0.2), (0.9, 0.34))];
     let bent = |by: DVec2| {
         let (vertices, triangles) = grid(41, 17, 0.025);
@@ -108,19 +107,19 @@ fn a_small_mesh_far_away_bends_as_one_at_the_corner() {
     };
     let ((sites, here), (far_sites, there)) = (bent(DVec2::ZERO), bent(DVec2::new(999_999.0, -1e6)));
     assert_eq!(sites, far_sites);
-    let apart = here.iter().zip(&there).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
-    // What rounding leaves of gradients that are differences over a hundred-thousandth of a part.
-    assert!(apart < 1e-4, "{apart}");
+    let difference = here.iter().zip(&there).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+    // Gradients are finite differences over 1e-5 of a part, so rounding errors grow accordingly.
+    assert!(difference < 1e-4, "{difference}");
 }
 
 #[test]
-fn distances_lead_around_a_notch_of_the_boundary() {
-    // Without the quads of the columns 4 and 5 in the upper three rows.
+fn distances_go_around_a_notch_of_the_boundary() {
+    // Remove the quads in columns 4 and 5 of the upper three rows.
     let (vertices, triangles) = grid(11, 6, 10.0);
     let middle = |t: &[u32; 3]| t.iter().map(|&v| vertices[v as usize]).sum::<DVec2>() / 3.0;
     let kept = |t: &&[u32; 3]| !((40.0..60.0).contains(&middle(t).x) && middle(t).y < 30.0);
     let mut kept: Triangles = triangles.iter().filter(kept).copied().collect();
-    // The vertices within the notch go, and later ones move up.
+    // Remove the vertices inside the notch and renumber the others.
     let mut used: Vec<u32> = kept.iter().flatten().copied().collect();
     used.sort_unstable();
     used.dedup();
@@ -139,7 +138,7 @@ fn distances_lead_around_a_notch_of_the_boundary() {
 }
 
 #[test]
-fn holes_and_parts_are_known_by_the_boundary() {
+fn holes_and_islands_follow_from_the_boundary() {
     let (vertices, triangles) = grid(4, 4, 10.0);
     let ring: Triangles = triangles.iter().enumerate().filter(|&(t, _)| t / 2 != 4).map(|(_, &t)| t).collect();
     let island = [(14.0, 14.0), (16.0, 14.0), (15.0, 16.0)].map(DVec2::from);
@@ -151,10 +150,10 @@ fn holes_and_parts_are_known_by_the_boundary() {
 }
 
 #[test]
-fn coarse_and_needle_like_meshes_are_solved_too() {
+fn coarse_and_needle_like_meshes_are_solved() {
     let square = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)].map(DVec2::from);
-    let places = [(20.0, 20.0), (20.02, 20.0), (70.0, 60.0), (100.0, 100.0)].map(DVec2::from);
-    let solution = solved_on((square.to_vec(), vec![[0, 1, 2], [0, 2, 3]]), &places);
+    let positions = [(20.0, 20.0), (20.02, 20.0), (70.0, 60.0), (100.0, 100.0)].map(DVec2::from);
+    let solution = solved_on((square.to_vec(), vec![[0, 1, 2], [0, 2, 3]]), &positions);
     assert!((0..4).all(|v| solution.weights().row(v).next().is_some()));
     let (vertices, triangles) = grid(30, 30, 1.0);
     let squeezed: Vec<DVec2> = vertices.iter().map(|p| DVec2::new(p.x * 10.0, p.y * 1e-3)).collect();
@@ -168,21 +167,21 @@ fn coarse_and_needle_like_meshes_are_solved_too() {
 }
 
 #[test]
-fn handles_beside_the_mesh_and_on_its_held_boundary_are_refused() {
+fn handles_outside_or_on_a_held_boundary_are_rejected() {
     let (vertices, triangles) = grid(4, 4, 10.0);
     let mesh = InputMesh::new(vertices, triangles).expect("a mesh");
     let mut outside = project(&[], &[(5.0, 5.0).into(), (30.5, 5.0).into()], Support::Paper);
     let expected = Error::HandleOutside { id: "h1".into(), x: 30.5, y: 5.0 };
     assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle outside"), expected);
     outside.handles = [0, 1].map(|id| point_handle(id, DVec2::splat(5.0), DVec2::splat(5.0), 0.0)).to_vec();
-    assert_eq!(solve_mesh(&outside, &mesh).expect_err("two on one spot").code(), "handles-too-close");
+    assert_eq!(solve_mesh(&outside, &mesh).expect_err("two handles at the same point").code(), "handles-too-close");
     outside.fix_boundary = true;
     outside.handles = vec![point_handle(0, DVec2::new(5.0, 0.0), DVec2::new(5.0, 2.0), 0.0)];
-    assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle on it").code(), "on-held-boundary");
+    assert_eq!(solve_mesh(&outside, &mesh).expect_err("a handle on the boundary").code(), "on-held-boundary");
 }
 
 #[test]
-fn bars_and_a_held_boundary_move_an_input_mesh_too() {
+fn bars_and_held_boundary_are_interpolated() {
     let (vertices, triangles) = grid(21, 21, 10.0);
     let mesh = InputMesh::new(vertices, triangles).expect("a mesh");
     let mut project = project(&[], &[], Support::Smooth);
@@ -200,54 +199,54 @@ fn bars_and_a_held_boundary_move_an_input_mesh_too() {
 }
 
 #[test]
-fn every_refusal_names_triangle_or_vertex() {
+fn errors_name_the_triangle_or_vertex() {
     let square = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)];
-    assert_eq!(refusal(&square, &[]), Error::MeshEmpty);
-    assert_eq!(refusal(&square, &[[0, 1, 2], [0, 2, 4]]), Error::MeshTriangle { triangle: 1, vertices: 4 });
-    assert_eq!(refusal(&square, &[[0, 1, 2], [0, 2, 2]]), Error::MeshTriangle { triangle: 1, vertices: 4 });
-    assert_eq!(refusal(&square, &[[0, 1, 2]]), Error::MeshVertexLoose { vertex: 3 });
+    assert_eq!(mesh_error(&square, &[]), Error::MeshEmpty);
+    assert_eq!(mesh_error(&square, &[[0, 1, 2], [0, 2, 4]]), Error::MeshTriangle { triangle: 1, vertices: 4 });
+    assert_eq!(mesh_error(&square, &[[0, 1, 2], [0, 2, 2]]), Error::MeshTriangle { triangle: 1, vertices: 4 });
+    assert_eq!(mesh_error(&square, &[[0, 1, 2]]), Error::MeshVertexLoose { vertex: 3 });
     for wrong in [f64::NAN, f64::INFINITY, -1e7] {
         let vertices = [square[0], square[1], (10.0, wrong), square[3]];
-        assert_eq!(refusal(&vertices, &[[0, 1, 2], [0, 2, 3]]), Error::MeshVertex { vertex: 2 });
+        assert_eq!(mesh_error(&vertices, &[[0, 1, 2], [0, 2, 3]]), Error::MeshVertex { vertex: 2 });
     }
     let flat = [square[0], square[1], square[2], (5.0, 5.0)];
-    assert_eq!(refusal(&flat, &[[0, 1, 2], [0, 2, 3]]), Error::MeshTriangleFlat { triangle: 1 });
-    // A vertex of the second triangle on the side of the first.
+    assert_eq!(mesh_error(&flat, &[[0, 1, 2], [0, 2, 3]]), Error::MeshTriangleFlat { triangle: 1 });
+    // A vertex of the second triangle lies on the same side of the shared edge as the first triangle.
     let folded = [square[0], square[1], square[2], (8.0, 3.0)];
-    assert_eq!(refusal(&folded, &[[0, 1, 2], [0, 2, 3]]), Error::MeshEdge { triangle: 1, other: 0, from: 2, to: 0 });
+    assert_eq!(mesh_error(&folded, &[[0, 1, 2], [0, 2, 3]]), Error::MeshEdge { triangle: 1, other: 0, from: 2, to: 0 });
     assert_eq!(
-        refusal(&square, &[[0, 1, 2], [0, 2, 3], [0, 1, 2]]),
+        mesh_error(&square, &[[0, 1, 2], [0, 2, 3], [0, 1, 2]]),
         Error::MeshEdge { triangle: 2, other: 0, from: 0, to: 1 }
     );
     let bow = [(0.0, 0.0), (10.0, 0.0), (5.0, 5.0), (10.0, 10.0), (0.0, 10.0)];
-    assert_eq!(refusal(&bow, &[[0, 1, 2], [2, 3, 4]]), Error::MeshPinched { vertex: 2 });
+    assert_eq!(mesh_error(&bow, &[[0, 1, 2], [2, 3, 4]]), Error::MeshPinched { vertex: 2 });
 }
 
 #[test]
-fn meshes_over_themselves_are_refused() {
+fn self_overlapping_meshes_are_rejected() {
     let two = |b: [(f64, f64); 3]| {
         let a = [(0.0, 0.0), (10.0, 0.0), (0.0, 10.0)];
-        refusal(&[a, b].concat(), &[[0, 1, 2], [3, 4, 5]])
+        mesh_error(&[a, b].concat(), &[[0, 1, 2], [3, 4, 5]])
     };
     assert_eq!(two([(1.0, -1.0), (3.0, 4.0), (-9.0, 4.0)]), Error::MeshCrosses { vertex: 4, other: 2 });
     assert_eq!(two([(1.0, 1.0), (3.0, 1.0), (1.0, 3.0)]), Error::MeshCovered { vertex: 3 });
     assert_eq!(two([(0.0, 0.0), (-3.0, 0.0), (0.0, -3.0)]), Error::MeshCrosses { vertex: 3, other: 0 });
-    // A strip that winds once and a bit about a point, its end over its beginning.
+    // A strip that winds more than once about a point, so its end overlaps its beginning.
     let spoke = |i: u32| (10.0 + f64::from(i), DVec2::from_angle(f64::from(i) * 0.5));
     let vertices: Vec<(f64, f64)> =
         (0..16).map(spoke).flat_map(|(r, d)| [d * r, d * (r + 30.0)]).map(|p| (p.x, p.y)).collect();
     let strip: Vec<[u32; 3]> = (0..30).map(|i| [i, i + 1, i + 2]).collect();
-    assert!(matches!(refusal(&vertices, &strip), Error::MeshCrosses { .. }));
+    assert!(matches!(mesh_error(&vertices, &strip), Error::MeshCrosses { .. }));
 }
 
 #[test]
-fn an_outline_too_fine_is_refused_and_a_straight_one_is_not() {
+fn boundary_with_too_many_corners_is_rejected() {
     let n = 11_000;
     let at = |i: u32| 1000.0 + 500.0 * DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(n));
     let ring = |i: u32| [at(i), at(i) * 0.5 + 500.0];
     let vertices: Vec<(f64, f64)> = (0..n).flat_map(ring).map(|p| (p.x, p.y)).collect();
     let strip: Vec<[u32; 3]> = (0..2 * n).map(|i| [i, (i + 1) % (2 * n), (i + 2) % (2 * n)]).collect();
-    assert_eq!(refusal(&vertices, &strip), Error::MeshTooFine { corners: 22_000 });
+    assert_eq!(mesh_error(&vertices, &strip), Error::MeshTooFine { corners: 22_000 });
     let (vertices, triangles) = grid(n, 2, 1.0);
     let solution = solved_on((vertices, triangles), &[(1.0, 0.5).into(), (9000.0, 0.5).into()]);
     assert_eq!(solution.domain().rings()[0].len(), 4);
