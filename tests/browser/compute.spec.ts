@@ -35,8 +35,7 @@ test('solves in stages, to arrays that fit together', async ({ page }) => {
     const engine = await harness.startedEngine();
     const stages: string[] = [];
     const solution = await engine.solve(project, (stage) => stages.push(stage));
-    const poser = engine.poser(solution);
-    const motions = poser.pose(JSON.stringify(project.handles));
+    const { motions } = engine.posedPicture(solution, project).pose(project);
     const vertices = solution.positions.length / 2;
     const rowSums = Array.from({ length: vertices }, (_, v) =>
       solution.weights.subarray(solution.offsets[v], solution.offsets[v + 1]).reduce((sum, w) => sum + w, 0),
@@ -216,7 +215,7 @@ test.describe('as the command', () => {
       engine.setPicture(picture.width, picture.height, picture.rgba);
       const project = engine.checkProject(text);
       const solution = await engine.solve(project);
-      const motions = engine.poser(solution).pose(JSON.stringify(project.handles));
+      const { motions } = engine.posedPicture(solution, project).pose(project);
       return { report: solution.report, motions: [...motions] };
     }, text);
 

@@ -1,6 +1,6 @@
 /** The WebGL renderer alone, on meshes whose picture is known. */
-import { posedPositions } from '../../web/src/geometry/blend';
 import { expect, test } from './fixtures';
+import { posedByFormula } from './formula';
 
 test.beforeEach(async ({ page }) => {
   await page.goto('/harness/');
@@ -300,7 +300,7 @@ for (const blend of ['linear', 'rigid'] as const) {
       weights: Float32Array.of(0.4, 0.3, 0.2, 0.1, 0.4, 0.3, 0.2, 0.1, 0.4, 0.3, 0.2, 0.1),
     };
     const motions = Float32Array.from(corners.flat());
-    const posed = posedPositions(mesh, motions, blend);
+    const posed = posedByFormula(mesh, motions, blend);
     const [px = 0, py = 0] = posed;
     const alphas = await page.evaluate(
       async ({ mesh, motions, blend, px, py }) => {

@@ -277,7 +277,7 @@ export class C2Warp extends TypedElement {
 
   /** Maps a point of the original to the warped picture as shown, in image pixels; null outside the warped area. */
   mapPoint(point: Vec): Vec | null {
-    return this.#present.workbench.posing.map(point)?.rest ?? null;
+    return this.#present.workbench.posing.map(point)?.posed ?? null;
   }
 
   /**

@@ -12,12 +12,12 @@ export async function drawnTwice(project: Project, file: Blob, scale: number) {
   const engine = await Engine.start();
   engine.setPicture(picture.width, picture.height, picture.rgba);
   const solution = await engine.solve(project);
-  const poser = engine.poser(solution);
+  const pose = engine.posedPicture(solution, project).pose(project);
 
   const renderer = new Renderer(document.createElement('canvas'));
   renderer.setPicture(picture.bitmap);
   renderer.setSolution(solution);
-  renderer.setMotions(poser.pose(JSON.stringify(project.handles)), project.pose?.blend);
+  renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles);
   const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
   const webgl = straight(renderer.readPixels({ scale, x: 0, y: 0, width, height }));
   const cpu = await engine.warp(project, scale);

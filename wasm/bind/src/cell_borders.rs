@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 #[derive(Debug)]
 pub struct CellBorders {
     corners: Vec<u32>,
-    shares: Vec<f32>,
+    barycentric: Vec<f32>,
 }
 
 #[wasm_bindgen]
@@ -19,19 +19,19 @@ impl CellBorders {
         self.corners.clone()
     }
 
-    /// Pieces × 2 ends × 3 shares of the vertices, which sum to 1.
+    /// Pieces × 2 ends × 3 barycentric coordinates.
     #[wasm_bindgen(getter)]
-    pub fn shares(&self) -> Vec<f32> {
-        self.shares.clone()
+    pub fn barycentric(&self) -> Vec<f32> {
+        self.barycentric.clone()
     }
 }
 
 impl From<Vec<BorderPiece>> for CellBorders {
     fn from(pieces: Vec<BorderPiece>) -> Self {
-        let shares = pieces.iter().flat_map(|piece| piece.ends).flatten();
+        let ends = pieces.iter().flat_map(|piece| piece.ends).flatten();
         Self {
             corners: pieces.iter().flat_map(|piece| piece.corners).collect(),
-            shares: shares.map(|share| share as f32).collect(),
+            barycentric: ends.map(|coordinate| coordinate as f32).collect(),
         }
     }
 }

@@ -7,7 +7,6 @@ mod cell_borders;
 mod error;
 mod handle_poses;
 mod posed_picture;
-mod poser;
 mod session;
 mod solution;
 mod warped;
@@ -17,7 +16,6 @@ use wasm_bindgen::prelude::*;
 
 pub use cell_borders::CellBorders;
 pub use posed_picture::{PictureArrays, PosedPicture};
-pub use poser::Poser;
 pub use session::Session;
 pub use solution::Solution;
 

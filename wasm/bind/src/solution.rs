@@ -10,8 +10,8 @@ use wasm_bindgen::prelude::*;
 pub struct Solution {
     positions: Vec<f32>,
     triangles: Vec<u32>,
-    surrounding_positions: Vec<f32>,
-    surrounding_triangles: Vec<u32>,
+    background_positions: Vec<f32>,
+    background_triangles: Vec<u32>,
     offsets: Vec<u32>,
     sites: Vec<u32>,
     weights: Vec<f32>,
@@ -27,8 +27,8 @@ impl Solution {
         Self {
             positions: flat(solution.vertices().iter().map(DVec2::to_array)),
             triangles: solution.triangles().concat(),
-            surrounding_positions: flat(solution.static_background().vertices().iter().map(DVec2::to_array)),
-            surrounding_triangles: solution.static_background().triangles().concat(),
+            background_positions: flat(solution.static_background().vertices().iter().map(DVec2::to_array)),
+            background_triangles: solution.static_background().triangles().concat(),
             offsets: solution.weights().offsets().to_vec(),
             sites: solution.weights().sites().to_vec(),
             weights: solution.weights().weights().iter().map(|&weight| weight as f32).collect(),
@@ -67,16 +67,16 @@ impl Solution {
         self.triangles.clone()
     }
 
-    /// Vertices × 2 of what lies around the domain and stays.
+    /// Vertices × 2 of the static background.
     #[wasm_bindgen(getter)]
-    pub fn surrounding_positions(&self) -> Vec<f32> {
-        self.surrounding_positions.clone()
+    pub fn background_positions(&self) -> Vec<f32> {
+        self.background_positions.clone()
     }
 
     /// Its triangles × 3 vertex indices.
     #[wasm_bindgen(getter)]
-    pub fn surrounding_triangles(&self) -> Vec<u32> {
-        self.surrounding_triangles.clone()
+    pub fn background_triangles(&self) -> Vec<u32> {
+        self.background_triangles.clone()
     }
 
     /// Vertices + 1: the index of each vertex's first entry in `sites` and `weights`.
@@ -115,7 +115,7 @@ impl Solution {
         self.site_edges.clone()
     }
 
-    /// Bytes for a [`Poser`](crate::Poser).
+    /// Bytes for a [`PosedPicture`](crate::PosedPicture).
     #[wasm_bindgen(getter)]
     pub fn poser(&self) -> Vec<u8> {
         self.poser.clone()

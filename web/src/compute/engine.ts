@@ -10,8 +10,10 @@ import { startWorker } from '../start_worker';
 import { ENGINE, EngineError, superseded } from './errors';
 import { Link } from './link';
 import type { Messages } from './messages';
-import { checkedProject, createPoser, loadModule, type Poser } from './module';
+import { checkedProject, loadModule } from './module';
+import type { PosedPicture } from './posed_picture';
 import type { CellBorders, Pixels, SolutionData, Stage } from './solution';
+import { createPosedPicture } from './wasm_picture';
 import worker from './worker/worker?worker&url';
 
 export class Engine {
@@ -72,9 +74,9 @@ export class Engine {
     return this.#ask('cells', { project: JSON.stringify(project) });
   }
 
-  /** The poser of a solution: turns the handles' poses into motions of its sites. Free it with the solution. */
-  poser(solution: SolutionData): Poser {
-    return createPoser(solution.poser);
+  /** The picture of a solution, to be posed. Free it with the solution. @param project The project that was solved. */
+  posedPicture(solution: SolutionData, project: Project): PosedPicture {
+    return createPosedPicture(solution, project);
   }
 
   /**

@@ -1,18 +1,11 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
-import type { Project } from '../document/project';
+import type { Handle, Project } from '../document/project';
 import { ENGINE, EngineError } from './errors';
-import init, { Poser as GeneratedPoser, project_check } from './generated/c2warp';
+import init, { PosedPicture as ModulePicture, project_check } from './generated/c2warp';
+import type { SolutionData } from './solution';
 
-/** Turns posed handles into the motions of all sites, in microseconds. */
-export interface Poser {
-  /**
-   * @param handles The project's handles as JSON.
-   * @returns Sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle θ, cos θ/2, sin θ/2.
-   */
-  pose(handles: string): Float32Array<ArrayBuffer>;
-  free(): void;
-}
+export type { ModulePicture };
 
 let loading: Promise<WebAssembly.Module> | undefined;
 
@@ -29,10 +22,9 @@ export function loadModule(): Promise<WebAssembly.Module> {
   return loading;
 }
 
-/** Requires the module to be loaded. */
-export function createPoser(bytes: Uint8Array): Poser {
-  return new GeneratedPoser(bytes);
-}
+/** Requires the module to be loaded. @param handles The solved handles. */
+export const createModulePicture = (data: SolutionData, handles: readonly Handle[]): ModulePicture =>
+  new ModulePicture(data, data.report.samples, JSON.stringify(handles));
 
 /**
  * A project file's project, with every key written out. Requires the module to be loaded.

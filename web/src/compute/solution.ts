@@ -20,7 +20,7 @@ export interface SolutionData {
   readonly siteHandle: Int32Array<ArrayBuffer>;
   /** Edges × 2: the cell graph, as pairs of sites. */
   readonly siteEdges: Uint32Array<ArrayBuffer>;
-  /** Opaque data from which the page creates its `Poser`. */
+  /** Opaque data from which the page poses the picture. */
   readonly poser: Uint8Array<ArrayBuffer>;
   readonly report: Report;
 }
@@ -29,8 +29,8 @@ export interface SolutionData {
 export interface CellBorders {
   /** Pieces × 3: vertices of the triangle. */
   readonly corners: Uint32Array<ArrayBuffer>;
-  /** Pieces × 2 ends × 3: shares of these vertices, which sum to 1. */
-  readonly shares: Float32Array<ArrayBuffer>;
+  /** Pieces × 2 ends × 3: barycentric coordinates in the triangle. */
+  readonly barycentric: Float32Array<ArrayBuffer>;
 }
 
 /** What the solver did; the keys of `c2warp inspect --json`. */

@@ -4,7 +4,7 @@
  * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the method of the
  * paper. `Project::bent_rigidly` in wasm/core/src/project has the same settings.
  */
-import type { Blend } from '../geometry/blend';
+import type { Blend } from '../geometry/skin';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
 /** Virtual sites to request: how finely a rigid picture can bend. */

@@ -7,7 +7,7 @@ import { distance, type Vec } from '../geometry/vec';
 import { type Document, selectedHandles } from './document';
 import { changeHandles } from './edits';
 import { anchor, corners, rotationOf, SCALES, scaleOf, turnedAbout } from './handle';
-import type { Handle, Project } from './project';
+import type { Handle } from './project';
 
 /** How far what is selected in a document is turned as one, in degrees, and scaled. */
 export interface GroupTransform {
@@ -73,14 +73,4 @@ export function interpolatedTransform(
 ): GroupTransform {
   const way = (a: number, b: number) => a + share * (b - a);
   return { origin: to.origin, turn: way(from.turn, to.turn), scale: way(from.scale, to.scale) };
-}
-
-/** The project with what is selected posed as one. */
-export function withTransform(project: Project, { origin, turn, scale }: GroupTransform): Project {
-  const { selection, project: posed } = transformGroup(origin, turn, scale);
-  const there = new Map(posed.handles.map((handle) => [handle.id, handle]));
-  const handles = project.handles.map((handle) =>
-    selection.includes(handle.id) ? (there.get(handle.id) ?? handle) : handle,
-  );
-  return { ...project, handles };
 }

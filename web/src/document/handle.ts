@@ -79,9 +79,6 @@ const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
 
 export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => roundedVec(add(p, by)));
 
-/** Like {@link moved}, but not rounded: for a pose that is evaluated and not kept. */
-export const displaced = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => add(p, by));
-
 /** Where a corner goes that is turned by degrees and scaled about a pivot. */
 const around =
   (pivot: Vec, turn: number, scale: number) =>

@@ -24,13 +24,15 @@ export const solvesAlike = (a: Handle, b: Handle): boolean => handleKey(a) === h
 
 const handleKey = ({ id, kind, rest }: Handle): string => JSON.stringify([id, kind, rest]);
 
-/** The handles of `solved`, in its order and with its rest places, posed as in `current`. */
+/** For each handle of `solved` that of `current`; the solved one if `current` lacks it or has it with other corners. */
 export function followedHandles(solved: Project, current: Project): readonly Handle[] {
   const now = new Map(current.handles.map((handle) => [handle.id, handle]));
   return solved.handles.map((handle) => {
-    const { posed, kind, rotation, scale, depth } = now.get(handle.id) ?? handle;
-    // A point is two numbers, a line as many places as it has corners: another length means another handle.
-    const same = kind === handle.kind && posed.length === handle.posed.length;
-    return same ? ({ ...handle, posed, rotation, scale, depth } as Handle) : handle;
+    const own = now.get(handle.id);
+    return own && hasSameForm(own, handle) ? own : handle;
   });
 }
+
+/** Whether two handles have the same kind and number of corners. A point's place has the length 2. */
+export const hasSameForm = (a: Handle, b: Handle): boolean =>
+  a.kind === b.kind && a.posed.length === b.posed.length;

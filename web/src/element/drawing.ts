@@ -1,14 +1,15 @@
 /** Redraws at most once a frame, after a change of the pose or the view. */
+import type { Pose } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
-import type { Blend } from '../geometry/blend';
+import { blendOf } from '../document/bending';
 import type { HeatMap } from '../geometry/heat';
 import type { View } from '../geometry/view';
 import { Renderer } from '../render/renderer';
 
 export interface DrawingHost {
   view(): View;
-  motions(): Float32Array | null;
-  blend(): Blend;
+  /** Null draws the picture at rest. */
+  pose(): Pose | null;
   heat(): HeatMap | null;
   /** It is seen again, after the handles have moved out of sight. */
   came(): void;
@@ -76,9 +77,14 @@ export class Drawing {
     this.#renderer.dispose();
   }
 
+  #show(pose: Pose | null): void {
+    if (pose) this.#renderer.setMotions(pose.motions, blendOf(pose.project), pose.triangles);
+    else this.#renderer.setMotions(null);
+  }
+
   #draw(): void {
     this.#frame = 0;
-    if (!this.#posed) this.#renderer.setMotions(this.#host.motions(), this.#host.blend());
+    if (!this.#posed) this.#show(this.#host.pose());
     this.#posed = true;
     this.#renderer.setHeat(this.#host.heat());
     this.#renderer.draw(this.#host.view());

@@ -33,8 +33,8 @@ import {
 } from '../document/handle';
 import { mirrorHandles } from '../document/mirror';
 import type { Domain, Handle, LineHandle, PoseMode, Project } from '../document/project';
-import type { Blend } from '../geometry/blend';
 import type { LinePlace } from '../geometry/polyline';
+import type { Blend } from '../geometry/skin';
 import { add, type Vec } from '../geometry/vec';
 import type { Corner, Field } from '../ui/model';
 import type { Editing } from './editing';

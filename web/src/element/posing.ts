@@ -1,37 +1,27 @@
-/** The posed picture as geometry: the motions that draw it, and lookups between places on it and in the original. */
-import { blendOf } from '../document/bending';
+/** The present pose of the picture, and lookups between places on it and in the original. */
+import type { GroupWay, LimitedPose, Pose } from '../compute/posed_picture';
+import type { CellBorders } from '../compute/solution';
 import type { Document } from '../document/document';
-import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
+import type { Turns } from '../document/handle';
 import type { History } from '../document/history';
 import type { Project } from '../document/project';
-import { posedPositions } from '../geometry/blend';
-import { type Borders, posedBorders } from '../geometry/borders';
-import { type Box, boxAround, boxOfBoth, reachesBeyond } from '../geometry/box';
-import { coverageOf } from '../geometry/coverage';
-import { DrawingOrder } from '../geometry/drawing_order';
-import { type FoldingMesh, foldCount, foldedTriangles, foldingMesh } from '../geometry/folds';
-import { type Located, locateNear, locatePosed } from '../geometry/locate';
-import { type Skin, siteTurn } from '../geometry/skin';
-import { type Spot, spotAt } from '../geometry/spot';
+import { type Box, reachesBeyond } from '../geometry/box';
+import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
-import type { Placement } from '../tools/state';
 import type { FoldedMesh, SiteGraph } from '../ui/overlays';
-import type { Solving } from './solving';
+import type { Solved, Solving } from './solving';
 
 /** Image pixels beyond the frame that nobody misses; also covers rounding. */
 const SLACK = 0.5;
 
+const NO_TURNS: Turns = new Map();
+
 export class Posing {
   readonly #history: History<Document>;
   readonly #solving: Solving;
+  #solved: Solved | null = null;
   #project: Project | null = null;
-  #motions: Float32Array | null = null;
-  #posed: Float32Array | null = null;
-  #turns: Turns | null = null;
-  #folds: number | null = null;
-  #folding: FoldingMesh | null = null;
-  #order: DrawingOrder | null = null;
-  #coverage: Float32Array | null = null;
+  #pose: Pose | null = null;
 
   constructor(history: History<Document>, solving: Solving) {
     this.#history = history;
@@ -40,97 +30,86 @@ export class Posing {
 
   /** Clears all cached values, for another solution. */
   forget(): void {
+    this.#solved = null;
     this.#project = null;
-    this.#motions = null;
-    this.#posed = null;
-    this.#turns = null;
-    this.#folds = null;
-    this.#folding = null;
-    this.#order = null;
-    this.#coverage = null;
+    this.#pose = null;
   }
 
-  /** The motions of all sites in the current pose; null without a solution. */
-  motions(): Float32Array | null {
+  /** The present pose; null without a solution. If there is no such pose, for example a bar of no length, the last one. */
+  pose(): Pose | null {
+    const { current } = this.#solving;
     const { project } = this.#history.present;
-    if (project !== this.#project) {
-      this.#project = project;
-      this.#motions = this.#newest(project);
-      this.#posed = null;
-      this.#turns = null;
-      this.#folds = null;
+    if (current !== this.#solved) this.forget();
+    if (!current || project === this.#project) return this.#pose;
+    this.#solved = current;
+    this.#project = project;
+    try {
+      this.#pose = current.posed.pose(project);
+    } catch {
+      this.#pose ??= current.posed.pose(current.project);
     }
-    return this.#motions;
+    return this.#pose;
   }
 
   /** Turns of automatic handles: from their own sites, or from the picture around handles not solved yet. */
   turns(): Turns {
-    const motions = this.motions();
-    this.#turns ??= motions ? this.#turnsUnder(motions) : new Map();
-    return this.#turns;
+    return this.pose()?.turns ?? NO_TURNS;
   }
 
   /**
    * Where a handle can be placed on the posed picture: there, or at most `within` away. Without a solution the point of
    * the original is the place itself.
    */
-  place(at: Vec, within: number): Spot | null {
-    const { picture, current } = this.#solving;
+  place(at: Vec, within: number): Placement | null {
+    const { picture } = this.#solving;
     if (!picture) return null;
-    if (current) {
-      const { samples } = current.data.report;
-      return spotAt(this.#drawn(current.data), samples, this.#positions(), at, within);
-    }
+    const pose = this.pose();
+    if (pose) return pose.placement(at, within);
     const inside = at[0] >= 0 && at[1] >= 0 && at[0] < picture.width && at[1] < picture.height;
-    return inside ? { at, rest: at, rotation: 0, scale: 1 } : null;
+    return inside ? { posed: at, rest: at, rotation: 0, scale: 1 } : null;
   }
 
   /** What lies at a place of the posed picture; beside it as if its nearest part continued there. */
-  placeNear(at: Vec): Placement {
-    const { current } = this.#solving;
-    const near = current && locateNear(this.#drawn(current.data), this.#positions(), at);
-    return near ?? { rest: at, rotation: 0, scale: 1 };
+  placeNear(at: Vec): LocatedPoint {
+    return this.pose()?.locateNear(at) ?? { rest: at, rotation: 0, scale: 1 };
   }
 
-  /** The number of triangles that the current pose turns over. */
+  /** The number of triangles that the present pose turns over. */
   folds(): number {
-    this.motions();
-    this.#folds ??= foldCount(this.#foldable, this.#positions());
-    return this.#folds;
+    return this.pose()?.foldCount ?? 0;
   }
 
   /** `folds` for any pose, counted up to `limit` + 1; infinite if the solver cannot pose it. */
   foldsOf(project: Project, limit: number): number {
-    const { current } = this.#solving;
-    if (!current) return 0;
-    try {
-      const posed = posedPositions(current.data, this.#solving.motions(project), blendOf(project));
-      return foldCount(this.#foldable, posed, limit);
-    } catch {
-      return Number.POSITIVE_INFINITY;
-    }
+    return this.#solving.current?.posed.foldCount(project, limit) ?? 0;
   }
 
-  /** The triangles that the current pose turns over; null if there are none. */
+  /** How far handles go from one pose to another without more than the allowed folds. */
+  foldLimit(from: Project, to: Project, allowed: number): LimitedPose {
+    const limit = this.#solving.current?.posed.foldLimit(from, to, this.turns(), allowed);
+    return limit ?? { project: to, fraction: 1 };
+  }
+
+  /** Like `foldLimit`, for handles that turn and scale together. */
+  groupFoldLimit(way: GroupWay, allowed: number): LimitedPose {
+    return this.#solving.current?.posed.groupFoldLimit(way, allowed) ?? { project: way.to, fraction: 1 };
+  }
+
+  /** The triangles that the present pose turns over; null if there are none. */
   folded(): FoldedMesh | null {
-    if (this.folds() === 0) return null;
-    const posed = this.#positions();
-    return { posed, triangles: foldedTriangles(this.#foldable, posed) };
+    const pose = this.pose();
+    if (!pose || pose.foldCount === 0) return null;
+    return { posed: pose.positions, triangles: pose.foldedTriangles() };
   }
 
-  /** Bounding box of the posed picture without the mesh around its rim, image pixels; null without a solution. */
+  /** Bounding box of the posed picture without the skirt, image pixels; null without a solution. */
   bounds(): Box | null {
-    const { current } = this.#solving;
-    if (!current) return null;
-    const posed = boxAround(this.#positions(), current.data.report.samples);
-    const still = boxAround(current.data.backgroundPositions, current.data.backgroundPositions.length / 2);
-    return posed && still ? boxOfBoth(posed, still) : posed;
+    return this.pose()?.bounds() ?? null;
   }
 
   /** Bounding box of what bends, at rest, image pixels; null without a solution. */
   restBounds(): Box | null {
-    const data = this.#solving.current?.data;
-    return data ? boxAround(data.positions, data.report.samples) : null;
+    return this.#solving.current?.posed.restBounds() ?? null;
   }
 
   /** Whether part of the posed picture lies outside the picture's own rectangle. */
@@ -142,89 +121,28 @@ export class Posing {
   }
 
   /** Where a point of the original is posed; null outside the warped area. */
-  map(rest: Vec): Located | null {
-    const { current } = this.#solving;
-    if (!current) return null;
-    return locatePosed(current.data, this.motions(), blendOf(this.#history.present.project), rest);
+  map(rest: Vec): MappedPoint | null {
+    return this.pose()?.map(rest) ?? null;
   }
 
-  /** Whether a point of the original is part of what bends: not of the rim that is drawn around it. */
+  /** Whether a point of the original is part of what bends, and not of the skirt around it. */
   bends(rest: Vec): boolean {
-    const { current } = this.#solving;
-    if (!current) return false;
-    const { data } = current;
-    return spotAt(data, data.report.samples, data.positions, rest, 0)?.at === rest;
+    return this.#solving.current?.posed.bends(rest) ?? false;
   }
 
-  /** Where the borders between cells are in the current pose: pieces × 2 ends × 2. */
-  posed(borders: Borders): Float32Array {
-    return posedBorders(borders, this.#positions());
+  /** Where the borders between cells are in the present pose: pieces × 2 ends × 2. */
+  posed(borders: CellBorders): Float32Array {
+    return this.pose()?.borders(borders) ?? new Float32Array();
   }
 
-  /** How many sites move each vertex, see `coverageOf`; null without a solution. */
+  /** How many sites move each vertex; null without a solution. */
   coverage(): Float32Array | null {
-    const data = this.#solving.current?.data;
-    this.#coverage ??= data ? coverageOf(data) : null;
-    return this.#coverage;
+    return this.#solving.current?.posed.coverage() ?? null;
   }
 
   graph(): SiteGraph | null {
-    const motions = this.motions();
+    const pose = this.pose();
     const data = this.#solving.current?.data;
-    return data && motions ? { handles: data.siteHandle, edges: data.siteEdges, motions } : null;
-  }
-
-  #turnsUnder(motions: Float32Array): Turns {
-    const { current } = this.#solving;
-    const sites = new Map<string, number>();
-    current?.data.siteHandle.forEach((index, site) => {
-      const handle = current?.project.handles[index];
-      if (handle) sites.set(handle.id, site);
-    });
-    const automatic = this.#history.present.project.handles.filter(
-      (handle) => handle.kind === 'point' && isAutomatic(handle),
-    );
-    return new Map(
-      automatic.map((handle) => {
-        const site = sites.get(handle.id);
-        // `map` reports the turn from the posed picture to rest, hence the sign.
-        const turn =
-          site === undefined ? -(this.map(anchor(handle, 'rest'))?.rotation ?? 0) : siteTurn(motions, site);
-        // Rounded as in the document, so that pinning changes no digit.
-        return [handle.id, rounded(turn)];
-      }),
-    );
-  }
-
-  /** If the solver cannot pose this, for example a bar of no length, the last motions stay. */
-  #newest(project: Project): Float32Array | null {
-    try {
-      return this.#solving.motions(project);
-    } catch {
-      return this.#motions;
-    }
-  }
-
-  /** The triangles of the current solution that are checked for folds. */
-  get #foldable(): FoldingMesh {
-    const data = this.#solving.current?.data;
-    this.#folding ??= data ? foldingMesh(data, data.report.samples) : new Uint32Array();
-    return this.#folding;
-  }
-
-  /** The mesh with its triangles in the drawing order of the current pose. */
-  #drawn(data: Skin): Skin {
-    const motions = this.motions();
-    this.#order ??= new DrawingOrder(data);
-    return motions ? { ...data, triangles: this.#order.triangles(motions) } : data;
-  }
-
-  #positions(): Float32Array {
-    const motions = this.motions();
-    const positions = this.#solving.current?.data;
-    this.#posed ??= positions
-      ? posedPositions(positions, motions, blendOf(this.#history.present.project))
-      : new Float32Array();
-    return this.#posed;
+    return data && pose ? { handles: data.siteHandle, edges: data.siteEdges, motions: pose.motions } : null;
   }
 }

@@ -5,11 +5,7 @@
  * During a drag or an animation the reach is computed a few times a second; in between, the last values move with the
  * picture.
  */
-import { blendOf } from '../document/bending';
-import { displaced } from '../document/handle';
 import type { Project } from '../document/project';
-import { type MovedMotions, REACH_STEP, reachOf } from '../geometry/reach';
-import type { Vec } from '../geometry/vec';
 import type { Solved } from './solving';
 import type { Workbench } from './workbench';
 
@@ -63,34 +59,14 @@ export class Reaching {
     clearTimeout(this.#waiting);
     this.#waiting = undefined;
     this.#renewed = performance.now();
-    const { editing, picture } = this.#host.workbench;
+    const { editing } = this.#host.workbench;
     const { selection, project } = editing.document;
     this.#project = project;
-    const data = this.#solved?.data;
-    const known = this.#solved?.project.handles.some(({ id }) => selection.includes(id));
-    if (!data || !picture || !known) return;
-    const step = REACH_STEP * Math.hypot(picture.width, picture.height);
-    const steps: readonly Vec[] = [
-      [step, 0],
-      [-step, 0],
-      [0, step],
-      [0, -step],
-    ];
+    if (!this.#solved) return;
     try {
-      const moved = steps.map((by) => this.#moved(by)) as readonly (Float32Array | null)[];
-      this.#reach = reachOf(data, moved as MovedMotions, step, blendOf(project));
+      this.#reach = this.#solved.posed.reach(project, selection) ?? this.#reach;
     } catch {
       // The solver cannot pose this, for example a bar of no length: the last reach stays, like the picture.
     }
-  }
-
-  /** Motions with all selected handles moved. */
-  #moved(by: Vec): Float32Array | null {
-    const { editing, solving } = this.#host.workbench;
-    const { selection, project } = editing.document;
-    const handles = project.handles.map((handle) =>
-      selection.includes(handle.id) ? displaced(handle, by) : handle,
-    );
-    return solving.motions({ ...project, handles });
   }
 }

@@ -6,10 +6,10 @@
  */
 import { Engine } from '../compute/engine';
 import { ENGINE, EngineError } from '../compute/errors';
-import type { Poser } from '../compute/module';
+import type { PosedPicture } from '../compute/posed_picture';
 import type { CellBorders, Pixels, SolutionData, Stage } from '../compute/solution';
 import type { Project } from '../document/project';
-import { followedHandles, solveKey } from '../document/solved';
+import { solveKey } from '../document/solved';
 import type { Size } from '../geometry/camera';
 import type { SolvedLabel } from '../ui/model';
 import { isAbort } from './latest';
@@ -19,7 +19,7 @@ export interface Solved {
   readonly key: string;
   readonly project: Project;
   readonly data: SolutionData;
-  readonly poser: Poser;
+  readonly posed: PosedPicture;
 }
 
 export interface SolvingHost {
@@ -33,7 +33,7 @@ export interface SolvingHost {
   begin(label: string): () => void;
 }
 
-/** Number of cached solutions, some 3 MB each at 10,000 samples. */
+/** Number of cached solutions, some 6 MB each at 10,000 samples. */
 const KEPT = 6;
 /** From here on a wait is noticeable. */
 const PATIENCE_MS = 200;
@@ -112,13 +112,6 @@ export class Solving {
     else void this.#solve(project, key);
   }
 
-  /** Motions of the shown solution's sites, posed as in `project` where the solution has the handles. */
-  motions(project: Project): Float32Array | null {
-    if (!this.#current) return null;
-    const handles = followedHandles(this.#current.project, project);
-    return this.#current.poser.pose(JSON.stringify(handles));
-  }
-
   /** The borders between the cells of a solution. */
   async cells(solved: Solved): Promise<CellBorders> {
     const engine = await this.engine();
@@ -166,7 +159,7 @@ export class Solving {
       const data = await engine.solve(project, (stage) => {
         if (key === this.#wanted) this.#expect(LABELS[stage]);
       });
-      solved = { key, project, data, poser: engine.poser(data) };
+      solved = { key, project, data, posed: engine.posedPicture(data, project) };
     } catch (thrown) {
       this.#fail(key, thrown);
       return;
@@ -206,12 +199,12 @@ export class Solving {
     this.#kept = [solved, ...this.#kept.filter((other) => other.key !== solved.key)];
     const dropped = this.#kept.slice(KEPT).filter((other) => other !== this.#current);
     this.#kept = this.#kept.filter((other) => !dropped.includes(other));
-    for (const { poser } of dropped) poser.free();
+    for (const { posed } of dropped) posed.free();
   }
 
   #forget(): void {
     this.#done();
-    for (const { poser } of this.#kept) poser.free();
+    for (const { posed } of this.#kept) posed.free();
     this.#kept = [];
     this.#current = null;
     this.#wanted = null;

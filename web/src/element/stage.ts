@@ -1,5 +1,4 @@
 /** The stage on the page: listens to its size, to pointer and keys, and draws on its canvas. */
-import { blendOf } from '../document/bending';
 import { deviceView, toImage, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { clientToStage, stageToClient } from '../ui/client';
@@ -112,7 +111,7 @@ export class Stage {
 
   #draw(canvas: HTMLCanvasElement): Drawing | null {
     const { workbench, viewing, display, reaching, notices } = this.#host;
-    const { editing, posing } = workbench;
+    const { posing } = workbench;
     try {
       return new Drawing(canvas, {
         view: () => ({
@@ -121,8 +120,7 @@ export class Stage {
           overlays: display.bare || display.lassoing ? {} : display.overlays,
           pixelated: display.pixelated,
         }),
-        motions: () => posing.motions(),
-        blend: () => blendOf(editing.project),
+        pose: () => posing.pose(),
         came: () => this.#host.looked(),
         heat: () => {
           if (display.bare || display.lassoing) return null;

@@ -12,20 +12,6 @@ export const boxBetween = (a: Vec, b: Vec): Box => ({
   max: [Math.max(a[0], b[0]), Math.max(a[1], b[1])],
 });
 
-/** The smallest box around the first `count` of `points` (× 2); null where `count` is 0. Cost: linear. */
-export function boxAround(points: Float32Array, count: number): Box | null {
-  if (count === 0) return null;
-  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (let at = 0; at + 1 < 2 * count; at += 2) {
-    const [x, y] = [points[at] as number, points[at + 1] as number];
-    left = Math.min(left, x);
-    right = Math.max(right, x);
-    top = Math.min(top, y);
-    bottom = Math.max(bottom, y);
-  }
-  return { min: [left, top], max: [right, bottom] };
-}
-
 /** The smallest box around two boxes. */
 export const boxOfBoth = (a: Box, b: Box): Box => ({
   min: [Math.min(a.min[0], b.min[0]), Math.min(a.min[1], b.min[1])],

@@ -22,3 +22,6 @@ export const HEAT_RAMP: readonly RampColour[] = [
   [142, 223, 124, 0.74],
   [244, 240, 78, 0.78],
 ];
+
+/** Coverage at the top of the heat map: one site more than most scenes have anywhere. */
+export const MOST_COVERAGE = 10;

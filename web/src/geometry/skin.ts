@@ -1,6 +1,9 @@
 /** A mesh that sites move, and the sites' motions, as the solver and its poser return them. */
 import type { Vec } from './vec';
 
+/** How the motions that reach a vertex are blended. */
+export type Blend = 'linear' | 'rigid';
+
 /** A mesh with sparse weights, as the solver returns it. */
 export interface Skin {
   /** Vertices × 2, rest positions in image pixels. */

@@ -6,10 +6,8 @@
  * on the GPU.
  */
 import * as twgl from 'twgl.js';
-import type { Blend } from '../geometry/blend';
-import { DrawingOrder } from '../geometry/drawing_order';
 import type { HeatMap } from '../geometry/heat';
-import { MOTION_STRIDE } from '../geometry/skin';
+import { type Blend, MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import { HeatLayer } from './heat';
@@ -28,7 +26,6 @@ interface LoadedMesh {
   readonly weights: DataTexture;
   readonly motions: DataTexture;
   edges: twgl.BufferInfo | undefined;
-  readonly order: DrawingOrder;
   /** The triangles as the index buffer holds them. */
   drawn: Uint32Array;
 }
@@ -109,19 +106,18 @@ export class Painter {
         indices: { numComponents: 3, data: mesh.triangles },
       }),
       edges: undefined,
-      order: new DrawingOrder(mesh),
       drawn: mesh.triangles,
     };
   }
 
-  /** Sites × 12, or null to draw the mesh at rest. */
-  setMotions(motions: Float32Array | null, blend: Blend): void {
+  /** Sites × 12, or null to draw the mesh at rest. `triangles` are those of the mesh in drawing order, null as they are. */
+  setMotions(motions: Float32Array | null, blend: Blend, triangles: Uint32Array | null): void {
     this.#posed = motions !== null;
     this.#blend = blend;
     const loaded = this.#loaded;
     if (!motions || !loaded) return;
     loaded.motions.update(motions);
-    this.#reorder(loaded, loaded.order.triangles(motions));
+    this.#reorder(loaded, triangles ?? loaded.mesh.triangles);
   }
 
   /** Of the mesh, drawn as colours over the picture; null for the picture alone. */

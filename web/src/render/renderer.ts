@@ -4,9 +4,8 @@
  * Takes flat arrays, and knows neither handles nor solver. Keeps its inputs, to fill a context again that was lost and
  * restored.
  */
-import type { Blend } from '../geometry/blend';
 import type { HeatMap } from '../geometry/heat';
-import { MOTION_STRIDE } from '../geometry/skin';
+import { type Blend, MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
 import { Painter } from './painter';
@@ -22,6 +21,7 @@ export class Renderer {
   #motions: Float32Array | null = null;
   #heat: HeatMap | null = null;
   #blend: Blend = 'linear';
+  #triangles: Uint32Array | null = null;
 
   /** Called when the picture must be drawn again, on a context that was restored or after sleep. */
   onrestore: (() => void) | null = null;
@@ -57,22 +57,29 @@ export class Renderer {
   setSolution(mesh: WarpMesh | null): void {
     this.#mesh = mesh;
     this.#motions = null;
+    this.#triangles = null;
     this.#heat = null;
     this.#fillMesh();
   }
 
   /**
-   * Sites × 12, see {@link MOTION_STRIDE}, and how they are blended; null draws the mesh at rest.
+   * Sites × 12, see {@link MOTION_STRIDE}, and how they are blended; null draws the mesh at rest. `triangles` are those
+   * of the mesh in the drawing order of the pose; without them the mesh keeps its own order.
    * @throws RangeError unless there is one motion per site of the mesh.
    */
-  setMotions(motions: Float32Array | null, blend: Blend = 'linear'): void {
+  setMotions(
+    motions: Float32Array | null,
+    blend: Blend = 'linear',
+    triangles: Uint32Array | null = null,
+  ): void {
     const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
     if (motions && motions.length !== sites * MOTION_STRIDE) {
       throw new RangeError(`${motions.length / MOTION_STRIDE} motions for ${sites} sites`);
     }
     this.#motions = motions;
     this.#blend = blend;
-    if (!this.lost) this.#painter?.setMotions(motions, blend);
+    this.#triangles = triangles;
+    if (!this.lost) this.#painter?.setMotions(motions, blend, triangles);
   }
 
   /**
@@ -139,7 +146,7 @@ export class Renderer {
     if (this.#asleep || gl.isContextLost()) return;
     this.#painter = new Painter(gl);
     this.#fill();
-    this.#painter.setMotions(this.#motions, this.#blend);
+    this.#painter.setMotions(this.#motions, this.#blend, this.#triangles);
     this.#painter.setHeat(this.#heat);
     this.onrestore?.();
   }

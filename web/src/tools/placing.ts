@@ -7,7 +7,7 @@ import { restingRotation } from '../document/bending';
 import { addHandle, freeId } from '../document/edits';
 import { rounded, roundedVec } from '../document/handle';
 import type { PointHandle, Project } from '../document/project';
-import type { Spot } from '../geometry/spot';
+import type { Placement } from '../geometry/place';
 import { add, distance, subtract } from '../geometry/vec';
 import { moving } from './moving';
 import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
@@ -17,13 +17,14 @@ import { type Outcome, outcome, type Press, type State, type ToolContext } from 
  * jump. An automatic rotation follows from the pose. Where the picture is turned over, the nearest scale can be 0, which
  * no handle has.
  */
-export function pointHandle(project: Project, { at, rest, rotation, scale }: Spot): PointHandle {
-  const posed = roundedVec(at);
+export function pointHandle(project: Project, placement: Placement): PointHandle {
+  const { rest, rotation, scale } = placement;
+  const posed = roundedVec(placement.posed);
   return {
     id: freeId(project),
     kind: 'point',
     // From there, so that what is not bent rests where it is: a half of a hundredth is rounded up or down by a hair.
-    rest: roundedVec(add(posed, subtract(rest, at))),
+    rest: roundedVec(add(posed, subtract(rest, placement.posed))),
     posed,
     rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(rotation),
     scale: rounded(scale) || 1,
@@ -31,9 +32,9 @@ export function pointHandle(project: Project, { at, rest, rotation, scale }: Spo
 }
 
 export function placed(press: Press, context: ToolContext, rest: State): Outcome {
-  const spot = context.place(press.at);
-  if (!spot) return outcome(rest, { type: 'miss' });
-  const handle = pointHandle(context.document.project, spot);
+  const placement = context.place(press.at);
+  if (!placement) return outcome(rest, { type: 'miss' });
+  const handle = pointHandle(context.document.project, placement);
   const document = addHandle(context.document, handle);
   return outcome(
     placing(document, handle.id, press, rest),

@@ -10,7 +10,7 @@ import type { PosedDocument } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
-import type { Spot } from '../geometry/spot';
+import type { LocatedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 
 /** A pointer at one moment. */
@@ -41,22 +41,15 @@ export interface Grips {
   readonly view: Box;
 }
 
-/** A place for a new handle: where it rests, and the rotation (degrees) and scale of the picture there now. */
-export interface Placement {
-  readonly rest: Vec;
-  readonly rotation: number;
-  readonly scale: number;
-}
-
 /** The editor's state as seen by tools. */
 export interface ToolContext {
   readonly document: Document;
   readonly grips: Grips;
   readonly turns: Turns;
   /** Where on the picture a point handle goes: there or, close beside what bends, the nearest place on it; else null. */
-  place(at: Vec): Spot | null;
+  place(at: Vec): Placement | null;
   /** What lies at a point; beside the picture as if its nearest part continued there. */
-  placeNear(at: Vec): Placement;
+  placeNear(at: Vec): LocatedPoint;
 }
 
 /** A bar, a polygon or a lasso that is being drawn. */

@@ -6,9 +6,10 @@ import { rotationOf, type Turns, withAutoRotation } from '../document/handle';
 import { History } from '../document/history';
 import type { BarHandle, PointHandle } from '../document/project';
 import type { Box } from '../geometry/box';
+import type { LocatedPoint } from '../geometry/place';
 import { add, rotated, type Vec } from '../geometry/vec';
 import { ToolMachine } from './machine';
-import type { Effect, Placement, Press, ToolContext } from './state';
+import type { Effect, Press, ToolContext } from './state';
 
 const handle = (id: string, x: number): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
 /** Through the grip of both. */
@@ -27,7 +28,7 @@ class Bench {
   );
   readonly others: Effect[] = [];
   turns: Turns = new Map();
-  placement: Placement | null = { rest: [7, 8], rotation: 30, scale: 2 };
+  placement: LocatedPoint | null = { rest: [7, 8], rotation: 30, scale: 2 };
   view: Box = { min: [-1e3, -1e3], max: [1e3, 1e3] };
   /** Where a handle is led to that is placed beside the picture. */
   led: Vec | null = null;
@@ -78,7 +79,7 @@ class Bench {
         view: this.view,
       },
       turns: this.turns,
-      place: (at) => this.placement && { at: this.led ?? at, ...this.placement },
+      place: (at) => this.placement && { posed: this.led ?? at, ...this.placement },
       placeNear: (at) => this.placement ?? { rest: at, rotation: 0, scale: 1 },
     };
   }

@@ -1,7 +1,6 @@
 /** The legend of a heat map, or a hint on how to see it. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { MOST_COVERAGE } from '../geometry/coverage';
-import { HEAT_RAMP } from '../geometry/heat';
+import { HEAT_RAMP, MOST_COVERAGE } from '../geometry/heat';
 import { draws } from '../tools/machine';
 import type { EditorModel } from './model';
 

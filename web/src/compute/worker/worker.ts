@@ -69,9 +69,9 @@ async function handle(session: Session, request: Request): Promise<void> {
     }
     case 'cells': {
       const borders = session.cell_borders(request.body.project);
-      const { corners, shares } = borders;
+      const { corners, barycentric } = borders;
       borders.free();
-      return done({ corners, shares }, [corners.buffer, shares.buffer]);
+      return done({ corners, barycentric }, [corners.buffer, barycentric.buffer]);
     }
   }
 }
@@ -94,8 +94,8 @@ function copiedOut(solution: Solution): SolutionData {
   const data: SolutionData = {
     positions: solution.positions,
     triangles: solution.triangles,
-    backgroundPositions: solution.surrounding_positions,
-    backgroundTriangles: solution.surrounding_triangles,
+    backgroundPositions: solution.background_positions,
+    backgroundTriangles: solution.background_triangles,
     offsets: solution.offsets,
     sites: solution.sites,
     weights: solution.weights,

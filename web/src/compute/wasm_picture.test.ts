@@ -1,0 +1,162 @@
+import { readFileSync } from 'node:fs';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { newProject, openDocument } from '../document/document';
+import { addHandle, moveHandles } from '../document/edits';
+import { rotationOf } from '../document/handle';
+import type { Handle, Project } from '../document/project';
+import { initSync, Session } from './generated/c2warp';
+import type { PosedPicture } from './posed_picture';
+import type { Report } from './solution';
+import { createPosedPicture } from './wasm_picture';
+
+const SIZE = 64;
+const TURNS = new Map<string, number>();
+
+const point = (id: string, x: number, y: number): Handle => ({
+  id,
+  kind: 'point',
+  rest: [x, y],
+  posed: [x, y],
+});
+
+const document = [point('left', 16, 32), point('right', 48, 32), point('top', 32, 8)].reduce(addHandle, {
+  ...openDocument(newProject({ src: '', width: SIZE, height: SIZE }, null)),
+});
+const solved: Project = { ...document.project, samples: 500 };
+const moved = (id: string, x: number, y: number): Project =>
+  moveHandles({ ...document, project: solved }, [id], [x, y]).project;
+
+function pictureOf(project: Project): PosedPicture {
+  const session = new Session();
+  session.set_picture(SIZE, SIZE, new Uint8Array(4 * SIZE * SIZE).fill(255));
+  session.begin(JSON.stringify(project));
+  while (session.advance() !== undefined);
+  const solution = session.solution();
+  const picture = createPosedPicture(
+    {
+      positions: solution.positions,
+      triangles: solution.triangles,
+      backgroundPositions: solution.background_positions,
+      backgroundTriangles: solution.background_triangles,
+      offsets: solution.offsets,
+      sites: solution.sites,
+      weights: solution.weights,
+      siteRest: solution.site_rest,
+      siteHandle: solution.site_handle,
+      siteEdges: solution.site_edges,
+      poser: solution.poser,
+      report: JSON.parse(solution.report) as Report,
+    },
+    project,
+  );
+  solution.free();
+  session.free();
+  return picture;
+}
+
+describe('a posed picture', () => {
+  let picture: PosedPicture;
+  beforeAll(() => {
+    initSync({ module: readFileSync(new URL('./generated/c2warp_bg.wasm', import.meta.url)) });
+    picture = pictureOf(solved);
+  });
+
+  it('takes handles to their posed places, and back', () => {
+    const pose = picture.pose(moved('right', 3, -4));
+    expect(pose.map([48, 32])?.posed[0]).toBeCloseTo(51, 4);
+    expect(pose.map([48, 32])?.posed[1]).toBeCloseTo(28, 4);
+    expect(pose.locate([51, 28])?.rest[0]).toBeCloseTo(48, 4);
+    expect(pose.map([-1, 0])).toBeNull();
+    expect(pose.locate([-5, 0])).toBeNull();
+    expect(pose.locateNear([-5, 0])?.rest[0]).toBeLessThan(0);
+    const still = picture.pose(solved);
+    expect(still.placement([-5, 10], 2)).toBeNull();
+    expect(still.placement([-1, 10], 2)?.posed[0]).toBeGreaterThan(0);
+    expect(still.placement([30, 10], 2)?.posed).toEqual([30, 10]);
+    expect(picture.bends([10, 10])).toBe(true);
+    expect(picture.bends([-1, 10])).toBe(false);
+    expect(pose.positions).toHaveLength(2 * picture.coverage().length);
+  });
+
+  it('answers for a pose after another one was made', () => {
+    const first = picture.pose(moved('right', 5, 0));
+    const second = picture.pose(moved('right', -5, 0));
+    expect(first.map([48, 32])?.posed[0]).toBeCloseTo(53, 4);
+    expect(second.map([48, 32])?.posed[0]).toBeCloseTo(43, 4);
+    expect(first.triangles).toBe(second.triangles);
+  });
+
+  it('sorts triangles by depth, and keeps the array while depths stay', () => {
+    const flat = picture.pose(solved).triangles;
+    const handles = solved.handles.map((handle) => ({ ...handle, depth: handle.id === 'left' ? 1 : 0 }));
+    const deep = picture.pose({ ...solved, handles }).triangles;
+    expect(deep).not.toEqual(flat);
+    expect([...deep].sort()).toEqual([...flat].sort());
+    expect(picture.pose({ ...solved, handles: [...handles] }).triangles).toBe(deep);
+  });
+
+  it('keeps the handles that a project lacks, and ignores those that are not solved', () => {
+    const fewer = { ...solved, handles: [...solved.handles.slice(0, 2), point('new', 60, 60)] };
+    expect(picture.pose(fewer).map([32, 8])?.posed).toEqual(picture.pose(solved).map([32, 8])?.posed);
+  });
+
+  it('refuses a pose that cannot be made, with a code', () => {
+    const handles = solved.handles.map((handle) => ({ ...handle, scale: 0 }));
+    expect(() => picture.pose({ ...solved, handles })).toThrow(
+      expect.objectContaining({ code: expect.any(String) }),
+    );
+    expect(picture.foldCount({ ...solved, handles })).toBe(Number.POSITIVE_INFINITY);
+  });
+
+  it('counts folds, and stops before the first one', () => {
+    const far = moved('right', -50, 0);
+    expect(picture.foldCount(solved)).toBe(0);
+    expect(picture.foldCount(far)).toBeGreaterThan(1);
+    expect(picture.foldCount(far, 0)).toBe(1);
+    const pose = picture.pose(far);
+    expect(pose.foldedTriangles()).toHaveLength(3 * pose.foldCount);
+    const limit = picture.foldLimit(solved, far, TURNS, 0);
+    expect(limit.fraction).toBeGreaterThan(0.1);
+    expect(limit.fraction).toBeLessThan(1);
+    expect(picture.foldCount(limit.project)).toBe(0);
+    const [, held] = limit.project.handles;
+    expect(held?.kind === 'point' && held.posed[0]).toBeCloseTo(48 - 50 * limit.fraction, 2);
+    expect(limit.project.handles[0]).toBe(far.handles[0]);
+    const near = moved('right', 1, 0);
+    expect(picture.foldLimit(solved, near, TURNS, 0)).toEqual({ project: near, fraction: 1 });
+    expect(picture.foldLimit(solved, near, TURNS, 0).project).toBe(near);
+  });
+
+  it('stops handles that turn together at the same fraction', () => {
+    const selection = ['left', 'right'];
+    const limit = picture.groupFoldLimit(
+      {
+        origin: solved,
+        selection,
+        to: moved('left', 32, 0),
+        start: { turn: 0, scale: 1 },
+        end: { turn: 180, scale: 1 },
+      },
+      0,
+    );
+    // The end was given as a pose that folds; the way to it is a turn.
+    expect(limit.fraction).toBeGreaterThan(0);
+    expect(limit.fraction).toBeLessThan(1);
+    const turned = limit.project.handles.filter(({ id }) => selection.includes(id)).map((h) => rotationOf(h));
+    expect(turned[0]).toBeCloseTo(180 * limit.fraction, 2);
+    expect(turned[1]).toBe(turned[0]);
+  });
+
+  it('returns the reach of a selection, 1 at the handle and 0 at the others', () => {
+    const reach = picture.reach(solved, ['left']);
+    expect(Math.max(...(reach ?? []))).toBeCloseTo(1, 1);
+    expect(Math.min(...(reach ?? []))).toBeCloseTo(0, 2);
+    expect(picture.reach(solved, ['nobody'])).toBeNull();
+  });
+
+  it('bounds the picture at rest and posed', () => {
+    expect(picture.restBounds()).toEqual({ min: [0, 0], max: [SIZE, SIZE] });
+    expect(picture.pose(moved('right', 40, 0)).bounds()?.max[0]).toBeGreaterThan(SIZE);
+    expect(picture.bytes).toBeGreaterThan(10_000);
+  });
+});

@@ -1,0 +1,227 @@
+/**
+ * The {@link PosedPicture} that the page's module computes.
+ *
+ * The module caches one pose. A query about another one poses again, which takes the time of a frame.
+ */
+import { blendOf } from '../document/bending';
+import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
+import { projectPoses } from '../document/handle_poses';
+import type { Project } from '../document/project';
+import { followedHandles } from '../document/solved';
+import { groupWay, handleWay } from '../document/ways';
+import type { Box } from '../geometry/box';
+import { MOST_COVERAGE } from '../geometry/heat';
+import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
+import { siteTurn } from '../geometry/skin';
+import type { Vec } from '../geometry/vec';
+import { createModulePicture, type ModulePicture } from './module';
+import type { GroupWay, LimitedPose, Pose, PosedPicture } from './posed_picture';
+import type { CellBorders, SolutionData } from './solution';
+
+/** Requires the module to be loaded. @param project The project that was solved. */
+export const createPosedPicture = (data: SolutionData, project: Project): PosedPicture =>
+  new WasmPicture(createModulePicture(data, project.handles), data, project);
+
+class WasmPicture implements PosedPicture {
+  readonly #module: ModulePicture;
+  readonly #solved: Project;
+  readonly data: SolutionData;
+  /** The pose that the module holds; null while it rests. */
+  #present: WasmPose | null = null;
+  #triangles: { readonly version: number; readonly array: Uint32Array };
+  #coverage: Float32Array<ArrayBuffer> | undefined;
+
+  constructor(module: ModulePicture, data: SolutionData, solved: Project) {
+    this.#module = module;
+    this.#solved = solved;
+    this.data = data;
+    this.#triangles = { version: module.order_version, array: data.triangles };
+  }
+
+  get bytes(): number {
+    return this.#module.bytes;
+  }
+
+  pose(project: Project): Pose {
+    const pose = new WasmPose(this, project, projectPoses(this.#solved, project));
+    pose.motions = this.#module.set_pose(pose.handles, isRigid(project));
+    this.#present = pose;
+    return pose;
+  }
+
+  foldCount(project: Project, limit = Number.POSITIVE_INFINITY): number {
+    return this.#module.fold_count_of(projectPoses(this.#solved, project), isRigid(project), limit);
+  }
+
+  foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose {
+    const way = handleWay(this.#solved, from, to, turns);
+    return limited(this.#module.fold_limit(way.from, way.to, way.turns, isRigid(to), allowed), to, way.apply);
+  }
+
+  groupFoldLimit({ origin, selection, to, start, end }: GroupWay, allowed: number): LimitedPose {
+    const way = groupWay(this.#solved, origin, selection, to);
+    const group = [...way.pivot, start.turn, start.scale, end.turn, end.scale, ...way.scales];
+    const limit = this.#module.group_fold_limit(
+      way.to,
+      way.members,
+      way.origins,
+      way.rotations,
+      Float64Array.from(group),
+      isRigid(to),
+      allowed,
+    );
+    return limited(limit, to, way.apply);
+  }
+
+  reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null {
+    const handles = followedHandles(this.#solved, project);
+    const selected = handles.flatMap(({ id }, index) => (selection.includes(id) ? [index] : []));
+    if (selected.length === 0) return null;
+    const { width, height } = project.image;
+    const poses = projectPoses(this.#solved, project);
+    return this.#module.reach(poses, isRigid(project), Uint32Array.from(selected), Math.hypot(width, height));
+  }
+
+  coverage(): Float32Array<ArrayBuffer> {
+    this.#coverage ??= Float32Array.from(this.#module.coverage(), (sites) => sites / MOST_COVERAGE);
+    return this.#coverage;
+  }
+
+  restBounds(): Box | null {
+    return asBox(this.#module.rest_bounds());
+  }
+
+  bends([x, y]: Vec): boolean {
+    return this.#module.bends(x, y);
+  }
+
+  free(): void {
+    this.#module.free();
+  }
+
+  /** The module, holding a pose. */
+  holding(pose: WasmPose): ModulePicture {
+    if (this.#present !== pose) {
+      this.#module.set_pose(pose.handles, isRigid(pose.project));
+      this.#present = pose;
+    }
+    return this.#module;
+  }
+
+  /** The triangles in drawing order of a pose. */
+  trianglesOf(pose: WasmPose): Uint32Array {
+    const module = this.holding(pose);
+    const version = module.order_version;
+    if (version !== this.#triangles.version) this.#triangles = { version, array: module.triangles() };
+    return this.#triangles.array;
+  }
+
+  /** Turns of automatic handles: of their own sites, or of the picture around handles that are not solved yet. */
+  turnsOf(pose: WasmPose): Turns {
+    const sites = new Map<string, number>();
+    this.data.siteHandle.forEach((index, site) => {
+      const handle = this.#solved.handles[index];
+      if (handle) sites.set(handle.id, site);
+    });
+    const automatic = pose.project.handles.filter(isAutomatic);
+    return new Map(
+      automatic.map((handle) => {
+        const site = sites.get(handle.id);
+        const turn =
+          site === undefined
+            ? (pose.map(anchor(handle, 'rest'))?.rotation ?? 0)
+            : siteTurn(pose.motions, site);
+        // Rounded as in the document, so that pinning changes no digit.
+        return [handle.id, rounded(turn)];
+      }),
+    );
+  }
+}
+
+class WasmPose implements Pose {
+  readonly #picture: WasmPicture;
+  readonly project: Project;
+  readonly handles: Float64Array;
+  motions = new Float32Array();
+  #positions: Float32Array<ArrayBuffer> | undefined;
+  #turns: Turns | undefined;
+  #foldCount: number | undefined;
+
+  constructor(picture: WasmPicture, project: Project, handles: Float64Array) {
+    this.#picture = picture;
+    this.project = project;
+    this.handles = handles;
+  }
+
+  get triangles(): Uint32Array {
+    return this.#picture.trianglesOf(this);
+  }
+
+  get positions(): Float32Array<ArrayBuffer> {
+    this.#positions ??= this.#module.posed_positions();
+    return this.#positions;
+  }
+
+  get turns(): Turns {
+    this.#turns ??= this.#picture.turnsOf(this);
+    return this.#turns;
+  }
+
+  get foldCount(): number {
+    this.#foldCount ??= this.#module.fold_count();
+    return this.#foldCount;
+  }
+
+  foldedTriangles(): Uint32Array<ArrayBuffer> {
+    return this.#module.folded_triangles();
+  }
+
+  map([x, y]: Vec): MappedPoint | null {
+    return asPlacement(this.#module.map(x, y));
+  }
+
+  locate([x, y]: Vec): LocatedPoint | null {
+    return asPlacement(this.#module.locate(x, y));
+  }
+
+  locateNear([x, y]: Vec): LocatedPoint | null {
+    return asPlacement(this.#module.locate_near(x, y));
+  }
+
+  placement([x, y]: Vec, within: number): Placement | null {
+    return asPlacement(this.#module.placement(x, y, within));
+  }
+
+  bounds(): Box | null {
+    return asBox(this.#module.bounds());
+  }
+
+  borders({ corners, barycentric }: CellBorders): Float32Array<ArrayBuffer> {
+    return this.#module.borders(corners, barycentric);
+  }
+
+  get #module(): ModulePicture {
+    return this.#picture.holding(this);
+  }
+}
+
+const isRigid = (project: Project): boolean => blendOf(project) === 'rigid';
+
+/** @param numbers The fraction of the way, then the poses there. */
+function limited(numbers: Float64Array, to: Project, apply: (poses: Float64Array) => Project): LimitedPose {
+  const [fraction = 0] = numbers;
+  return { fraction, project: fraction === 1 ? to : apply(numbers.subarray(1)) };
+}
+
+/** From a point's six numbers, see `wasm/bind/src/posed_picture.rs`. */
+function asPlacement(numbers: Float64Array | undefined): Placement | null {
+  if (!numbers) return null;
+  const [restX = 0, restY = 0, posedX = 0, posedY = 0, rotation = 0, scale = 1] = numbers;
+  return { rest: [restX, restY], posed: [posedX, posedY], rotation, scale };
+}
+
+function asBox(edges: Float64Array | undefined): Box | null {
+  if (!edges) return null;
+  const [left = 0, top = 0, right = 0, bottom = 0] = edges;
+  return { min: [left, top], max: [right, bottom] };
+}

@@ -1,0 +1,72 @@
+/**
+ * Poses of handles as one flat array: how a pose reaches the solver in every frame.
+ *
+ * For each handle: the number n of its corners (1 for a point), the rotation in degrees (NaN: automatic), the scale, the
+ * depth, then n × 2 coordinates. The first handles are those of a solution, in its order.
+ */
+import type { Vec } from '../geometry/vec';
+import { corners, depthOf, isLine, scaleOf } from './handle';
+import type { Handle, Project } from './project';
+import { followedHandles } from './solved';
+
+/** Numbers of a handle before its corners. */
+const HEAD = 4;
+
+/** The pose of one handle. */
+export interface HandlePose {
+  readonly posed: readonly Vec[];
+  /** Degrees; NaN if automatic. */
+  readonly rotation: number;
+  readonly scale: number;
+}
+
+/** The handles of the solved project, posed as in another project if it has them. */
+export const projectPoses = (solved: Project, project: Project): Float64Array =>
+  handlePoses(followedHandles(solved, project));
+
+export function handlePoses(handles: readonly Handle[]): Float64Array {
+  const length = handles.reduce((sum, handle) => sum + HEAD + 2 * corners(handle).length, 0);
+  const numbers = new Float64Array(length);
+  let at = 0;
+  for (const handle of handles) {
+    const places = corners(handle);
+    numbers.set([places.length, rotationNumber(handle), scaleOf(handle), depthOf(handle)], at);
+    at += HEAD;
+    for (const place of places) {
+      numbers.set(place, at);
+      at += 2;
+    }
+  }
+  return numbers;
+}
+
+/** The poses in an array of this layout. */
+export function readPoses(numbers: Float64Array): readonly HandlePose[] {
+  const poses: HandlePose[] = [];
+  let at = 0;
+  while (at < numbers.length) {
+    const [count = 0, rotation = 0, scale = 1] = numbers.subarray(at, at + HEAD);
+    at += HEAD;
+    const posed = Array.from(
+      { length: count },
+      (_, k): Vec => [numbers[at + 2 * k] ?? 0, numbers[at + 2 * k + 1] ?? 0],
+    );
+    at += 2 * count;
+    poses.push({ posed, rotation, scale });
+  }
+  return poses;
+}
+
+/** The handle in another pose: itself if nothing changes. Keys that do not change are not written. */
+export function withPose(handle: Handle, { posed, rotation, scale }: HandlePose): Handle {
+  const isTurned = !Number.isNaN(rotation) && rotation !== rotationNumber(handle);
+  const isScaled = scale !== scaleOf(handle);
+  const isMoved = corners(handle).some(([x, y], k) => x !== posed[k]?.[0] || y !== posed[k]?.[1]);
+  if (!isTurned && !isScaled && !isMoved) return handle;
+  const changes = { ...(isTurned ? { rotation } : {}), ...(isScaled ? { scale } : {}) };
+  return isLine(handle)
+    ? { ...handle, ...changes, posed }
+    : { ...handle, ...changes, posed: posed[0] ?? handle.posed };
+}
+
+const rotationNumber = ({ rotation = 0 }: Handle): number => (rotation === 'auto' ? Number.NaN : rotation);
