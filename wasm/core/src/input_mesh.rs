@@ -1,10 +1,12 @@
-//! A triangle mesh from the caller in place of a picture's outline and samples (section V-B).
+//! A triangle mesh of the caller in place of a picture's outline and samples (section V-B).
 //!
-//! The mesh's boundary is the outline of the domain, so distances and weights are as exact as on the solver's own mesh: they
-//! are evaluated, not propagated along edges. Cells are located on the solver's own samples, as many as the project requests,
-//! and do not depend on inner vertices. The mesh's vertices are the samples, no more and no fewer.
+//! The mesh's boundary is the outline of the domain, and its vertices are the samples. Distances and weights are
+//! evaluated, not propagated along edges. So they are as exact as on the solver's own mesh. Cells are stored over
+//! coarse samples of the solver, and do not depend on inner vertices.
 //!
 //! Cost of the checks: one look-up for each edge, and a sweep over the boundary.
+//!
+//! Limits: no part of a mesh may touch another.
 
 use std::{collections::HashMap, sync::Arc};
 
@@ -19,9 +21,10 @@ use crate::{
     triangulation::{NONE, Triangulation},
 };
 
-/// Least area of a triangle, in square pixels and in squares of its longest edge: less is rounding.
+/// Least area of a triangle, in square pixels and relative to the square of its longest edge. A smaller area is
+/// rounding.
 const MIN_AREA: f64 = 1e-12;
-/// Turns of the boundary smaller than this (sine of the angle) are straight, as for paths.
+/// The boundary is straight at a vertex if the sine of its turning angle is below this. Paths treat it in the same way.
 const STRAIGHT: f64 = 1e-12;
 
 /// A checked triangle mesh, for [`solve_mesh`](crate::solve_mesh).
@@ -36,7 +39,7 @@ const STRAIGHT: f64 = 1e-12;
 /// let mesh = InputMesh::new(vertices, triangles)?;
 /// let left = Handle::point("left", [2.0, 9.0]);
 /// let right = Handle::point("right", [30.0, 10.0]).posed_at([[30.0, 15.0]]);
-/// // Of any size: the picture plays no part.
+/// // Of any size, as the picture is ignored.
 /// let project = Project::for_picture(1, 1).with_handles([left, right]);
 /// let solution = solve_mesh(&project, &mesh)?;
 /// let pose = solution.pose(&project)?;
@@ -48,19 +51,19 @@ const STRAIGHT: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub struct InputMesh {
     mesh: Triangulation,
-    /// The vertices along the boundary.
+    /// Rings of the boundary × the vertices along each.
     rings: Vec<Vec<u32>>,
     pub(crate) prepared: Arc<PreparedDomain>,
 }
 
 impl InputMesh {
-    /// Checks a mesh. Places are in pixels, each coordinate from −1,000,000 to 1,000,000; triangles may have either orientation
-    /// and are reoriented where necessary.
+    /// Checks a mesh of positions in pixels and triangles × 3 vertices.
     ///
-    /// Tolerances are in pixels, not relative to the mesh: handles must be at least 0.01 px apart, and rounding is up to
-    /// 1e-6 px. Scale up a mesh in units of 0 to 1, with its handles, to some hundreds of pixels.
+    /// Coordinates must be from −1,000,000 to 1,000,000. Triangles may have either orientation. The mesh may have
+    /// several parts and holes, and parts inside holes. No part may touch another.
     ///
-    /// The mesh may have several parts and holes, with further parts inside holes. No part may touch another.
+    /// Tolerances are in pixels, not relative to the mesh. Handles must be at least 0.01 px apart, and rounding is up
+    /// to 1e-6 px. Scale a mesh in units of 0 to 1, with its handles, to some hundreds of pixels.
     ///
     /// # Errors
     /// One of the `Mesh…` errors, with the triangle or vertex.
@@ -68,9 +71,8 @@ impl InputMesh {
         if triangles.is_empty() {
             return Err(Error::MeshEmpty);
         }
-        // NaN is not below anything.
-        if let Some(vertex) = vertices.iter().position(|p| !(p.abs().max_element() <= MAX_COORDINATE && p.is_finite()))
-        {
+        let is_valid = |p: &DVec2| p.is_finite() && p.abs().max_element() <= MAX_COORDINATE;
+        if let Some(vertex) = vertices.iter().position(|p| !is_valid(p)) {
             return Err(Error::MeshVertex { vertex });
         }
         let mut used = vec![false; vertices.len()];
@@ -98,11 +100,11 @@ impl InputMesh {
         let neighbours = neighbours(&triangles)?;
         let mesh = Triangulation { vertices, triangles, neighbours };
         let rings = boundary(&mesh)?;
-        let corners: Vec<Vec<u32>> = rings.iter().map(|ring| turns(&mesh.vertices, ring)).collect();
-        let place = |&v: &u32| mesh.vertices[v as usize];
+        let corners: Vec<Vec<u32>> = rings.iter().map(|ring| turning_vertices(&mesh.vertices, ring)).collect();
+        let position = |&v: &u32| mesh.vertices[v as usize];
         let domain =
-            Domain::from_oriented(corners.iter().map(|ring| ring.iter().map(place).collect::<Ring>()).collect());
-        let domain = domain.map_err(|error| in_terms_of(error, &corners))?;
+            Domain::from_oriented(corners.iter().map(|ring| ring.iter().map(position).collect::<Ring>()).collect());
+        let domain = domain.map_err(|error| mesh_error(error, &corners))?;
         Ok(Self { mesh, rings, prepared: Arc::new(PreparedDomain::without_picture(domain)) })
     }
 
@@ -113,8 +115,9 @@ impl InputMesh {
     }
 }
 
-/// The triangles across the edges. Triangles have positive orientation, so two neighbours run along their edge in opposite
-/// directions.
+/// Triangles × 3 edges: the triangle across each edge; [`NONE`] on the boundary.
+///
+/// Triangles have positive orientation, so two neighbours run along their edge in opposite directions.
 fn neighbours(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
     let mut beside: HashMap<[u32; 2], usize> = HashMap::with_capacity(triangles.len() * 3);
     for (triangle, corners) in triangles.iter().enumerate() {
@@ -129,7 +132,7 @@ fn neighbours(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Error> {
     Ok(triangles.iter().map(|&[a, b, c]| [across(a, b), across(b, c), across(c, a)]).collect())
 }
 
-/// The rings of vertices along the boundary, the mesh to their right.
+/// The rings of vertices along the boundary, with the mesh to their right.
 fn boundary(mesh: &Triangulation) -> Result<Vec<Vec<u32>>, Error> {
     let mut next = vec![NONE; mesh.vertices.len()];
     for (corners, neighbours) in mesh.triangles.iter().zip(&mesh.neighbours) {
@@ -155,19 +158,20 @@ fn boundary(mesh: &Triangulation) -> Result<Vec<Vec<u32>>, Error> {
     Ok(rings)
 }
 
-/// The vertices at which a ring turns; the others are of no use to paths.
-fn turns(vertices: &[DVec2], ring: &[u32]) -> Vec<u32> {
+/// The vertices at which a ring turns. Paths never bend at the others.
+fn turning_vertices(vertices: &[DVec2], ring: &[u32]) -> Vec<u32> {
     let n = ring.len();
-    let place = |i: usize| vertices[ring[i % n] as usize];
+    let position = |i: usize| vertices[ring[i % n] as usize];
     let is_turn = |i: usize| {
-        let (before, after) = ((place(i) - place(i + n - 1)).normalize(), (place(i + 1) - place(i)).normalize());
+        let (before, after) =
+            ((position(i) - position(i + n - 1)).normalize(), (position(i + 1) - position(i)).normalize());
         before.perp_dot(after).abs() > STRAIGHT || before.dot(after) < 0.0
     };
     (0..n).filter(|&i| is_turn(i)).map(|i| ring[i]).collect()
 }
 
-/// An error of the outline's rings in terms of the mesh.
-fn in_terms_of(error: Error, corners: &[Vec<u32>]) -> Error {
+/// Translates an error of the outline's rings into one of the mesh.
+fn mesh_error(error: Error, corners: &[Vec<u32>]) -> Error {
     let vertex = |ring: usize, point: usize| corners[ring][point] as usize;
     match error {
         Error::RingDuplicate { ring, point, other_ring, other_point }

@@ -67,7 +67,8 @@ pub(crate) fn partition(
     Ok(inserter.into_partition(scores))
 }
 
-/// Computes the weights of the samples (eq. 2), the cell graph, the harmonic fields (eq. 4), and the mesh in drawing order.
+/// Computes the weights of the samples (eq. 2), the cell graph, the harmonic fields (eq. 4), and the mesh in drawing
+/// order.
 pub(crate) fn compute_weights(
     propagation: &mut Propagation,
     prepared: Arc<PreparedDomain>,

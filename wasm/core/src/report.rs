@@ -1,10 +1,10 @@
-//! What a solve did, in numbers.
+//! The figures of a solve, for `c2warp inspect --json` and for tests.
 
 use serde::Serialize;
 
 use crate::{bone::OutsidePart, stage::StageTimes};
 
-/// The figures of `c2warp inspect --json`, but for the times.
+/// The figures of `c2warp inspect --json`, without the times.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Report {
@@ -14,7 +14,7 @@ pub struct Report {
     pub islands: usize,
     /// Holes of the domain.
     pub holes: usize,
-    /// Regions that were too small to keep.
+    /// Opaque regions too small to keep.
     pub specks: usize,
     /// Corners of the outline at which shortest paths may bend.
     pub reflex_corners: usize,
@@ -28,10 +28,10 @@ pub struct Report {
     pub outside: Vec<OutsidePart>,
     /// Sites of handles, and of a held boundary.
     pub real_sites: usize,
-    /// Sites that Algorithm 1 added.
+    /// Sites that Algorithm 1 inserted.
     pub virtual_sites: usize,
-    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d minus
-    /// the greatest radius that the cell may have, in place of r_d − r_h.
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right). Here δ is r_d minus the
+    /// greatest radius that the cell may have, in place of r_d − r_h.
     pub scores: Vec<f64>,
     /// Mean number of supports over a sample.
     pub cover_mean: f64,
@@ -41,21 +41,21 @@ pub struct Report {
     pub min_phi_sum: f64,
     /// Triangles of the posed mesh that turned over.
     pub folded_triangles: usize,
-    /// A fingerprint of the samples' weights: equal exactly where every bit is.
+    /// A hash of the samples' weights. It changes with any bit of them.
     pub weights_hash: String,
 }
 
 /// The object of `c2warp inspect --json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Inspection {
-    /// What the solve did.
+    /// The figures of the solve.
     #[serde(flatten)]
     pub report: Report,
-    /// How long it took.
+    /// The time of each stage.
     pub ms: StageTimes,
 }
 
-/// FNV-1a over 64-bit words.
+/// An FNV-1a hash over 64-bit words.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fingerprint(u64);
 

@@ -26,8 +26,8 @@ use crate::{
     weight::{Influence, SparseWeights, WeightFunctions},
 };
 
-/// The result of a solve: how sites move a mesh over the domain, and any point of the domain. It does not depend on where
-/// the handles are posed. Only its own [`poser`](Self::poser) makes poses of it.
+/// The result of a solve: how sites move a mesh over the domain, and any point of the domain. It does not depend on
+/// where the handles are posed. Only its own [`poser`](Self::poser) makes poses of it.
 ///
 /// ```
 /// use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -70,8 +70,8 @@ struct Drawn {
 
 /// The mesh.
 impl Solution {
-    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt, a strip of some
-    /// pixels around soft edges.
+    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt, a strip
+    /// of some pixels around soft edges.
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {
         &self.mesh.vertices
@@ -106,8 +106,8 @@ impl Solution {
 
 /// The sites.
 impl Solution {
-    /// The sites, with their cells and supports: point handles and the first sites of bars and of a held boundary from top
-    /// to bottom, then others in the order of insertion.
+    /// The sites, with the sizes of their cells and supports. First come point handles and the first sites of bars and
+    /// of a held boundary, from top to bottom. Others follow in the order of insertion.
     #[must_use]
     pub fn sites(&self) -> &[Site] {
         &self.solved.sites
@@ -118,8 +118,8 @@ impl Solution {
         self.solved.graph.iter()
     }
 
-    /// ϖ: the real sites that a site gets its motion from and their weights (eq. 4), ascending by site. They sum to 1 within
-    /// rounding. A real site has itself alone.
+    /// ϖ: the real sites that a site gets its motion from and their weights (eq. 4), ascending by site. They sum to 1
+    /// within rounding. A real site has itself alone.
     ///
     /// # Panics
     /// If `site` is out of bounds.
@@ -127,8 +127,8 @@ impl Solution {
         self.solved.harmonic.row(site)
     }
 
-    /// The nearest site of a sample, `None` on an island without sites. Its support may end before the sample, beside an
-    /// acute joint for example. Other sites move the sample then.
+    /// The nearest site of a sample, `None` on an island without sites. Its support may end before the sample, beside
+    /// an acute joint for example. Other sites move the sample then.
     ///
     /// # Panics
     /// If `sample` is out of bounds.
@@ -137,8 +137,8 @@ impl Solution {
         self.solved.nearest_site(sample)
     }
 
-    /// The borders between the cells 𝒱(h_i), in straight pieces within the triangles of the mesh. The sites of one handle
-    /// share one cell. Cost: two milliseconds for 100 sites and 10,000 samples.
+    /// The borders between the cells 𝒱(h_i), in straight pieces within the triangles of the mesh. The sites of one
+    /// handle share one cell. Cost: two milliseconds for 100 sites and 10,000 samples.
     #[must_use]
     pub fn cell_borders(&self) -> Vec<BorderPiece> {
         let SolvedSites { sites, nearest, .. } = &self.solved;
@@ -151,8 +151,8 @@ impl Solution {
         &self.phi_sums
     }
 
-    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right), with δ = r_d minus the
-    /// greatest radius that the cell may have, in place of r_d − r_h. Infinite without cells.
+    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right). Here δ is r_d minus the
+    /// greatest radius that the cell may have, in place of r_d − r_h. −∞ without cells.
     #[must_use]
     pub fn scores(&self) -> &[f64] {
         &self.solved.scores
@@ -186,7 +186,8 @@ impl Solution {
         self.solved.pose(project)
     }
 
-    /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without sites.
+    /// The weights at a point and their gradients (eq. 2), or `None` outside the domain. Empty on an island without
+    /// sites.
     #[must_use]
     pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
         let (triangle, p) = self.prepared.navigation.locate(p)?;
@@ -200,8 +201,8 @@ impl Solution {
         Some(influences.into_iter().map(|influence| (influence.site, influence.weight)).collect())
     }
 
-    /// The weights of any points, such as the vertices of another mesh, points × sites. A point outside the domain or on an
-    /// island without sites has an empty row, and stays.
+    /// The weights of any points, such as the vertices of another mesh, points × sites. A point outside the domain or
+    /// on an island without sites has an empty row, and stays.
     ///
     /// Cost: for each point, that of [`weights_at`](Self::weights_at).
     #[must_use]
@@ -258,12 +259,12 @@ impl Solution {
         self.rest_points(pose, &[p]).pop().flatten()
     }
 
-    /// The rest points that a pose draws at some places, such as the centres of pixels. If the picture covers itself, the one
-    /// drawn last; `None` if nothing is drawn there.
+    /// The rest points that a pose draws at some places, such as the centres of pixels. If the picture covers itself,
+    /// the one drawn last; `None` if nothing is drawn there.
     ///
     /// This inverts the drawn mesh, whose triangles are flat, so it inverts [`map`](Self::map) up to the error of flat
-    /// triangles. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each triangle a visit of the places within
-    /// its range of y.
+    /// triangles. Cost: that of [`posed_vertices`](Self::posed_vertices), and for each triangle a visit of the places
+    /// within its range of y.
     ///
     /// # Panics
     /// If the pose is of another solution.
@@ -298,8 +299,8 @@ impl Solution {
         raster::warp(picture, &rest, &posed, &triangles, options)
     }
 
-    /// The [sources](raster::sources) of the pixels of a warped picture, in rows from top to bottom. `warped` is the result
-    /// of [`warped`](Self::warped) for the same picture, pose and options.
+    /// The [sources](raster::sources) of the pixels of a warped picture, in rows from top to bottom. `warped` is the
+    /// result of [`warped`](Self::warped) for the same picture, pose and options.
     ///
     /// # Errors
     /// [`Error::PictureMismatch`] and [`Error::PoseOfAnother`], as for [`warped`](Self::warped).

@@ -66,8 +66,8 @@ pub fn solve_domain(project: &Project, domain: &Domain) -> Result<Solution, Erro
 /// Solves a project in one call on a mesh of the caller. Its vertices are the samples, and the only vertices of the
 /// solution's mesh, in the caller's order. Handles need not lie on vertices.
 ///
-/// The project's picture and domain are ignored. Its number of samples is the upper limit of the coarse samples, over which
-/// cells are stored.
+/// The project's picture and domain are ignored. Its number of samples is the upper limit of the coarse samples, over
+/// which cells are stored.
 ///
 /// # Errors
 /// Those of [`Solver::begin`] and [`Solver::advance`] that concern handles and settings.
@@ -112,4 +112,22 @@ pub fn distances(
     let navigation = Navigation::new(&Domain::new(project.domain.as_ref(), picture)?);
     let distances = navigation.distances_from(from)?;
     Ok(at.iter().map(|&p| distances.to(p)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{
+        Error, InputMesh, Picture, Report, Solution, Solver, Warped, cloud, deform, distance, domain, pose, project,
+        weight,
+    };
+
+    #[test]
+    fn public_types_cross_threads() {
+        fn check<T: Send + Sync + std::fmt::Debug>() {}
+        fn check_clone<T: Clone>() {}
+        check::<(Error, InputMesh, Picture<'_>, Solution, Solver, Warped, Report)>();
+        check::<(cloud::PointCloud, cloud::CloudSolution, domain::Domain, project::Project)>();
+        check::<(distance::Navigation, distance::Distances<'_>, pose::Poser, deform::Pose, weight::SparseWeights)>();
+        check_clone::<(Solution, cloud::CloudSolution, distance::Navigation, distance::Distances<'_>, deform::Pose)>();
+    }
 }

@@ -17,8 +17,8 @@ use crate::{
     site::PointSite,
 };
 
-/// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that far
-/// apart pass.
+/// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that
+/// far apart pass.
 const MIN_HANDLE_DISTANCE: f64 = MIN_SEPARATION - 1e-9;
 
 /// Everything that a solve depends on, apart from picture and domain. It does not include the pose of the handles.
@@ -72,7 +72,8 @@ impl SolveInput {
     /// # Errors
     /// - [`Error::Project`] if [`Project::check`] fails.
     /// - [`Error::TooManyHandles`].
-    /// - [`Error::TooManyCorners`] if bars and polygons have more segments than the limit of sites, as each needs a site.
+    /// - [`Error::TooManyCorners`] if bars and polygons have more segments than the limit of sites, as each needs a
+    ///   site.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         project.check()?;
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
@@ -128,7 +129,8 @@ impl SolveInput {
         Ok(LocatedHandles { points, skeleton, outside })
     }
 
-    /// The positions and indices of the point handles from top to bottom, for a domain that is not a [`PreparedDomain`].
+    /// The positions and indices of the point handles from top to bottom, for a domain that is not a
+    /// [`PreparedDomain`].
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`].
@@ -142,7 +144,8 @@ impl SolveInput {
         Ok(points)
     }
 
-    /// Refuses point handles that are too close to each other. `points` are their positions and indices, from top to bottom.
+    /// Refuses point handles that are too close to each other. `points` are their positions and indices, from top to
+    /// bottom.
     fn check_distances(&self, points: &[(DVec2, u32)]) -> Result<(), Error> {
         for (at, &(one, handle)) in points.iter().enumerate() {
             for &(other, other_handle) in points[at + 1..].iter().take_while(|(p, _)| p.y - one.y < MIN_SEPARATION) {

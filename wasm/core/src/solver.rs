@@ -99,8 +99,8 @@ impl Solver {
 
     /// Begins a solve and drops one in progress. All pictures of one size that are passed to a solver must be the same.
     ///
-    /// Finds the outline unless it is kept from the last solve. The first call of [`advance`](Self::advance) then checks the
-    /// handles and returns [`Stage::Domain`].
+    /// Finds the outline unless it is kept from the last solve. The first call of [`advance`](Self::advance) then
+    /// checks the handles and returns [`Stage::Domain`].
     ///
     /// # Errors
     /// - [`Error::PictureMismatch`].

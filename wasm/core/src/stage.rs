@@ -1,12 +1,12 @@
-//! The stages of a solve, by name, and the time that each takes.
+//! The stages of a solve by name, and the time that each takes.
 
 use serde::Serialize;
 
-/// A stage of the solve. Between two stages a caller may look for newer requests.
+/// A stage of the solve. Between two stages a caller may decide to solve a newer project instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Stage {
-    /// The outline: from the picture's alpha or the project's rings.
+    /// The outline, from the picture's alpha or the project's rings, and the handles in it.
     Domain,
     /// Samples and the mesh over them.
     Sampling,
@@ -29,24 +29,24 @@ impl Stage {
     }
 }
 
-/// Milliseconds spent in each stage, and on a pose. The core has no clock: whoever runs the stages measures them.
+/// Milliseconds spent in each stage, and on a pose. The crate has no clock, so the caller measures them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct StageTimes {
-    /// The outline.
+    /// [`Stage::Domain`].
     pub domain: f64,
-    /// Samples and mesh.
+    /// [`Stage::Sampling`].
     pub sampling: f64,
-    /// All of distances, cells and virtual sites.
+    /// [`Stage::Regions`].
     pub regions: f64,
-    /// Supports, weights and harmonic fields.
+    /// [`Stage::Weights`].
     pub weights: f64,
-    /// Motions of the sites.
+    /// A pose: the motions of the sites.
     pub pose: f64,
 }
 
 impl StageTimes {
-    /// Adds to the time of a stage.
+    /// Adds milliseconds to the time of a stage.
     pub fn add(&mut self, stage: Stage, ms: f64) {
         let time = match stage {
             Stage::Domain => &mut self.domain,

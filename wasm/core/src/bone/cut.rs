@@ -1,6 +1,6 @@
-//! Cuts lines into pieces where they turn and meet.
+//! Cuts bars and polygons into straight spans, at their corners and where they meet (section V-D).
 //!
-//! Cost: O(n²) in the segments of all lines.
+//! Cost: O(n²) for n segments of all polylines.
 
 use glam::DVec2;
 
@@ -11,113 +11,120 @@ use crate::{
     segment::{nearest_on_segment, segment_distance},
 };
 
-/// Two segments that touch at places this far apart, in pixels, run along each other.
+/// Two segments overlap if they touch at points farther apart than this, in pixels.
 const OVERLAP: f64 = 10.0 * MIN_SEPARATION;
 
-/// A piece of a line between two joints.
-pub(super) struct Piece {
+/// A straight span of a polyline between two joints.
+pub(super) struct Span {
+    /// Index of the handle in the project.
     pub(super) handle: u32,
+    /// Index of the segment that contains it.
     pub(super) segment: u32,
-    /// The shares of the segment at which it begins and ends, 0 to 1.
-    pub(super) shares: [f64; 2],
+    /// The fractions of the segment at which it begins and ends, 0 to 1.
+    pub(super) fractions: [f64; 2],
+    /// The joints at its ends.
     pub(super) joints: [u32; 2],
 }
 
-impl Piece {
-    /// The ends of a piece of `line`.
-    pub(super) fn ends(&self, line: &Polyline) -> [DVec2; 2] {
-        let (a, b) = line.segment(self.segment as usize);
-        self.shares.map(|share| a.lerp(b, share))
+impl Span {
+    /// The ends of a span of `polyline`.
+    pub(super) fn ends(&self, polyline: &Polyline) -> [DVec2; 2] {
+        let (a, b) = polyline.segment(self.segment as usize);
+        self.fractions.map(|fraction| a.lerp(b, fraction))
     }
 }
 
-/// All pieces, and what each joint is made of.
+/// All spans and joints of some polylines.
 pub(super) struct Cuts {
-    pub(super) pieces: Vec<Piece>,
+    /// Polyline by polyline.
+    pub(super) spans: Vec<Span>,
+    /// Joints: the anchors that meet in each.
     pub(super) joints: Vec<Vec<Anchor>>,
 }
 
-/// A segment of a line with the places where it is cut.
+/// A segment of a polyline with the points at which it is cut.
 struct Segment<'a> {
-    line: &'a Polyline,
+    polyline: &'a Polyline,
     number: usize,
     a: DVec2,
     b: DVec2,
-    /// Shares of the segment, each with the node there.
+    /// Fractions of the segment, each with the node there.
     stops: Vec<(f64, usize)>,
 }
 
 impl Cuts {
     /// # Errors
-    /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::TooManySites`] for more pieces than there may be sites.
-    pub(super) fn new(lines: &[&Polyline]) -> Result<Self, Error> {
+    /// [`Error::BarTooShort`], [`Error::BarsOverlap`]; [`Error::TooManySites`] if there are more spans than the limit
+    /// of sites.
+    pub(super) fn new(polylines: &[&Polyline]) -> Result<Self, Error> {
         let mut nodes = Nodes::default();
         let mut segments = Vec::new();
-        for line in lines {
-            segments.extend(Segment::all_of(line, &mut nodes)?);
+        for polyline in polylines {
+            segments.extend(Segment::all_of(polyline, &mut nodes)?);
         }
-        stop_where_they_meet(&mut segments, &mut nodes)?;
+        cut_at_meetings(&mut segments, &mut nodes)?;
         let joints = nodes.joints();
-        let pieces = segments.into_iter().flat_map(|segment| segment.pieces(&nodes)).collect();
-        Ok(Self { pieces, joints })
+        let spans = segments.into_iter().flat_map(|segment| segment.spans(&nodes)).collect();
+        Ok(Self { spans, joints })
     }
 }
 
 impl<'a> Segment<'a> {
-    /// The segments of a line, each with a node at its ends.
+    /// The segments of a polyline, each with a node at its ends.
     ///
     /// # Errors
     /// [`Error::BarTooShort`].
-    fn all_of(line: &'a Polyline, nodes: &mut Nodes) -> Result<Vec<Self>, Error> {
+    fn all_of(polyline: &'a Polyline, nodes: &mut Nodes) -> Result<Vec<Self>, Error> {
         let first = nodes.anchors.len();
-        for corner in 0..line.corners.len() {
-            // The last corner of an open line is the end of the last segment.
-            let (segment, share) = if corner < line.segments() { (corner, 0.0) } else { (line.segments() - 1, 1.0) };
-            nodes.add(Anchor { handle: line.handle, segment: segment as u32, share });
+        for corner in 0..polyline.corners.len() {
+            // The last corner of an open polyline is the end of the last segment.
+            let is_start = corner < polyline.segments();
+            let (segment, fraction) = if is_start { (corner, 0.0) } else { (polyline.segments() - 1, 1.0) };
+            nodes.add(Anchor { handle: polyline.handle, segment: segment as u32, fraction });
         }
         let segment = |number: usize| {
-            let (a, b) = line.segment(number);
+            let (a, b) = polyline.segment(number);
             if a.distance(b) < MIN_SEPARATION {
-                return Err(Error::BarTooShort { id: line.id.clone(), corner: number });
+                return Err(Error::BarTooShort { id: polyline.id.clone(), corner: number });
             }
-            let end = first + (number + 1) % line.corners.len();
-            Ok(Self { line, number, a, b, stops: vec![(0.0, first + number), (1.0, end)] })
+            let end = first + (number + 1) % polyline.corners.len();
+            Ok(Self { polyline, number, a, b, stops: vec![(0.0, first + number), (1.0, end)] })
         };
-        (0..line.segments()).map(segment).collect()
+        (0..polyline.segments()).map(segment).collect()
     }
 
-    /// The node at a place on the segment: an existing one nearby, or a new one.
-    fn stop(&mut self, p: DVec2, nodes: &mut Nodes) -> usize {
+    /// The node at a point of the segment: an existing one nearby, or a new one.
+    fn node_at(&mut self, p: DVec2, nodes: &mut Nodes) -> usize {
         let along = self.b - self.a;
-        let share = ((p - self.a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        let fraction = ((p - self.a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
         let near = MIN_SEPARATION / along.length();
-        if let Some(&(_, node)) = self.stops.iter().find(|(known, _)| (known - share).abs() < near) {
+        if let Some(&(_, node)) = self.stops.iter().find(|(known, _)| (known - fraction).abs() < near) {
             return node;
         }
-        let node = nodes.add(Anchor { handle: self.line.handle, segment: self.number as u32, share });
-        self.stops.push((share, node));
+        let node = nodes.add(Anchor { handle: self.polyline.handle, segment: self.number as u32, fraction });
+        self.stops.push((fraction, node));
         node
     }
 
-    /// The pieces between its stops.
-    fn pieces(mut self, nodes: &Nodes) -> Vec<Piece> {
+    /// The spans between its stops.
+    fn spans(mut self, nodes: &Nodes) -> Vec<Span> {
         self.stops.sort_by(|(s, _), (t, _)| s.total_cmp(t));
-        let between = |pair: &[(f64, usize)]| Piece {
-            handle: self.line.handle,
+        let between = |pair: &[(f64, usize)]| Span {
+            handle: self.polyline.handle,
             segment: self.number as u32,
-            shares: [pair[0].0, pair[1].0],
+            fractions: [pair[0].0, pair[1].0],
             joints: [nodes.joint[pair[0].1], nodes.joint[pair[1].1]],
         };
         self.stops.windows(2).map(between).collect()
     }
 }
 
-/// Stops segments where they meet, and joins their nodes there.
+/// Cuts segments where they meet, and joins their nodes there.
 ///
 /// # Errors
-/// [`Error::BarsOverlap`]; [`Error::TooManySites`] for more pieces than there may be sites.
-fn stop_where_they_meet(segments: &mut [Segment], nodes: &mut Nodes) -> Result<(), Error> {
-    let mut pieces = segments.len();
+/// [`Error::BarsOverlap`]; [`Error::TooManySites`] if there are more spans than the limit of sites.
+fn cut_at_meetings(segments: &mut [Segment], nodes: &mut Nodes) -> Result<(), Error> {
+    let mut spans = segments.len();
     for i in 0..segments.len() {
         for j in i + 1..segments.len() {
             let (before, after) = segments.split_at_mut(j);
@@ -126,16 +133,16 @@ fn stop_where_they_meet(segments: &mut [Segment], nodes: &mut Nodes) -> Result<(
                 Meeting::Apart => {}
                 Meeting::At(p) => {
                     let before = s.stops.len() + t.stops.len();
-                    let (on_s, on_t) = (s.stop(p, nodes), t.stop(p, nodes));
+                    let (on_s, on_t) = (s.node_at(p, nodes), t.node_at(p, nodes));
                     nodes.join(on_s, on_t);
-                    pieces += s.stops.len() + t.stops.len() - before;
-                    if pieces > MAX_SITES {
+                    spans += s.stops.len() + t.stops.len() - before;
+                    if spans > MAX_SITES {
                         return Err(Error::TooManySites);
                     }
                 }
-                Meeting::Along => {
-                    let [mut first, mut second] = [&s.line.id, &t.line.id].map(Clone::clone);
-                    if t.line.handle < s.line.handle {
+                Meeting::Overlapping => {
+                    let [mut first, mut second] = [&s.polyline.id, &t.polyline.id].map(Clone::clone);
+                    if t.polyline.handle < s.polyline.handle {
                         std::mem::swap(&mut first, &mut second);
                     }
                     return Err(Error::BarsOverlap { first, second });
@@ -146,13 +153,14 @@ fn stop_where_they_meet(segments: &mut [Segment], nodes: &mut Nodes) -> Result<(
     Ok(())
 }
 
+/// How two segments meet.
 enum Meeting {
     Apart,
     At(DVec2),
-    Along,
+    Overlapping,
 }
 
-/// How two segments come within [`MIN_SEPARATION`] of each other.
+/// Finds where two segments come within [`MIN_SEPARATION`] of each other.
 fn meeting(s: &Segment, t: &Segment) -> Meeting {
     let ((a, b), (c, d)) = ((s.a, s.b), (t.a, t.b));
     let slack = DVec2::splat(MIN_SEPARATION);
@@ -169,15 +177,17 @@ fn meeting(s: &Segment, t: &Segment) -> Meeting {
         touches.push(a + ab * (cd.perp_dot(a - c) / ab.perp_dot(cd)));
     }
     let Some(&first) = touches.first() else { return Meeting::Apart };
-    if touches.iter().any(|touch| touch.distance(first) > OVERLAP) { Meeting::Along } else { Meeting::At(first) }
+    if touches.iter().any(|touch| touch.distance(first) > OVERLAP) { Meeting::Overlapping } else { Meeting::At(first) }
 }
 
-/// Places on lines, merged into joints (union-find).
+/// Points on polylines, merged into joints (union-find).
 #[derive(Default)]
 struct Nodes {
+    /// Nodes: the point of each.
     anchors: Vec<Anchor>,
-    /// A node of the same joint, nearer to its root.
+    /// Nodes: another node of the same joint, nearer to its root; of a root, itself.
     parent: Vec<usize>,
+    /// Nodes: the joint of each, once [`joints`](Self::joints) has numbered them.
     joint: Vec<u32>,
 }
 

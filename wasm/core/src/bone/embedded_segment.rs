@@ -1,6 +1,7 @@
 //! A bone as a line segment embedded in the navigation mesh, for intrinsic distances to it (section III-A).
 //!
-//! Cost: to embed, a look at every triangle of the navigation mesh; for a distance, the windows in the triangles of the bone.
+//! Cost: to embed, a look at every triangle of the navigation mesh; for a distance, the windows in the triangles of the
+//! bone.
 
 use glam::DVec2;
 

@@ -1,19 +1,23 @@
-//! The map of a bone when its handle is posed: it rotates, stretches along itself, and moves.
+//! The map of a bone in a pose: it rotates, stretches along itself, and moves (section V-D).
+//!
+//! Cost: O(1) for each bone, and O(n) in the anchors of all joints.
 
 use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use super::{Bone, Skeleton, ends, place};
+use super::{Bone, mean_position, segment_ends, skeleton::Skeleton};
 use crate::project::{Handle, Rotation, Shape};
 
-/// A bone posed to a length below this, in pixels, has no length: its direction would be rounding.
+/// A bone posed to a length below this, in pixels, has no length. Its direction would be rounding.
 const NO_LENGTH: f64 = 1e-9;
 
-/// The map of a bone: `rest` goes to `posed`, and the surroundings are rotated and stretched.
+/// The map of a bone: it moves `rest` to `posed`, and rotates and stretches around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BoneMotion {
+    /// The start of the bone at rest.
     pub(crate) rest: DVec2,
+    /// The start of the bone in the pose.
     pub(crate) posed: DVec2,
     /// Unit direction of the bone at rest.
     pub(crate) along: DVec2,
@@ -21,19 +25,19 @@ pub(crate) struct BoneMotion {
     pub(crate) angle: f64,
     /// Stretch along the bone, 0 or more.
     pub(crate) stretch: f64,
-    /// Stretch across it.
+    /// Stretch across the bone.
     pub(crate) across: f64,
 }
 
 impl Skeleton {
-    /// The maps of all bones. Handles must have as many corners as when they were solved.
+    /// The maps of all bones. Each handle must have as many corners as in the solve.
     pub(crate) fn motions(&self, handles: &[Handle]) -> Vec<BoneMotion> {
-        let joints: Vec<DVec2> =
-            self.joints.iter().map(|anchors| place(anchors, |handle| handles[handle as usize].shape.posed())).collect();
-        let turns: Vec<f64> = handles.iter().map(whole_turn).collect();
+        let posed = |handle: u32| handles[handle as usize].shape.posed();
+        let joints: Vec<DVec2> = self.joints.iter().map(|anchors| mean_position(anchors, posed)).collect();
+        let rotations: Vec<f64> = handles.iter().map(whole_rotation).collect();
         let motion = |bone: &Bone| {
             let [a, b] = bone.rest;
-            let [from, to] = ends(handles[bone.handle as usize].shape.posed(), bone.segment);
+            let [from, to] = segment_ends(posed(bone.handle), bone.segment);
             let across = handles[bone.handle as usize].scale;
             let sideways = across * (to - from).normalize_or_zero().perp();
             let end =
@@ -42,9 +46,9 @@ impl Skeleton {
             let before = b - a;
             let after = if c.distance(d) < NO_LENGTH { DVec2::ZERO } else { d - c };
             // A bone without length has the rotation of its handle.
-            let turn = turns[bone.handle as usize];
+            let whole = rotations[bone.handle as usize];
             let angle = libm::atan2(before.perp_dot(after), before.dot(after));
-            let angle = if after == DVec2::ZERO { turn } else { angle + TAU * libm::round((turn - angle) / TAU) };
+            let angle = if after == DVec2::ZERO { whole } else { angle + TAU * libm::round((whole - angle) / TAU) };
             BoneMotion {
                 rest: a,
                 posed: c,
@@ -68,9 +72,10 @@ impl Skeleton {
     }
 }
 
-/// The rotation of a handle as a whole, in radians: each of its bones is rotated by the equivalent angle nearest to it. For
-/// an automatic rotation, the one that fits the corners best.
-fn whole_turn(handle: &Handle) -> f64 {
+/// The rotation of a handle as a whole, in radians. Each of its bones rotates by the equivalent angle nearest to it.
+///
+/// An automatic rotation is the best fit of the posed corners in the least-squares sense.
+fn whole_rotation(handle: &Handle) -> f64 {
     let (rest, posed) = match &handle.shape {
         Shape::Point { .. } => return 0.0,
         Shape::Bar { rest, posed } | Shape::Polygon { rest, posed } => (rest, posed),

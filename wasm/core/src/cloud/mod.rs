@@ -1,7 +1,7 @@
 //! Solves on a point cloud without outline or mesh, as the paper does for meshless domains (section V-B).
 //!
-//! A graph over the k nearest neighbours of each point represents the domain. As in the paper, distances are shortest paths
-//! on this graph. Cells and Algorithm 1 use the points only, and weights are interpolated between points.
+//! A graph over the k nearest neighbours of each point represents the domain. As in the paper, distances are shortest
+//! paths on this graph. Cells and Algorithm 1 use the points only, and weights are interpolated between points.
 //!
 //! Cost: O(n log n) for the graph, and two runs of Dijkstra's algorithm over all points for each site.
 //!
@@ -55,7 +55,8 @@ impl PointCloud {
     ///
     /// Positions are in pixels, each coordinate from −1,000,000 to 1,000,000. Handles must be at least 0.01 px apart.
     ///
-    /// The paper gives no number of neighbours; 8 is usual. With fewer, distances get longer. With more, links bridge gaps.
+    /// The paper gives no number of neighbours; 8 is usual. With fewer, distances get longer. With more, links bridge
+    /// gaps.
     ///
     /// # Errors
     /// [`Error::CloudNeighbours`], [`Error::CloudPoint`], [`Error::CloudDuplicate`].
@@ -106,7 +107,8 @@ impl PointCloud {
         self.graph.neighbours(point)
     }
 
-    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite if no path leads there.
+    /// Lengths of the shortest paths along links from a point to every point, in pixels; infinite if no path leads
+    /// there.
     ///
     /// Dijkstra's algorithm, O(n log n).
     ///
@@ -117,8 +119,8 @@ impl PointCloud {
         self.graph.distances(&self.points, point)
     }
 
-    /// Whether a position belongs to the domain that the cloud represents. Its distance to the nearest point must be at most
-    /// the length of that point's longest link.
+    /// Whether a position belongs to the domain that the cloud represents. Its distance to the nearest point must be at
+    /// most the length of that point's longest link.
     #[must_use]
     pub fn contains(&self, p: DVec2) -> bool {
         self.tree.nearest(&self.points, p, 1).first().is_some_and(|&(square, point)| {
@@ -128,10 +130,11 @@ impl PointCloud {
         })
     }
 
-    /// The cloud with further points, and the index of each. A position that coincides with a point of the cloud gets that
-    /// point's index.
+    /// The cloud with further points, and the index of each. A position that coincides with a point of the cloud gets
+    /// that point's index.
     ///
-    /// Each new point is linked with its nearest neighbours in the cloud, and with new points that are nearer than these.
+    /// Each new point is linked with its nearest neighbours in the cloud, and with new points that are nearer than
+    /// these.
     fn with(&self, positions: &[DVec2]) -> (Self, Vec<u32>) {
         let mut points = self.points.clone();
         let links = |from: usize| self.graph.neighbours(from).iter().map(move |&to| (from as u32, to));

@@ -4,8 +4,8 @@
 //!
 //! Cost: for each insertion one run of Dijkstra's algorithm and a pass over all points.
 //!
-//! Limits: a point becomes a site at most once, so this ends. If the points are too sparse for close handles, all points
-//! around them become sites: the paper's "failure" of the insertion.
+//! Limits: a point becomes a site at most once, so this ends. If the points are too sparse for close handles, all
+//! points around them become sites: the paper's "failure" of the insertion.
 
 use super::PointCloud;
 use crate::{
@@ -114,8 +114,8 @@ impl<'a> CloudPartition<'a> {
         farthest
     }
 
-    /// The dual graph of the cells with uniform weights (section V-C). Two sites are linked if a link of the cloud joins their
-    /// cells.
+    /// The dual graph of the cells with uniform weights (section V-C). Two sites are linked if a link of the cloud
+    /// joins their cells.
     pub(super) fn dual_graph(&self) -> SiteGraph {
         let cell = |point: usize| self.nearest[point];
         let across = |a: usize| self.cloud.graph.neighbours(a).iter().map(move |&b| [cell(a), cell(b as usize)]);

@@ -19,8 +19,8 @@ use crate::{
     weight::{Basis, SparseWeights, support_radii},
 };
 
-/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on the pose of the handles. It accepts only poses that
-/// its own [`poser`](Self::poser) made.
+/// The result of [`solve_cloud`](crate::solve_cloud). It does not depend on the pose of the handles. It accepts only
+/// poses that its own [`poser`](Self::poser) made.
 #[derive(Debug, Clone)]
 pub struct CloudSolution {
     weights: SparseWeights,
@@ -125,8 +125,8 @@ impl CloudSolution {
 
     /// The sites that move a position, and their weights, ascending by site; `None` outside the cloud.
     ///
-    /// Interpolates by reciprocal distances (the paper's \[18\]) from the nearest points of one connected part. At a point of
-    /// the cloud, returns the weights of that point.
+    /// Interpolates by reciprocal distances (the paper's \[18\]) from the nearest points of one connected part. At a
+    /// point of the cloud, returns the weights of that point.
     #[must_use]
     pub fn weights_at(&self, p: DVec2) -> Option<Vec<(usize, f64)>> {
         let cloud = &self.cloud;

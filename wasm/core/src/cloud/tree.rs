@@ -1,4 +1,5 @@
-//! The points nearest to a position (section V-B): a k-d tree in one array. The middle of each range is the root of its subtree.
+//! The points nearest to a position (section V-B): a k-d tree in one array. The middle of each range is the root of its
+//! subtree.
 //!
 //! Cost: O(n log n) to build, about O(log n) for a query of a few points.
 

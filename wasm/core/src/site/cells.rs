@@ -2,7 +2,8 @@
 //!
 //! Inserting a site updates the cells. The new site takes the coarse samples that are nearer to it from other cells.
 //!
-//! Cost of an insertion: the samples of the new cell, a margin of one sample around it, and the cells that lose samples.
+//! Cost of an insertion: the samples of the new cell, a margin of one sample around it, and the cells that lose
+//! samples.
 
 use glam::DVec2;
 
@@ -45,8 +46,8 @@ impl Cells {
 
     /// Inserts a site at `rest`. Its cell takes the samples that are nearer to it than to all earlier sites.
     ///
-    /// `start` lists the corners of the triangle that contains the site. `path_end` returns the shortest path from the site
-    /// to a sample.
+    /// `start` lists the corners of the triangle that contains the site. `path_end` returns the shortest path from the
+    /// site to a sample.
     pub(super) fn insert(
         &mut self,
         coarse: &CoarseSamples,
@@ -97,7 +98,8 @@ impl Cells {
         (self.first[site as usize], self.farthest[site as usize]) = (first, farthest);
     }
 
-    /// Moves the samples that `site` took from `loser` to the list that begins with `first`. Returns the new first sample.
+    /// Moves the samples that `site` took from `loser` to the list that begins with `first`. Returns the new first
+    /// sample.
     fn split_list(&mut self, loser: u32, site: u32, mut first: u32) -> u32 {
         let (mut kept, mut farthest, mut radius) = (NONE, NONE, -1.0);
         let mut sample = self.first[loser as usize];
@@ -126,7 +128,8 @@ impl Cells {
         first
     }
 
-    /// Whether the last insertion visited all three samples. The new cell has points only in triangles with such corners.
+    /// Whether the last insertion visited all three samples. The new cell has points only in triangles with such
+    /// corners.
     pub(super) fn visited_all(&self, samples: [u32; 3]) -> bool {
         samples.iter().all(|&at| self.visited.has(at))
     }

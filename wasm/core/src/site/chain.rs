@@ -76,8 +76,8 @@ impl Chain {
         length.clamp(free[0] / 3.0, self.length() - free[1] / 3.0)
     }
 
-    /// The straight distance from a point, and the arc lengths of the nearest points of the chain. Tied points that are no
-    /// farther than `apart` from each other count as one.
+    /// The straight distance from a point, and the arc lengths of the nearest points of the chain. Tied points that are
+    /// no farther than `apart` from each other count as one.
     pub(super) fn nearest(&self, p: DVec2, apart: f64) -> (f64, Vec<f64>) {
         let n = self.corners.len();
         let feet: Vec<(DVec2, f64)> = (0..self.lengths.len() - 1)
@@ -103,8 +103,8 @@ impl Chain {
         self.sites.iter().any(|&(known, _)| (known - length).abs() < within)
     }
 
-    /// Arc lengths of new sites, one in each gap that is too large for the sites at its ends. `reach` returns how far the
-    /// support of a site may reach.
+    /// Arc lengths of new sites, one in each gap that is too large for the sites at its ends. `reach` returns how far
+    /// the support of a site may reach.
     pub(super) fn missing_sites(&self, reach: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut missing = Vec::new();
         let limit = |i: usize, j: usize| MAX_GAP * reach(self.sites[i].1).min(reach(self.sites[j].1));

@@ -1,17 +1,18 @@
 //! Contacts: points where the cells of two handles meet and no virtual site is nearer.
 //!
-//! There the picture passes from one motion to another within the reach of both, by the slope of φ alone. A site halfway
-//! takes a share of that change, and its motion is free. Algorithm 1 inserts at the farthest point of a cell, which is on its
-//! open side. So it would divide a narrow gap between two bars last.
+//! There the picture passes from one motion to another within the reach of both, by the slope of φ alone. A site
+//! halfway takes a share of that change, and its motion is free. Algorithm 1 inserts at the farthest point of a cell,
+//! which is on its open side. So it would divide a narrow gap between two bars last.
 //!
 //! Each contact is found between two coarse samples, and lies exactly on the border of the cells.
 //!
-//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample on the border of a
-//! cell, a look at the real sites about as near as its own. For each pair of such samples of two handles, a look at all
-//! sites. Later rounds look at the contacts left and at the new sites.
+//! Cost: each time that real sites are new, a look at every triangle of the coarse mesh. For each sample on the border
+//! of a cell, a look at the real sites about as near as its own. For each pair of such samples of two handles, a look
+//! at all sites. Later rounds look at the contacts left and at the new sites.
 //!
-//! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses it. So
-//! these sites change with the lattice, for example if the picture is rotated or its outline has one more corner.
+//! Limits: the coarse samples decide where along the border a contact lies: where the edge between two of them crosses
+//! it. So these sites change with the lattice, for example if the picture is rotated or its outline has one more
+//! corner.
 
 use std::collections::HashMap;
 
@@ -84,8 +85,8 @@ fn find_contacts(voronoi: &Voronoi, obstacles: &Obstacles) -> Vec<FarPoint> {
     contacts
 }
 
-/// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an axis of
-/// symmetry.
+/// For each of some coarse samples, the nearest real sites, ascending. A sample on a border has several, as on an axis
+/// of symmetry.
 fn nearest_real_sites(voronoi: &Voronoi, samples: &[u32]) -> HashMap<u32, Vec<usize>> {
     let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
     let distances = samples.iter().map(|&sample| cells.distance[sample as usize]);

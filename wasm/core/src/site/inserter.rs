@@ -1,7 +1,7 @@
 //! The state of Algorithm 1: inserts sites one at a time and updates fields, cells, room and farthest points.
 //!
-//! Cost of an insertion: a distance field up to its bound, the coarse samples of the cells around it, and a pass over all
-//! sites.
+//! Cost of an insertion: a distance field up to its bound, the coarse samples of the cells around it, and a pass over
+//! all sites.
 
 use glam::DVec2;
 

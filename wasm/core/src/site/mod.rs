@@ -113,9 +113,9 @@ pub struct Site {
     /// Whether the site has no body and lies close to two bones that meet at an acute angle, between them.
     ///
     /// Its support must not reach either bone. Towards the joint the cell ends at the bones' sites. However many these
-    /// are, the cell reaches about as far as the support may. If the cell needed a margin there, Algorithm 1 would insert
-    /// sites towards the joint without end. So the cell may reach a little farther than the support. The supports of the
-    /// two bones may overlap and cover the rest.
+    /// are, the cell reaches about as far as the support may. If the cell needed a margin there, Algorithm 1 would
+    /// insert sites towards the joint without end. So the cell may reach a little farther than the support. The
+    /// supports of the two bones may overlap and cover the rest.
     pub(crate) in_acute_joint: bool,
 }
 
@@ -123,12 +123,13 @@ impl Site {
     /// The greatest radius that the site's support, and so its cell, may have.
     ///
     /// The paper's condition r_d ≤ r_h (eq. 3) makes a support cover its cell and end before every other site. If
-    /// Algorithm 1 meets it exactly, all cells have similar sizes. Then two handles 10 px apart on a picture of 1,000 px
-    /// cause 1,000 virtual sites, and two handles 5 px apart more than 20,000.
+    /// Algorithm 1 meets it exactly, all cells have similar sizes. On a picture of 1,000 px, two handles 10 px apart
+    /// then cause 1,000 virtual sites. At 5 px they cause more than 20,000.
     ///
-    /// But only real handles need interpolation. So a support must end before real sites, and may reach over virtual ones
-    /// by a factor of [`GRADING`]. The gaps between inserted sites then grow by that factor. Cells grow with the distance
-    /// from a close pair, and their number grows with the logarithm of the gap, as in Ruppert's Delaunay refinement (1995).
+    /// But only real handles need interpolation. So a support must end before real sites, and may reach over virtual
+    /// ones by a factor of [`GRADING`]. The gaps between inserted sites then grow by that factor. Cells grow with the
+    /// distance from a close pair, and their number grows with the logarithm of the gap, as in Ruppert's Delaunay
+    /// refinement (1995).
     pub(crate) fn reach_limit(&self) -> f64 {
         let clearance = if self.in_acute_joint { ACUTE_JOINT_GRADING * self.clearance } else { self.clearance };
         (GRADING * self.separation).min(clearance)

@@ -15,8 +15,8 @@ use crate::{
 /// The body of a held outline. Bodies of bones have lower numbers.
 pub(super) const BOUNDARY: u32 = u32::MAX;
 
-/// A point lies between two bones if the cosine of the angle between the directions to them is below this: the bones meet at
-/// less than 20°. At greater angles the sites of both bones are close enough to bound a cell between them.
+/// A point lies between two bones if the cosine of the angle between the directions to them is below this. The bones
+/// then meet at less than 20°. At greater angles the sites of both bones are close enough to bound a cell between them.
 const OPPOSITE_COSINE: f64 = -0.94;
 
 /// Obstacles of supports, besides sites.

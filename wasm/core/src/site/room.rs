@@ -25,7 +25,8 @@ pub(super) struct Room {
     pub(super) in_acute_joint: bool,
 }
 
-/// Returns the room of a site that is about to be inserted, and reduces the room of all others. `rest` is the site's position.
+/// Returns the room of a site that is about to be inserted, and reduces the room of all others. `rest` is the site's
+/// position.
 pub(super) fn make_room(
     voronoi: &mut Voronoi,
     obstacles: &Obstacles,
@@ -63,7 +64,8 @@ pub(super) fn make_room(
     Room { separation: separation.min(clearance), clearance, in_acute_joint }
 }
 
-/// Replaces a site's field by one that reaches farther, and reduces the site's room by the obstacles that it now reaches.
+/// Replaces a site's field by one that reaches farther, and reduces the site's room by the obstacles that it now
+/// reaches.
 pub(super) fn extend_field(voronoi: &mut Voronoi, obstacles: &Obstacles, site: usize, distances: DistanceField) {
     let Site { rest, kind, separation, clearance, .. } = voronoi.sites[site];
     let (island, body) = (voronoi.fields[site].island, obstacles.body(kind));

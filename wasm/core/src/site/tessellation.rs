@@ -1,17 +1,17 @@
-//! Sites along bones and along a held outline (section V-D). The spacing is locally adapted, which the paper's conclusion
-//! leaves to future work.
+//! Sites along bones and along a held outline (section V-D). The spacing is locally adapted, which the paper's
+//! conclusion leaves to future work.
 //!
-//! The paper divides all bars into pieces as long as the least distance between any two handles. Here a gap between sites
-//! depends on the reach of the sites at its ends, so a close pair costs sites near it only. If a gap is too large for their
-//! reach, a site enters at its midpoint. Supports then overlap so far that the weight of a bar is constant along it within a
-//! few per cent. Gaps are checked again after each round of Algorithm 1.
+//! The paper divides all bars into pieces as long as the least distance between any two handles. Here a gap between
+//! sites depends on the reach of the sites at its ends, so a close pair costs sites near it only. If a gap is too large
+//! for their reach, a site enters at its midpoint. Supports then overlap so far that the weight of a bar is constant
+//! along it within a few per cent. Gaps are checked again after each round of Algorithm 1.
 //!
-//! A virtual site must keep clear of the whole bone, not of its sites alone. If it would be much nearer to the bone than to
-//! any site, the bone gets a site instead. In the same way Ruppert's Delaunay refinement (1995) splits a segment that a new
-//! vertex encroaches on. Otherwise ever smaller cells would fill the gaps along the bone.
+//! A virtual site must keep clear of the whole bone, not of its sites alone. If it would be much nearer to the bone
+//! than to any site, the bone gets a site instead. In the same way Ruppert's Delaunay refinement (1995) splits a
+//! segment that a new vertex encroaches on. Otherwise ever smaller cells would fill the gaps along the bone.
 //!
-//! Sites of a bone keep half a gap from its ends, and so a whole gap across a joint. A site at the joint itself would belong
-//! to one bone alone.
+//! Sites of a bone keep half a gap from its ends, and so a whole gap across a joint. A site at the joint itself would
+//! belong to one bone alone.
 //!
 //! Cost: for each round a pass over all chains and their sites.
 
@@ -129,8 +129,8 @@ impl Tessellation {
         Ok(count)
     }
 
-    /// The chains that a virtual site would encroach on, each with the arc length of the nearest point that may get a site.
-    /// Equally near points are all returned, on one chain or on several.
+    /// The chains that a virtual site would encroach on, each with the arc length of the nearest point that may get a
+    /// site. Equally near points are all returned, on one chain or on several.
     fn encroached_on(&self, inserter: &mut SiteInserter, point: &FarPoint) -> Vec<(usize, f64)> {
         // In an acute joint the sites of bones bound the cell, so they come first.
         let is_in_acute_joint = inserter.is_in_acute_joint(point.at, point.triangle, point.distance);

@@ -9,10 +9,10 @@
 //! - Tied points, of one cell or of several, enter in one round. So a symmetric scene stays symmetric.
 //! - The condition holds with a [`MARGIN`]. At r_d = r_h the farthest point of a cell would have no weight at all.
 //!
-//! A virtual site enters at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell that it
-//! splits. So spacing cannot shrink without end: r_d is above 1.6 times the separation of that cell's site, or above 0.95
-//! times its clearance. Two handles on a picture of 1,000 px cause about 90 virtual sites at a gap of 10 px, and about 300 at
-//! 0.01 px.
+//! A virtual site enters at distance r_d from its nearest site, and r_d > (1 − MARGIN) · reach_limit of the cell that
+//! it splits. So spacing cannot shrink without end. Either r_d is above 1.6 times the separation of that cell's site,
+//! or it is above 0.95 times its clearance. On a picture of 1,000 px, two handles 10 px apart cause about 90 virtual
+//! sites. At 0.01 px they cause about 300.
 //!
 //! Cost: for each round the insertion of its sites (see `inserter` and `farthest`), and a heap of all cells.
 
@@ -28,24 +28,25 @@ use super::{
 };
 use crate::{error::Error, min_entry::MinEntry};
 
-/// Cells must be smaller than their limit by this share. At the limit the farthest point of a cell has no weight, and near it
-/// weights are steep.
+/// Cells must be smaller than their limit by this share. At the limit the farthest point of a cell has no weight, and
+/// near it weights are steep.
 const MARGIN: f64 = 0.05;
 /// Tied points crowd each other if they are closer than this, relative to their distance to the nearest site.
 const CROWDED: f64 = 0.5;
 
-/// Weight of a contact against a cell in the choice of the next site: compares `CONTACT · √distance` with [`size_rank`]. With
-/// 1.5 in place of 2, narrow gaps between bars stay without sites; with 3, sites are missing elsewhere.
+/// Weight of a contact against a cell in the choice of the next site: compares `CONTACT · √distance` with
+/// [`size_rank`]. With 1.5 in place of 2, narrow gaps between bars stay without sites; with 3, sites are missing
+/// elsewhere.
 const CONTACT: f64 = 2.0;
 
 /// Inserts virtual sites until every cell is smaller than its site's support may reach, by [`MARGIN`].
 ///
-/// Then more sites enter where the picture bends most, until there are `density` virtual ones: between handles, at the
-/// [widest contacts](Contacts), and at the farthest points of cells that are [large](size_rank) for their distance from
-/// handles.
+/// Then more sites enter where the picture bends most, until there are `density` virtual ones. They enter between
+/// handles, at the [widest contacts](Contacts). They also enter at the farthest points of cells that are
+/// [large](size_rank) for their distance from handles.
 ///
-/// Returns the score δ / r_d of the worst cell before each round, as in figure 3 (right). Here δ = r_d − reach_limit, in place
-/// of r_d − r_h.
+/// Returns the score δ / r_d of the worst cell before each round, as in figure 3 (right). Here δ = r_d − reach_limit,
+/// in place of r_d − r_h.
 ///
 /// # Errors
 /// [`Error::TooManySites`].
@@ -95,10 +96,11 @@ fn score_rank(radius: f64, site: &Site) -> f64 {
     score(radius, site.reach_limit())
 }
 
-/// Ranks cells for sites beyond those that Algorithm 1 needs: r_d over the square root of the distance to the next handle.
+/// Ranks cells for sites beyond those that Algorithm 1 needs: r_d over the square root of the distance to the next
+/// handle.
 ///
-/// Around a displaced handle the picture bends roughly in inverse proportion to that distance. Radii in proportion to the
-/// distance itself would crowd sites around handles.
+/// Around a displaced handle the picture bends roughly in inverse proportion to that distance. Radii in proportion to
+/// the distance itself would crowd sites around handles.
 fn size_rank(radius: f64, site: &Site) -> f64 {
     let from_handle = if site.kind.is_real() { radius } else { site.clearance };
     if from_handle > 0.0 && from_handle.is_finite() { radius / from_handle.sqrt() } else { radius }
@@ -123,7 +125,8 @@ fn greatest_rank(inserter: &mut SiteInserter, rank: Rank) -> f64 {
     f64::NEG_INFINITY
 }
 
-/// The farthest points of all cells whose rank is tied with the greatest. Their order does not depend on that of the sites.
+/// The farthest points of all cells whose rank is tied with the greatest. Their order does not depend on that of the
+/// sites.
 fn tied_farthest_points(inserter: &mut SiteInserter, rank: Rank, greatest: f64) -> Vec<FarPoint> {
     let is_tied = |inserter: &SiteInserter, site: usize, radius: f64| {
         rank(radius, &inserter.sites()[site]) >= greatest - TIE * greatest.abs()
@@ -170,8 +173,8 @@ fn representatives(inserter: &mut SiteInserter, group: &[FarPoint]) -> Vec<FarPo
     if let Some(point) = at_mean.filter(|point| point.distance > (1.0 - CROWDED / 2.0) * least) {
         return vec![point];
     }
-    // An obstacle lies between the points. If two of them are mirror images, the obstacle lies on the axis of symmetry, and so
-    // does the midpoint of the path around it.
+    // An obstacle lies between the points. If two of them are mirror images, the obstacle lies on the axis of symmetry,
+    // and so does the midpoint of the path around it.
     match innermost(group, mean)[..] {
         [alone] => vec![alone],
         [one, other] => midpoint_of_path(inserter, one, other).map_or_else(|| vec![one, other], |point| vec![point]),

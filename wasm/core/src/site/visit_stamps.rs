@@ -1,4 +1,5 @@
-//! Visited flags of a graph search that are cleared in O(1): each item stores the number of the last search that visited it.
+//! Visited flags of a graph search that are cleared in O(1): each item stores the number of the last search that
+//! visited it.
 
 /// Visited flags of the items 0 to n − 1.
 #[derive(Debug, Clone)]

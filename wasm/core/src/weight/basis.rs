@@ -1,7 +1,8 @@
 //! φ: the basis function, a Bézier polynomial (section V-A, eq. 5).
 //!
-//! φ(0) = 1, φ(t) = 0 for t ≥ 1, and φ decreases in between. Its first and second derivatives vanish at both ends, so that
-//! weights are C². It is evaluated as `(1 − t)³` times a sum of non-negative terms, so it is positive for every t < 1.
+//! φ(0) = 1, φ(t) = 0 for t ≥ 1, and φ decreases in between. Its first and second derivatives vanish at both ends, so
+//! that weights are C². It is evaluated as `(1 − t)³` times a sum of non-negative terms, so it is positive for every t
+//! < 1.
 //!
 //! Cost: O(n) for degree n.
 

@@ -1,12 +1,18 @@
 //! Redistributes the weight of a body among its bones, so that on each bone only its own map acts (section V-D).
 //!
-//! Supports of connected bones overlap. So that a point of a bone moves by that bone's map alone, φ_j is replaced by
-//! Φ (φ_j / q_j) / Σ_k (φ_k / q_k). Here Φ = Σ_k φ_k, and the sums run over the body's sites. q_j is the
-//! [falloff](Bone::falloff) of the point from the bone of site j, about its squared distance.
+//! Supports of connected bones overlap. But a point of a bone must move by that bone's map alone. So this replaces φ_j
+//! by
 //!
-//! On a bone its own sites have all of Φ; at a joint, those of all bones that meet there. The total of the body does not
-//! change, so neither do the partition of unity and the weights of other sites. As q is C² and zero only on its bone, weights
-//! are C² except at joints. There the maps agree, and the body bends.
+//! ```text
+//! Φ (φ_j / q_j) / Σ_k (φ_k / q_k),  Φ = Σ_k φ_k,
+//! ```
+//!
+//! with sums over the body's sites. The [falloff](Bone::falloff) q_j of the point from the bone of site j is about its
+//! squared distance.
+//!
+//! On a bone its own sites have all of Φ; at a joint, those of all bones that meet there. The total of the body does
+//! not change, so neither do the partition of unity and the weights of other sites. As q is C² and zero only on its
+//! bone, weights are C² except at joints. There the maps agree, and the body bends.
 //!
 //! Cost: O(n log n) for the n influences of bones at a point, however many bones there are.
 //!

@@ -10,7 +10,7 @@ use std::{collections::HashSet, ops::Range};
 use glam::DVec2;
 
 use super::{
-    Basis,
+    Basis, Influence,
     bodies::BodyWeights,
     sweep::{ReachingSite, SampleWeights, sweep},
 };
@@ -22,17 +22,6 @@ use crate::{
     site::{Site, SiteField},
     triangulation::NONE,
 };
-
-/// A site's weight at a point, and the gradient.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Influence {
-    /// The site's index.
-    pub site: usize,
-    /// w_i at the point.
-    pub weight: f64,
-    /// ∇w_i, per pixel.
-    pub gradient: DVec2,
-}
 
 /// The weight functions of all sites.
 #[derive(Debug, Clone)]
@@ -63,7 +52,8 @@ struct Reaching {
 }
 
 impl WeightFunctions {
-    /// Prepares the weight functions of sites whose support radii are set. Each field must reach as far as its site's support.
+    /// Prepares the weight functions of sites whose support radii are set. Each field must reach as far as its site's
+    /// support.
     pub(crate) fn new(
         navigation: &Navigation,
         sites: &[Site],
@@ -90,8 +80,8 @@ impl WeightFunctions {
 
     /// The weights at a point and their gradients, ascending by site. Empty if no support reaches it.
     ///
-    /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, as behind a hole,
-    /// weights have a crease and several gradients: returns their mean.
+    /// Weights sum to 1 within rounding, and none is negative. Where two paths to a site are equally short, as behind a
+    /// hole, weights have a crease and several gradients: returns their mean.
     pub(crate) fn at(&self, triangle: NavTriangle, p: DVec2) -> Vec<Influence> {
         let mut influences: Vec<Influence> = Vec::new();
         let (mut sum, mut sum_gradient) = (0.0, DVec2::ZERO);
@@ -118,7 +108,8 @@ impl WeightFunctions {
         influences
     }
 
-    /// As [`at`](Self::at), with gradients from central differences over `step`. On a crease they are the mean of both sides.
+    /// As [`at`](Self::at), with gradients from central differences over `step`. On a crease they are the mean of both
+    /// sides.
     pub(crate) fn across(
         &self,
         navigation: &Navigation,

@@ -2,30 +2,32 @@
 //!
 //! - `basis`: φ (section V-A, eq. 5).
 //! - `support`: r_i (eq. 3).
-//! - `evaluate`: w_i and its gradient at one point.
+//! - `evaluate`: w_i and its gradient at one point, as an `influence`.
 //! - `sweep`: w_i at all samples, stored in `sparse`.
 //! - `bodies`: how the bones of a body divide its weight (section V-D).
 //!
-//! Cost: at one point, the windows of the supports that reach its triangle. For all samples, about 10 ns for each sample and
-//! such support.
+//! Cost: at one point, the windows of the supports that reach its triangle. For all samples, about 10 ns for each
+//! sample and such support.
 //!
 //! Limits:
 //!
-//! - Weights are C² except at joints of bones and where distances are not C², behind reflex corners. Where two paths to a
-//!   site are equally short, weights have a crease. Where paths begin to bend around a corner, weights are C¹: their second
-//!   derivative jumps, and the jump grows towards the corner.
-//! - Eq. 2 does not rule out second maxima: a weight may grow again in a dead end, or where several supports end together.
+//! - Weights are C² except at joints of bones and where distances are not C², behind reflex corners. Where two paths to
+//!   a site are equally short, weights have a crease. Where paths begin to bend around a corner, weights are C¹: their
+//!   second derivative jumps, and the jump grows towards the corner.
+//! - Eq. 2 does not rule out second maxima: a weight may grow again in a dead end, or where several supports end
+//!   together.
 
 mod basis;
 mod bodies;
 mod evaluate;
+mod influence;
 mod sparse;
 mod support;
 mod sweep;
 
 pub(crate) use basis::Basis;
-pub use evaluate::Influence;
 pub(crate) use evaluate::WeightFunctions;
+pub use influence::Influence;
 pub use sparse::SparseWeights;
 pub(crate) use support::support_radii;
 pub(crate) use sweep::SampleWeights;

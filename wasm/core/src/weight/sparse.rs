@@ -7,8 +7,8 @@ const EXPECTED_COVER: usize = 3;
 
 /// The weights w_i of points (eq. 2): a sparse matrix of points × sites.
 ///
-/// Row `p` holds the sites that move point `p` and their weights, ascending by site. A row sums to 1 within rounding. If no
-/// support reaches the point, its row is empty: it does not move.
+/// Row `p` holds the sites that move point `p` and their weights, ascending by site. A row sums to 1 within rounding.
+/// If no support reaches the point, its row is empty: it does not move.
 ///
 /// ```
 /// # use c2warp::{Picture, project::{Handle, Project}, solve};
@@ -42,7 +42,8 @@ impl SparseWeights {
         }
     }
 
-    /// A matrix of compressed arrays, as [`into_parts`](Self::into_parts) returns them; `None` if they are inconsistent.
+    /// A matrix of compressed arrays, as [`into_parts`](Self::into_parts) returns them; `None` if they are
+    /// inconsistent.
     #[must_use]
     pub fn from_parts(offsets: Vec<u32>, sites: Vec<u32>, weights: Vec<f64>) -> Option<Self> {
         let is_consistent = offsets.first() == Some(&0)
@@ -83,8 +84,8 @@ impl SparseWeights {
         self.offsets.push(self.sites.len() as u32);
     }
 
-    /// Normalises the `(point, φ)` lists of all sites, in the order of the sites, into rows for `points` points (eq. 2). Also
-    /// returns Σφ at each point.
+    /// Normalises the `(point, φ)` lists of all sites, in the order of the sites, into rows for `points` points (eq.
+    /// 2). Also returns Σφ at each point.
     pub(crate) fn normalised(points: usize, by_site: &[Vec<(u32, f64)>]) -> (Self, Vec<f64>) {
         let mut offsets = vec![0_u32; points + 1];
         let mut sums = vec![0.0; points];
@@ -121,8 +122,8 @@ impl SparseWeights {
         self.len() == 0
     }
 
-    /// Points + 1: the index of each point's first entry in [`sites`](Self::sites) and [`weights`](Self::weights), then the
-    /// number of entries.
+    /// Points + 1: the index of each point's first entry in [`sites`](Self::sites) and [`weights`](Self::weights), then
+    /// the number of entries.
     #[must_use]
     pub fn offsets(&self) -> &[u32] {
         &self.offsets

@@ -1,9 +1,9 @@
 //! The weights of all samples (eq. 2), in one sweep.
 //!
-//! Samples in one triangle of the navigation mesh are consecutive and share its windows. So each window is evaluated for a
-//! [`BATCH`] of samples at once, in branchless loops over flat arrays, unless it cannot reach their bounding box.
+//! Samples in one triangle of the navigation mesh are consecutive and share its windows. So each window is evaluated
+//! for a [`BATCH`] of samples at once, in branchless loops over flat arrays, unless it cannot reach their bounding box.
 //!
-//! Cost: for each sample and each support that reaches into its triangle, about 4 ns for each window, and as much for φ and
+//! Cost: for each sample and each support that reaches into its triangle, about 4 ns a window. As much again for φ and
 //! the row.
 
 use glam::DVec2;

@@ -1,9 +1,10 @@
 //! The farthest points of a cell in a triangle, by ascent of the distance.
 //!
-//! The distance to a site is the minimum of a few cones `offset + |p − pseudo_source|`. In a triangle, a cell's farthest point
-//! is a corner or a point where cones intersect: three of them, or two on an edge. A sequence of linear programs finds it, as
-//! in successive linear programming: the tangent plane replaces each cone. Each step ascends one of the site's own cones as
-//! far as it remains the minimum of the tangent planes. It converges as Newton's method does.
+//! The distance to a site is the minimum of a few cones `offset + |p − pseudo_source|`. In a triangle, a cell's
+//! farthest point is a corner or a point where cones intersect: three of them, or two on an edge. A sequence of linear
+//! programs finds it, as in successive linear programming: the tangent plane replaces each cone. Each step ascends one
+//! of the site's own cones as far as it remains the minimum of the tangent planes. It converges as Newton's method
+//! does.
 //!
 //! So the positions of virtual sites hardly depend on the positions of the coarse samples.
 //!
@@ -49,14 +50,14 @@ const CAPACITY: usize = 16;
 const MAX_STEPS: usize = 16;
 /// A step shorter than this, relative to the longest edge, ends the ascent.
 const CONVERGED: f64 = 1e-12;
-/// If cones intersect at a small angle, rounding keeps the steps longer than that. An ascent fails if its last step is longer
-/// than this, relative to the longest edge.
+/// If cones intersect at a small angle, rounding keeps the steps longer than that. An ascent fails if its last step is
+/// longer than this, relative to the longest edge.
 const ACCEPTED: f64 = 1e-6;
 
 /// Ascends a cell's own cones, where they are the minimum of all, in a triangle of positive orientation.
 ///
-/// `cones_at` lists the cones at a point. If two ascents lead equally far, as from an axis of symmetry, it follows both.
-/// Empty if none converges.
+/// `cones_at` lists the cones at a point. If two ascents lead equally far, as from an axis of symmetry, it follows
+/// both. Empty if none converges.
 pub(super) fn ascend(corners: &[DVec2; 3], from: DVec2, mut cones_at: impl FnMut(DVec2, &mut Cones)) -> Vec<DVec2> {
     let first = ascend_once(corners, from, &mut cones_at, Fork::First);
     let other = first.filter(|&(_, forked)| forked).and_then(|_| ascend_once(corners, from, &mut cones_at, Fork::Last));
@@ -80,7 +81,8 @@ fn ascend_once(
         cones.own.clear();
         cones.others.clear();
         cones_at(p, &mut cones);
-        // Own cones intersect where paths on both sides of a hole are equally long. Take the one whose step leads farthest.
+        // Own cones intersect where paths on both sides of a hole are equally long. Take the one whose step leads
+        // farthest.
         let mut best: Option<(f64, DVec2, bool)> = None;
         for cone in &cones.own {
             let tangent = cone.tangent(p);
@@ -103,8 +105,8 @@ fn ascend_once(
     (last <= ACCEPTED * longest).then_some((p, forked))
 }
 
-/// Sets the constraints of a step from `p` up a cone. By the tangent planes, the cone stays below the other cones; the step
-/// stays in the triangle.
+/// Sets the constraints of a step from `p` up a cone. By the tangent planes, the cone stays below the other cones; the
+/// step stays in the triangle.
 fn constrain(
     constraints: &mut Vec<Constraint>,
     corners: &[DVec2; 3],

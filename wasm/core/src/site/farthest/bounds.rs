@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 
-/// Upper bound of a 1-Lipschitz function in a triangle with edges no longer than `longest`, from its values at the corners.
+/// Upper bound of a 1-Lipschitz function in a triangle with edges no longer than `longest`, from its values at the
+/// corners.
 pub(super) fn lipschitz_bound(values: &[f64; 3], longest: f64) -> f64 {
-    // The value at a point with barycentric coordinates λ is at most Σ λᵢ (valueᵢ + distanceᵢ), with distanceᵢ to cornerᵢ.
-    // By Jensen's inequality Σ λᵢ distanceᵢ is at most √Σ λᵢ distanceᵢ². That is at most longest · √Σ λᵢ λⱼ over the pairs.
-    // The greatest of these sums for any λ:
+    // The value at a point with barycentric coordinates λ is at most Σ λᵢ (valueᵢ + distanceᵢ), with distanceᵢ to
+    // cornerᵢ. By Jensen's inequality Σ λᵢ distanceᵢ is at most √Σ λᵢ distanceᵢ². That is at most longest · √Σ λᵢ λⱼ
+    // over the pairs. The greatest of these sums for any λ:
     let mean = values.iter().sum::<f64>() / 3.0;
     let spread: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
     mean + ((2.0 * spread + longest * longest) / 3.0).sqrt()

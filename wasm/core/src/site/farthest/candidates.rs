@@ -47,12 +47,12 @@ impl CandidateTriangles {
         self.home.push(home as u32);
     }
 
-    /// The triangles that may contain a point of a cell at least as far as its farthest coarse sample, at distance `sample`.
-    /// Sorted by descending upper bound.
+    /// The triangles that may contain a point of a cell at least as far as its farthest coarse sample, at distance
+    /// `sample`. Sorted by descending upper bound.
     ///
-    /// The path from a site to a point of its cell stays in the cell, so the triangles that a cell enters are connected. Of
-    /// those with samples of the cell, only two kinds are visited: those that may be far enough, and those that lead to
-    /// triangles without such samples.
+    /// The path from a site to a point of its cell stays in the cell, so the triangles that a cell enters are
+    /// connected. Of those with samples of the cell, some are skipped: those that are not far enough and do not
+    /// lead to triangles without such samples.
     pub(super) fn find(&mut self, voronoi: &Voronoi, pieces: &Pieces, site: usize, sample: f64) -> Vec<Candidate> {
         let least = sample * (1.0 - TIE);
         let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
@@ -114,8 +114,8 @@ fn may_enter(voronoi: &Voronoi, pieces: &Pieces, site: usize, triangle: u32) -> 
     may_be_lowest(voronoi, corners, paths.map(|path| path.distance), paths.map(to_apex))
 }
 
-/// Whether a cone may be the lowest one somewhere in a triangle. `values` are its values at the corners, and `to_apex` the
-/// distances of the corners to its apex.
+/// Whether a cone may be the lowest one somewhere in a triangle. `values` are its values at the corners, and `to_apex`
+/// the distances of the corners to its apex.
 fn may_be_lowest(voronoi: &Voronoi, corners: [usize; 3], values: [f64; 3], to_apex: [f64; 3]) -> bool {
     let (coarse, cells) = (voronoi.coarse, &voronoi.cells);
     let longest = corners.iter().map(|&at| coarse.reach[at]).fold(0.0, f64::max);
@@ -125,7 +125,8 @@ fn may_be_lowest(voronoi: &Voronoi, corners: [usize; 3], values: [f64; 3], to_ap
         && (!have_one_cone(cells, corners) || over.any(|over| over <= cone_sag(longest, apart)))
 }
 
-/// An upper bound for the distance of a triangle's points to their nearest site. Refined only if it is at least `least`.
+/// An upper bound for the distance of a triangle's points to their nearest site. Refined only if it is at least
+/// `least`.
 fn upper_bound(voronoi: &Voronoi, pieces: &Pieces, triangle: u32, least: f64) -> f64 {
     if let Some(piece) = pieces.of_triangle(triangle) {
         return piece.upper_bound;

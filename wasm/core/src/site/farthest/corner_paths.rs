@@ -19,8 +19,8 @@ impl CornerPaths {
         Self([0, 1, 2].map(|k| field.path_end(nav_triangles[k], corners[k])))
     }
 
-    /// The paths to the corners of a part. Indices 0 to 2 are corners of the whole, with paths `outer`. Indices 3 to 5 are
-    /// the midpoints of its edges, with paths `inner`.
+    /// The paths to the corners of a part. Indices 0 to 2 are corners of the whole, with paths `outer`. Indices 3 to 5
+    /// are the midpoints of its edges, with paths `inner`.
     pub(super) fn of_part(outer: &Self, inner: &Self, part: [usize; 3]) -> Self {
         Self(part.map(|at| [outer, inner][at / 3].0[at % 3]))
     }
@@ -30,7 +30,8 @@ impl CornerPaths {
         self.0[corner].map_or(f64::INFINITY, |path| path.distance)
     }
 
-    /// The common pseudo-source of all paths; `None` if they differ. With one, distances in the piece are those of one cone.
+    /// The common pseudo-source of all paths; `None` if they differ. With one, distances in the piece are those of one
+    /// cone.
     pub(super) fn pseudo_source(&self) -> Option<DVec2> {
         let [a, b, c] = self.pseudo_sources();
         if a == b && b == c { a } else { None }
@@ -50,8 +51,8 @@ impl CornerPaths {
         [0, 1, 2].map(|k| fast_min(known[k], self.distance(k)))
     }
 
-    /// Whether the site may be the nearest somewhere in the piece, as distances are 1-Lipschitz. `nearest` are the distances
-    /// of the corners to their nearest sites, and `longest` is the length of the longest edge.
+    /// Whether the site may be the nearest somewhere in the piece, as distances are 1-Lipschitz. `nearest` are the
+    /// distances of the corners to their nearest sites, and `longest` is the length of the longest edge.
     pub(super) fn may_enter(&self, nearest: &[f64; 3], longest: f64) -> bool {
         (0..3).all(|k| self.distance(k) <= nearest[k] + 2.0 * longest)
     }

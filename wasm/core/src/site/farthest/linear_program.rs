@@ -1,7 +1,7 @@
 //! The linear program of one ascent step: the step that goes farthest in a direction under linear constraints.
 //!
-//! Cost: up to [`MAX_CONSTRAINTS_IN_PAIRS`] constraints, all pairs of them, and a pass over all for each candidate. With more,
-//! first a few passes that select the active ones.
+//! Cost: up to [`MAX_CONSTRAINTS_IN_PAIRS`] constraints, all pairs of them, and a pass over all for each candidate.
+//! With more, first a few passes that select the active ones.
 
 use glam::DVec2;
 
@@ -38,14 +38,14 @@ const SAME_GAIN: f64 = 1e-12;
 const FEASIBLE: f64 = 1e-12;
 /// Normals that span a smaller area count as parallel.
 const PARALLEL_AREA: f64 = 1e-9;
-/// With more constraints than this, an incremental linear program first selects the active ones. Pieces with many sites are
-/// subdivided, so this happens only if many sites lie on one circle.
+/// With more constraints than this, an incremental linear program first selects the active ones. Pieces with many sites
+/// are subdivided, so this happens only if many sites lie on one circle.
 const MAX_CONSTRAINTS_IN_PAIRS: usize = 32;
 
 /// The step that goes farthest in a direction under all constraints, and whether another step is equally good.
 ///
-/// It is the best vertex of the feasible polygon. The last three constraints are the edges of a triangle with edges no longer
-/// than `reach`. `None` if no step satisfies all.
+/// It is the best vertex of the feasible polygon. The last three constraints are the edges of a triangle with edges no
+/// longer than `reach`. `None` if no step satisfies all.
 pub(super) fn farthest_step(
     direction: DVec2,
     constraints: &[Constraint],
@@ -59,8 +59,8 @@ pub(super) fn farthest_step(
     }
 }
 
-/// The best vertex, by trying all pairs of constraints. Cost: the number of pairs, and a pass over all constraints for each
-/// candidate.
+/// The best vertex, by trying all pairs of constraints. Cost: the number of pairs, and a pass over all constraints for
+/// each candidate.
 fn best_vertex(direction: DVec2, constraints: &[Constraint], reach: f64, fork: Fork) -> Option<(DVec2, bool)> {
     let slack = FEASIBLE * reach;
     let mut best: Option<(f64, DVec2, bool)> = None;
@@ -96,11 +96,11 @@ fn intersection(a: &Constraint, b: &Constraint) -> DVec2 {
     (a.limit * -b.normal.perp() + b.limit * a.normal.perp()) / a.normal.perp_dot(b.normal)
 }
 
-/// A subset of many constraints, in their order, with the same best vertex and the same two edges there. `None` if no step
-/// satisfies all.
+/// A subset of many constraints, in their order, with the same best vertex and the same two edges there. `None` if no
+/// step satisfies all.
 ///
-/// An incremental linear program. From the best corner of the triangle, it adds the most violated constraint until none is
-/// violated. Cost: a pass over all constraints for each one added, usually a handful.
+/// An incremental linear program. From the best corner of the triangle, it adds the most violated constraint until none
+/// is violated. Cost: a pass over all constraints for each one added, usually a handful.
 fn active_constraints(direction: DVec2, constraints: &[Constraint], reach: f64) -> Option<Vec<Constraint>> {
     let slack = FEASIBLE * reach;
     let first = constraints.len() - 3;
@@ -128,8 +128,8 @@ fn active_constraints(direction: DVec2, constraints: &[Constraint], reach: f64) 
     Some(chosen.into_iter().map(|at| constraints[at]).collect())
 }
 
-/// The two of `others` that bound the edge on constraint `at`, first the one to the right of its normal. `None` if no point
-/// of the edge satisfies all others.
+/// The two of `others` that bound the edge on constraint `at`, first the one to the right of its normal. `None` if no
+/// point of the edge satisfies all others.
 fn edge(constraints: &[Constraint], at: usize, others: impl Iterator<Item = usize>, slack: f64) -> Option<[usize; 2]> {
     let Constraint { normal, limit, .. } = constraints[at];
     let (from, along) = (normal * (limit / normal.length_squared()), normal.perp());
@@ -164,8 +164,8 @@ mod tests {
         let mut most = 0;
         for round in 0..200 {
             let direction = unit(7.0 * random());
-            // In every other round all sources lie nearly on one circle, and the step is at its centre. In every fourth round
-            // one constraint is level.
+            // In every other round all sources lie nearly on one circle, and the step is at its centre. In every fourth
+            // round one constraint is level.
             let spread = if round % 2 == 0 { 1.0 } else { 1e-13 };
             let mut constraints: Vec<Constraint> = (0..60)
                 .map(|_| Constraint::new(direction, direction - unit(7.0 * random()), spread * random() + 0.05))

@@ -13,7 +13,8 @@ use super::{
 };
 use crate::distance::NavTriangle;
 
-/// Local maxima in a flat piece: the greatest, and others if they may be as far as `known`. Empty if no ascent converges.
+/// Local maxima in a flat piece: the greatest, and others if they may be as far as `known`. Empty if no ascent
+/// converges.
 pub(super) fn maxima(voronoi: &Voronoi, piece: &Piece, site: usize, known: f64) -> Vec<FarPoint> {
     let ascend_from = |from: DVec2| {
         let limit = piece.upper_bound + piece.longest;
@@ -22,8 +23,8 @@ pub(super) fn maxima(voronoi: &Voronoi, piece: &Piece, site: usize, known: f64) 
     };
     let mut maxima: Vec<FarPoint> = ascend_from(piece.corners.iter().sum::<DVec2>() / 3.0).collect();
     let Some(maximum) = maxima.first() else { return maxima };
-    // Three cones meet once. With more, a narrow cell may have another maximum beside the first, farther by no more than the
-    // sag.
+    // Three cones meet once. With more, a narrow cell may have another maximum beside the first, farther by no more
+    // than the sag.
     if piece.limits > 3 && maximum.distance + cone_sag(piece.longest, maximum.distance) >= known {
         for from in piece.corners {
             maxima.extend(ascend_from(from));

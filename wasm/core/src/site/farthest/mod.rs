@@ -1,11 +1,11 @@
 //! The farthest points of cells, where Algorithm 1 inserts its sites (section IV-A).
 //!
-//! They are the farthest points of the cell itself, not of its coarse samples. Only cells that may be the worst are searched,
-//! in three steps:
+//! They are the farthest points of the cell itself, not of its coarse samples. Only cells that may be the worst are
+//! searched, in three steps:
 //!
 //! - `candidates`: the triangles of the coarse mesh that may contain them.
-//! - `search`: the best of these first, by branch and bound. It subdivides triangles into [`pieces`]; each [`piece`] has an
-//!   upper bound from the paths to its corners (`corner_paths`, `bounds`).
+//! - `search`: the best of these first, by branch and bound. It subdivides triangles into [`pieces`]; each [`piece`]
+//!   has an upper bound from the paths to its corners (`corner_paths`, `bounds`).
 //! - `maxima`: in a piece that is small enough, an ascent of the distance (`ascent`, `linear_program`).
 //!
 //! Cost: about a third of an insertion, for the cells that it changes.
@@ -47,8 +47,8 @@ pub(super) struct FarPoint {
 enum SearchState {
     /// No point of the cell is farther than this.
     Within(f64),
-    /// No point is farther than `sample`, the greatest distance of a sample at that time, or it lies in one of `triangles`,
-    /// sorted by descending upper bound.
+    /// Every point farther than `sample` lies in one of `triangles`, sorted by descending upper bound. `sample` was the
+    /// greatest distance of a coarse sample of the cell.
     InTriangles { sample: f64, triangles: Vec<Candidate> },
     /// At least one point; all are equally far from the site.
     Known(Vec<FarPoint>),
@@ -68,8 +68,8 @@ impl FarthestPoints {
         Self { states: Vec::new(), pieces: Pieces::new(triangles), candidates: CandidateTriangles::new(triangles) }
     }
 
-    /// Adds the cell of the last site inserted. `coarse_triangle` contains the site, and `bound` is an upper bound of the
-    /// cell radius.
+    /// Adds the cell of the last site inserted. `coarse_triangle` contains the site, and `bound` is an upper bound of
+    /// the cell radius.
     pub(super) fn insert(&mut self, voronoi: &Voronoi, coarse_triangle: usize, bound: f64) {
         self.pieces.insert(voronoi);
         self.drop_points_of_last_site(voronoi);

@@ -1,4 +1,5 @@
-//! A triangle of the coarse mesh or a part of one, with the sites that may be nearest in it and bounds of their distances.
+//! A triangle of the coarse mesh or a part of one, with the sites that may be nearest in it and bounds of their
+//! distances.
 //!
 //! Cost of an update: a pass over these sites. Limits: the bounds assume exact distances at the corners.
 
@@ -15,16 +16,16 @@ use crate::{
     triangulation::NONE,
 };
 
-/// Maxima are searched by ascent in pieces whose edges are no longer than this share of the distance. There cones are nearly
-/// planes, and a second maximum is rare.
+/// Maxima are searched by ascent in pieces whose edges are no longer than this share of the distance. There cones are
+/// nearly planes, and a second maximum is rare.
 const FLAT: f64 = 0.5;
 /// With more sites than this in a piece, subdividing it costs less than an ascent in it.
 const MAX_SITES_TO_ASCEND: usize = 16;
-/// Pieces with edges below this share of the distance are not subdivided. A maximum missed in one is farther by no more than
-/// this share.
+/// Pieces with edges below this share of the distance are not subdivided. A maximum missed in one is farther by no more
+/// than this share.
 const MIN_EDGE_SHARE: f64 = 1.0 / 64.0;
-/// The parts of a piece, by the indices of its corners (0 to 2) and of the midpoints of its edges (3 to 5). The last part has
-/// all midpoints.
+/// The parts of a piece, by the indices of its corners (0 to 2) and of the midpoints of its edges (3 to 5). The last
+/// part has all midpoints.
 pub(super) const PARTS: [[usize; 3]; 4] = [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]];
 
 /// A triangular piece of the domain, and bounds of the distances in it.
@@ -167,10 +168,11 @@ impl Piece {
         }))
     }
 
-    /// Upper bound for the distance of a site to the points of its cell in the piece; `None` if the cell does not enter it.
+    /// Upper bound for the distance of a site to the points of its cell in the piece; `None` if the cell does not enter
+    /// it.
     ///
-    /// Between the corners a cone lies slightly below the plane through its values there. So the cell lies where that plane,
-    /// less the sag, is no higher than the planes of other sites.
+    /// Between the corners a cone lies slightly below the plane through its values there. So the cell lies where that
+    /// plane, less the sag, is no higher than the planes of other sites.
     pub(super) fn upper_bound_of(&self, site: usize) -> Option<f64> {
         let own = self.sites.iter().zip(&self.paths).find_map(|(&at, paths)| (at == site as u32).then_some(paths))?;
         let Some(source) = own.pseudo_source() else { return Some(self.upper_bound) };

@@ -1,8 +1,8 @@
 //! Opened triangles of the coarse mesh, subdivided into four parts and again into four as far as searches need.
 //!
-//! Each piece lists every site that may be the nearest somewhere in it, for all cells. Inserting a site updates the pieces. So
-//! a subdivision made for one cell serves its neighbours and later rounds. With thousands of sites among a thousand coarse
-//! samples, each site costs hardly more than with few.
+//! Each piece lists every site that may be the nearest somewhere in it, for all cells. Inserting a site updates the
+//! pieces. So a subdivision made for one cell serves its neighbours and later rounds. With thousands of sites among a
+//! thousand coarse samples, each site costs hardly more than with few.
 //!
 //! Cost of an insertion: a look at every opened triangle, and the update of the pieces that the new cell may enter.
 
