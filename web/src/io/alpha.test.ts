@@ -19,7 +19,7 @@ describe('alphaThreshold', () => {
     expect(alphaThreshold(picture(9, 7, (x) => (x === 8 ? 254 : 255)))).toBe(0.5);
   });
 
-  it('returns one half if the rim covers the soft edges', () => {
+  it('returns one half if the skirt covers the soft edges', () => {
     expect(alphaThreshold(disc(0.01))).toBe(0.5);
     expect(alphaThreshold(disc(5))).toBe(0.5);
   });

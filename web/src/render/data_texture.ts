@@ -1,5 +1,5 @@
 /**
- * Lookup arrays of the vertex shader, as textures of floats.
+ * Float textures that the vertex shader reads as arrays.
  *
  * Texel i lies at (i mod width, i / width).
  */
@@ -16,7 +16,7 @@ export interface DataTexture {
 
 /**
  * @param channels Numbers per texel: 2 or 4.
- * @param texels Texels that the texture must hold at least.
+ * @param texels The least number of texels.
  */
 export function createDataTexture(gl: WebGL2RenderingContext, channels: 2 | 4, texels: number): DataTexture {
   const height = Math.max(1, Math.ceil(texels / WIDTH));

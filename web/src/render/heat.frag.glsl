@@ -1,11 +1,12 @@
 #version 300 es
-// The picture, premultiplied, under the colours of a number from 0 to 1, and perhaps with a line at every tenth, bold at 0.5.
+// The picture, premultiplied, under a heat map of values from 0 to 1.
+// Optional isolines lie at every tenth; the one at 0.5 is bold.
 precision highp float;
 
 uniform sampler2D u_picture;
 // Colours at 0, 0.2, … 1, straight alpha.
 uniform vec4 u_ramp[6];
-// Width of a line, device pixels; 0 for none.
+// Width of an isoline in device pixels; 0 draws none.
 uniform float u_line;
 
 in vec2 v_texcoord;
@@ -20,9 +21,9 @@ vec4 ramp(float heat) {
   return mix(u_ramp[below], u_ramp[below + 1], at - float(below));
 }
 
-// The share of a pixel that a band of this width covers, at a distance from the band's middle.
-float covered(float away, float width) {
-  return clamp(0.5 + 0.5 * width - away, 0.0, 1.0);
+// The fraction of a pixel that a band covers, at a distance from the middle of the band. Lengths in pixels.
+float coverage(float distance, float width) {
+  return clamp(0.5 + 0.5 * width - distance, 0.0, 1.0);
 }
 
 void main() {
@@ -33,12 +34,12 @@ void main() {
   float tenths = v_heat * LINES;
   float slope = length(vec2(dFdx(tenths), dFdy(tenths)));
   float line = clamp(round(tenths), 1.0, LINES - 1.0);
-  float away = abs(tenths - line) / max(slope, 1e-6);
+  float off = abs(tenths - line) / max(slope, 1e-6);
   float bold = line == 5.0 ? 2.0 : 1.0;
-  // Lines closer together than their width would merge into a dark spot.
-  float apart = u_line == 0.0 ? 0.0 : 1.0 - smoothstep(0.15, 0.4, slope * u_line);
-  float pale = 0.35 * apart * covered(away, (bold + 2.0) * u_line);
-  float dark = (bold > 1.0 ? 0.85 : 0.65) * apart * covered(away, bold * u_line);
+  // Dense lines would merge into a dark spot, so they fade out.
+  float fade = u_line == 0.0 ? 0.0 : 1.0 - smoothstep(0.15, 0.4, slope * u_line);
+  float pale = 0.35 * fade * coverage(off, (bold + 2.0) * u_line);
+  float dark = (bold > 1.0 ? 0.85 : 0.65) * fade * coverage(off, bold * u_line);
   mixed = mix(mixed, vec3(picture.a), pale);
   colour = vec4(mix(mixed, vec3(0.03, 0.05, 0.16) * picture.a, dark), picture.a);
 }

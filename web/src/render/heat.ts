@@ -1,6 +1,7 @@
 /**
- * The picture under a heat map, perhaps with isolines, of one number per vertex. Both are drawn in one pass, so that parts that
- * the picture covers show in neither.
+ * Draws the picture under a heat map of one value per vertex, with optional isolines.
+ *
+ * One pass draws both, so that parts of the picture hide the heat map of the parts behind them.
  */
 import * as twgl from 'twgl.js';
 import { HEAT_RAMP, type HeatMap } from '../geometry/heat';
@@ -18,7 +19,7 @@ export class HeatLayer {
   #buffer: WebGLBuffer | undefined;
   #lines = true;
 
-  /** @throws Error where the shader does not compile. */
+  /** @throws Error if the shader does not compile. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#program = program(gl, heatFragment, 'HEAT');
@@ -28,7 +29,7 @@ export class HeatLayer {
     return this.#buffer !== undefined;
   }
 
-  /** Of the mesh that is drawn next. */
+  /** Sets the heat map for the next meshes. */
   set({ values, lines }: HeatMap): void {
     this.clear();
     this.#buffer = twgl.createBufferFromTypedArray(this.#gl, values);
@@ -53,7 +54,7 @@ export class HeatLayer {
       { ...uniforms, ...own },
       gl.TRIANGLES,
     );
-    // An enabled attribute without its buffer makes draws of other programs fail.
+    // An enabled attribute without a buffer makes the draw calls of other programs fail.
     gl.disableVertexAttribArray(gl.getAttribLocation(this.#program.program, 'a_heat'));
   }
 }

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { meshEdges, unwarpedMesh, weightRows } from './mesh';
 
 describe('mesh', () => {
-  it('turns offsets into first entry and number of entries', () => {
+  it('converts offsets to pairs of first entry and count', () => {
     expect([...weightRows(new Uint32Array([0, 2, 2, 5]))]).toEqual([0, 2, 2, 0, 2, 3]);
     expect([...weightRows(new Uint32Array())]).toEqual([]);
   });

@@ -1,16 +1,16 @@
 import type { Skin } from '../geometry/skin';
 
-/** A skin to draw, and the sites that move it. */
+/** A skin, the sites that move it, and the static background behind it. */
 export interface WarpMesh extends Skin {
   /** Sites × 2; only the length matters here. */
   readonly siteRest: ArrayLike<number>;
-  /** Vertices × 2 and triangles × 3 of what is drawn behind and stays. */
+  /** Vertices × 2 and triangles × 3 of the static background, drawn behind the skin. */
   readonly backgroundPositions?: Float32Array;
   readonly backgroundTriangles?: Uint32Array;
 }
 
-/** A mesh that nothing moves. */
-export const stillMesh = (positions: Float32Array, triangles: Uint32Array): WarpMesh => ({
+/** Returns a mesh without weights: it always stays at rest. */
+export const staticMesh = (positions: Float32Array, triangles: Uint32Array): WarpMesh => ({
   positions,
   triangles,
   offsets: new Uint32Array(positions.length / 2 + 1),
@@ -19,14 +19,14 @@ export const stillMesh = (positions: Float32Array, triangles: Uint32Array): Warp
   siteRest: [],
 });
 
-/** The whole picture as two triangles at rest, drawn while there is no solution. */
+/** Returns the whole picture as two triangles, for pictures without a solution. */
 export const unwarpedMesh = (width: number, height: number): WarpMesh =>
-  stillMesh(
+  staticMesh(
     new Float32Array([0, 0, width, 0, 0, height, width, height]),
     new Uint32Array([0, 1, 2, 2, 1, 3]),
   );
 
-/** Vertices × 2: first entry and number of entries, from the offsets of a mesh. */
+/** Returns vertices × 2: the first weight entry and the number of entries, from the offsets of a mesh. */
 export function weightRows(offsets: Uint32Array): Uint32Array {
   const rows = new Uint32Array(Math.max(0, offsets.length - 1) * 2);
   for (let vertex = 0; vertex * 2 < rows.length; vertex++) {
@@ -37,14 +37,14 @@ export function weightRows(offsets: Uint32Array): Uint32Array {
   return rows;
 }
 
-/** Edges × 2: every edge of the triangles once. Cost: a sort of all edges. */
+/** Returns edges × 2: every edge of the triangles once. Cost: O(n log n) in the triangles. */
 export function meshEdges(triangles: Uint32Array): Uint32Array {
   const keys = new Float64Array(triangles.length);
   for (let corner = 0; corner < triangles.length; corner++) {
     const next = corner % 3 === 2 ? corner - 2 : corner + 1;
     const a = triangles[corner] ?? 0;
     const b = triangles[next] ?? 0;
-    // Two vertex indices in one number: exact, since there are fewer than 2^26 vertices.
+    // Two vertex indices in one number. This is exact for fewer than 2^26 vertices.
     keys[corner] = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
   }
   keys.sort();

@@ -1,9 +1,10 @@
 /**
- * Everything that one WebGL context holds: programs, the picture, the mesh with its weights, the motions. All of it is
- * lost with the context; `Renderer` then builds a new scene.
+ * The resources of one WebGL context, and the draw calls: programs, picture, mesh with weights, motions.
  *
- * A drag uploads sites × 48 bytes a frame, a change of depth the triangles in their new order; blending runs per vertex
- * on the GPU.
+ * A context loss loses all of them; `Renderer` then builds a new painter.
+ *
+ * Cost: a drag uploads 48 bytes per site and frame. A change of depth uploads the triangles in their new order. The GPU
+ * blends the motions per vertex.
  */
 import * as twgl from 'twgl.js';
 import type { HeatMap } from '../geometry/heat';
@@ -12,12 +13,12 @@ import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import { HeatLayer } from './heat';
 import lineFragment from './line.frag.glsl?raw';
-import { meshEdges, stillMesh, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
+import { meshEdges, staticMesh, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
 import { createPictureTexture, setMagnification } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { drawWith, program } from './program';
 
-/** Colour of the mesh overlay, premultiplied: visible on light and on dark pictures. */
+/** Colour of the mesh overlay, premultiplied. It shows on light and dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
 
 interface LoadedMesh {
@@ -26,7 +27,7 @@ interface LoadedMesh {
   readonly weights: DataTexture;
   readonly motions: DataTexture;
   edges: twgl.BufferInfo | undefined;
-  /** The triangles as the index buffer holds them. */
+  /** The content of the index buffer. */
   drawn: Uint32Array;
 }
 
@@ -36,7 +37,7 @@ export class Painter {
   readonly #lineProgram: twgl.ProgramInfo;
   #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
   #loaded: LoadedMesh | undefined;
-  /** Drawn behind the loaded mesh, if there is any. */
+  /** The static background behind the mesh, if any. */
   #background: LoadedMesh | undefined;
   /** The unwarped picture, for comparison. */
   #whole: LoadedMesh | undefined;
@@ -45,7 +46,7 @@ export class Painter {
   #posed = false;
   #blend: Blend = 'linear';
 
-  /** @throws Error where a shader does not compile, with the reason. */
+  /** @throws Error with the compiler's message if a shader does not compile. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#pictureProgram = program(gl, pictureFragment);
@@ -60,7 +61,7 @@ export class Painter {
     this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
-  /** Frees picture and mesh: nothing is drawn until the next picture. */
+  /** Frees picture and mesh. `draw` then clears the canvas only. */
   clear(): void {
     if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
     this.#unload(this.#whole);
@@ -75,14 +76,14 @@ export class Painter {
     ];
   }
 
-  /** Replaces the mesh, which is drawn at rest until motions are set. */
+  /** Replaces the mesh, at rest until motions are set. */
   setMesh(mesh: WarpMesh): void {
     this.#unload(this.#loaded);
     this.#unload(this.#background);
     this.#loaded = this.#load(mesh);
     const { backgroundPositions: positions, backgroundTriangles: triangles } = mesh;
     this.#background =
-      positions && triangles?.length ? this.#load(stillMesh(positions, triangles)) : undefined;
+      positions && triangles?.length ? this.#load(staticMesh(positions, triangles)) : undefined;
     this.#heat?.clear();
     this.#posed = false;
   }
@@ -110,7 +111,11 @@ export class Painter {
     };
   }
 
-  /** Sites × 12, or null to draw the mesh at rest. `triangles` are those of the mesh in drawing order, null as they are. */
+  /**
+   * Sets the motions, sites × 12; null draws the mesh at rest.
+   *
+   * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
+   */
   setMotions(motions: Float32Array | null, blend: Blend, triangles: Uint32Array | null): void {
     this.#posed = motions !== null;
     this.#blend = blend;
@@ -120,7 +125,7 @@ export class Painter {
     this.#reorder(loaded, triangles ?? loaded.mesh.triangles);
   }
 
-  /** Of the mesh, drawn as colours over the picture; null for the picture alone. */
+  /** Sets the heat map over the picture; null draws the picture alone. */
   setHeat(heat: HeatMap | null): void {
     if (!heat) {
       this.#heat?.clear();
@@ -164,8 +169,8 @@ export class Painter {
     };
     const behind = view.compare ? undefined : this.#background;
     if (behind) {
-      const still = { ...uniforms, u_at_rest: true };
-      drawWith(gl, this.#pictureProgram, behind.triangles, still, gl.TRIANGLES);
+      const atRest = { ...uniforms, u_at_rest: true };
+      drawWith(gl, this.#pictureProgram, behind.triangles, atRest, gl.TRIANGLES);
     }
     if (this.#heat?.isSet && !view.compare) this.#heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
     else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);

@@ -1,6 +1,6 @@
 #version 300 es
-// The picture, premultiplied. Where it shrinks, a pixel is the mean of four reads of the mipmap that is finer than it: a single
-// read of one that is as coarse would be blurred.
+// The picture, premultiplied. A pixel of a shrunk picture is the mean of four reads from the next finer mipmap level.
+// A single read from a level of the pixel's size would be blurred.
 precision highp float;
 
 uniform sampler2D u_picture;
@@ -12,14 +12,15 @@ void main() {
   vec2 right = dFdx(v_texcoord);
   vec2 down = dFdy(v_texcoord);
   vec2 size = vec2(textureSize(u_picture, 0));
-  // How many texels wide a pixel is.
+  // The width of a pixel in texels.
   float width = max(length(right * size), length(down * size));
   if (width <= 1.0) {
     colour = textureLod(u_picture, v_texcoord, 0.0);
     return;
   }
   float level = max(log2(width) - 1.0, 0.0);
-  // Together with the reads as wide as a box of the pixel's size: not apart at width 1, a quarter of a pixel from its middle at width 2.
+  // Gives the four reads together the variance of a box of the pixel's size.
+  // The offset is 0 at width 1, and a quarter of a pixel at width 2.
   float spread = sqrt((1.0 - 1.0 / (width * width)) / 12.0);
   vec2 across = spread * right;
   vec2 along = spread * down;

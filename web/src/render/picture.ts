@@ -1,6 +1,8 @@
 /**
- * The picture as a texture: premultiplied, so that neither filtering nor blending mixes in the colours of transparent
- * pixels; with mipmaps; without anisotropy, so that every GPU filters alike.
+ * The picture as a texture with mipmaps.
+ *
+ * The texture is premultiplied: filtering and blending then ignore the colours of transparent pixels. Anisotropic
+ * filtering is off, so that all GPUs give the same result.
  */
 import * as twgl from 'twgl.js';
 import type { View } from '../geometry/view';
@@ -9,15 +11,15 @@ import type { View } from '../geometry/view';
 const CRISP_ABOVE = 4;
 
 /**
- * Uploads a premultiplied bitmap, shrunk where it exceeds the GPU's largest texture. Only the screen uses this texture,
- * never an export.
+ * Uploads a premultiplied bitmap, and shrinks it if it exceeds the GPU's largest texture. The texture serves the screen
+ * only; exports use the original pixels.
  */
 export function createPictureTexture(gl: WebGL2RenderingContext, source: ImageBitmap): WebGLTexture {
   const most: number = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   const ratio = Math.min(1, most / source.width, most / source.height);
   return twgl.createTexture(gl, {
     src: ratio < 1 ? shrunk(source, ratio) : source,
-    // A bitmap is uploaded as it is, premultiplied; of a canvas this must be requested.
+    // A bitmap is premultiplied already. WebGL must be told to premultiply a canvas.
     premultiplyAlpha: ratio < 1 ? 1 : 0,
     internalFormat: gl.RGBA8,
     min: gl.LINEAR_MIPMAP_LINEAR,
@@ -27,7 +29,7 @@ export function createPictureTexture(gl: WebGL2RenderingContext, source: ImageBi
   });
 }
 
-/** Sets the magnification filter for a view. */
+/** Sets the magnification filter for a view: squares at high zoom and for pixel art, else linear. */
 export function setMagnification(
   gl: WebGL2RenderingContext,
   texture: WebGLTexture,
@@ -43,7 +45,7 @@ function shrunk(source: ImageBitmap, ratio: number): HTMLCanvasElement {
   canvas.width = Math.max(1, Math.floor(source.width * ratio));
   canvas.height = Math.max(1, Math.floor(source.height * ratio));
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('this browser has no 2D canvas to shrink a picture with');
+  if (!context) throw new Error('This browser cannot shrink a picture on a 2D canvas.');
   context.imageSmoothingQuality = 'high';
   context.drawImage(source, 0, 0, canvas.width, canvas.height);
   return canvas;

@@ -1,20 +1,20 @@
-/** Compiles programs that draw the posed mesh, and draws with them. */
+/** Compiles shader programs that draw the posed mesh, and draws with them. */
 import * as twgl from 'twgl.js';
 import warpVertex from './warp.vert.glsl?raw';
 
 const compiled = new WeakMap<WebGL2RenderingContext, Map<string, twgl.ProgramInfo>>();
 
 /**
- * Compiled once for all drawings of a context.
+ * Returns the program with a fragment shader. Each program is compiled once per context.
  *
  * @param define A macro that the vertex shader tests with `#ifdef`.
- * @throws Error where a shader does not compile, with the reason.
+ * @throws Error with the compiler's message if a shader does not compile.
  */
 export function program(gl: WebGL2RenderingContext, fragment: string, define = ''): twgl.ProgramInfo {
   const programs = compiled.get(gl) ?? new Map<string, twgl.ProgramInfo>();
   compiled.set(gl, programs);
   const known = programs.get(fragment);
-  // Those from before a context was lost are none of it any more.
+  // A program from before a context loss is invalid.
   if (known && gl.isProgram(known.program)) return known;
   const info = compile(gl, fragment, define);
   programs.set(fragment, info);
@@ -23,12 +23,12 @@ export function program(gl: WebGL2RenderingContext, fragment: string, define = '
 
 function compile(gl: WebGL2RenderingContext, fragment: string, define: string): twgl.ProgramInfo {
   let reason = 'unknown';
-  // `#version` has to stay the first line.
+  // `#version` must stay the first line.
   const vertex = define ? warpVertex.replace('\n', `\n#define ${define}\n`) : warpVertex;
   const info: twgl.ProgramInfo | null = twgl.createProgramInfo(gl, [vertex, fragment], (message) => {
     reason = message;
   });
-  if (!info) throw new Error(`a shader does not compile: ${reason}`);
+  if (!info) throw new Error(`A shader does not compile: ${reason}`);
   return info;
 }
 

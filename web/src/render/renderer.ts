@@ -1,8 +1,8 @@
 /**
  * Draws the warped picture on a canvas with WebGL2.
  *
- * Takes flat arrays, and knows neither handles nor solver. Keeps its inputs, to fill a context again that was lost and
- * restored.
+ * The renderer takes flat arrays and knows neither handles nor solver. It keeps its inputs, to fill the context again
+ * after a context loss.
  */
 import type { HeatMap } from '../geometry/heat';
 import { type Blend, MOTION_STRIDE } from '../geometry/skin';
@@ -23,27 +23,27 @@ export class Renderer {
   #blend: Blend = 'linear';
   #triangles: Uint32Array | null = null;
 
-  /** Called when the picture must be drawn again, on a context that was restored or after sleep. */
+  /** Called when the picture must be drawn again: the context was restored, or `wake` was called. */
   onrestore: (() => void) | null = null;
 
-  /** @throws Error with the code `webgl` where the browser has no WebGL2. */
+  /** @throws Error with the code `webgl` if the browser has no WebGL2. */
   constructor(canvas: HTMLCanvasElement) {
     this.#surface = surfaceOf(canvas);
     const { gl } = this.#surface;
     const { signal } = this.#listening;
     gl.canvas.addEventListener('webglcontextlost', (event) => this.#lose(event), { signal });
     gl.canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal });
-    // Where the browser drops the copy of what was drawn in a shared context.
+    // The browser dropped the copy that was drawn in a shared context.
     canvas.addEventListener('contextrestored', () => this.onrestore?.(), { signal });
     if (!gl.isContextLost()) this.#painter = new Painter(gl);
   }
 
-  /** Whether there is no context to draw on now; drawing does nothing until `onrestore`. */
+  /** Whether the context is lost or released. Drawing does nothing until `onrestore`. */
   get lost(): boolean {
     return this.#painter === undefined || this.#surface.gl.isContextLost();
   }
 
-  /** Shows another picture, unwarped, or none. The bitmap must be premultiplied, and open while it is shown. */
+  /** Shows another picture unwarped; null shows none. The bitmap must be premultiplied and stay open while shown. */
   setPicture(source: ImageBitmap | null): void {
     this.#picture = source;
     this.#mesh = null;
@@ -53,7 +53,7 @@ export class Renderer {
     this.#fill();
   }
 
-  /** The mesh to draw the picture on, at rest until motions are set; null for the unwarped picture. */
+  /** Sets the mesh that carries the picture, at rest until motions are set; null shows the unwarped picture. */
   setSolution(mesh: WarpMesh | null): void {
     this.#mesh = mesh;
     this.#motions = null;
@@ -63,8 +63,9 @@ export class Renderer {
   }
 
   /**
-   * Sites × 12, see {@link MOTION_STRIDE}, and how they are blended; null draws the mesh at rest. `triangles` are those
-   * of the mesh in the drawing order of the pose; without them the mesh keeps its own order.
+   * Sets the motions, sites × 12, and their blend; null draws the mesh at rest. See {@link MOTION_STRIDE}.
+   *
+   * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
    * @throws RangeError unless there is one motion per site of the mesh.
    */
   setMotions(
@@ -74,7 +75,9 @@ export class Renderer {
   ): void {
     const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
     if (motions && motions.length !== sites * MOTION_STRIDE) {
-      throw new RangeError(`${motions.length / MOTION_STRIDE} motions for ${sites} sites`);
+      throw new RangeError(
+        `Expected ${sites} motions, one per site, found ${motions.length / MOTION_STRIDE}.`,
+      );
     }
     this.#motions = motions;
     this.#blend = blend;
@@ -83,14 +86,15 @@ export class Renderer {
   }
 
   /**
-   * A heat map of the mesh, drawn over the picture; null for the picture alone.
+   * Draws a heat map of the mesh over the picture; null draws the picture alone.
+   *
    * @throws RangeError unless there is one number per vertex.
    */
   setHeat(heat: HeatMap | null): void {
     if (heat?.values === this.#heat?.values) return;
     const vertices = (this.#mesh?.positions.length ?? 0) / 2;
     if (heat && heat.values.length !== vertices) {
-      throw new RangeError(`a heat map of ${heat.values.length} vertices for ${vertices}`);
+      throw new RangeError(`Expected ${vertices} heat values, one per vertex, found ${heat.values.length}.`);
     }
     this.#heat = heat;
     if (!this.lost) this.#painter?.setHeat(heat);
@@ -103,7 +107,7 @@ export class Renderer {
     this.#surface.show();
   }
 
-  /** Draws, and returns the pixels: premultiplied RGBA, rows from the top. */
+  /** Draws, then returns the pixels: premultiplied RGBA, rows from the top. */
   readPixels(view: View): Uint8Array {
     this.draw(view);
     const { width, height } = view;
@@ -113,7 +117,7 @@ export class Renderer {
     return flipped(pixels, width * 4);
   }
 
-  /** Frees the graphics memory of a shared context until `wake`. The canvas keeps its last drawing. */
+  /** Frees the graphics memory of a shared context until `wake`. The canvas keeps its last frame. */
   sleep(): void {
     if (!this.#surface.shared) return;
     this.#asleep = true;
@@ -127,7 +131,7 @@ export class Renderer {
     this.#restore();
   }
 
-  /** Releases everything for good: the canvas cannot be drawn on again. */
+  /** Releases all resources. The canvas cannot be drawn on again. */
   dispose(): void {
     this.#listening.abort();
     this.#painter?.clear();
@@ -136,7 +140,7 @@ export class Renderer {
   }
 
   #lose(event: Event): void {
-    // Without this the browser never restores the context.
+    // The browser restores the context only after this call.
     event.preventDefault();
     this.#painter = undefined;
   }

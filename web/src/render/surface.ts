@@ -1,41 +1,43 @@
 /**
- * What renderers draw on. Browsers allow a page 16 WebGL contexts, on phones 8, and take the oldest away for a new one,
- * visible or not. Here the first canvases of a page have one each. All others are drawn one after another in one that
- * they share, and keep a copy of what was drawn for them: a copy for each frame, but no limit.
+ * The surfaces that renderers draw on.
+ *
+ * Browsers allow 16 WebGL contexts per page, 8 on phones, and drop the oldest one for a new one, visible or not. So the
+ * first canvases of a page have a context each, and all others share one. A shared surface copies each frame to its own
+ * canvas, which costs time but has no limit.
  */
 import type { Size } from '../geometry/camera';
 
 export interface Surface {
-  /** Its canvas is that of the surface, or belongs to all that share it. */
+  /** Draws on the surface's own canvas, or on one that all shared surfaces use. */
   readonly gl: WebGL2RenderingContext;
   readonly shared: boolean;
-  /** Shows what was drawn, on the surface's own canvas. To be called in the task of the drawing. */
+  /** Shows the frame on the surface's own canvas. Must be called in the same task as the draw calls. */
   show(): void;
   release(): void;
 }
 
-/** Few, as the page may have contexts of its own. */
-const MOST_OWN = 4;
+/** Few, since the page may have contexts of its own. */
+const MAX_OWN = 4;
 
 let own = 0;
 let common: WebGL2RenderingContext | undefined;
 
-/** @throws Error with the code `webgl` where the browser has no WebGL2. */
+/** @throws Error with the code `webgl` if the browser has no WebGL2. */
 export function surfaceOf(canvas: HTMLCanvasElement): Surface {
-  return own < MOST_OWN ? ownSurface(canvas) : sharedSurface(canvas);
+  return own < MAX_OWN ? ownSurface(canvas) : sharedSurface(canvas);
 }
 
-/** Gives a canvas a size in device pixels. */
+/** Sets the size of a canvas in device pixels. */
 export function resize(canvas: HTMLCanvasElement | OffscreenCanvas, { width, height }: Size): void {
-  // Assigning a size clears the canvas, even if the size stays the same.
+  // An assignment clears the canvas, even with the same size.
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
 }
 
 function ownSurface(canvas: HTMLCanvasElement): Surface {
   const gl = contextOf(canvas);
-  // Requested now, as a lost context has no extensions.
-  const lending = gl.getExtension('WEBGL_lose_context');
+  // Requested now, since a lost context has no extensions.
+  const losing = gl.getExtension('WEBGL_lose_context');
   own++;
   return {
     gl,
@@ -43,7 +45,7 @@ function ownSurface(canvas: HTMLCanvasElement): Surface {
     show() {},
     release() {
       own--;
-      lending?.loseContext();
+      losing?.loseContext();
     },
   };
 }
@@ -52,7 +54,7 @@ function sharedSurface(canvas: HTMLCanvasElement): Surface {
   common ??= contextOf(document.createElement('canvas'));
   const gl = common;
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('this browser has no 2D canvas to show a picture on');
+  if (!context) throw new Error('This browser cannot show a picture on a 2D canvas.');
   return {
     gl,
     shared: true,
@@ -69,6 +71,6 @@ function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const gl = canvas.getContext('webgl2', { antialias: true, alpha: true, depth: false, stencil: false });
   if (gl) return gl;
   const message =
-    'This browser cannot draw by WebGL2: switch hardware acceleration on, or use another browser.';
+    'This browser cannot draw with WebGL2. Switch on hardware acceleration or use another browser.';
   throw Object.assign(new Error(message), { code: 'webgl' });
 }

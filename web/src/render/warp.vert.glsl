@@ -1,8 +1,8 @@
 #version 300 es
-// The posed place of a vertex: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex, or the
-// rigid blend of wasm/core/src/pose/dual.rs. Everything is summed relative to p: at 6,000 px a sum of absolute places
-// would lose a hundredth of a pixel.
-// A motion T_i is stored about its site's own rest place: T_i(p) = posed_i + [a c; b d] (p − rest_i).
+// The posed position of a vertex: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex, or the
+// rigid blend of wasm/core/src/deform/dual.rs.
+// Sums are relative to p: at 6,000 px a sum of absolute positions would lose a hundredth of a pixel.
+// A motion T_i is stored about the rest position of its site: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -18,9 +18,9 @@ uniform vec3 u_view;
 uniform bool u_at_rest;
 uniform bool u_rigid;
 
-// The same locations in all programs: arrays that one program leaves enabled serve the next.
+// All programs use the same locations, so that attribute arrays can stay enabled between them.
 layout(location = 0) in vec2 a_rest;
-// First entry and number of entries.
+// First weight entry and number of entries.
 layout(location = 1) in uvec2 a_row;
 #ifdef HEAT
 layout(location = 2) in float a_heat;
@@ -34,7 +34,7 @@ vec4 record(sampler2D data, int index) {
   return texelFetch(data, ivec2(index % width, index / width), 0);
 }
 
-vec2 linearly_blended(vec2 p) {
+vec2 linear_blend(vec2 p) {
   vec2 sum = vec2(0.0);
   for (int entry = int(a_row.x); entry < int(a_row.x + a_row.y); entry++) {
     vec2 site_weight = record(u_weights, entry).xy;
@@ -45,7 +45,7 @@ vec2 linearly_blended(vec2 p) {
   return p + sum;
 }
 
-// The product of complex numbers.
+// The product of two complex numbers.
 vec2 product(vec2 a, vec2 b) {
   return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
@@ -54,10 +54,10 @@ vec2 conjugate(vec2 a) {
   return vec2(a.x, -a.y);
 }
 
-// |P|² from which the blend is rigid.
+// The blend is rigid from this |P|² on.
 const float RIGID = 0.25;
 
-vec2 rigidly_blended(vec2 p) {
+vec2 rigid_blend(vec2 p) {
   vec2 posed = vec2(0.0);
   vec2 half_turn = vec2(0.0);
   vec2 moved = vec2(0.0);
@@ -79,7 +79,7 @@ vec2 rigidly_blended(vec2 p) {
 
 vec2 blended(vec2 p) {
   if (u_at_rest || a_row.y == 0u) return p;
-  return u_rigid ? rigidly_blended(p) : linearly_blended(p);
+  return u_rigid ? rigid_blend(p) : linear_blend(p);
 }
 
 void main() {
