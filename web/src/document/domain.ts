@@ -1,6 +1,6 @@
 /** The part of the picture that bends: all of it, its opaque part, or what the person has drawn rings around. */
 import { isInside } from '../geometry/polyline';
-import { areaOf, clipped, isWithin, meet, type Ring, simple, touches } from '../geometry/ring';
+import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing, touches } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { corners, isClosed, isLine, roundedVec } from './handle';
 import type { Domain, Handle, Project } from './project';
@@ -27,7 +27,7 @@ export function withLasso(
   hole: boolean,
 ): { readonly project: Project; readonly cut: boolean } | null {
   const { width, height } = project.image;
-  const ring = simple(clipped(drawn, { min: [0, 0], max: [width, height] })).map(roundedVec);
+  const ring = simpleRing(clipped(drawn, { min: [0, 0], max: [width, height] })).map(roundedVec);
   if (areaOf(ring) < LEAST_AREA) return null;
   const before = ringsOf(project);
   const holed = hole ? withHole(before, ring) : null;
@@ -46,7 +46,7 @@ function withHole(rings: readonly Ring[], hole: Ring): readonly Ring[] | null {
 /** The islands that a ring does not meet, with their holes. */
 function elsewhere(rings: readonly Ring[], ring: Ring): readonly Ring[] {
   const outer = rings.filter((one) => !rings.some((other) => other !== one && isWithin(one, other)));
-  const kept = outer.filter((one) => !meet(one, ring));
+  const kept = outer.filter((one) => !ringsMeet(one, ring));
   return rings.filter((one) => kept.some((other) => other === one || isWithin(one, other)));
 }
 

@@ -4,7 +4,7 @@ import {
   centre,
   edgesOf,
   type LinePlace,
-  middle,
+  lineCentroid,
   nearestPlace,
   nearestTurn,
 } from '../geometry/polyline';
@@ -215,7 +215,7 @@ export function posedLike(handle: Handle, like: Handle): Handle {
   } as Handle;
 }
 
-const restMiddle = (handle: Handle): Vec => middle(corners(handle, 'rest'), isClosed(handle.kind));
+const restMiddle = (handle: Handle): Vec => lineCentroid(corners(handle, 'rest'), isClosed(handle.kind));
 
 /** Where a place at rest goes with the nearest place of a handle. */
 function followed(handle: Handle, at: Vec): Vec {

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { beside } from './beside';
 
-it('stands after a place, before it where there is no room, and between the ends in any case', () => {
+it('is placed after the anchor, else before it, and always within the range', () => {
   expect(beside(10, 2, 30, [0, 100])).toBe(12);
   expect(beside(90, 2, 30, [0, 100])).toBe(58);
   expect(beside(50, 2, 70, [0, 100])).toBe(0);

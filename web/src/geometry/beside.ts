@@ -1,8 +1,10 @@
 /**
- * Where something stands along one axis, beside a place: after it, or before it where there is no room; always between
- * two ends, and at the first where it is longer than that.
+ * Places a box beside an anchor along one axis, and returns where the box starts.
  *
- * @param gap between it and the place.
+ * The box lies after the anchor or, without room there, before it. It never leaves the range `least` to `most`; a box
+ * longer than the range starts at `least`.
+ *
+ * @param gap The distance between anchor and box.
  */
 export function beside(
   at: number,

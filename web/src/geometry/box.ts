@@ -6,13 +6,13 @@ export interface Box {
   readonly max: Vec;
 }
 
-/** The box between two opposite corners, given in any order. */
+/** Returns the box with two opposite corners, in any order. */
 export const boxBetween = (a: Vec, b: Vec): Box => ({
   min: [Math.min(a[0], b[0]), Math.min(a[1], b[1])],
   max: [Math.max(a[0], b[0]), Math.max(a[1], b[1])],
 });
 
-/** The smallest box around two boxes. */
+/** Returns the smallest box around two boxes. */
 export const boxOfBoth = (a: Box, b: Box): Box => ({
   min: [Math.min(a.min[0], b.min[0]), Math.min(a.min[1], b.min[1])],
   max: [Math.max(a.max[0], b.max[0]), Math.max(a.max[1], b.max[1])],
@@ -28,7 +28,10 @@ export const reachesBeyond = (box: Box, { min, max }: Box, slack: number): boole
 export const boxContains = ({ min, max }: Box, p: Vec): boolean =>
   p[0] >= min[0] && p[0] <= max[0] && p[1] >= min[1] && p[1] <= max[1];
 
-/** The segment from `a` to `b` clipped to the box, as fractions of the segment; null outside (Liang and Barsky 1984). */
+/**
+ * Clips the segment from `a` to `b` to a box (Liang and Barsky 1984). Returns the start and end of the part inside, as
+ * fractions of the segment, or `null` if the segment misses the box.
+ */
 export function fractionsInside({ min, max }: Box, a: Vec, b: Vec): readonly [number, number] | null {
   let [from, to] = [0, 1];
   for (const axis of [0, 1] as const) {

@@ -4,7 +4,7 @@ import { type Camera, deviceView, fitted, pinched, SCALE_LIMITS, scaledAt, toIma
 const camera: Camera = { scale: 2, x: 30, y: -10 };
 
 describe('camera', () => {
-  it('goes to the stage and back', () => {
+  it('maps to the stage and back', () => {
     expect(toImage(camera, toStage(camera, [12, 7]))).toEqual([12, 7]);
   });
 
@@ -16,12 +16,12 @@ describe('camera', () => {
     expect(y).toBeCloseTo(under[1]);
   });
 
-  it('stays within its limits', () => {
+  it('clamps the scale', () => {
     expect(scaledAt(camera, 1e9, [0, 0]).scale).toBe(SCALE_LIMITS[1]);
     expect(scaledAt(camera, 0, [0, 0]).scale).toBe(SCALE_LIMITS[0]);
   });
 
-  it('fits the image between the insets, centred, and lets a small one grow to fill the room', () => {
+  it('fits the image between the insets, centred, and enlarges small ones', () => {
     const insets = { top: 50, right: 0, bottom: 0, left: 100 };
     const image = { min: [0, 0], max: [1000, 500] } as const;
     expect(fitted(image, { width: 600, height: 1050 }, insets)).toEqual({ scale: 0.5, x: 100, y: 425 });
@@ -31,7 +31,7 @@ describe('camera', () => {
     expect(fitted(least, { width: 900, height: 600 }, insets).scale).toBe(SCALE_LIMITS[1]);
   });
 
-  it('fits what lies beyond the image as well', () => {
+  it('fits boxes that extend beyond the image', () => {
     const box = { min: [-100, -300], max: [900, 200] } as const;
     const insets = { top: 50, right: 0, bottom: 0, left: 100 };
     const camera = fitted(box, { width: 600, height: 1050 }, insets);
@@ -39,7 +39,7 @@ describe('camera', () => {
     expect(toStage(camera, box.max)).toEqual([600, 675]);
   });
 
-  it('lets both fingers keep their image points when they spread along one line', () => {
+  it('keeps the image points under two fingers that spread', () => {
     const before = [
       [100, 100],
       [200, 100],
@@ -57,7 +57,7 @@ describe('camera', () => {
     }
   });
 
-  it('becomes a view in device pixels', () => {
+  it('converts to a view in device pixels', () => {
     expect(deviceView(camera, { width: 301, height: 200 }, 1.5)).toEqual({
       scale: 3,
       x: 45,

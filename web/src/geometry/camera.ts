@@ -1,7 +1,7 @@
 /**
- * The camera: how the picture is scaled and shifted on the stage, in CSS pixels.
+ * The camera: scale and position of the picture on the stage, in CSS pixels.
  *
- * A camera is a value; every function returns a new one. The renderer's `View` holds the same in device pixels.
+ * A camera is a value: every function returns a new one. The renderer's `View` is the same in device pixels.
  */
 import type { Box } from './box';
 import { distance, midpoint, type Vec } from './vec';
@@ -10,7 +10,7 @@ import type { View } from './view';
 export interface Camera {
   /** CSS pixels per image pixel. */
   readonly scale: number;
-  /** Where the image's origin lies on the stage, CSS pixels. */
+  /** Position of the image's origin on the stage, CSS pixels. */
   readonly x: number;
   readonly y: number;
 }
@@ -20,7 +20,7 @@ export interface Size {
   readonly height: number;
 }
 
-/** Space that the editor's controls cover at the edges of the stage, CSS pixels. */
+/** Space at the edges of the stage that controls cover, CSS pixels. */
 export interface Insets {
   readonly top: number;
   readonly right: number;
@@ -28,7 +28,7 @@ export interface Insets {
   readonly left: number;
 }
 
-/** From a 16,384 px picture shown as a thumbnail to single pixels the size of a thumb. */
+/** From a thumbnail of a 16,384 px picture to pixels the size of a thumb. */
 export const SCALE_LIMITS = [0.01, 64] as const;
 
 const clampScale = (scale: number): number => Math.min(SCALE_LIMITS[1], Math.max(SCALE_LIMITS[0], scale));
@@ -49,7 +49,7 @@ export const panned = (camera: Camera, by: Vec): Camera => ({
   y: camera.y + by[1],
 });
 
-/** The camera scaled so that the image point under `anchor` (stage pixels) stays under it. */
+/** Returns the camera at another scale; the image point under `anchor` (stage pixels) stays there. */
 export function scaledAt(camera: Camera, scale: number, anchor: Vec): Camera {
   const next = clampScale(scale);
   const ratio = next / camera.scale;
@@ -60,7 +60,7 @@ export function scaledAt(camera: Camera, scale: number, anchor: Vec): Camera {
   };
 }
 
-/** The camera that centres a box of the image in the stage without its insets, as large as it fits. */
+/** Returns the camera that centres a box of the image between the insets, as large as possible. */
 export function fitted({ min, max }: Box, stage: Size, insets: Insets): Camera {
   const width = Math.max(1, stage.width - insets.left - insets.right);
   const height = Math.max(1, stage.height - insets.top - insets.bottom);
@@ -72,16 +72,16 @@ export function fitted({ min, max }: Box, stage: Size, insets: Insets): Camera {
   };
 }
 
-/** The camera after two fingers moved from `before` to `after`: it follows their midpoint and their distance. */
+/** Returns the camera after two fingers moved: it follows their midpoint and their distance. */
 export function pinched(camera: Camera, before: readonly [Vec, Vec], after: readonly [Vec, Vec]): Camera {
   const spread = distance(...before);
   const from = midpoint(...before);
   const to = midpoint(...after);
-  const turned = spread > 0 ? scaledAt(camera, (camera.scale * distance(...after)) / spread, from) : camera;
-  return panned(turned, [to[0] - from[0], to[1] - from[1]]);
+  const scaled = spread > 0 ? scaledAt(camera, (camera.scale * distance(...after)) / spread, from) : camera;
+  return panned(scaled, [to[0] - from[0], to[1] - from[1]]);
 }
 
-/** The camera in device pixels, for the renderer. */
+/** Returns the camera in device pixels, for the renderer. */
 export const deviceView = (camera: Camera, stage: Size, pixelRatio: number): View => ({
   scale: camera.scale * pixelRatio,
   x: camera.x * pixelRatio,

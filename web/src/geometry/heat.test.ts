@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { HEAT_RAMP } from './heat';
 
-it('has colours that get lighter by equal steps, of OKLab', () => {
+it('gets lighter in equal OKLab steps', () => {
   const lightness = HEAT_RAMP.map(([red, green, blue]) => {
     const [r = 0, g = 0, b = 0] = [red, green, blue].map((value) =>
       value > 0.04045 * 255 ? ((value / 255 + 0.055) / 1.055) ** 2.4 : value / 255 / 12.92,

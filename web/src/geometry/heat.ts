@@ -1,18 +1,20 @@
-/** Heat maps over a picture: numbers from 0 to 1 at the vertices of its mesh, and the colours of these. */
+/** Heat maps over a picture: values from 0 to 1 at the vertices of its mesh, and their colours. */
 
 export interface HeatMap {
-  /** One for each vertex. */
+  /** One per vertex. */
   readonly values: Float32Array;
-  /** Whether there is a line at every tenth, bold at the half. */
+  /** Draws isolines at every tenth, with a bold one at one half. */
   readonly lines: boolean;
 }
 
-/** A colour in sRGB, 0 to 255, and its opacity, 0 to 1. */
+/** An sRGB colour, 0 to 255, and an opacity, 0 to 1. */
 export type RampColour = readonly [red: number, green: number, blue: number, alpha: number];
 
 /**
- * Colours of 0, 0.2, … 1 over the picture: from transparent through blue to yellow. Lightness rises by equal
- * steps, from 0.42 to 0.93 in OKLab, so that the ramp reads without hues; nearly everyone can tell blue from yellow.
+ * The colours of 0, 0.2, … 1: from transparent through blue to yellow.
+ *
+ * The OKLab lightness rises in equal steps from 0.42 to 0.93, so that the ramp reads without hues. Nearly everyone can
+ * tell blue from yellow.
  */
 export const HEAT_RAMP: readonly RampColour[] = [
   [85, 40, 169, 0],
@@ -23,5 +25,5 @@ export const HEAT_RAMP: readonly RampColour[] = [
   [244, 240, 78, 0.78],
 ];
 
-/** Coverage at the top of the heat map: one site more than most scenes have anywhere. */
+/** The coverage at the top of the heat map: one site more than most projects reach. */
 export const MOST_COVERAGE = 10;

@@ -1,24 +1,24 @@
-/** Pairs of places: one of the original, at rest, and the one of the posed picture that it is drawn at. */
+/** Points of the original at rest, paired with their positions in the posed picture. */
 import type { Vec } from './vec';
 
-/** How the posed picture is turned and scaled at a place: the similarity nearest to the map from rest to pose. */
+/** The local turn and scale of the posed picture: the similarity nearest to the map from rest to pose. */
 export interface LocalSimilarity {
   /** Degrees. */
   readonly rotation: number;
   readonly scale: number;
 }
 
-/** The point of the original that lies at a place of the posed picture. */
+/** The point of the original that is drawn at a position of the posed picture. */
 export interface LocatedPoint extends LocalSimilarity {
   readonly rest: Vec;
 }
 
-/** The place of the posed picture that a point of the original goes to. */
+/** The posed position of a point of the original. */
 export interface MappedPoint extends LocalSimilarity {
   readonly posed: Vec;
 }
 
-/** A place of the posed picture where a handle can be placed, and the point of the original there. */
+/** A position of the posed picture that can take a handle, with the point of the original there. */
 export interface Placement extends LocatedPoint {
   readonly posed: Vec;
 }

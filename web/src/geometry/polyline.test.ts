@@ -6,7 +6,7 @@ import {
   distanceToLine,
   edgesOf,
   isInside,
-  middle,
+  lineCentroid,
   nearestPlace,
   nearestTurn,
 } from './polyline';
@@ -19,36 +19,36 @@ const square: readonly Vec[] = [
   [0, 4],
 ];
 
-describe('a line through corners', () => {
-  it('has one edge more when it is closed', () => {
+describe('a polyline', () => {
+  it('has one more edge if it is closed', () => {
     expect(edgesOf(square, false)).toHaveLength(3);
     expect(edgesOf(square, true)).toHaveLength(4);
     expect(centre(square)).toEqual([2, 2]);
   });
 
-  it('has its middle where it had it before a corner was added', () => {
+  it('keeps its centroid when a corner on it is added', () => {
     const [from, to] = [[0, 0] as const, [4, 0] as const];
-    expect(middle([from, to], false)).toEqual([2, 0]);
-    expect(middle([from, [1, 0], to], false)).toEqual([2, 0]);
-    expect(middle([from, to, [4, 4], [1, 4], [0, 4]], true)).toEqual([2, 2]);
+    expect(lineCentroid([from, to], false)).toEqual([2, 0]);
+    expect(lineCentroid([from, [1, 0], to], false)).toEqual([2, 0]);
+    expect(lineCentroid([from, to, [4, 4], [1, 4], [0, 4]], true)).toEqual([2, 2]);
     const at = [3, 1] as const;
-    expect(middle([at], true)).toEqual(at);
-    expect(middle([at, at], false)).toEqual(at);
+    expect(lineCentroid([at], true)).toEqual(at);
+    expect(lineCentroid([at, at], false)).toEqual(at);
   });
 
-  it('is as far away as its nearest place', () => {
+  it('returns the distance to the nearest point', () => {
     expect(distanceToLine(square, false, [-1, 2])).toBeCloseTo(Math.hypot(1, 2));
     expect(distanceToLine(square, true, [-1, 2])).toBe(1);
     expect(distanceToLine([[3, 3]], false, [0, 0])).toBe(Number.POSITIVE_INFINITY);
   });
 
-  it('knows on which edge that is, the closing one being the last', () => {
+  it('returns the nearest edge; the closing edge is the last', () => {
     expect(nearestPlace(square, true, [5, 1])).toEqual({ edge: 1, fraction: 0.25, distance: 1 });
     expect(nearestPlace(square, true, [-1, 1])).toEqual({ edge: 3, fraction: 0.75, distance: 1 });
     expect(nearestPlace(square, false, [-1, 3])).toMatchObject({ edge: 2, fraction: 1 });
   });
 
-  it('holds what lies inside', () => {
+  it('contains the points inside', () => {
     expect(isInside(square, [1, 3])).toBe(true);
     expect(isInside(square, [5, 3])).toBe(false);
     expect(isInside(square, [-1, 0])).toBe(false);
@@ -56,20 +56,20 @@ describe('a line through corners', () => {
 });
 
 describe('turns', () => {
-  it('are read from the corners, wherever they went', () => {
+  it('are fitted to the corners, independent of translation', () => {
     const turned = square.map(([x, y]): Vec => [20 - y, 7 + x]);
     expect(bestTurn(square, turned)).toBeCloseTo(90);
     expect(bestTurn([[1, 1]], [[2, 2]])).toBeNull();
   });
 
-  it('go on past half a turn', () => {
+  it('continue past half a turn', () => {
     expect(nearestTurn(-170, 185)).toBe(190);
     expect(nearestTurn(10, -350)).toBe(-350);
   });
 });
 
 describe('constrained', () => {
-  it('keeps to whole steps of direction, as far as the pointer went along it', () => {
+  it('projects onto the nearest direction of the step', () => {
     const [x, y] = constrained([1, 1], [11, 3], 45);
     expect(x).toBeCloseTo(11);
     expect(y).toBeCloseTo(1);

@@ -1,15 +1,18 @@
-/** Polylines, open or closed: edges, nearest places, points inside, turns. */
+/** Open and closed polylines: edges, nearest points, point in polygon, best-fit turns. Cost: linear in the corners. */
 import { add, bearing, distance, lerp, midpoint, scaled, snapped, subtract, type Vec } from './vec';
 
-/** The mean of the corners; the origin where there are no corners. */
+/** Returns the mean of the corners, or the origin without corners. */
 export const centre = (corners: readonly Vec[]): Vec =>
   scaled(
     corners.reduce<Vec>((sum, p) => add(sum, p), [0, 0]),
     1 / Math.max(1, corners.length),
   );
 
-/** The mean of the line itself: a corner that leaves it as it is does not move it. That of the corners without a length. */
-export function middle(corners: readonly Vec[], closed: boolean): Vec {
+/**
+ * Returns the centroid of the line itself, or the mean of the corners if the length is 0. Extra corners on the line do
+ * not move the centroid.
+ */
+export function lineCentroid(corners: readonly Vec[], closed: boolean): Vec {
   let [sum, length]: [Vec, number] = [[0, 0], 0];
   for (const [a, b] of edgesOf(corners, closed)) {
     const long = distance(a, b);
@@ -19,20 +22,20 @@ export function middle(corners: readonly Vec[], closed: boolean): Vec {
   return length > 0 ? scaled(sum, 1 / length) : centre(corners);
 }
 
-/** The edges, as pairs of corners: from each corner to the next; a closed line ends with the edge back to the first. */
+/** Returns the edges as pairs of corners. The last edge of a closed line leads back to the first corner. */
 export const edgesOf = (corners: readonly Vec[], closed: boolean): readonly (readonly [Vec, Vec])[] =>
   corners.flatMap((from, k) => {
     const to = corners[k + 1] ?? (closed ? corners[0] : undefined);
     return to ? [[from, to] as const] : [];
   });
 
-/** A place on a line: the index of an edge in {@link edgesOf}, and the fraction of the way along that edge. */
+/** A point on a line: the index of an edge in {@link edgesOf}, and the fraction along the edge. */
 export interface LinePlace {
   readonly edge: number;
   readonly fraction: number;
 }
 
-/** The place on the line nearest to a point, and its distance `away`, infinite where there is no edge. */
+/** Returns the point of the line nearest to `p`, and its distance: infinite without edges. */
 export function nearestPlace(
   corners: readonly Vec[],
   closed: boolean,
@@ -50,11 +53,11 @@ export function nearestPlace(
   return best;
 }
 
-/** The distance from a point to the nearest place on the line. */
+/** Returns the distance from `p` to the line. */
 export const distanceToLine = (corners: readonly Vec[], closed: boolean, p: Vec): number =>
   nearestPlace(corners, closed, p).distance;
 
-/** Whether a point lies inside the closed line, by the even-odd rule. */
+/** Whether a point lies inside a closed line, by the even-odd rule. */
 export const isInside = (corners: readonly Vec[], [x, y]: Vec): boolean =>
   edgesOf(corners, true).filter(
     ([a, b]) => a[1] > y !== b[1] > y && x < a[0] + ((b[0] - a[0]) * (y - a[1])) / (b[1] - a[1]),
@@ -63,8 +66,8 @@ export const isInside = (corners: readonly Vec[], [x, y]: Vec): boolean =>
   1;
 
 /**
- * The turn (degrees) that takes the corners of `rest` nearest to those of `posed`, both about their means: the least
- * squares turn, as in the solver. Null where no turn is better than another, because one of them has no extent.
+ * Returns the least-squares turn in degrees from the corners of `rest` to those of `posed`, both about their means. The
+ * solver fits turns alike. Returns `null` if one of the two has no extent, so that all turns fit equally.
  */
 export function bestTurn(rest: readonly Vec[], posed: readonly Vec[]): number | null {
   const [from, to] = [centre(rest), centre(posed)];
@@ -78,11 +81,11 @@ export function bestTurn(rest: readonly Vec[], posed: readonly Vec[]): number | 
   return cos === 0 && sin === 0 ? null : (Math.atan2(sin, cos) * 180) / Math.PI;
 }
 
-/** `degrees` with whole turns added to be nearest to the angle `to`, in degrees. */
+/** Adds the number of whole turns to `degrees` that brings it nearest to `to`. */
 export const nearestTurn = (degrees: number, to: number): number =>
   degrees + 360 * Math.round((to - degrees) / 360);
 
-/** `to`, projected onto the ray from `from` whose bearing is the nearest multiple of `step` degrees. */
+/** Projects `to` onto the ray from `from` with the nearest bearing that is a multiple of `step` degrees. */
 export function constrained(from: Vec, to: Vec, step: number): Vec {
   const direction = (snapped(bearing(from, to), step) * Math.PI) / 180;
   const along: Vec = [Math.cos(direction), Math.sin(direction)];

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf, clipped, isWithin, meet, type Ring, simple } from './ring';
+import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing } from './ring';
 
 const square = (left: number, top: number, side: number): Ring => [
   [left, top],
@@ -10,30 +10,30 @@ const square = (left: number, top: number, side: number): Ring => [
 const box = { min: [0, 0], max: [100, 50] } as const;
 
 describe('clipping to a box', () => {
-  it('leaves alone what is within', () => {
+  it('keeps rings inside the box', () => {
     expect(clipped(square(10, 10, 20), box)).toHaveLength(4);
     expect(areaOf(clipped(square(10, 10, 20), box))).toBe(400);
   });
-  it('cuts at the box, on the side exactly', () => {
+  it('cuts exactly at the sides of the box', () => {
     const ring = clipped(square(-10, -10, 40), box);
     expect(areaOf(ring)).toBe(900);
     expect(Math.min(...ring.flat())).toBe(0);
   });
-  it('leaves the box of what is all around it, and nothing of what is beside', () => {
+  it('returns the box for rings around it, and nothing for rings beside it', () => {
     expect(areaOf(clipped(square(-200, -200, 600), box))).toBe(5000);
     expect(clipped(square(120, 0, 10), box)).toEqual([]);
   });
 });
 
-/** Whether no two edges but neighbours touch. */
-const isSimple = (ring: Ring): boolean => simple(ring) === ring;
+/** Whether only neighbouring edges touch. */
+const isSimple = (ring: Ring): boolean => simpleRing(ring) === ring;
 
-describe('loops', () => {
-  it('are none in a ring that does not cross itself', () => {
+describe('simpleRing', () => {
+  it('returns a simple ring unchanged', () => {
     const ring = square(0, 0, 10);
-    expect(simple(ring)).toBe(ring);
+    expect(simpleRing(ring)).toBe(ring);
   });
-  it('go where a hand drew beyond the start', () => {
+  it('removes the end that overshoots the start', () => {
     // From (0, 5) around, and over the first edge to its other side.
     const ring: Ring = [
       [0, 5],
@@ -43,11 +43,11 @@ describe('loops', () => {
       [5, 0],
       [2, 0],
     ];
-    const left = simple(ring);
-    expect(isSimple(left)).toBe(true);
-    expect(areaOf(left)).toBeCloseTo(15 * 25, 9);
+    const result = simpleRing(ring);
+    expect(isSimple(result)).toBe(true);
+    expect(areaOf(result)).toBeCloseTo(15 * 25, 9);
   });
-  it('go where lines touch, run along one another or back', () => {
+  it('removes touching, overlapping and returning lines', () => {
     const along: Ring = [
       [0, 0],
       [20, 0],
@@ -72,24 +72,24 @@ describe('loops', () => {
       [pinched, 400],
       [spiked, 400],
     ] as const) {
-      const left = simple(ring);
-      expect(isSimple(left)).toBe(true);
-      expect(areaOf(left)).toBeCloseTo(area, 0);
+      const result = simpleRing(ring);
+      expect(isSimple(result)).toBe(true);
+      expect(areaOf(result)).toBeCloseTo(area, 0);
     }
-    expect(simple([...square(0, 0, 1)].slice(0, 2))).toEqual([]);
+    expect(simpleRing([...square(0, 0, 1)].slice(0, 2))).toEqual([]);
   });
-  it('go however many there are', () => {
+  it('removes all loops of a star', () => {
     const star: Ring = Array.from({ length: 7 }, (_, k) => {
       const turn = (2 * Math.PI * 3 * k) / 7;
       return [50 * Math.cos(turn), 50 * Math.sin(turn)];
     });
-    const left = simple(star);
-    expect(isSimple(left)).toBe(true);
-    expect(areaOf(left)).toBeGreaterThan(100);
+    const result = simpleRing(star);
+    expect(isSimple(result)).toBe(true);
+    expect(areaOf(result)).toBeGreaterThan(100);
   });
 });
 
-it('rings meet where they cross and where one holds the other', () => {
+it('rings meet if they cross or one contains the other', () => {
   const [around, inner, beside, over] = [
     square(0, 0, 40),
     square(10, 10, 10),
@@ -97,6 +97,10 @@ it('rings meet where they cross and where one holds the other', () => {
     square(30, 10, 40),
   ];
   expect(isWithin(inner, around)).toBe(true);
-  expect([meet(around, inner), meet(inner, around), meet(around, over)]).toEqual([true, true, true]);
-  expect([meet(around, beside), meet(inner, beside)]).toEqual([false, false]);
+  expect([ringsMeet(around, inner), ringsMeet(inner, around), ringsMeet(around, over)]).toEqual([
+    true,
+    true,
+    true,
+  ]);
+  expect([ringsMeet(around, beside), ringsMeet(inner, beside)]).toEqual([false, false]);
 });

@@ -1,18 +1,18 @@
-/** Rings, as closed lines are where they bound something: clipped to a box, made simple, and whether two of them meet. */
+/** Rings: closed polylines that bound an area. Clipping to a box, removal of loops, and intersection tests. */
 import type { Box } from './box';
 import { distanceToLine, edgesOf, isInside } from './polyline';
 import { cross, distance, lerp, subtract, type Vec } from './vec';
 
 export type Ring = readonly Vec[];
 
-/** What is nearer than this touches: image pixels, more than rounding to hundredths moves. */
+/** Closer points count as touching. Image pixels, more than rounding to hundredths moves a point. */
 const TOUCH = 0.05;
 
-/** The area inside, by the shoelace formula: square pixels. */
+/** Returns the enclosed area in square pixels, by the shoelace formula. */
 export const areaOf = (ring: Ring): number =>
   Math.abs(edgesOf(ring, true).reduce((sum, [a, b]) => sum + cross(a, b), 0)) / 2;
 
-/** The part of a ring within a box (Sutherland and Hodgman 1974). Separate parts are joined along the box. */
+/** Clips a ring to a box (Sutherland and Hodgman 1974). Separate parts are joined along the box. */
 export function clipped(ring: Ring, { min, max }: Box): Ring {
   const limits = [
     [0, 1, min[0]],
@@ -20,9 +20,9 @@ export function clipped(ring: Ring, { min, max }: Box): Ring {
     [0, -1, max[0]],
     [1, -1, max[1]],
   ] as const;
-  return limits.reduce<Ring>((left, [axis, sign, limit]) => {
+  return limits.reduce<Ring>((part, [axis, sign, limit]) => {
     const isWithin = (p: Vec) => sign * (p[axis] - limit) >= 0;
-    return edgesOf(left, true).flatMap(([a, b]) => [
+    return edgesOf(part, true).flatMap(([a, b]) => [
       ...(isWithin(a) === isWithin(b) ? [] : [lerp(a, b, (limit - a[axis]) / (b[axis] - a[axis]))]),
       ...(isWithin(b) ? [b] : []),
     ]);
@@ -30,10 +30,12 @@ export function clipped(ring: Ring, { min, max }: Box): Ring {
 }
 
 /**
- * The ring without touching itself: where it does, the smaller of the two parts goes, such as what a hand draws beyond
- * the start. Cost: quadratic in the corners for each such place.
+ * Returns a ring that does not touch itself. Where the drawn ring does, the smaller of its two parts is removed, for
+ * example an end that overshoots the start.
+ *
+ * Cost: quadratic in the corners for each removed part.
  */
-export function simple(drawn: Ring): Ring {
+export function simpleRing(drawn: Ring): Ring {
   let ring = drawn;
   for (;;) {
     const shorter = withoutSpike(ring) ?? withoutLoop(ring);
@@ -42,7 +44,10 @@ export function simple(drawn: Ring): Ring {
   }
 }
 
-/** The ring without the first corner that is one with the last, or from where it goes back; null where there is none. */
+/**
+ * Returns the ring without its first spike: a corner that repeats the one before, or from which the line returns along
+ * itself. Returns `null` if there is no spike.
+ */
 function withoutSpike(ring: Ring): Ring | null {
   const spike = ring.findIndex((at, k) => {
     const [before, after] = [ring.at(k - 1) ?? at, ring[(k + 1) % ring.length] ?? at];
@@ -51,13 +56,13 @@ function withoutSpike(ring: Ring): Ring | null {
   return spike < 0 ? null : ring.filter((_, k) => k !== spike);
 }
 
-/** The ring without the first loop; null where there is none. */
+/** Returns the ring without its first loop, or `null` if there is no loop. */
 function withoutLoop(ring: Ring): Ring | null {
   const edges = edgesOf(ring, true);
   for (const [i, edge] of edges.entries()) {
-    // Edges next to one another meet at their corner.
+    // Neighbouring edges always meet at their corner.
     for (const [k, other] of edges.slice(i + 2, i === 0 ? -1 : undefined).entries()) {
-      const at = contact(edge, other);
+      const at = intersection(edge, other);
       if (!at) continue;
       const j = i + 2 + k;
       const [loop, rest] = [
@@ -73,21 +78,22 @@ function withoutLoop(ring: Ring): Ring | null {
 /** Whether a line crosses or touches a ring. */
 export const touches = (corners: readonly Vec[], closed: boolean, ring: Ring): boolean => {
   const edges = edgesOf(ring, true);
-  return edgesOf(corners, closed).some((edge) => edges.some((other) => contact(edge, other) !== null));
+  return edgesOf(corners, closed).some((edge) => edges.some((other) => intersection(edge, other) !== null));
 };
 
 /** Whether one ring lies inside the other, or they touch. */
-export const meet = (a: Ring, b: Ring): boolean => isWithin(a, b) || isWithin(b, a) || touches(a, true, b);
+export const ringsMeet = (a: Ring, b: Ring): boolean =>
+  isWithin(a, b) || isWithin(b, a) || touches(a, true, b);
 
-/** Whether a ring that does not touch another lies inside it. */
+/** Whether a ring lies inside another. The two must not touch. */
 export const isWithin = ([first]: Ring, around: Ring): boolean =>
   first !== undefined && isInside(around, first);
 
 type Edge = readonly [Vec, Vec];
 
-/** Where two edges cross or touch; null where they do neither. */
-function contact([a, b]: Edge, [c, d]: Edge): Vec | null {
-  if (areBeside(a, b, c, d, 0) || areBeside(a, b, c, d, 1)) return null;
+/** Returns a point where two edges cross or touch, or `null` if they do not. */
+function intersection([a, b]: Edge, [c, d]: Edge): Vec | null {
+  if (areSeparate(a, b, c, d, 0) || areSeparate(a, b, c, d, 1)) return null;
   if (isNear(c, d, a)) return a;
   if (isNear(c, d, b)) return b;
   if (isNear(a, b, c)) return c;
@@ -101,7 +107,7 @@ function contact([a, b]: Edge, [c, d]: Edge): Vec | null {
 /** Whether a point touches an edge. */
 const isNear = (a: Vec, b: Vec, p: Vec): boolean => distanceToLine([a, b], false, p) < TOUCH;
 
-/** Whether all of one edge lies before all of the other: rules out nearly every pair. */
-const areBeside = (a: Vec, b: Vec, c: Vec, d: Vec, axis: 0 | 1): boolean =>
+/** Whether the extents of two edges along an axis are disjoint. This cheap test rules out nearly every pair. */
+const areSeparate = (a: Vec, b: Vec, c: Vec, d: Vec, axis: 0 | 1): boolean =>
   Math.max(a[axis], b[axis]) + TOUCH < Math.min(c[axis], d[axis]) ||
   Math.max(c[axis], d[axis]) + TOUCH < Math.min(a[axis], b[axis]);

@@ -1,4 +1,4 @@
-/** A mesh that sites move, and the sites' motions, as the solver and its poser return them. */
+/** The weighted mesh of a solution, and the layout of the motions that move it. */
 import type { Vec } from './vec';
 
 /** How the motions that reach a vertex are blended. */
@@ -18,15 +18,18 @@ export interface Skin {
   readonly weights: Float32Array;
 }
 
-/** Numbers per site in motions: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle θ, cos θ/2, sin θ/2. */
+/**
+ * Numbers per site in motions. The first four are the matrix a, b, c, d. The next four are rest x, rest y, posed x and
+ * posed y. The last four are depth, angle θ, cos θ/2 and sin θ/2.
+ */
 export const MOTION_STRIDE = 12;
 
-/** The posed place of a site. */
+/** Returns the posed position of a site. */
 export const sitePlace = (motions: Float32Array, site: number): Vec => [
   motions[MOTION_STRIDE * site + 6] ?? 0,
   motions[MOTION_STRIDE * site + 7] ?? 0,
 ];
 
-/** The turn of a site, degrees. */
+/** Returns the turn of a site in degrees. */
 export const siteTurn = (motions: Float32Array, site: number): number =>
   ((motions[MOTION_STRIDE * site + 9] ?? 0) * 180) / Math.PI;

@@ -1,23 +1,23 @@
-/** Where the picture lies on the canvas, and what is drawn. Lengths are device pixels. */
+/** The position of the picture on the canvas, and the drawing options. Lengths are device pixels. */
 export interface View {
   /** Device pixels per image pixel. */
   readonly scale: number;
-  /** Where the image's origin, its top left corner, lies on the canvas. */
+  /** Position of the image's origin, its top left corner, on the canvas. */
   readonly x: number;
   readonly y: number;
   /** Size of the canvas. */
   readonly width: number;
   readonly height: number;
-  /** Device pixels per CSS pixel, which is the width of lines; 1 by default. */
+  /** Device pixels per CSS pixel; 1 by default. Lines are one CSS pixel wide. */
   readonly pixelRatio?: number;
-  /** Draw the unwarped picture, for comparison. */
+  /** Draws the unwarped picture, for comparison. */
   readonly compare?: boolean;
   readonly overlays?: Overlays;
-  /** Enlarged pixels of the picture are squares. Above 400 % they always are. */
+  /** Draws enlarged image pixels as squares. Above 400 % they always are squares. */
   readonly pixelated?: boolean;
 }
 
-/** Optional drawings over the picture. */
+/** Optional overlays drawn by the renderer. */
 export interface Overlays {
   /** The triangles of the picture's mesh. */
   readonly mesh?: boolean;

@@ -1,8 +1,8 @@
 /**
- * Reads the kind and size of a picture file before it is decoded, and whether the file is complete. The check is needed
- * because browsers show truncated pictures without an error.
+ * Reads the kind and size of a picture file before it is decoded, and whether the file is complete. Browsers show
+ * truncated pictures without an error, so the file must be checked.
  *
- * Supports PNG (3rd edition, §5), JPEG (ITU T.81, annex B) and WebP (the WebP container). Other kinds count as complete.
+ * Supports PNG (3rd edition, §5), JPEG (ITU T.81, annex B) and WebP (its container). Other kinds count as complete.
  */
 export interface Header {
   readonly kind: 'png' | 'jpeg' | 'webp' | 'svg' | 'other';

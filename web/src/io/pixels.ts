@@ -1,6 +1,6 @@
 /**
- * Reads the exact bytes of a picture in straight alpha, through a WebGL texture. A 2D canvas would premultiply and round,
- * and lose the colours of transparent pixels.
+ * Reads the exact bytes of a picture in straight alpha, through a WebGL texture. A 2D canvas would premultiply and
+ * round, and lose the colours of transparent pixels.
  */
 import { PictureError } from './picture_error';
 

@@ -1,6 +1,6 @@
 #version 300 es
-// The posed position of a vertex: eq. 1 of the paper, p' = Σ w_i(p) T_i(p), over the sites that reach the vertex, or the
-// rigid blend of wasm/core/src/deform/dual.rs.
+// The posed position of a vertex. The linear blend is eq. 1 of the paper: p' = Σ w_i(p) T_i(p), over the sites that
+// reach the vertex. The rigid blend is that of wasm/core/src/deform/dual.rs.
 // Sums are relative to p: at 6,000 px a sum of absolute positions would lose a hundredth of a pixel.
 // A motion T_i is stored about the rest position of its site: T_i(p) = posed_i + [a c; b d] (p − rest_i).
 precision highp float;
