@@ -47,11 +47,28 @@ pub(crate) fn drawing_order<'a>(
     let vertex_depths: Vec<f64> = vertices().map(depth).collect();
     let step = |corners: &[u32; 3]| {
         let sum: f64 = corners.iter().map(|&vertex| vertex_depths[vertex as usize]).sum();
-        (sum / (3.0 * range) * DEPTH_STEPS).round() as u32
+        // Weights that are rounded may sum to a little more than 1.
+        (sum / (3.0 * range) * DEPTH_STEPS).round().min(DEPTH_STEPS) as usize
     };
+    Cow::Owned(sorted(triangles, step))
+}
+
+/// The triangles sorted by step, from 0 to [`DEPTH_STEPS`]. Equal steps keep their order. A counting sort: linear.
+fn sorted(triangles: &[[u32; 3]], step: impl Fn(&[u32; 3]) -> usize) -> Vec<[u32; 3]> {
+    let steps: Vec<usize> = triangles.iter().map(step).collect();
+    let mut next = [0; DEPTH_STEPS as usize + 2];
+    for &step in &steps {
+        next[step + 1] += 1;
+    }
+    for step in 1..next.len() {
+        next[step] += next[step - 1];
+    }
     let mut sorted = triangles.to_vec();
-    sorted.sort_by_cached_key(step);
-    Cow::Owned(sorted)
+    for (triangle, step) in triangles.iter().zip(steps) {
+        sorted[next[step]] = *triangle;
+        next[step] += 1;
+    }
+    sorted
 }
 
 #[cfg(test)]

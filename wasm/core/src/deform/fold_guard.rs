@@ -17,7 +17,7 @@ pub struct FoldLimit {
 }
 
 /// The farthest poses on a way that begins with allowed ones.
-pub(super) fn fold_limit(way: &impl Way, mut is_allowed: impl FnMut(&[HandlePose]) -> bool) -> FoldLimit {
+pub(super) fn fold_limit(way: &dyn Way, is_allowed: &mut dyn FnMut(&[HandlePose]) -> bool) -> FoldLimit {
     if is_allowed(way.end()) {
         return FoldLimit { fraction: 1.0, poses: way.end().to_vec() };
     }
@@ -54,20 +54,20 @@ mod tests {
 
     #[test]
     fn a_handle_goes_up_to_the_limit() {
-        let limit = fold_limit(&straight(point(0.0, 0.0), point(16.0, 0.0)), |poses| x(poses) <= 10.0);
+        let limit = fold_limit(&straight(point(0.0, 0.0), point(16.0, 0.0)), &mut |poses| x(poses) <= 10.0);
         assert!(x(&limit.poses) > 9.9 && x(&limit.poses) <= 10.0, "{limit:?}");
     }
 
     #[test]
     fn an_allowed_end_is_returned_as_given() {
         let end = point(1.0 / 3.0, 0.0);
-        let limit = fold_limit(&straight(point(0.0, 0.0), end.clone()), |_| true);
+        let limit = fold_limit(&straight(point(0.0, 0.0), end.clone()), &mut |_| true);
         assert_eq!(limit, FoldLimit { fraction: 1.0, poses: vec![end] });
     }
 
     #[test]
     fn a_handle_at_the_limit_stays() {
-        let limit = fold_limit(&straight(point(10.0, 0.0), point(10.5, 0.0)), |poses| x(poses) <= 10.0);
+        let limit = fold_limit(&straight(point(10.0, 0.0), point(10.5, 0.0)), &mut |poses| x(poses) <= 10.0);
         assert_eq!(limit.poses, [point(10.0, 0.0)]);
     }
 
@@ -86,7 +86,7 @@ mod tests {
         // The first moves right: it is stopped at 60°. The end is refused although its poses are those of the start.
         let mut is_end = true;
         let most = 8.0 * libm::sin(60_f64.to_radians());
-        let limit = fold_limit(&way, |poses| !std::mem::take(&mut is_end) && x(poses) <= most);
+        let limit = fold_limit(&way, &mut |poses| !std::mem::take(&mut is_end) && x(poses) <= most);
         let rotations = limit.poses.iter().map(|pose| match pose.rotation {
             Rotation::Degrees(degrees) => degrees,
             Rotation::Auto => f64::NAN,

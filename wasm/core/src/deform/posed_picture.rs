@@ -227,8 +227,8 @@ impl PosedPicture {
         self.limit(way, blend, allowed)
     }
 
-    fn limit(&self, way: &impl Way, blend: Blend, allowed: usize) -> FoldLimit {
-        fold_limit(way, |poses| self.fold_count_of(poses, blend, allowed).is_ok_and(|count| count <= allowed))
+    fn limit(&self, way: &dyn Way, blend: Blend, allowed: usize) -> FoldLimit {
+        fold_limit(way, &mut |poses| self.fold_count_of(poses, blend, allowed).is_ok_and(|count| count <= allowed))
     }
 
     /// How much of a move of the `selected` handles each vertex follows: 1 moves as far as they do, 0 stays. `diagonal` is
@@ -248,15 +248,16 @@ impl PosedPicture {
     ) -> Result<Vec<f32>, Error> {
         let step = STEP * diagonal;
         let handles = self.posed_handles(poses)?;
-        let moved = |by: DVec2| {
+        let mut moved = Vec::with_capacity(MOVES.len());
+        for by in MOVES {
             let mut handles = handles.clone();
             for &index in selected {
                 handles[index].shape.posed_mut().iter_mut().for_each(|corner| *corner += step * by);
             }
-            self.poser.pose(&handles, blend)
-        };
-        let [right, left, down, up] = MOVES.map(moved);
-        Ok(reach(&self.mesh.vertices, &self.mesh.weights, &[right?, left?, down?, up?], step))
+            moved.push(self.poser.pose(&handles, blend)?);
+        }
+        let moved = moved.try_into().expect("one pose for each move");
+        Ok(reach(&self.mesh.vertices, &self.mesh.weights, &moved, step))
     }
 
     /// The number of sites that move each vertex.
