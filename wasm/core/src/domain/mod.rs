@@ -20,7 +20,9 @@ use crate::{
 };
 
 pub use ring::Ring;
-pub(crate) use ring::{contains, edges, signed_area};
+#[cfg(test)]
+pub(crate) use ring::contains;
+pub(crate) use ring::{edges, signed_area};
 
 /// The region to warp, in image pixels. See the [module](self) for its invariants.
 #[derive(Debug, Clone, PartialEq)]

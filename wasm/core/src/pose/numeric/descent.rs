@@ -47,7 +47,7 @@ pub(crate) trait Objective {
 pub(crate) struct Limits {
     pub(crate) max_iterations: usize,
     /// The descent ends with an iteration whose direction moves no place by more than this,
-    pub(crate) settled: f64,
+    pub(crate) tolerance: f64,
     /// or that lowers the energy by no more than this share of it.
     pub(crate) gain: f64,
     /// Curvature condition (strong Wolfe): a line search ends where the slope is this share of the initial one.
@@ -74,7 +74,8 @@ pub(crate) fn descend(objective: &mut impl Objective, places: usize, solve: impl
         let Some((length, end)) = line_search(objective, start, limits.curvature_condition) else { return };
         objective.advance(length);
         let farthest = direction.iter().map(|by| by.length_squared()).fold(0.0, f64::max).sqrt();
-        if iteration == limits.max_iterations || farthest <= limits.settled || start.value - end <= limits.gain * end {
+        if iteration == limits.max_iterations || farthest <= limits.tolerance || start.value - end <= limits.gain * end
+        {
             return;
         }
         objective.gradient(&mut next_gradient);
@@ -233,7 +234,7 @@ mod tests {
         }
     }
 
-    const LIMITS: Limits = Limits { max_iterations: 40, settled: 1e-9, gain: 0.0, curvature_condition: 0.1 };
+    const LIMITS: Limits = Limits { max_iterations: 40, tolerance: 1e-9, gain: 0.0, curvature_condition: 0.1 };
     const START: [DVec2; 3] = [DVec2::new(0.02, 3.0), DVec2::new(-5.0, 0.1), DVec2::new(0.5, -40.0)];
 
     #[test]

@@ -19,7 +19,7 @@ const MAX_ITERATIONS: usize = 120;
 /// Line searches end where the slope is this share of the initial one: nearly always at the step that the Laplacian suggests.
 const CURVATURE_CONDITION: f64 = 0.9;
 
-/// Deforms the graph until no site moves by more than `settled`. `is_free` says for each site whether its rotation is free,
+/// Deforms the graph until no site moves by more than `tolerance`. `is_free` says for each site whether its rotation is free,
 /// `scales` are those requested at the sites.
 pub(super) fn bend(
     laplacian: &Laplacian,
@@ -28,7 +28,7 @@ pub(super) fn bend(
     motions: &mut [Motion],
     is_free: &[bool],
     scales: &[f64],
-    settled: f64,
+    tolerance: f64,
 ) {
     let free = &laplacian.free;
     if free.is_empty() {
@@ -37,7 +37,7 @@ pub(super) fn bend(
     let mut bending = Bending::new(free, links, rest, motions, is_free, scales);
     let solve = |values: &mut [DVec2]| laplacian.inverse.solve(values);
     let limits =
-        Limits { max_iterations: MAX_ITERATIONS, settled, gain: 0.0, curvature_condition: CURVATURE_CONDITION };
+        Limits { max_iterations: MAX_ITERATIONS, tolerance, gain: 0.0, curvature_condition: CURVATURE_CONDITION };
     descend(&mut bending, free.len(), solve, limits);
     for (site, motion) in motions.iter_mut().enumerate() {
         motion.translation = bending.posed[site] - rest[site];

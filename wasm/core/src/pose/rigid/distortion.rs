@@ -9,7 +9,7 @@
 
 use wide::f64x4;
 
-use super::{super::numeric::Jet, relaxation::Jacobians};
+use super::{super::numeric::Jet, jacobians::Jacobians};
 
 /// The energy for one regularisation ε, as f(det J) |J|² − [`least`](Self::least): about |J − R|² / 2 near a rotation R.
 #[derive(Debug, Clone, Copy)]

@@ -18,6 +18,7 @@
 
 mod bending;
 mod distortion;
+mod jacobians;
 mod quadrature;
 mod relaxation;
 
@@ -34,11 +35,11 @@ pub(crate) use self::{quadrature::Quadrature, relaxation::Freedom};
 /// The descent of the graph ends with an iteration that moves no site by more than this share of the scene's extent: a tenth
 /// of a pixel. What is relaxed from a pixel away is hardly worse, but jumps when a drag makes the graph take one iteration
 /// more or less.
-const BENT: f64 = 1e-4;
+const BENDING_TOLERANCE: f64 = 1e-4;
 /// The same where no relaxation follows: a ten-thousandth of a pixel.
-const SETTLED: f64 = 1e-7;
+const GRAPH_TOLERANCE: f64 = 1e-7;
 /// The same for the relaxation: a hundredth of a pixel.
-const RELAXED: f64 = 1e-5;
+const RELAXATION_TOLERANCE: f64 = 1e-5;
 
 /// The links between sites, and the picture between them.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -89,12 +90,12 @@ impl Rigid {
             .quadrature
             .as_ref()
             .map(|quadrature| self.relaxation.get_or_init(|| Relaxation::new(quadrature, rest, &self.freedom)));
-        let bent = if relaxation.is_some() { BENT } else { SETTLED };
+        let tolerance = if relaxation.is_some() { BENDING_TOLERANCE } else { GRAPH_TOLERANCE };
         let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
         let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
-        bend(laplacian, self.links(), rest, motions, is_free, scales, bent * extent);
+        bend(laplacian, self.links(), rest, motions, is_free, scales, tolerance * extent);
         if let Some(relaxation) = relaxation {
-            relaxation.minimize(motions, is_free, scales, RELAXED * extent);
+            relaxation.minimize(motions, is_free, scales, RELAXATION_TOLERANCE * extent);
         }
     }
 }

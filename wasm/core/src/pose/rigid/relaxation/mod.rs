@@ -11,7 +11,6 @@
 //! initial motions are those of the cell graph alone: see [`bending`](super::bending). Cost: some 0.1 ms an iteration for 200
 //! sites.
 
-mod jacobians;
 mod nodes;
 mod relaxing;
 mod unknowns;
@@ -34,7 +33,6 @@ use super::{
     quadrature::{Node, Quadrature},
 };
 
-pub(super) use self::jacobians::Jacobians;
 pub(crate) use self::unknowns::Freedom;
 
 /// Regularisation ε of the first iterations: large, so that what is inverted at the start recovers in them.
@@ -45,11 +43,11 @@ const FIRST_ITERATIONS: usize = 2;
 /// Regularisation ε of the iterations that follow. With half of it descents get stuck; with twice as much folds cost too
 /// little.
 const REGULARISATION: f64 = 0.2;
-/// Stiffness of the spring that holds a motion to its initial value, as a share of the area around its site: it decides where
+/// Stiffness of the spring that anchors a motion at its initial value, as a fraction of the area around its site: it decides where
 /// the quadrature does not. With a fifth of it, bars that turn against each other distort more of what is between them; with
 /// five times as much, everything bends stiffly.
-const HOLD: f64 = 0.1;
-/// Least area for [`HOLD`], as a share of the mean cell: a site of little influence stays with its surroundings. With a
+const ANCHOR_STIFFNESS: f64 = 0.1;
+/// Least area for [`ANCHOR_STIFFNESS`], as a fraction of the mean cell: a site of little influence stays with its surroundings. With a
 /// hundredth of it, a site between two bars may go anywhere, and folds what is between the nodes of the quadrature.
 const LEAST: f64 = 0.2;
 /// The descent ends with an iteration that lowers the energy by no more than this share: most poses take about five. With ten
@@ -72,8 +70,8 @@ pub(super) struct Relaxation {
     nodes: Nodes,
     /// Unit of length, in pixels: the square root of the mean cell's area.
     unit: f64,
-    /// Stiffness of the spring that holds each unknown.
-    hold: Vec<f64>,
+    /// Stiffness of the spring that anchors each unknown.
+    anchor_stiffness: Vec<f64>,
     inverse: Cholesky,
 }
 
@@ -85,23 +83,25 @@ impl Relaxation {
         let rest: Vec<DVec2> = rest.iter().map(|&rest| rest / unit).collect();
         let unknowns = Unknowns::new(freedom);
         // A place that is off by one cell counts as much as a linear part that is off by one.
-        let stiffness =
-            |(around, freedom): (f64, &Freedom)| freedom.factors().map(move |_| HOLD * f64::max(around, LEAST * mean));
-        let hold: Vec<f64> = areas_around(&all, rest.len()).into_iter().zip(freedom).flat_map(stiffness).collect();
+        let stiffness = |(around, freedom): (f64, &Freedom)| {
+            freedom.factors().map(move |_| ANCHOR_STIFFNESS * f64::max(around, LEAST * mean))
+        };
+        let anchor_stiffness: Vec<f64> =
+            areas_around(&all, rest.len()).into_iter().zip(freedom).flat_map(stiffness).collect();
         let nodes = Nodes::new(all, freedom, unit);
-        let inverse = Cholesky::new(&unknowns.groups(), &preconditioner(&nodes, &unknowns, &rest, &hold));
-        Self { unknowns, rest, nodes, unit, hold, inverse }
+        let inverse = Cholesky::new(&unknowns.groups(), &preconditioner(&nodes, &unknowns, &rest, &anchor_stiffness));
+        Self { unknowns, rest, nodes, unit, anchor_stiffness, inverse }
     }
 
     /// Lowers the distortion of motions. `is_free` says for each site whether its rotation is free, `scales` are those
-    /// requested at the sites; the descent ends with an iteration that moves no site by more than `settled` pixels.
-    pub(super) fn minimize(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], settled: f64) {
-        if self.hold.is_empty() {
+    /// requested at the sites; the descent ends with an iteration that moves no site by more than `tolerance` pixels.
+    pub(super) fn minimize(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
+        if self.anchor_stiffness.is_empty() {
             return;
         }
         let mut parts = self.parts(motions);
         let mut relaxing = Relaxing::new(self, &parts, is_free, scales, FIRST_REGULARISATION);
-        self.relax(&mut relaxing, is_free, settled / self.unit);
+        self.relax(&mut relaxing, is_free, tolerance / self.unit);
         // Handles may be posed so far out that numbers overflow: the result of the graph is kept then.
         if !relaxing.unknown().iter().all(|by| by.is_finite()) {
             return;
@@ -123,14 +123,14 @@ impl Relaxation {
         motions.iter().zip(&self.rest).map(of_motion).collect()
     }
 
-    /// Descends until no unknown moves by more than `settled`: first with a large regularisation, then with the final one.
-    fn relax(&self, relaxing: &mut Relaxing, is_free: &[bool], settled: f64) {
+    /// Descends until no unknown moves by more than `tolerance`: first with a large regularisation, then with the final one.
+    fn relax(&self, relaxing: &mut Relaxing, is_free: &[bool], tolerance: f64) {
         let solve = |values: &mut [DVec2]| {
             self.inverse.solve(values);
             self.unknowns.keep(is_free, values);
         };
         let limits =
-            |max_iterations| Limits { max_iterations, settled, gain: GAIN, curvature_condition: CURVATURE_CONDITION };
+            |max_iterations| Limits { max_iterations, tolerance, gain: GAIN, curvature_condition: CURVATURE_CONDITION };
         descend(relaxing, self.unknowns.len(), solve, limits(FIRST_ITERATIONS));
         relaxing.set_regularisation(REGULARISATION);
         descend(relaxing, self.unknowns.len(), solve, limits(MAX_ITERATIONS - FIRST_ITERATIONS));
@@ -164,8 +164,14 @@ fn areas_around(nodes: &[Node], sites: usize) -> Vec<f64> {
 }
 
 /// The lower entries of the matrix of Σ area |J|² and of the springs.
-fn preconditioner(nodes: &Nodes, unknowns: &Unknowns, rest: &[DVec2], hold: &[f64]) -> BTreeMap<(u32, u32), f64> {
-    let mut lower: BTreeMap<(u32, u32), f64> = hold.iter().zip(0..).map(|(&hold, at)| ((at, at), hold)).collect();
+fn preconditioner(
+    nodes: &Nodes,
+    unknowns: &Unknowns,
+    rest: &[DVec2],
+    anchor_stiffness: &[f64],
+) -> BTreeMap<(u32, u32), f64> {
+    let mut lower: BTreeMap<(u32, u32), f64> =
+        anchor_stiffness.iter().zip(0..).map(|(&stiffness, at)| ((at, at), stiffness)).collect();
     let mut columns: Vec<(u32, DVec2)> = Vec::new();
     for (node, terms) in nodes.iter() {
         columns.clear();

@@ -9,9 +9,9 @@ use super::{
     super::{
         super::numeric::{Jet, Objective},
         distortion::{Distortion, gradient},
+        jacobians::Jacobians,
     },
     Parts, Relaxation,
-    jacobians::Jacobians,
     nodes::{Node, Term},
 };
 
@@ -29,8 +29,8 @@ pub(super) struct Relaxing<'a> {
     lines: Vec<Lines>,
     /// Length along the line at which the factors of `lines` are.
     sampled: f64,
-    /// Energy of the springs that hold the unknowns, along the direction: coefficients of a polynomial in the length.
-    held: [f64; 3],
+    /// Energy of the springs that anchor the unknowns, along the direction: coefficients of a polynomial in the length.
+    anchored: [f64; 3],
 }
 
 /// The map at some nodes.
@@ -101,7 +101,7 @@ impl<'a> Relaxing<'a> {
             maps,
             lines,
             sampled: 0.0,
-            held: [0.0; 3],
+            anchored: [0.0; 3],
         };
         relaxing.evaluate(0.0);
         relaxing
@@ -126,7 +126,7 @@ impl<'a> Relaxing<'a> {
 
     /// The energy at a point of the line, from that of the nodes.
     fn with_springs(&self, of_nodes: Jet<f64x4>, length: f64) -> Jet {
-        Jet::of_polynomial(self.held, length) + of_nodes.map(|lanes| lanes.to_array().into_iter().sum())
+        Jet::of_polynomial(self.anchored, length) + of_nodes.map(|lanes| lanes.to_array().into_iter().sum())
     }
 }
 
@@ -136,9 +136,9 @@ impl Objective for Relaxing<'_> {
         self.parts.fill([DVec2::ZERO; 3]);
         let mut nodes = relaxation.nodes.iter();
         for (lines, maps) in self.lines.iter().zip(&self.maps) {
-            for (pull, (node, terms)) in lines.pulls(maps).to_array().into_iter().zip(&mut nodes) {
+            for (gradient, (node, terms)) in lines.gradients(maps).to_array().into_iter().zip(&mut nodes) {
                 for term in &terms[node.fixed as usize..] {
-                    term.pull(node.at, pull, &mut self.parts[term.site as usize]);
+                    term.add_gradient(node.at, gradient, &mut self.parts[term.site as usize]);
                 }
             }
         }
@@ -147,8 +147,8 @@ impl Objective for Relaxing<'_> {
             [place, x - rest.x * place, y - rest.y * place]
         };
         relaxation.unknowns.gather(force, forces);
-        for ((force, &hold), &unknown) in forces.iter_mut().zip(&relaxation.hold).zip(&self.unknown) {
-            *force += hold * unknown;
+        for ((force, &stiffness), &unknown) in forces.iter_mut().zip(&relaxation.anchor_stiffness).zip(&self.unknown) {
+            *force += stiffness * unknown;
         }
         relaxation.unknowns.keep(self.is_free, forces);
     }
@@ -159,11 +159,11 @@ impl Objective for Relaxing<'_> {
         relaxation.unknowns.expand(direction, |site, [place, x, y]| {
             self.parts[site] = at_origin([place, x, y], relaxation.rest[site]);
         });
-        self.held = [0.0; 3];
-        for ((&hold, unknown), by) in relaxation.hold.iter().zip(&self.unknown).zip(direction) {
-            self.held[0] += hold / 2.0 * unknown.length_squared();
-            self.held[1] += hold * unknown.dot(*by);
-            self.held[2] += hold / 2.0 * by.length_squared();
+        self.anchored = [0.0; 3];
+        for ((&stiffness, unknown), by) in relaxation.anchor_stiffness.iter().zip(&self.unknown).zip(direction) {
+            self.anchored[0] += stiffness / 2.0 * unknown.length_squared();
+            self.anchored[1] += stiffness * unknown.dot(*by);
+            self.anchored[2] += stiffness / 2.0 * by.length_squared();
         }
         let mut sum = Jet::default();
         let mut nodes = relaxation.nodes.iter();
@@ -240,7 +240,7 @@ impl Lines {
     }
 
     /// The gradients of the energies, weighted by area, with respect to J at the start of the lines, where the factors are.
-    fn pulls(&self, maps: &Maps) -> Jacobians {
+    fn gradients(&self, maps: &Maps) -> Jacobians {
         self.area * maps.unscale * gradient(&maps.derivative, &self.factor, self.square[0])
     }
 }
@@ -265,10 +265,10 @@ fn derivative(node: &Node, terms: &[Term], parts: &[Parts]) -> DMat2 {
 
 impl Term {
     /// Adds to the gradient with respect to the site's parts, given the gradient with respect to the Jacobian.
-    fn pull(&self, at: DVec2, gradient: DMat2, forces: &mut Parts) {
-        let pull = self.gradient.x * gradient.x_axis + self.gradient.y * gradient.y_axis;
-        forces[0] += pull;
-        forces[1] += at.x * pull + self.weight * gradient.x_axis;
-        forces[2] += at.y * pull + self.weight * gradient.y_axis;
+    fn add_gradient(&self, at: DVec2, gradient: DMat2, forces: &mut Parts) {
+        let at_site = self.gradient.x * gradient.x_axis + self.gradient.y * gradient.y_axis;
+        forces[0] += at_site;
+        forces[1] += at.x * at_site + self.weight * gradient.x_axis;
+        forces[2] += at.y * at_site + self.weight * gradient.y_axis;
     }
 }
