@@ -129,7 +129,7 @@ fn invalid_projects_name_the_offending_key() {
         ("\"rotation\"", "\"rotate\"", "handles[1].rotate: unknown key"),
         ("\"samples\"", "\"sample\"", "sample: unknown key"),
         ("1500", "12", "samples: expected a whole number from 100 to 2000000, found 12"),
-        ("\"middle\"", "\"left\"", "handles[1].id: \"left\" is the name of another handle"),
+        ("\"middle\"", "\"left\"", "handles[1].id: \"left\" is already the id of another handle"),
         ("c2warp/1", "c2warp/2", "format: expected \"c2warp/1\", found \"c2warp/2\""),
         ("1.1", "-1", "handles[2].scale: expected a number above 0, found -1"),
         ("\"strip.png\"", "\"\"", "image.src is empty"),

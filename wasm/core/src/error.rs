@@ -3,7 +3,7 @@
 use crate::{
     display_number::DisplayNumber,
     limits,
-    project::{Form, ProjectError},
+    project::{ProjectError, ShapeKind},
 };
 
 /// Why a picture, a domain, a project or a handle was refused.
@@ -278,9 +278,9 @@ pub enum Error {
         /// Id of the handle as posed.
         id: String,
         /// What was solved.
-        solved: Form,
+        solved: ShapeKind,
         /// What is posed.
-        posed: Form,
+        posed: ShapeKind,
     },
     /// A pose whose numbers overflow.
     #[error("handle “{id}” is posed beyond what can be computed")]

@@ -13,7 +13,7 @@ use crate::{
     picture::Picture,
     pose::SolvedHandle,
     prepared_domain::PreparedDomain,
-    project::{Form, Handle, PoseMode, Project, Shape, Weighting},
+    project::{Handle, PoseMode, Project, Shape, ShapeKind, Weighting},
     site::PointSite,
 };
 
@@ -91,7 +91,7 @@ impl SolveInput {
             }
         }
         check_segments(&polylines)?;
-        let solved = |handle: &Handle| SolvedHandle { id: handle.id.clone(), form: Form::of(&handle.shape)[0] };
+        let solved = |handle: &Handle| SolvedHandle { id: handle.id.clone(), shape: ShapeKind::of(&handle.shape)[0] };
         Ok(Self {
             samples: project.samples as usize,
             density: project.pose.density as usize,

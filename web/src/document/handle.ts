@@ -160,7 +160,7 @@ export function checkedHandle(handle: Handle): Handle {
   if (typeof id !== 'string' || id === '') refuse('id: expected a name');
   if (!KINDS.includes(handle.kind)) refuse('kind: expected "point", "bar" or "polygon"');
   const unknown = Object.keys(handle).find((key) => !KEYS.includes(key));
-  if (unknown !== undefined) refuse(`${unknown}: unknown key; the keys here are ${KEYS.join(', ')}`);
+  if (unknown !== undefined) refuse(`${unknown}: unknown key; expected one of ${KEYS.join(', ')}`);
   for (const key of ['rest', 'posed'] as const) {
     const needed = isLine(handle) ? CORNERS_NEEDED[handle.kind] : 1;
     const places: unknown = isLine(handle) ? handle[key] : [handle[key]];

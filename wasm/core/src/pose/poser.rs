@@ -13,7 +13,7 @@ use super::{
 use crate::{
     bone::{BoneMotion, Skeleton},
     error::Error,
-    project::{Form, Handle, PoseMode, Rotation, Shape, check_handles},
+    project::{Handle, PoseMode, Rotation, Shape, ShapeKind, check_handles},
     site::{Site, SiteGraph, SiteKind},
 };
 
@@ -112,8 +112,8 @@ impl Poser {
     pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
         let given = handles;
         let handles = &*self.as_solved(given)?;
-        for (handle, &SolvedHandle { form: solved, .. }) in handles.iter().zip(&self.solved) {
-            if let Some(posed) = Form::of(&handle.shape).into_iter().find(|&form| form != solved) {
+        for (handle, &SolvedHandle { shape: solved, .. }) in handles.iter().zip(&self.solved) {
+            if let Some(posed) = ShapeKind::of(&handle.shape).into_iter().find(|&kind| kind != solved) {
                 return Err(Error::PoseShape { id: handle.id.clone(), solved, posed });
             }
         }
@@ -230,7 +230,7 @@ impl Poser {
         let real = |site: u32| poser.kinds.get(site as usize).is_some_and(|kind| kind.is_real());
         let known = |kind: &SiteKind| match *kind {
             SiteKind::Point { handle } => {
-                poser.solved.get(handle as usize).is_some_and(|solved| solved.form == Form::Point)
+                poser.solved.get(handle as usize).is_some_and(|solved| solved.shape == ShapeKind::Point)
             }
             SiteKind::Bone { handle, bone } => {
                 (handle as usize) < poser.solved.len() && (bone as usize) < poser.skeleton.bones.len()

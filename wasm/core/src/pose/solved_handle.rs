@@ -1,12 +1,12 @@
-//! The name and the form of a handle, which a pose must match.
+//! The name and the shape kind of a handle. A pose must match both.
 
 use serde::{Deserialize, Serialize};
 
-use crate::project::Form;
+use crate::project::ShapeKind;
 
 /// A handle as it was solved, without its places.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct SolvedHandle {
     pub(crate) id: String,
-    pub(crate) form: Form,
+    pub(crate) shape: ShapeKind,
 }

@@ -1,16 +1,16 @@
-//! Typed reading of a [`Value`]: every getter knows the path of its value, so that every error can state it.
+//! Typed reading of a JSON [`Value`]. A cursor knows the path of its value, so every error can name it.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::ProjectError;
+use super::error::ProjectError;
 use super::path::Path;
-use super::rules;
+use super::validate;
 use super::value::Value;
 
-/// A value in the file and its path.
+/// A position in a JSON document: a value and its path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<'a> {
     value: &'a Value,
@@ -18,18 +18,19 @@ pub(super) struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    /// The top of a file.
+    /// The top of a document.
     pub(super) fn top(value: &'a Value) -> Self {
         Self { value, path: Path::Top }
     }
 
-    /// An error about this value.
+    /// Returns an error about this value.
     pub(super) fn refuse<T>(&self, message: impl Display) -> Result<T, ProjectError> {
         self.path.refuse(message)
     }
 
-    pub(super) fn expected<T>(&self, what: impl Display) -> Result<T, ProjectError> {
-        self.refuse(format_args!("expected {what}, found {}", self.value))
+    /// Returns an error about a value of another type.
+    pub(super) fn expected<T>(&self, expected: impl Display) -> Result<T, ProjectError> {
+        self.refuse(format_args!("expected {expected}, found {}", self.value))
     }
 
     pub(super) fn bool(&self) -> Result<bool, ProjectError> {
@@ -39,14 +40,14 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    pub(super) fn text(&self) -> Result<&'a str, ProjectError> {
+    pub(super) fn string(&self) -> Result<&'a str, ProjectError> {
         match self.value {
-            Value::Text(text) => Ok(text),
-            _ => self.expected("a text"),
+            Value::String(text) => Ok(text),
+            _ => self.expected("a string"),
         }
     }
 
-    /// A number; numbers in JSON are finite.
+    /// A number. Numbers in JSON are finite.
     pub(super) fn number(&self) -> Result<f64, ProjectError> {
         match self.value {
             Value::Number(number) => Ok(*number),
@@ -54,20 +55,20 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// A whole number; `range` tells what is expected of it where this is none.
+    /// A whole number. `range` is for the error message only: [`validate`] checks it.
     pub(super) fn whole_number(&self, range: &RangeInclusive<u32>) -> Result<u32, ProjectError> {
         match self.value {
             Value::Number(number) if number.fract() == 0.0 && *number >= 0.0 && *number <= f64::from(u32::MAX) => {
-                // Exact: a whole number within the range of u32.
+                // The cast is exact: the number is whole and in the range of u32.
                 Ok(*number as u32)
             }
-            _ => self.expected(rules::whole_numbers(range)),
+            _ => self.expected(validate::whole_numbers(range)),
         }
     }
 
-    /// One of a few names, each with its value.
+    /// The value for one of a few names.
     pub(super) fn one_of<T: Copy>(&self, names: &[(&str, T)]) -> Result<T, ProjectError> {
-        if let Value::Text(text) = self.value
+        if let Value::String(text) = self.value
             && let Some((_, value)) = names.iter().find(|(name, _)| name == text)
         {
             return Ok(*value);
@@ -76,7 +77,7 @@ impl<'a> Cursor<'a> {
         self.expected(names.join(" or "))
     }
 
-    /// The pair `[x, y]`.
+    /// A point `[x, y]`.
     pub(super) fn point(&self) -> Result<DVec2, ProjectError> {
         let Value::List(pair) = self.value else {
             return self.expected("a point [x, y]");
@@ -91,19 +92,19 @@ impl<'a> Cursor<'a> {
         self.list("a list of points [[x, y], …]", |item| item.point())
     }
 
-    /// A list, every item read by `read`.
+    /// A list. `read` reads each item.
     pub(super) fn list<T>(
         &self,
-        what: &str,
+        expected: &str,
         read: impl Fn(Cursor<'_>) -> Result<T, ProjectError>,
     ) -> Result<Vec<T>, ProjectError> {
         let Value::List(items) = self.value else {
-            return self.expected(what);
+            return self.expected(expected);
         };
         items.iter().enumerate().map(|(index, item)| read(self.item(index, item))).collect()
     }
 
-    /// An object, its keys not checked yet.
+    /// An object. [`Object::allow_only`] checks its keys.
     pub(super) fn object(&self) -> Result<Object<'_>, ProjectError> {
         match self.value {
             Value::Object(entries) => Ok(Object { entries, path: &self.path }),
@@ -116,7 +117,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// An object in the file and its path.
+/// A JSON object and its path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Object<'a> {
     entries: &'a [(String, Value)],
@@ -124,12 +125,12 @@ pub(super) struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// Refuses every key that is not among `known`.
-    pub(super) fn only(&self, known: &[&str]) -> Result<(), ProjectError> {
+    /// Refuses keys that are not in `known`.
+    pub(super) fn allow_only(&self, known: &[&str]) -> Result<(), ProjectError> {
         match self.entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
             None => Ok(()),
             Some((key, value)) => Cursor { value, path: Path::Key(self.path, key) }
-                .refuse(format_args!("unknown key; the keys here are {}", known.join(", "))),
+                .refuse(format_args!("unknown key; expected one of {}", known.join(", "))),
         }
     }
 
@@ -144,7 +145,7 @@ impl<'a> Object<'a> {
     }
 
     /// The value of a key by `read`, or `default` if the key is missing.
-    pub(super) fn or<T>(
+    pub(super) fn value_or<T>(
         &self,
         key: &'a str,
         default: T,

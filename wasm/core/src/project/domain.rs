@@ -1,30 +1,32 @@
-//! The part of the picture that is warped: Ω of the paper.
+//! The part of the picture to warp: Ω of the paper.
 
 use glam::DVec2;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::cursor::Cursor;
+use super::error::ProjectError;
 use super::path::Path;
 use super::points::{self, Point};
-use super::{ProjectError, rules};
+use super::validate;
 use crate::display_number::DisplayNumber;
 
-/// How the domain is found in the picture.
+/// The part of the picture to warp.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 #[schemars(rename = "Domain", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum DomainSpec {
-    /// The whole rectangle.
+    /// The whole picture.
     Image,
-    /// Where the picture is opaque enough.
+    /// The part of the picture with enough opacity.
     Alpha {
-        /// The least opacity that belongs to the domain, above 0 and up to 1.
+        /// Least opacity of the domain, above 0 and up to 1.
         #[schemars(default = "default_threshold", extend("exclusiveMinimum" = 0), range(max = 1))]
         threshold: f64,
     },
-    /// The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole. What lies around stays.
+    /// The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture stays
+    /// in place.
     Polygon {
         /// One or more rings of at least three points `[x, y]`.
         #[serde(serialize_with = "points::rings")]
@@ -52,15 +54,15 @@ impl DomainSpec {
         ])?;
         match kind {
             Kind::Image => {
-                domain.only(&["kind"])?;
+                domain.allow_only(&["kind"])?;
                 Ok(Self::Image)
             }
             Kind::Alpha => {
-                domain.only(&["kind", "threshold"])?;
-                Ok(Self::Alpha { threshold: domain.or("threshold", Self::THRESHOLD, |value| value.number())? })
+                domain.allow_only(&["kind", "threshold"])?;
+                Ok(Self::Alpha { threshold: domain.value_or("threshold", Self::THRESHOLD, |value| value.number())? })
             }
             Kind::Polygon => {
-                domain.only(&["kind", "rings"])?;
+                domain.allow_only(&["kind", "rings"])?;
                 Ok(Self::Polygon { rings: domain.required("rings").and_then(rings)? })
             }
         }
@@ -76,9 +78,9 @@ impl DomainSpec {
         }
     }
 
-    /// Whether this is a threshold.
+    /// Checks the range of a threshold.
     pub(crate) fn check_threshold(threshold: f64) -> Result<(), ProjectError> {
-        // NaN is neither.
+        // NaN fails both comparisons.
         if threshold > 0.0 && threshold <= 1.0 {
             return Ok(());
         }
@@ -88,14 +90,14 @@ impl DomainSpec {
             .refuse(format_args!("expected a number above 0 and up to 1, found {}", DisplayNumber(threshold)))
     }
 
-    /// Whether these are rings, wherever they lie.
+    /// Checks the number of rings and points, and that points are finite.
     pub(crate) fn check_rings(rings: &[Vec<DVec2>]) -> Result<(), ProjectError> {
         let domain = Path::Top.key("domain");
         let at = domain.key("rings");
         if rings.is_empty() {
             return at.refuse("expected at least one ring");
         }
-        rings.iter().enumerate().try_for_each(|(index, ring)| rules::points(&at.index(index), ring, 3))
+        rings.iter().enumerate().try_for_each(|(index, ring)| validate::points(&at.index(index), ring, 3))
     }
 }
 

@@ -1,14 +1,14 @@
-//! Why a project was refused, and where in it.
+//! Why a project was refused, and at which key.
 
 use std::fmt;
 
-/// A project that was refused: the offending key and one sentence about it.
+/// An error in a project: the offending key, and a message about its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ProjectError {
-    /// Path of the offending key, as `handles[2].rest[0]`; empty for the project as a whole.
+    /// Path of the offending key, for example `handles[2].rest[0]`. It is empty for the project as a whole.
     pub path: String,
-    /// What is wrong there.
+    /// The expected value, and the one found.
     pub message: String,
 }
 

@@ -1,15 +1,16 @@
-//! The layout of a project as text: one key of the project a line, one handle a line, so that a change of a handle is a
-//! change of one line.
+//! The layout of a project as text: one line for each key, and one for each handle.
+//!
+//! A change of one handle is then a change of one line.
 
 use std::io::{self, Write};
 
 use serde_json::ser::Formatter;
 
-/// Breaks lines in the outermost object and in the lists directly inside it; everything else is on one line each.
+/// Breaks lines in the outermost object, and in the lists directly inside it. Everything else stays on one line.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     depth: usize,
-    /// Whether the innermost list or object has any content.
+    /// Whether the innermost list or object has an item.
     filled: bool,
 }
 
@@ -27,7 +28,7 @@ impl Layout {
 }
 
 impl Formatter for Layout {
-    /// Writes whole numbers without a decimal point, as people and browsers do.
+    /// Writes whole numbers without a decimal point, as browsers do.
     fn write_f64<W: Write + ?Sized>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
         const LARGEST_EXACT: f64 = 9_007_199_254_740_992.0;
         if value.fract() == 0.0 && value.abs() <= LARGEST_EXACT {

@@ -1,10 +1,10 @@
-//! The path from the top of a project to a value in it, kept on the stack and written out only for an error.
+//! The path from the top of a project to a value in it. It lives on the stack and becomes text only in an error.
 
 use std::fmt;
 
-use super::ProjectError;
+use super::error::ProjectError;
 
-/// A path into the project, one step longer than its parent.
+/// A path into the project: one step after its parent.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Path<'a> {
     /// The project itself.
@@ -16,24 +16,24 @@ pub(super) enum Path<'a> {
 }
 
 impl Path<'_> {
-    /// The way to a key of the object here.
+    /// The path to a key of the object at this path.
     pub(super) fn key<'b>(&'b self, key: &'b str) -> Path<'b> {
         Path::Key(self, key)
     }
 
-    /// The way to a place in the list here.
+    /// The path to an item of the list at this path.
     pub(super) fn index(&self, index: usize) -> Path<'_> {
         Path::Index(self, index)
     }
 
-    /// Refuses what stands here.
+    /// Returns an error about the value at this path.
     pub(super) fn refuse<T>(&self, message: impl fmt::Display) -> Result<T, ProjectError> {
         Err(ProjectError { path: self.to_string(), message: message.to_string() })
     }
 }
 
 impl fmt::Display for Path<'_> {
-    /// Writes `handles[2].rest[0]`; a key that is not a plain word is quoted: `image["a b"]`.
+    /// Writes `handles[2].rest[0]`. A key that is not a word is quoted: `image["a b"]`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Path::Top => Ok(()),
@@ -54,7 +54,7 @@ mod tests {
     use super::Path;
 
     #[test]
-    fn reads_as_code_would_address_it() {
+    fn path_reads_like_code() {
         let handles = Path::Key(&Path::Top, "handles");
         let third = Path::Index(&handles, 2);
         let rest = Path::Key(&third, "rest");

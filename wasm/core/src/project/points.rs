@@ -1,10 +1,10 @@
-//! Points in the format of the file: `[x, y]`.
+//! Points as the file writes them: `[x, y]`.
 
 use glam::DVec2;
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-/// A place `[x, y]` in image pixels, pixel centres at +0.5, y down.
+/// A point `[x, y]` in image pixels, with pixel centres at +0.5 and y down.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Point(f64, f64);
 

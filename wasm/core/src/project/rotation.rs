@@ -1,19 +1,19 @@
-//! The rotation of a handle in the format of the file.
+//! The rotation of a handle.
 
 use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 
-use super::ProjectError;
 use super::cursor::Cursor;
+use super::error::ProjectError;
 
 /// The rotation of a handle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rotation {
-    /// In degrees, clockwise on the screen since y points down.
+    /// Degrees, clockwise on the screen, as y points down.
     Degrees(f64),
-    /// Automatic: fitted to the handles around it.
+    /// Automatic: fitted to the surrounding handles.
     Auto,
 }
 
@@ -31,7 +31,7 @@ impl From<f64> for Rotation {
 
 impl Rotation {
     pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
-        if value.text().is_ok_and(|text| text == "auto") {
+        if value.string().is_ok_and(|text| text == "auto") {
             return Ok(Self::Auto);
         }
         match value.number() {
@@ -57,7 +57,7 @@ impl JsonSchema for Rotation {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "Degrees, clockwise on the screen, or as much as suits the handles around.",
+            "description": "Degrees, clockwise on the screen, or automatic: fitted to the surrounding handles.",
             "anyOf": [{ "type": "number" }, { "const": "auto" }]
         })
     }

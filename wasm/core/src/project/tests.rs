@@ -1,4 +1,4 @@
-//! Tests of the format: what is read, what is written, and what is refused with which message.
+//! Tests of the format: reading, writing, and messages of refusals.
 
 use glam::DVec2;
 
@@ -22,24 +22,24 @@ const FULL: &str = r#"{
 }
 "#;
 
-/// A change of a project and why it is then none.
+/// A change of a project, and the error of the changed project.
 type Refused = (fn(&mut Project), &'static str);
 
-/// The refusal of the full project after an edit of its text.
+/// The error of the full project after an edit of its text.
 fn refusal(from: &str, to: &str) -> String {
     assert!(FULL.contains(from), "{from}");
     Project::from_json(&FULL.replacen(from, to, 1)).unwrap_err().to_string()
 }
 
 #[test]
-fn writes_what_it_read() {
+fn writes_the_text_that_it_read() {
     let project = Project::from_json(FULL).unwrap();
     assert_eq!(project.to_json(), FULL);
 }
 
 #[test]
 fn numbers_are_read_to_the_last_bit() {
-    // Quick readers take it for …304.
+    // Fast but inexact parsers read …304.
     let project = Project::from_json(&FULL.replacen("[128, 40.5]", "[-94.55329736530005, 40.5]", 1)).unwrap();
     let Shape::Point { rest, .. } = project.handles[0].shape else { panic!("a point") };
     assert_eq!(rest.x, -94.553_297_365_300_05);
@@ -57,15 +57,15 @@ fn fills_in_the_defaults_and_writes_them_out() {
 }
 
 #[test]
-fn refuses_with_the_way_to_the_key() {
+fn errors_name_the_key() {
     for (from, to, refusal_text) in [
         (r#""c2warp/1""#, r#""c2warp/2""#, r#"format: expected "c2warp/1", found "c2warp/2""#),
         (r#""width": 256"#, r#""width": 0"#, "image.width: expected a whole number, 1 or more, found 0"),
         (r#""width": 256"#, r#""width": 1.5"#, "image.width: expected a whole number, 1 or more, found 1.5"),
-        (r#""gecko.webp""#, "7", "image.src: expected a text, found 7"),
+        (r#""gecko.webp""#, "7", "image.src: expected a string, found 7"),
         ("0.5 }", "0 }", "domain.threshold: expected a number above 0 and up to 1, found 0"),
         (r#""alpha""#, r#""Alpha""#, r#"domain.kind: expected "image" or "alpha" or "polygon", found "Alpha""#),
-        (r#""alpha""#, r#""image""#, "domain.threshold: unknown key; the keys here are kind"),
+        (r#""alpha""#, r#""image""#, "domain.threshold: unknown key; expected one of kind"),
         ("10000", "99", "samples: expected a whole number from 100 to 2000000, found 99"),
         ("10000", "2000001", "samples: expected a whole number from 100 to 2000000, found 2000001"),
         ("0.25", "1.01", "weighting.shape_factor: expected a number from 0 to 1, found 1.01"),
@@ -77,10 +77,10 @@ fn refuses_with_the_way_to_the_key() {
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; the keys here are format, image, domain, samples, weighting, pose, fix_boundary, handles",
+            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, handles",
         ),
-        (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty text"),
-        (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is the name of another handle"#),
+        (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
+        (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),
         ("[128, 40.5]", r#"["x", 40.5]"#, r#"handles[0].rest[0]: expected a number, found "x""#),
         ("[128, 40.5]", "[128]", "handles[0].rest: expected a point [x, y], found 1 values"),
         ("[128, 40.5]", "[[1, 2]]", "handles[0].rest: expected a point [x, y], found 1 values"),
@@ -106,17 +106,17 @@ fn refuses_with_the_way_to_the_key() {
 }
 
 #[test]
-fn refuses_numbers_that_json_does_not_know_and_names_where() {
+fn refuses_numbers_that_are_not_json() {
     for number in ["NaN", "1e999", "-Infinity"] {
         let text = refusal("40.5", number);
         assert!(text.starts_with("handles[0].rest[1]: "), "{text}");
     }
     let twice = refusal(r#""depth": 0"#, r#""scale": 2"#);
-    assert!(twice.starts_with(r#"handles[0]: the key "scale" is given twice"#), "{twice}");
+    assert!(twice.starts_with(r#"handles[0]: duplicate key "scale""#), "{twice}");
 }
 
 #[test]
-fn what_is_made_in_code_is_what_is_read() {
+fn code_and_text_make_the_same_project() {
     let mut made = Project::for_picture(4, 3);
     made.handles = vec![
         Handle::point("a", [1.0, 2.0]).posed_at([[1.5, 2.0]]),
@@ -130,16 +130,16 @@ fn what_is_made_in_code_is_what_is_read() {
     ]"#;
     let read = LEAST.replace("a.png", "").replace("[]", handles);
     assert_eq!(made, Project::from_json(&read).unwrap());
-    let rigid = made.clone().bent_rigidly();
+    let rigid = made.clone().with_editor_settings();
     let settings = r#""weighting": { "support": "smooth" }, "pose": { "mode": "rigid", "density": 100 }, "handles""#;
     let read = read.replace("\"handles\"", settings).replace("[1.5, 2]", "[1.5, 2], \"rotation\": \"auto\"");
     assert_eq!(rigid, Project::from_json(&read).unwrap());
     made.handles[0].rotation = Rotation::Degrees(20.0);
-    assert_eq!(made.bent_rigidly().handles[0].rotation, Rotation::Degrees(20.0));
+    assert_eq!(made.with_editor_settings().handles[0].rotation, Rotation::Degrees(20.0));
 }
 
 #[test]
-fn what_is_made_in_code_follows_the_rules_of_what_is_read() {
+fn projects_from_code_and_text_follow_the_same_rules() {
     let good = Project::from_json(FULL).unwrap();
     assert_eq!(good.check(), Ok(()));
     let refused = |break_it: fn(&mut Project)| {
@@ -170,7 +170,7 @@ fn what_is_made_in_code_follows_the_rules_of_what_is_read() {
 }
 
 #[test]
-fn numbers_that_no_file_can_hold_are_refused_where_they_stand() {
+fn numbers_that_are_not_finite_are_refused_by_key() {
     let changes: [Refused; 6] = [
         (
             |project| project.domain = Some(DomainSpec::Alpha { threshold: f64::NAN }),
@@ -189,7 +189,7 @@ fn numbers_that_no_file_can_hold_are_refused_where_they_stand() {
         (
             |project| match &mut project.handles[2].shape {
                 Shape::Polygon { posed, .. } => posed[1].y = f64::NAN,
-                other => panic!("a polygon, not {other:?}"),
+                other => panic!("expected a polygon, found {other:?}"),
             },
             "handles[2].posed[1][1]: expected a finite number, found NaN",
         ),
@@ -217,7 +217,7 @@ fn reads_rings_and_refuses_short_ones() {
 }
 
 #[test]
-fn takes_posed_left_out_for_rest() {
+fn posed_defaults_to_rest() {
     let handles = handles_from_json(
         r#"[{"kind": "bar", "rest": [[0, 1], [2, 3]], "id": "b"}, {"id": "p", "kind": "point", "rest": [0.5, 1e-3]}]"#,
     )
@@ -235,7 +235,7 @@ fn takes_posed_left_out_for_rest() {
 }
 
 #[test]
-fn a_later_version_is_named_before_its_unknown_keys() {
+fn later_versions_are_refused_before_unknown_keys() {
     let error = Project::from_json(r#"{"layers": [], "format": "c2warp/2"}"#).unwrap_err();
     assert_eq!(error.path, "format");
 }

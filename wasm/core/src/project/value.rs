@@ -1,12 +1,14 @@
-//! A JSON document as a tree that keeps the order of its keys and refuses a key given twice, for which `serde_json::Value`
-//! silently keeps the last value.
+//! A JSON document as a tree.
+//!
+//! It keeps the order of keys and refuses duplicate keys. Of duplicates, `serde_json::Value` silently keeps the last
+//! value.
 
 use std::{collections::HashSet, fmt};
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use super::ProjectError;
+use super::error::ProjectError;
 use crate::display_number::DisplayNumber;
 
 /// One JSON value.
@@ -15,7 +17,7 @@ pub(super) enum Value {
     Null,
     Bool(bool),
     Number(f64),
-    Text(String),
+    String(String),
     List(Vec<Value>),
     Object(Vec<(String, Value)>),
 }
@@ -24,14 +26,15 @@ impl Value {
     /// Parses a whole document.
     ///
     /// # Errors
-    /// Text that is not JSON, a number outside the range of f64, or a key given twice, with its path as far as it was read.
+    /// For text that is not JSON, a number outside the range of f64, and a duplicate key. The path leads as far as
+    /// the text was read.
     pub(super) fn parse(text: &str) -> Result<Self, ProjectError> {
-        // Editors on Windows put a byte order mark in front, which JSON does not know.
+        // Editors on Windows write a byte order mark first. JSON has none.
         let mut json = serde_json::Deserializer::from_str(text.trim_start_matches('\u{feff}'));
         let value = serde_path_to_error::deserialize(&mut json).map_err(|error| {
             let path = error.path().to_string();
             ProjectError {
-                // serde_path_to_error writes the top as "." and a value without a path as "?".
+                // serde_path_to_error writes the top as "." and an unknown path as "?".
                 path: path.trim_end_matches(['.', '?']).to_owned(),
                 message: error.into_inner().to_string(),
             }
@@ -42,15 +45,15 @@ impl Value {
 }
 
 impl fmt::Display for Value {
-    /// Describes the value in an error: short ones as they are written, long ones by their kind.
+    /// Describes the value in an error: short values as JSON, long ones by their type.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const LONGEST_QUOTE: usize = 40;
         match self {
             Value::Null => f.write_str("null"),
             Value::Bool(value) => write!(f, "{value}"),
             Value::Number(value) => DisplayNumber(*value).fmt(f),
-            Value::Text(text) if text.chars().count() <= LONGEST_QUOTE => write!(f, "{text:?}"),
-            Value::Text(_) => f.write_str("a long text"),
+            Value::String(text) if text.chars().count() <= LONGEST_QUOTE => write!(f, "{text:?}"),
+            Value::String(_) => f.write_str("a long string"),
             Value::List(items) if items.is_empty() => f.write_str("an empty list"),
             Value::List(_) => f.write_str("a list"),
             Value::Object(_) => f.write_str("an object"),
@@ -94,7 +97,7 @@ impl<'de> Visitor<'de> for ValueVisitor {
     }
 
     fn visit_str<E>(self, text: &str) -> Result<Value, E> {
-        Ok(Value::Text(text.to_owned()))
+        Ok(Value::String(text.to_owned()))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Value, A::Error> {
@@ -109,7 +112,7 @@ impl<'de> Visitor<'de> for ValueVisitor {
         let (mut entries, mut known) = (Vec::new(), HashSet::new());
         while let Some(key) = object.next_key::<String>()? {
             if !known.insert(key.clone()) {
-                return Err(A::Error::custom(format_args!("the key {key:?} is given twice")));
+                return Err(A::Error::custom(format_args!("duplicate key {key:?}")));
             }
             let value = object.next_value()?;
             entries.push((key, value));
@@ -123,22 +126,22 @@ mod tests {
     use super::Value;
 
     #[test]
-    fn refuses_a_key_given_twice() {
+    fn refuses_duplicate_keys() {
         let error = Value::parse(r#"{"a": [{"b": 1, "b": 2}]}"#).unwrap_err();
-        assert!(error.message.contains(r#"the key "b" is given twice"#), "{error}");
+        assert!(error.message.contains(r#"duplicate key "b""#), "{error}");
         assert!(error.path.starts_with("a[0]"), "{error}");
     }
 
     #[test]
-    fn a_key_given_twice_is_found_among_very_many() {
-        // Comparing each key with each other would take minutes.
+    fn finds_a_duplicate_among_many_keys() {
+        // Comparing all pairs of keys would take minutes.
         let keys: Vec<String> = (0..300_000).map(|i| format!("\"k{i}\":0")).collect();
         let error = Value::parse(&format!("{{{},\"k7\":0}}", keys.join(","))).unwrap_err();
-        assert!(error.message.contains(r#"the key "k7" is given twice"#), "{error}");
+        assert!(error.message.contains(r#"duplicate key "k7""#), "{error}");
     }
 
     #[test]
-    fn refuses_what_json_cannot_say() {
+    fn refuses_text_that_is_not_json() {
         for text in ["", "{", "[1,]", "NaN", "[1e999]", "[Infinity]", "{} {}", "{\"a\": nan}"] {
             assert!(Value::parse(text).is_err(), "{text}");
         }
@@ -146,13 +149,13 @@ mod tests {
     }
 
     #[test]
-    fn describes_itself_on_one_short_line() {
+    fn description_is_one_short_line() {
         let long = format!("[{:?}]", "x".repeat(99));
         assert_eq!(Value::parse("\"a\\nb\"").unwrap().to_string(), r#""a\nb""#);
         assert_eq!(Value::parse("12").unwrap().to_string(), "12");
         let Value::List(items) = Value::parse(&long).unwrap() else {
             panic!("a list was given");
         };
-        assert_eq!(items[0].to_string(), "a long text");
+        assert_eq!(items[0].to_string(), "a long string");
     }
 }

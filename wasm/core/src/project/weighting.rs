@@ -1,11 +1,12 @@
-//! How far a handle reaches and how its weight falls off (sections III-B and V-A).
+//! Settings of the weights: their support and falloff (sections III-B and V-A).
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::cursor::Cursor;
+use super::error::ProjectError;
 use super::path::Path;
-use super::{ProjectError, rules};
+use super::validate;
 use crate::display_number::DisplayNumber;
 
 /// α of the smallest supports.
@@ -14,7 +15,7 @@ const LEAST_FACTOR: u32 = 0;
 const MOST_FACTOR: u32 = 1;
 /// The least n for which φ is C² (section V-A).
 const LEAST_DEGREE: u32 = 5;
-/// Far above what changes the picture.
+/// Far above any degree that changes the picture.
 const MOST_DEGREE: u32 = 32;
 
 /// The parameters of the weights.
@@ -22,21 +23,21 @@ const MOST_DEGREE: u32 = 32;
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Weighting {
-    /// α, from 0 (supports as small as they may be) to 1 (as wide as they may be).
+    /// α, from 0 (smallest supports) to 1 (widest supports).
     #[schemars(default = "default_shape_factor", range(min = LEAST_FACTOR, max = MOST_FACTOR))]
     pub shape_factor: f64,
-    /// The degree n of the Bézier polynomial φ: from 5, the least that is C², to 32.
+    /// Degree n of the Bézier polynomial φ, from 5 to 32. From 5 on it is C².
     #[schemars(default = "default_degree", range(min = LEAST_DEGREE, max = MOST_DEGREE))]
     pub degree: u32,
-    /// Where the control points of φ lie that continuity leaves free.
+    /// Position of the inner control points of φ. Continuity leaves them free.
     #[schemars(default)]
     pub filling: Filling,
-    /// What a support must keep clear of.
+    /// Rule for the radius of a support.
     #[schemars(default)]
     pub support: Support,
 }
 
-/// The two ways of section V-A to place the inner control points of φ.
+/// Position of the inner control points of φ (section V-A).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
@@ -53,11 +54,11 @@ pub enum Filling {
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Support {
-    /// Eq. 3 towards real sites. A support may pass a nearby virtual site where its own cell reaches as far; it never reaches
-    /// another real site.
+    /// Eq. 3 towards real sites. A support never reaches another real site. It may pass a nearby virtual site if its
+    /// own cell reaches as far.
     #[default]
     Paper,
-    /// Supports of virtual sites may overlap one another and keep clear of real sites only: a smoother picture.
+    /// Supports of virtual sites may overlap one another and keep clear of real sites only. The picture is smoother.
     Smooth,
 }
 
@@ -83,16 +84,16 @@ impl Default for Weighting {
 impl Weighting {
     pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
         let weighting = value.object()?;
-        weighting.only(&["shape_factor", "degree", "filling", "support"])?;
+        weighting.allow_only(&["shape_factor", "degree", "filling", "support"])?;
         let default = Self::default();
         Ok(Self {
-            shape_factor: weighting.or("shape_factor", default.shape_factor, |value| value.number())?,
+            shape_factor: weighting.value_or("shape_factor", default.shape_factor, |value| value.number())?,
             degree: weighting
-                .or("degree", default.degree, |value| value.whole_number(&(LEAST_DEGREE..=MOST_DEGREE)))?,
-            filling: weighting.or("filling", default.filling, |value| {
+                .value_or("degree", default.degree, |value| value.whole_number(&(LEAST_DEGREE..=MOST_DEGREE)))?,
+            filling: weighting.value_or("filling", default.filling, |value| {
                 value.one_of(&[("line", Filling::Line), ("half", Filling::Half)])
             })?,
-            support: weighting.or("support", default.support, |value| {
+            support: weighting.value_or("support", default.support, |value| {
                 value.one_of(&[("paper", Support::Paper), ("smooth", Support::Smooth)])
             })?,
         })
@@ -106,6 +107,6 @@ impl Weighting {
                 DisplayNumber(shape_factor)
             ));
         }
-        rules::whole_number(&at.key("degree"), degree, &(LEAST_DEGREE..=MOST_DEGREE))
+        validate::whole_number(&at.key("degree"), degree, &(LEAST_DEGREE..=MOST_DEGREE))
     }
 }

@@ -207,7 +207,7 @@ mod tests {
             [300.0, 300.0],
         ];
         let handles = places.iter().enumerate().map(|(at, &place)| Handle::point(format!("{at}"), place));
-        let mut project = Project::for_picture(300, 300).with_handles(handles).bent_rigidly();
+        let mut project = Project::for_picture(300, 300).with_handles(handles).with_editor_settings();
         (project.samples, project.pose.density) = (600, 20);
         let solution = solve(&project, &Picture::new(300, 300, &[255; 360_000]).unwrap()).unwrap();
         for site in solution.sites() {

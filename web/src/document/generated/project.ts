@@ -1,150 +1,150 @@
 // Generated from the Rust types by `cargo run -p xtask -- schema`. Do not edit.
 
-/** A warp: a picture, the part of it that bends, and the handles that bend it. */
+/** A warp: a picture, the part of it to warp, and the handles. */
 export interface Project {
   /** The version of the format. */
   readonly format: Format;
   /** The picture. */
   readonly image: ImageRef;
-  /** The part of the picture that bends; left out: where the picture is opaque if it has transparency, else all of it. */
+  /** The part of the picture to warp. The default is the opaque part of a picture with transparency, and all of any other. */
   readonly domain?: Domain;
-  /** How many samples the domain gets, about: from 100 to 2,000,000. Left out: 10000. */
+  /** Approximate number of samples, from 100 to 2,000,000. Left out: 10000. */
   readonly samples?: number;
-  /** How far a handle reaches and how its weight falls off. */
+  /** Settings of the weights. */
   readonly weighting?: Weighting;
-  /** How a pose is made from the handles. */
+  /** Settings of the pose. */
   readonly pose?: Pose;
-  /** Whether the rim of the picture stays where it is. Left out: false. */
+  /** Whether the boundary of the domain stays in place. Left out: false. */
   readonly fix_boundary?: boolean;
-  /** The handles; the order has no meaning. */
+  /** The handles. Their order has no meaning. */
   readonly handles: readonly Handle[];
 }
 
 /** The version of the format. */
 export type Format = 'c2warp/1';
 
-/** Where the picture is found, and the size that the project's coordinates mean. */
+/** The file of the picture, and the size in pixels that the project's coordinates refer to. */
 export interface ImageRef {
-  /** The picture's file name, beside the project file; may be empty for a picture that has none. */
+  /** File name of the picture, relative to the project file. It may be empty. */
   readonly src: string;
-  /** Width in pixels, 1 or more; the solver takes 2 to 16,384. */
+  /** Width in pixels, at least 1. The solver accepts 2 to 16,384. */
   readonly width: number;
-  /** Height in pixels, likewise. */
+  /** Height in pixels, at least 1. The solver accepts 2 to 16,384. */
   readonly height: number;
 }
 
-/** The whole rectangle. */
+/** The whole picture. */
 export interface ImageDomain {
   readonly kind: 'image';
 }
 
-/** Where the picture is opaque enough. */
+/** The part of the picture with enough opacity. */
 export interface AlphaDomain {
   readonly kind: 'alpha';
-  /** The least opacity that belongs to the domain, above 0 and up to 1. Left out: 0.5. */
+  /** Least opacity of the domain, above 0 and up to 1. Left out: 0.5. */
   readonly threshold?: number;
 }
 
-/** The inside of closed rings by the even-odd rule, so that a ring inside a ring is a hole. What lies around stays. */
+/** The inside of closed rings by the even-odd rule: a ring inside a ring is a hole. The rest of the picture stays in place. */
 export interface PolygonDomain {
   readonly kind: 'polygon';
   /** One or more rings of at least three points `[x, y]`. */
   readonly rings: readonly (readonly Point[])[];
 }
 
-/** How the domain is found in the picture. */
+/** The part of the picture to warp. */
 export type Domain = ImageDomain | AlphaDomain | PolygonDomain;
 
-/** A place `[x, y]` in image pixels, pixel centres at +0.5, y down. */
+/** A point `[x, y]` in image pixels, with pixel centres at +0.5 and y down. */
 export type Point = readonly [number, number];
 
 /** The parameters of the weights. */
 export interface Weighting {
-  /** α, from 0 (supports as small as they may be) to 1 (as wide as they may be). Left out: 1. */
+  /** α, from 0 (smallest supports) to 1 (widest supports). Left out: 1. */
   readonly shape_factor?: number;
-  /** The degree n of the Bézier polynomial φ: from 5, the least that is C², to 32. Left out: 5. */
+  /** Degree n of the Bézier polynomial φ, from 5 to 32. From 5 on it is C². Left out: 5. */
   readonly degree?: number;
-  /** Where the control points of φ lie that continuity leaves free. Left out: "line". */
+  /** Position of the inner control points of φ. Continuity leaves them free. Left out: "line". */
   readonly filling?: Filling;
-  /** What a support must keep clear of. Left out: "paper". */
+  /** Rule for the radius of a support. Left out: "paper". */
   readonly support?: Support;
 }
 
-/** The two ways of section V-A to place the inner control points of φ. */
+/** Position of the inner control points of φ (section V-A). */
 export type Filling = 'line' | 'half';
 
 /** The rule for the radius of a support. */
 export type Support = 'paper' | 'smooth';
 
-/** How a pose is made from the handles. */
+/** Settings of the pose. */
 export interface Pose {
-  /** Where virtual sites get their motions from. Left out: "harmonic". */
+  /** How virtual sites get their motions. Left out: "harmonic". */
   readonly mode?: PoseMode;
-  /** How the motions that reach a point are blended. Left out: "linear". */
+  /** How the motions at a point are blended. Left out: "linear". */
   readonly blend?: Blend;
-  /** The least number of virtual sites to insert, up to 4,096; 0 leaves it to Algorithm 1. Left out: 0. */
+  /** Least number of virtual sites, up to 4,096. With 0, Algorithm 1 decides. Left out: 0. */
   readonly density?: number;
 }
 
-/** Where virtual sites get their motions from. */
+/** How virtual sites get their motions from handles. */
 export type PoseMode = 'harmonic' | 'rigid';
 
-/** How the motions that reach a point are blended. */
+/** How the motions at a point are blended. */
 export type Blend = 'linear' | 'rigid';
 
 /** One point. */
 export interface PointHandle {
-  /** A name that no other handle of the project has. */
+  /** A name, unique in the project and not empty. */
   readonly id: string;
-  /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
+  /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows. Left out: 1. */
+  /** Scale about the handle itself, above 0. A bar or polygon has this scale across its line, and its corners define the scale along it. In rigid mode, bars and points with automatic rotation take as much of it as their surroundings allow. Left out: 1. */
   readonly scale?: number;
-  /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
+  /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
   readonly kind: 'point';
-  /** Before. */
+  /** The point at rest. */
   readonly rest: Point;
-  /** After; left out: as before. */
+  /** The posed point. The default is the point at rest. */
   readonly posed?: Point;
 }
 
 /** An open line through two or more points. */
 export interface BarHandle {
-  /** A name that no other handle of the project has. */
+  /** A name, unique in the project and not empty. */
   readonly id: string;
-  /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
+  /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows. Left out: 1. */
+  /** Scale about the handle itself, above 0. A bar or polygon has this scale across its line, and its corners define the scale along it. In rigid mode, bars and points with automatic rotation take as much of it as their surroundings allow. Left out: 1. */
   readonly scale?: number;
-  /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
+  /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
   readonly kind: 'bar';
-  /** Before. */
+  /** The corners at rest. */
   readonly rest: readonly Point[];
-  /** After; left out: as before. */
+  /** The posed corners. The default is the corners at rest. */
   readonly posed?: readonly Point[];
 }
 
 /** A closed ring of three or more points. */
 export interface PolygonHandle {
-  /** A name that no other handle of the project has. */
+  /** A name, unique in the project and not empty. */
   readonly id: string;
-  /** The turn about the handle's own place, in degrees. The corners of a bar or polygon tell how far it is turned; the number then tells of the whole turns: each piece is turned by the angle nearest to it. Left out: 0. */
+  /** Rotation about the handle itself, in degrees. The corners of a bar or polygon define its rotation up to whole turns: each piece takes the angle closest to this number. Left out: 0. */
   readonly rotation?: Rotation;
-  /** The growth about the handle's own place, above 0. Of a bar or polygon the growth across its line; along it, the corners tell. In the rigid mode a point whose rotation is automatic, and a bar, grow by as much of it as what is around them allows. Left out: 1. */
+  /** Scale about the handle itself, above 0. A bar or polygon has this scale across its line, and its corners define the scale along it. In rigid mode, bars and points with automatic rotation take as much of it as their surroundings allow. Left out: 1. */
   readonly scale?: number;
-  /** What lies over what where the picture covers itself: more is nearer. Left out: 0. */
+  /** Drawing order where the picture overlaps itself: greater depths are in front. Left out: 0. */
   readonly depth?: number;
   readonly kind: 'polygon';
-  /** Before. */
+  /** The corners at rest. */
   readonly rest: readonly Point[];
-  /** After; left out: as before. */
+  /** The posed corners. The default is the corners at rest. */
   readonly posed?: readonly Point[];
 }
 
-/** A handle, where it rests and where it was taken. */
+/** A handle at rest and posed. */
 export type Handle = PointHandle | BarHandle | PolygonHandle;
 
-/** Degrees, clockwise on the screen, or as much as suits the handles around. */
+/** Degrees, clockwise on the screen, or automatic: fitted to the surrounding handles. */
 export type Rotation = number | 'auto';

@@ -1,41 +1,41 @@
-//! The kind of a handle and its number of corners, which a pose must match.
+//! The kind of a handle and its number of corners. A pose must match both.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::Shape;
+use super::shape::Shape;
 
-/// The kind of a handle and its number of corners, without their places.
+/// The kind of a handle and its number of corners, without their positions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub enum Form {
+pub enum ShapeKind {
     /// A point.
     Point,
     /// A bar.
     Bar {
-        /// Two or more.
+        /// Number of corners: two or more.
         corners: usize,
     },
     /// A polygon.
     Polygon {
-        /// Three or more.
+        /// Number of corners: three or more.
         corners: usize,
     },
 }
 
-impl Form {
-    /// The forms of a handle at rest and posed. They are equal for a handle read from a project.
+impl ShapeKind {
+    /// The kinds of a handle at rest and posed. They are equal for a handle read from a project.
     pub(crate) fn of(shape: &Shape) -> [Self; 2] {
         match shape {
             Shape::Point { .. } => [Self::Point; 2],
-            Shape::Bar { rest, posed } => [rest, posed].map(|places| Self::Bar { corners: places.len() }),
-            Shape::Polygon { rest, posed } => [rest, posed].map(|places| Self::Polygon { corners: places.len() }),
+            Shape::Bar { rest, posed } => [rest, posed].map(|points| Self::Bar { corners: points.len() }),
+            Shape::Polygon { rest, posed } => [rest, posed].map(|points| Self::Polygon { corners: points.len() }),
         }
     }
 }
 
-impl fmt::Display for Form {
+impl fmt::Display for ShapeKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Point => f.write_str("a point"),

@@ -1,13 +1,13 @@
-//! What numbers and points must be, wherever in a project they stand.
+//! Checks of numbers and points in a project.
 
 use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::ProjectError;
+use super::error::ProjectError;
 use super::path::Path;
 
-/// The numbers of a range in words.
+/// A range in words, for messages.
 pub(super) fn whole_numbers(range: &RangeInclusive<u32>) -> String {
     match (range.start(), range.end()) {
         (least, &u32::MAX) => format!("a whole number, {least} or more"),
@@ -15,6 +15,7 @@ pub(super) fn whole_numbers(range: &RangeInclusive<u32>) -> String {
     }
 }
 
+/// Checks the range of a whole number.
 pub(super) fn whole_number(at: &Path<'_>, number: u32, range: &RangeInclusive<u32>) -> Result<(), ProjectError> {
     if range.contains(&number) {
         Ok(())
@@ -23,15 +24,18 @@ pub(super) fn whole_number(at: &Path<'_>, number: u32, range: &RangeInclusive<u3
     }
 }
 
+/// Checks that a number is finite.
 pub(super) fn finite(at: &Path<'_>, number: f64) -> Result<(), ProjectError> {
     if number.is_finite() { Ok(()) } else { at.refuse(format_args!("expected a finite number, found {number}")) }
 }
 
+/// Checks that both coordinates of a point are finite.
 pub(super) fn point(at: &Path<'_>, point: DVec2) -> Result<(), ProjectError> {
     finite(&at.index(0), point.x)?;
     finite(&at.index(1), point.y)
 }
 
+/// Checks that there are at least `least` points, all finite.
 pub(super) fn points(at: &Path<'_>, points: &[DVec2], least: usize) -> Result<(), ProjectError> {
     if points.len() < least {
         return at.refuse(format_args!("expected at least {least} points, found {}", points.len()));
