@@ -1,4 +1,4 @@
-/** The element as a box on any page, and what all of the editor shares: focus rings, cards, icons, fading in. */
+/** The element as a box on any page, and shared styles: focus rings, cards, icons, fading in. */
 import { css } from 'lit';
 import { LEAST_HEIGHT, OWN_WIDTH } from './sizes';
 
@@ -7,7 +7,7 @@ export const baseStyle = css`
     display: block;
     position: relative;
     min-height: ${LEAST_HEIGHT}px;
-    /* All that is in it goes by its size: without this its own width would be none. */
+    /* The content depends on the size of the element, so the element has no width of its own. */
     contain: inline-size;
     contain-intrinsic-width: ${OWN_WIDTH}px;
     overflow: clip;
@@ -15,7 +15,7 @@ export const baseStyle = css`
     color: var(--_text);
     font: 13px / 1.4 var(--c2-font, ui-sans-serif, system-ui, 'Segoe UI', Roboto, 'Noto Sans', sans-serif);
     font-variant-numeric: tabular-nums;
-    /* What the page says of its text is not meant for these words, nor for where things stand. */
+    /* Reset inherited text styles: the page means its own text, not the editor. */
     direction: ltr;
     text-align: left;
     text-indent: 0;

@@ -1,4 +1,4 @@
-/** How the picture bends: one line that unfolds to segments and switches. */
+/** The bending settings: one line that unfolds to segments and switches. */
 import { css } from 'lit';
 import { phone } from './layouts';
 

@@ -43,7 +43,7 @@ export const buttonsStyle = css`
   .link:disabled {
     opacity: 0.35;
   }
-  /* Not by opacity, which the tooltip would have too. */
+  /* No opacity: the tooltip would inherit it. */
   .button:disabled {
     color: color-mix(in srgb, currentcolor 35%, transparent);
   }

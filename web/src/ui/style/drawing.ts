@@ -1,4 +1,4 @@
-/** A bar or polygon that is being drawn, and the bar with its buttons. */
+/** The draft of a bar or polygon, and the bar with its buttons. */
 import { css } from 'lit';
 import { phone } from './layouts';
 

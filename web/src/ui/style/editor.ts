@@ -1,8 +1,8 @@
 /**
- * The style sheets of the editor, in the order of the cascade: what is shared, the parts of the editor, then those that
- * change many parts at once, for fingers, for a picture that plays and for forced colours.
+ * The style sheets of the editor, in cascade order. Shared styles come first, then the parts of the editor. Sheets that
+ * change many parts come last: touch, play and forced colours.
  *
- * A sheet styles one part, in every layout; its name is that of the template, where one file has just that part.
+ * A sheet styles one part in every layout. It has the name of the part's template file, if there is one.
  */
 import { baseStyle } from './base';
 import { bendingStyle } from './bending';

@@ -12,7 +12,7 @@ export const emptyStyle = css`
     color: var(--_faint);
     font-size: 15px;
   }
-  /* Most pictures are there before anybody could read it. */
+  /* Most pictures load before anybody could read the text. */
   .empty.opening {
     animation: appear var(--_speed) 350ms backwards;
   }

@@ -72,7 +72,7 @@ export const fieldsStyle = css`
     color: var(--_faint);
   }
   @container ${phone} {
-    /* As wide as their numbers ask for; where two do not fit on a line, one goes to the next. */
+    /* As wide as the numbers need. Fields that do not fit on a line wrap to the next. */
     .fields {
       grid-area: fields;
       display: flex;

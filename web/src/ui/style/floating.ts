@@ -1,4 +1,4 @@
-/** Where hints, the drawing bar and notices stand: over the picture, beside the cards, clear of one another. */
+/** The positions of hints, drawing bar and notices: over the picture, beside the cards, without overlaps. */
 import { css } from 'lit';
 import { lowPhone, notPhone, phone } from './layouts';
 import { ORDER } from './order';
@@ -35,7 +35,7 @@ export const floatingStyle = css`
       top: 12px;
       bottom: auto;
     }
-    /* Clear of the sheet, wherever it is, and of one another. */
+    /* Clear of the sheet in every layout, and of each other. */
     .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) {
       top: 12px;
       bottom: auto;
@@ -51,7 +51,7 @@ export const floatingStyle = css`
       bottom: 134px;
     }
   }
-  /* No tools below: what is said and drawn goes to the edge. */
+  /* No tools below: hints, bar and notices move to the edge. */
   @container ${lowPhone} {
     .hint:not(.bubble),
     .draft-bar {

@@ -1,6 +1,8 @@
 /**
- * For forced colours, which remove backgrounds and shadows: selected items and pressed buttons take the system's
- * highlight colours. Handles lie on a picture, which is not recoloured, and keep their own.
+ * Styles for forced colours, which remove backgrounds and shadows.
+ *
+ * Selected items and pressed buttons take the system's highlight colours. Pictures are not recoloured, so the handles
+ * on them keep their own colours.
  */
 import { css } from 'lit';
 

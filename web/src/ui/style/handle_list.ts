@@ -10,7 +10,7 @@ export const handleListStyle = css`
     margin: 6px -6px -4px;
     overflow: auto;
   }
-  /* A long list scrolls by itself: the numbers above it stay. */
+  /* A long list scrolls on its own, and the numbers above it stay in view. */
   .panel > .list:has(li:nth-child(4)) {
     flex: 0 1 auto;
     min-height: 150px;

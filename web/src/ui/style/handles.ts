@@ -1,4 +1,4 @@
-/** The handles: a dot in the middle of a square for the finger. */
+/** The handles: a dot in the middle of a square touch target. */
 import { css } from 'lit';
 
 export const handlesStyle = css`
@@ -48,7 +48,7 @@ export const handlesStyle = css`
   .handle:focus-visible {
     outline: none;
   }
-  /* The ends of a bar, the corners of a polygon: smaller than a point handle, as there are more of them. */
+  /* Corners of bars and polygons are smaller than point handles, since there are more of them. */
   .handle.corner::before {
     inset: 16px;
     border-width: 2.5px;
@@ -64,7 +64,7 @@ export const handlesStyle = css`
       0 0 0 2px var(--_handle),
       0 1px 5px 2px #0006;
   }
-  /* The middle of a bar or polygon takes the focus and shows nothing else: the line itself is what is held. */
+  /* The middle of a bar or polygon only shows the focus: users drag the line itself. */
   .handle.middle-mark::before,
   .handle.middle-mark[aria-pressed='true']::before {
     inset: 18.5px;
@@ -91,7 +91,7 @@ export const handlesStyle = css`
     inset: 14px;
     border-radius: 50%;
     border: 2px solid var(--_casing);
-    /* What moves for more than five seconds must be one's own to stop (WCAG 2.2.2). */
+    /* Users must be able to stop motion that lasts more than five seconds (WCAG 2.2.2). */
     animation: invite 1.8s ease-out 2 forwards;
   }
   @keyframes invite {

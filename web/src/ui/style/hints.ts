@@ -1,4 +1,4 @@
-/** Hints over the picture, and the bubble that points to a handle. */
+/** Hints over the picture, and the bubble that points at a handle. */
 import { css } from 'lit';
 import { lowPhone } from './layouts';
 
@@ -15,7 +15,7 @@ export const hintsStyle = css`
     pointer-events: none;
     animation: appear 400ms 500ms backwards;
   }
-  /* It belongs to the picture: under the cards. */
+  /* The bubble belongs to the picture, so it lies under the cards. */
   .bubble {
     bottom: auto;
     z-index: auto;

@@ -2,19 +2,19 @@
 import { css } from 'lit';
 import { LOW, LOWEST, NARROW, PHONE } from './sizes';
 
-/** No room for words on buttons. */
+/** No room for labels on buttons. */
 export const narrow = css`shell (width < ${NARROW}px)`;
 /** Tools side by side, in two columns or three. */
 export const low = css`shell (width >= ${PHONE}px) and (height < ${LOW.wide}px)`;
 export const lowest = css`shell (width >= ${PHONE}px) and (height < ${LOWEST}px)`;
 /** Cards at both sides. */
 export const notPhone = css`shell (width >= ${PHONE}px)`;
-/** Tools within the thumb's reach, and the panel a sheet above them. */
+/** Phones: tools at the bottom within the thumb's reach, and the panel as a sheet above them. */
 export const phone = css`shell (width < ${PHONE}px)`;
-/** A phone held upright: tools side by side in one row. */
+/** Upright phones: tools in one row. */
 export const uprightPhone = css`shell (width < ${PHONE}px) and (height >= ${LOW.phone}px)`;
-/** A phone held sideways: tools at the left, as much side by side as it asks for, and the sheet beside them. */
+/** Phones held sideways: tools at the left in columns, and the sheet beside them. */
 export const lowPhone = css`shell (width < ${PHONE}px) and (height < ${LOW.phone}px)`;
 export const lowestPhone = css`shell (width < ${PHONE}px) and (height < ${LOWEST}px)`;
-/** A keyboard on the glass leaves a strip of a phone. */
+/** The strip of a phone that an on-screen keyboard leaves. */
 export const strip = css`shell (width < ${PHONE}px) and (height < 460px)`;

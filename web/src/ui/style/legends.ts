@@ -17,7 +17,7 @@ export const legendsStyle = css`
     border-radius: 5px;
     background-color: #b9b5b0;
   }
-  /* The half, as its isoline. */
+  /* The mark of one half, like the bold isoline. */
   .ramp.lined::before {
     content: '';
     display: block;
@@ -26,7 +26,7 @@ export const legendsStyle = css`
     margin: auto;
     background: #080d29d9;
   }
-  /* It stays as long as something is selected: where there is no room beside the picture, that can be seen instead. */
+  /* The legend stays while something is selected. Without room beside the picture, the picture takes precedence. */
   @container shell (height < 440px) {
     .legend {
       display: none;

@@ -1,8 +1,8 @@
-/** What is drawn beside the dots: lines of bars and polygons, rest places, rings, frame, crosshair, selection box. */
+/** Marks beside the dots: lines of bars and polygons, rest positions, rings, frame, crosshair, selection box. */
 import { css } from 'lit';
 
 export const marksStyle = css`
-  /* Marks and handles are layers of their own: a drag repaints neither the other, and Chromium leaves no ghosts of old marks. */
+  /* Marks and handles have separate layers. A drag repaints one of them only, and Chromium leaves no old marks. */
   .marks {
     position: absolute;
     inset: 0;

@@ -1,4 +1,4 @@
-/** What the editor says, on a card. */
+/** Notices, on a card. */
 import { css } from 'lit';
 
 export const noticeStyle = css`
@@ -18,7 +18,7 @@ export const noticeStyle = css`
   .notice.error {
     border-left-color: var(--_danger);
   }
-  /* Beside a long action too its words stay whole; in units that count for the width of the card, where percents do not. */
+  /* Keeps words whole beside a long action. Percentages do not count toward the width of the card, these units do. */
   .notice p {
     flex: 1;
     min-width: min(9em, 30cqw);

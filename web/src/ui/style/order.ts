@@ -1,6 +1,8 @@
 /**
- * What lies over what within the editor, from back to front. The stage has no number and lies below all of them, with the bubble that
- * belongs to it; of equal ones the later in the template is in front.
+ * The stacking order within the editor, from back to front.
+ *
+ * The stage and its bubble have no number and lie below all others. Of equal numbers, the later one in the template is
+ * in front.
  */
 export const ORDER = {
   panel: 1,
@@ -9,7 +11,7 @@ export const ORDER = {
   floating: 2,
   toolbar: 3,
   progress: 3,
-  /** The panel where there is no room beside the tools. */
+  /** The panel, if there is no room beside the tools. */
   panelOverTools: 3,
   tooltip: 4,
 } as const;

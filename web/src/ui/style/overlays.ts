@@ -2,7 +2,7 @@
 import { css } from 'lit';
 
 export const overlaysStyle = css`
-  /* What is turned over has next to no width: its rim has to show it. */
+  /* Folded triangles have almost no width, so the stroke must show them. */
   .folds {
     fill: #f0250f;
     stroke: #f0250f;

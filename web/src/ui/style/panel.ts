@@ -1,4 +1,4 @@
-/** The panel: a card at the right; on a phone a sheet above the tools. */
+/** The panel: a card at the right, or a sheet above the tools on phones. */
 import { css } from 'lit';
 import { lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
@@ -72,7 +72,7 @@ export const panelStyle = css`
     .panel.open {
       display: block;
     }
-    /* One line, beyond which its tooltips go. */
+    /* One line. Its tooltips extend beyond it. */
     .panel:not(.numbers, .settings) {
       overflow: visible;
     }
@@ -122,7 +122,7 @@ export const panelStyle = css`
       display: block;
     }
   }
-  /* Beside five buttons a word of the name fits in small letters alone. */
+  /* Beside five buttons, the name fits in small type only. */
   @container shell (width < 360px) {
     .numbers .properties:has(.corners) h2 {
       font-size: 12px;
@@ -145,7 +145,7 @@ export const panelStyle = css`
       z-index: ${ORDER.panel};
     }
   }
-  /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
+  /* An on-screen keyboard leaves a strip: the field takes all of it. */
   @container ${strip} {
     .panel:has(.field :focus) {
       top: auto;

@@ -1,4 +1,4 @@
-/** A picture that plays in an article: as wide as its column, as high as an image, and directly on the page. */
+/** Play mode: a picture in an article, as wide as its column, with the height of an image and no frame. */
 import { css } from 'lit';
 
 export const playStyle = css`
@@ -7,7 +7,7 @@ export const playStyle = css`
     --_checker: var(--c2-checker, transparent);
     min-height: 0;
   }
-  /* What takes hold of a handle keeps the page still by itself. */
+  /* A press on a handle prevents scrolling by itself. */
   :host([play]) .stage {
     touch-action: auto;
   }

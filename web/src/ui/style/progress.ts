@@ -1,4 +1,4 @@
-/** Progress: the running line and the spinner. */
+/** Progress: the moving line and the spinner. */
 import { css } from 'lit';
 import { ORDER } from './order';
 

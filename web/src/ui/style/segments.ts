@@ -1,4 +1,4 @@
-/** Segments: a row of buttons of which one is chosen. */
+/** Segments: a row of buttons with one selected. */
 import { css } from 'lit';
 
 export const segmentsStyle = css`

@@ -1,4 +1,4 @@
-/** The shell: bars above and below, the picture between them, and the room that the cards at its sides take. */
+/** The shell: bars above and below, the picture between them, and the space of the cards at its sides. */
 import { css } from 'lit';
 import { low, lowest, lowPhone, narrow, phone } from './layouts';
 import { PANEL, TOOLS } from './sizes';
@@ -6,7 +6,7 @@ import { PANEL, TOOLS } from './sizes';
 export const shellStyle = css`
   .shell {
     container: shell / size;
-    /* What lies over what in here is no matter of the page: its own header may lie over all of it. */
+    /* Keeps the stacking order inside the editor, so that a page header can lie over all of it. */
     isolation: isolate;
     position: absolute;
     inset: 0;
@@ -14,8 +14,8 @@ export const shellStyle = css`
     display: flex;
     flex-direction: column;
   }
-  /* What the cards take of the width at the left and at the right: what floats over the picture stands in the middle of
-     the rest. And the space between a card and the edge. */
+  /* The width of the cards at the left and right, and the space between a card and the edge. Floating parts are centred
+     in the remaining width. */
   .middle {
     --_left: ${TOOLS.wide}px;
     --_right: ${PANEL.wide}px;
@@ -38,7 +38,7 @@ export const shellStyle = css`
       --_right: ${PANEL.narrow}px;
     }
   }
-  /* Low: the tools stand side by side, in two columns or three. */
+  /* Low: the tools have two or three columns. */
   @container ${low} {
     .middle {
       --_left: ${TOOLS.low}px;
@@ -50,7 +50,7 @@ export const shellStyle = css`
       --_left: ${TOOLS.lowest}px;
     }
   }
-  /* A phone: no card at the sides; tools again where it is low. */
+  /* Phones have no cards at the sides. Low phones have the tools there. */
   @container ${phone} {
     .middle {
       --_left: 0px;

@@ -1,22 +1,22 @@
-/** The stage: a quiet checkerboard, the canvas on it, marks and handles over it. */
+/** The stage: a faint checkerboard, the canvas on it, and marks and handles on top. */
 import { css } from 'lit';
 
 export const stageStyle = css`
   .stage {
     position: absolute;
     inset: 0;
-    /* The focus scrolls what is hidden into view, and the picture away from its handles; clipped, nothing scrolls. */
+    /* Focus would scroll hidden handles into view, and move the picture off its handles. Clipping prevents it. */
     overflow: clip;
     touch-action: none;
     user-select: none;
     -webkit-user-select: none;
     background: repeating-conic-gradient(var(--_checker) 0 25%, transparent 0 50%) 50% / 24px 24px var(--_ground);
   }
-  /* The focus that a press gives shows nowhere: keys alone show where they go. */
+  /* Focus from a press is not shown, only focus from keys. */
   .stage:focus-visible {
     outline: none;
   }
-  /* Over the picture, which would cover an outline of the stage itself; with a pale line inside, for any picture. */
+  /* Drawn over the picture, which would cover an outline of the stage. The pale inner line suits any picture. */
   :host(.keyed) .stage:focus-visible::after {
     content: '';
     position: absolute;

@@ -1,4 +1,4 @@
-/** The line below. */
+/** The status line. */
 import { css } from 'lit';
 import { narrow, phone } from './layouts';
 import { ORDER } from './order';

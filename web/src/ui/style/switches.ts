@@ -1,4 +1,4 @@
-/** Switches: words, what they mean, and a knob that slides. */
+/** Switches: a label, an explanation, and a sliding knob. */
 import { css } from 'lit';
 import { phone } from './layouts';
 

@@ -1,4 +1,4 @@
-/** The card of tools at the left; on a phone below, within the thumb's reach. */
+/** The card of tools: at the left, or at the bottom on phones, within the thumb's reach. */
 import { css } from 'lit';
 import { low, lowest, lowestPhone, lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
@@ -22,7 +22,7 @@ export const toolStripStyle = css`
   .sheet-switch {
     display: none;
   }
-  /* Low: the tools go side by side. */
+  /* Low: the tools have several columns. */
   @container ${low} {
     .tools {
       display: grid;
@@ -51,7 +51,7 @@ export const toolStripStyle = css`
       border-left: 1px solid var(--_line);
     }
   }
-  /* A low phone: tools go to the left, as much side by side as it asks for. */
+  /* Low phones: the tools are at the left, in columns. */
   @container ${lowPhone} {
     .tools {
       left: var(--_edge);
@@ -70,13 +70,13 @@ export const toolStripStyle = css`
       border: 0;
     }
   }
-  /* No room for a seventh: two fingers, the middle button and the space bar pan too. */
+  /* No room for a seventh tool: two fingers, the middle button and the space bar pan too. */
   @container ${lowestPhone} {
     .tools [data-command='hand'] {
       display: none;
     }
   }
-  /* A keyboard on the glass leaves a strip: all of it is for what is typed. */
+  /* An on-screen keyboard leaves a strip: the field takes all of it. */
   @container ${strip} {
     .tools:has(~ .panel .field :focus) {
       visibility: hidden;

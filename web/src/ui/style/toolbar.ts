@@ -1,4 +1,4 @@
-/** The bar above: groups of buttons, the name of the picture. */
+/** The toolbar: groups of buttons, and the name of the picture. */
 import { css } from 'lit';
 import { narrow, phone } from './layouts';
 import { ORDER } from './order';
@@ -55,7 +55,7 @@ export const toolbarStyle = css`
       justify-content: space-between;
       padding: 0 4px;
     }
-    /* One row of buttons, which share what room there is. */
+    /* One row of buttons of equal width. */
     .group {
       display: contents;
     }

@@ -1,7 +1,7 @@
 /**
- * Tooltips of buttons: what the button does, and the key for it.
+ * Tooltips of buttons: the action, and its key.
  *
- * The pointer may go onto a tooltip, by a bridge between the two (WCAG 1.4.13).
+ * An invisible bridge lets the pointer move from the button onto its tooltip (WCAG 1.4.13).
  */
 import { css } from 'lit';
 import { phone, uprightPhone } from './layouts';
@@ -27,7 +27,7 @@ export const tooltipsStyle = css`
       text-align: left;
       white-space: pre-wrap;
       cursor: default;
-      /* The delay is no motion: without it tooltips are in the way of a pointer that goes from button to button. */
+      /* Kept under reduced motion: without the delay, tooltips hinder a pointer that moves along the buttons. */
       animation: tip var(--_speed) 350ms backwards !important;
     }
     [data-tip]:hover:not([data-dismissed])::before {
@@ -43,7 +43,7 @@ export const tooltipsStyle = css`
         visibility: hidden;
       }
     }
-    /* An open menu tells what its button is for, and would cover a part of the tooltip. */
+    /* An open menu explains its button, and would cover part of the tooltip. */
     .menu:has(:popover-open) > [data-tip]:is(:hover, :focus-visible)::after,
     .menu:has(:popover-open) > [data-tip]:hover::before {
       content: none;
@@ -56,7 +56,7 @@ export const tooltipsStyle = css`
     .tools [data-tip]:hover::before {
       inset: 0 -10px 0 100%;
     }
-    /* At an edge they grow away from it. */
+    /* Near an edge, tooltips grow away from it. */
     .brand + .group [data-tip]:is(:hover, :focus-visible)::after {
       left: 0;
       translate: none;
@@ -76,7 +76,7 @@ export const tooltipsStyle = css`
     :is(.status, .panel, .draft-bar) [data-tip]:hover::before {
       inset: -8px 0 100%;
     }
-    /* Wider ones would be cut off by the panel, which scrolls. */
+    /* The panel scrolls and would clip wider ones. */
     .panel [data-tip]:is(:hover, :focus-visible)::after {
       max-width: 190px;
     }
@@ -89,7 +89,7 @@ export const tooltipsStyle = css`
         right: 0;
         translate: none;
       }
-      /* Nothing shows above this row: the sheet scrolls, or has the bar above it. */
+      /* Tooltips above this row would be hidden: the sheet scrolls, or the bar lies above it. */
       .panel:is(.numbers, .high) .row [data-tip]:is(:hover, :focus-visible)::after {
         top: calc(100% + 7px);
         bottom: auto;
@@ -98,7 +98,7 @@ export const tooltipsStyle = css`
         inset: 100% 0 -8px;
       }
     }
-    /* Above the middle of the card: beside a button they would cover the others, and leave the window. */
+    /* Above the middle of the card. Beside a button, tooltips would cover other buttons and leave the window. */
     @container ${uprightPhone} {
       .tools [data-tip] {
         position: static;

@@ -1,8 +1,7 @@
 /**
- * Sizes for fingers, on phones and tablets: targets of 44 px, and fields of 16 px type, as browsers zoom in on smaller
- * ones.
+ * Sizes for touch: targets of 44 px, and 16 px type in fields, since browsers zoom in on smaller type.
  *
- * They depend on the pointer, not on the width. This sheet comes after those whose sizes are for a mouse.
+ * The sizes depend on the pointer, not on the width. The sheet comes after those with sizes for a mouse.
  */
 import { css } from 'lit';
 import { lowestPhone, lowPhone } from './layouts';
@@ -67,7 +66,7 @@ export const touchStyle = css`
       }
     }
   }
-  /* Where eight do not fit beside each other they stay as tall, and share the width. */
+  /* Eight targets do not fit side by side here: they keep their height and divide the width equally. */
   @container shell (width < 360px) {
     .top {
       gap: 0;
