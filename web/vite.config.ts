@@ -17,7 +17,7 @@ export default defineConfig({
   worker: { format: 'es', plugins: worker },
   build: {
     target: 'es2022',
-    // The wasm stays a separate file, to be compiled while it is streamed.
+    // The wasm stays a separate file, so that browsers compile it while it streams.
     assetsInlineLimit: 0,
   },
   test: {

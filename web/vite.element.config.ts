@@ -1,6 +1,6 @@
 /**
- * Builds the element for other pages, in dist/element: one module, its workers and the solver, as files with fixed
- * names and relative URLs. They work in a plain page, and bundlers include them as assets.
+ * Builds the element for other pages, in dist/element: one module, its workers and the solver. The files have fixed
+ * names and relative URLs. They work in plain pages, and bundlers include them as assets.
  */
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';

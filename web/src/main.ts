@@ -1,4 +1,4 @@
-/** The editor's page: one element that fills the page and opens the work of the last visit, or else the sample. */
+/** The editor's page: one element fills it, and opens the work of the last visit or else the sample. */
 import './element';
 
 const editor = document.querySelector('c2-warp');
@@ -11,11 +11,11 @@ if (editor) {
     const { theme } = editor;
     if (theme) stored((storage) => storage.setItem(THEME, theme));
   }).observe(editor, { attributeFilter: [THEME] });
-  // So that keys work before the first click.
+  // Keys then work before the first click.
   editor.addEventListener('ready', () => editor.focus({ preventScroll: true }), { once: true });
 }
 
-/** The result of `ask` on the browser's storage; null if the browser refuses storage. */
+/** Returns the result of `ask` on the browser's storage, or `null` if the browser refuses storage. */
 function stored<T>(ask: (storage: Storage) => T): T | null {
   try {
     return ask(localStorage);

@@ -1,2 +1,2 @@
-/** Replaces the element on a server that renders pages: without a DOM there is nothing to draw. */
+/** Replaces the element during server-side rendering, which has no DOM to draw on. */
 export class C2Warp {}

@@ -21,12 +21,12 @@ describe('startWorker', () => {
     );
   });
 
-  it('starts a module of the page’s origin, whose address may be relative', () => {
+  it('starts modules of the page’s origin, by relative URLs too', () => {
     startWorker('b/worker.js');
     expect(started).toHaveBeenCalledWith(`${PAGE}b/worker.js`, 'module');
   });
 
-  it('starts a script that imports a module of another origin', async () => {
+  it('starts modules of other origins through an importing script', async () => {
     startWorker('https://cdn.example/worker.js');
     const [address] = started.mock.calls[0] ?? [];
     expect(await (await fetch(address)).text()).toContain('import("https://cdn.example/worker.js")');

@@ -1,29 +1,33 @@
 /**
- * Starts the workers of the element, under Trusted Types and from another origin than the page's too.
+ * Starts the workers of the element, also under Trusted Types and from another origin than the page's.
  *
- * Browsers start workers from the page's own origin only, but a script of that origin may import any whose server
- * allows it (CORS). So a page may take the element from elsewhere, and a sandboxed frame, whose origin is unique, can
- * run it.
+ * Browsers start workers from the page's own origin only, but a script of that origin can import scripts of any server
+ * that allows it (CORS). So pages can load the element from another origin. Sandboxed frames, whose origin is unique,
+ * can run it too.
  */
 import type { TrustedTypePolicy, TrustedTypesWindow } from 'trusted-types/lib';
 
-/** Created at first use, so that a page that forbids it is told why. */
+/** Created at first use, so that the error appears there if the page forbids the policy. */
 let policy: Pick<TrustedTypePolicy, 'createScriptURL'> | undefined;
 
-/** Addresses of scripts of the page's origin, by what they import. */
-const importing: Record<string, string> = {};
+/** URLs of importing scripts of the page's origin, by the URL of the imported module. */
+const importerUrls: Record<string, string> = {};
 
-/** @throws Error where the page's policy forbids it. */
+/**
+ * Starts a module worker.
+ *
+ * @throws Error if the page's policy forbids it.
+ */
 export function startWorker(address: string): Worker {
   const { href, origin: home } = new URL(address, document.baseURI);
   if (home === origin) return new Worker(trusted(href), { type: 'module' });
-  importing[href] ??= URL.createObjectURL(new Blob([importer(href)], { type: 'text/javascript' }));
-  return new Worker(trusted(importing[href]));
+  importerUrls[href] ??= URL.createObjectURL(new Blob([importer(href)], { type: 'text/javascript' }));
+  return new Worker(trusted(importerUrls[href]));
 }
 
 /**
- * Keeps the messages that come before the module listens. It is no module itself: a sandboxed frame in Chromium
- * starts none from a blob.
+ * Returns a script that imports a module, and queues messages until the module listens. The script is a classic one,
+ * since sandboxed frames in Chromium start no modules from blobs.
  */
 const importer = (address: string) => `
   const early = [];
