@@ -1,4 +1,4 @@
-/** The checks of `npm run check`: formatting, lints and types of both languages, and the files generated from Rust. */
+/** The checks of `npm run check`: formats, lints, types and imports of both languages, and files generated from Rust. */
 import { heading, run, toolPath } from './steps.mjs';
 
 /** @type {[title: string, program: string, args: string[]][]} */
@@ -12,6 +12,7 @@ const CHECKS = [
   ['Types generated from Rust', 'cargo', ['run', '--package', 'xtask', '--', 'schema', '--check']],
   ['Types (tsc)', process.execPath, [toolPath('tsc'), '--build', 'web/tsconfig.json']],
   ['Format and lints (biome)', process.execPath, [toolPath('biome'), 'check', '--error-on-warnings']],
+  ['Cycles of imports', process.execPath, ['web/scripts/cycles.mjs']],
 ];
 
 /**
