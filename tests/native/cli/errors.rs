@@ -156,17 +156,13 @@ fn invalid_projects_name_the_offending_key() {
 fn invalid_bars_and_polygons_are_rejected() {
     let line = |kind: &str, rest: serde_json::Value| json!({ "id": "tail", "kind": kind, "rest": rest });
     for (handle, fix_boundary, reason) in [
-        (
-            line("bar", json!([[20, 20], [20, 20]])),
-            false,
-            "handle “tail” has no length between its corners 0 and the next",
-        ),
+        (line("bar", json!([[20, 20], [20, 20]])), false, "corner 0 of handle “tail” coincides with the next corner"),
         (line("bar", json!([[20, 20]])), false, "handles[3].rest: expected at least 2 points, found 1"),
         (line("polygon", json!([[20, 20], [30, 20]])), false, "handles[3].rest: expected at least 3 points, found 2"),
         (line("bar", json!([[40, 24], [60, 24]])), false, "handles “middle” and “tail” are"),
         (line("bar", json!([[-30, -20], [-10, -20]])), false, "handle “tail” at (-30, -20) lies outside the domain"),
-        (line("bar", json!([[20, 0.5], [40, 0.5]])), true, "handle “tail” stands on the boundary, which is held"),
-        (line("bar", json!([[20, 30], [40, 30], [25, 30]])), false, "“tail” run along each other"),
+        (line("bar", json!([[20, 0.5], [40, 0.5]])), true, "handle “tail” is on the fixed boundary"),
+        (line("bar", json!([[20, 30], [40, 30], [25, 30]])), false, "handle “tail” runs along itself"),
     ] {
         let folder = SceneFolder::new("strip").edited(|project| {
             project["handles"].as_array_mut().unwrap().push(handle);

@@ -120,7 +120,7 @@ fn grown_result_with_a_far_handle_is_rejected() {
             handles[0]["posed"] = serde_json::json!([far, 20.0]);
         });
         let line = fail(folder.path(), &format!("{WARP} --grow"));
-        assert!(line.contains("all of the warped picture would take"), "{line}");
+        assert!(line.contains("the whole warped picture would have"), "{line}");
     }
 }
 

@@ -160,19 +160,19 @@ fn invalid_rings_are_rejected_by_key() {
     );
     assert_eq!(
         with(&[(20.0, 20.0), (30.0, 20.0), (30.0, 30.0), (20.0, 20.0)]),
-        "domain.rings[1][3] stands on the same spot as domain.rings[1][0]"
+        "domain.rings[1][3] coincides with domain.rings[1][0]: move or remove one of them"
     );
     assert_eq!(
         rejected(&[ring(&[(10.0, 10.0), (90.0, 90.0), (90.0, 10.0), (10.0, 90.0)])]),
-        "domain.rings[0] at point 2 crosses domain.rings[0] at point 0"
+        "the edge after domain.rings[0][2] crosses or touches the edge after domain.rings[0][0]: move one of them"
     );
     assert_eq!(
         with(&[(50.0, 50.0), (95.0, 50.0), (50.0, 60.0)]),
-        "domain.rings[1] at point 0 crosses domain.rings[0] at point 1"
+        "the edge after domain.rings[1][0] crosses or touches the edge after domain.rings[0][1]: move one of them"
     );
     assert_eq!(
         rejected(&[ring(&[(10.0, 10.0), (50.0, 50.0), (90.0, 90.0), (30.0, 30.0)])]),
-        "domain.rings[0] at point 3 crosses domain.rings[0] at point 0"
+        "the edge after domain.rings[0][3] crosses or touches the edge after domain.rings[0][0]: move one of them"
     );
 }
 

@@ -121,7 +121,7 @@ fn pose_of_another_solution_is_rejected() {
     for use_pose in uses {
         let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(use_pose)).expect_err("a pose of another");
         let message = panic.downcast_ref::<String>().expect("a message");
-        assert_eq!(message, "the pose is of another solution: make it by the poser of this one");
+        assert_eq!(message, "the pose belongs to another solution: make it with the poser of this one");
     }
 }
 
@@ -145,7 +145,7 @@ fn invalid_scale_picture_and_pose_are_rejected_by_warped() {
     let moved = two_handles_from(DVec2::splat(120.0));
     let foreign = solved(&moved).expect("a valid scene").poser().pose(&moved.handles, Blend::Linear).expect("finite");
     let picture = Picture::new(SIZE, SIZE, &rgba).expect("a picture");
-    assert_eq!(solution.warped(&picture, &foreign, ResampleOptions::default()), Err(Error::PoseOfAnother));
+    assert_eq!(solution.warped(&picture, &foreign, ResampleOptions::default()), Err(Error::PoseOfAnotherSolution));
     let warped = solution
         .warped(&picture, &pose, ResampleOptions { scale: 0.5, ..ResampleOptions::default() })
         .expect("half the size");

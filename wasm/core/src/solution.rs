@@ -293,17 +293,17 @@ impl Solution {
     /// - [`Error::Scale`];
     /// - [`Error::Canvas`];
     /// - [`Error::PictureMismatch`] for a picture of another size than the solved one; a solved mesh accepts any size;
-    /// - [`Error::PoseOfAnother`].
+    /// - [`Error::PoseOfAnotherSolution`].
     pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Warped, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
         raster::warp(picture, &rest, &posed, &triangles, options)
     }
 
-    /// The [sources](raster::sources) of the pixels of a warped picture, in rows from top to bottom. `warped` is the
+    /// The [sources](raster::sources()) of the pixels of a warped picture, in rows from top to bottom. `warped` is the
     /// result of [`warped`](Self::warped) for the same picture, pose and options.
     ///
     /// # Errors
-    /// [`Error::PictureMismatch`] and [`Error::PoseOfAnother`], as for [`warped`](Self::warped).
+    /// [`Error::PictureMismatch`] and [`Error::PoseOfAnotherSolution`], as for [`warped`](Self::warped).
     pub fn sources(
         &self,
         picture: &Picture<'_>,

@@ -181,10 +181,10 @@ impl SolveInput {
     pub(crate) fn check_points_only(&self) -> Result<(), Error> {
         if let Some(polyline) = self.polylines.first() {
             let path = format!("handles[{}].kind", polyline.handle);
-            return Err(unsupported(path, "a bar or polygon on a point cloud, which has no straight lines,"));
+            return Err(unsupported(path, "a bar or polygon on a point cloud"));
         }
         if self.fix_boundary {
-            return Err(unsupported("fix_boundary".into(), "the boundary of a point cloud, which has none,"));
+            return Err(unsupported("fix_boundary".into(), "a fixed boundary of a point cloud"));
         }
         Ok(())
     }

@@ -41,14 +41,14 @@ impl SolvedSites {
     }
 
     /// # Errors
-    /// [`Error::PoseOfAnother`] if another solution's poser made the pose.
+    /// [`Error::PoseOfAnotherSolution`] if another solution's poser made the pose.
     pub(crate) fn check_pose(&self, pose: &Pose) -> Result<(), Error> {
-        if self.poser.has_made(pose) { Ok(()) } else { Err(Error::PoseOfAnother) }
+        if self.poser.has_made(pose) { Ok(()) } else { Err(Error::PoseOfAnotherSolution) }
     }
 
     /// # Panics
     /// If another solution's poser made the pose.
     pub(crate) fn expect_own(&self, pose: &Pose) {
-        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnother);
+        assert!(self.poser.has_made(pose), "{}", Error::PoseOfAnotherSolution);
     }
 }

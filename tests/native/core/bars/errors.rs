@@ -70,14 +70,17 @@ fn pose_of_other_handles_is_rejected_by_name() {
         Ok(_) => panic!("a pose was made for other handles: {handles:?}"),
     };
     let dot = point(150.0, 150.0);
-    assert_eq!(rejected(std::slice::from_ref(&dot)), "the pose names 1 handles, but 2 were solved");
+    assert_eq!(
+        rejected(std::slice::from_ref(&dot)),
+        "the pose has 1 handles, but the solution has 2: pass every handle of the solution"
+    );
     assert_eq!(
         rejected(&[at_rest("bar", &corners[..2]), dot.clone()]),
         "handle “bar” is posed as a bar of 2 corners, but was solved as a bar of 3 corners"
     );
     assert_eq!(
         rejected(&[dot.clone(), at_rest("barre", &corners)]),
-        "the pose does not name handle “bar”, which was solved"
+        "the pose lacks handle “bar” of the solution: pass every handle of the solution"
     );
     let mut uneven = at_rest("bar", &corners);
     let Shape::Bar { posed, .. } = &mut uneven.shape else { unreachable!("a bar") };

@@ -1,0 +1,116 @@
+//! Codes of errors, and the handles that errors name.
+
+use super::Error;
+
+impl Error {
+    /// A stable name for programs, in kebab case.
+    ///
+    /// | code | refused input |
+    /// |---|---|
+    /// | `project` | a project that breaks the format: [`ProjectError`](crate::project::ProjectError) has the key |
+    /// | `picture` | a picture of an unsupported size, or with the wrong number of bytes |
+    /// | `picture-mismatch` | a picture of another size than the project's |
+    /// | `scale` | a scale with no pixel in the result, or too many |
+    /// | `canvas` | a warped picture that is too large to be drawn as a whole |
+    /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
+    /// | `domain` | invalid rings, or an outline with too many corners |
+    /// | `handle-outside` | a handle outside the domain |
+    /// | `handles-too-close` | two handles that coincide |
+    /// | `bar-too-short` | two corners of a bar or polygon that coincide |
+    /// | `bars-overlap` | bars or polygons that run along each other |
+    /// | `on-held-boundary` | a handle on a fixed boundary |
+    /// | `too-many-handles` | more handles than supported |
+    /// | `too-many-corners` | more corners of bars and polygons than supported |
+    /// | `too-many-sites` | a scene that needs more sites than supported |
+    /// | `unsupported` | a setting or handle that point clouds do not support |
+    /// | `pose` | a pose with other handles, with too large numbers, or of another solution |
+    /// | `point-outside` | a point outside the domain |
+    /// | `mesh` | an invalid mesh |
+    /// | `cloud` | an invalid point cloud |
+    /// | `poser` | bytes that do not hold a poser |
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Project(_) => "project",
+            Self::PictureSide { .. } | Self::PictureArea { .. } | Self::PictureBytes { .. } => "picture",
+            Self::Scale { .. } => "scale",
+            Self::Canvas { .. } => "canvas",
+            Self::PictureMismatch { .. } => "picture-mismatch",
+            Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
+            Self::RingOutsidePicture { .. }
+            | Self::RingPoint { .. }
+            | Self::RingDuplicate { .. }
+            | Self::RingFlat { .. }
+            | Self::RingsCross { .. }
+            | Self::OutlineTooFine { .. }
+            | Self::RingsTooFine { .. } => "domain",
+            Self::HandleOutside { .. } => "handle-outside",
+            Self::HandlesTooClose { .. } => "handles-too-close",
+            Self::BarTooShort { .. } => "bar-too-short",
+            Self::BarsOverlap { .. } => "bars-overlap",
+            Self::OnHeldBoundary { .. } => "on-held-boundary",
+            Self::TooManyHandles { .. } => "too-many-handles",
+            Self::TooManyCorners { .. } => "too-many-corners",
+            Self::Unsupported { .. } => "unsupported",
+            Self::PoseMismatch { .. }
+            | Self::PoseMissing { .. }
+            | Self::PoseOfAnotherSolution
+            | Self::PoseShape { .. }
+            | Self::PoseNotFinite { .. } => "pose",
+            Self::PointOutside { .. } => "point-outside",
+            Self::TooManySites => "too-many-sites",
+            Self::MeshTriangle { .. }
+            | Self::MeshTooFine { .. }
+            | Self::MeshEmpty
+            | Self::MeshVertex { .. }
+            | Self::MeshVertexLoose { .. }
+            | Self::MeshTriangleFlat { .. }
+            | Self::MeshEdge { .. }
+            | Self::MeshPinched { .. }
+            | Self::MeshCrosses { .. }
+            | Self::MeshCovered { .. } => "mesh",
+            Self::CloudNeighbours { .. } | Self::CloudPoint { .. } | Self::CloudDuplicate { .. } => "cloud",
+            Self::PoserBytes => "poser",
+        }
+    }
+
+    /// The ids of the handles in the message, in its order.
+    #[must_use]
+    pub fn handles(&self) -> Vec<&str> {
+        match self {
+            Self::HandleOutside { id, .. }
+            | Self::BarTooShort { id, .. }
+            | Self::OnHeldBoundary { id }
+            | Self::TooManyHandles { id, .. }
+            | Self::TooManyCorners { id, .. }
+            | Self::PoseMissing { id }
+            | Self::PoseShape { id, .. }
+            | Self::PoseNotFinite { id } => vec![id],
+            Self::HandlesTooClose { first, second, .. } | Self::BarsOverlap { first, second } => {
+                if first == second {
+                    vec![first]
+                } else {
+                    vec![first, second]
+                }
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn table_of_codes_is_complete() {
+        let this = include_str!("code.rs");
+        let (_, code) = this.split_once("pub fn code").unwrap();
+        let (code, _) = code.split_once("#[cfg(test)]").unwrap();
+        let codes: BTreeSet<&str> = code.split('"').skip(1).step_by(2).collect();
+        let rows = this.lines().filter_map(|line| line.trim().strip_prefix("/// | `")?.split('`').next());
+        let listed: BTreeSet<&str> = rows.collect();
+        assert_eq!(codes, listed);
+        assert!(codes.contains("pose"));
+    }
+}
