@@ -1,7 +1,7 @@
 //! Poses of handles as one flat array, which crosses the border once a frame.
 //!
-//! For each handle: the number n of its corners (1 for a point), the rotation in degrees (NaN: automatic), the scale, the
-//! depth, then n × 2 coordinates. `web/src/document/handle_poses.ts` writes it.
+//! For each handle: the number n of its corners (1 for a point), the rotation in degrees (NaN: automatic), the
+//! scale, the depth, then n × 2 coordinates. `web/src/document/handle_poses.ts` writes it.
 
 use c2warp::{deform::HandlePose, project::Rotation};
 use glam::DVec2;

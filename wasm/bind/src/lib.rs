@@ -1,7 +1,9 @@
-//! The core of c2warp for JavaScript: thin wrappers that turn typed arrays, JSON and errors into each other's terms.
+//! The core of c2warp for JavaScript: thin wrappers that turn typed arrays, JSON and errors into each other's
+//! terms.
 //!
-//! [`Session`] lives in a worker and solves; [`PosedPicture`] lives in the page and answers for a solution. Arrays are copied
-//! out once, into typed arrays that the caller may transfer: views of the module's memory become invalid when it grows.
+//! [`Session`] lives in a worker and solves; [`PosedPicture`] lives in the page and answers for a solution.
+//! Arrays are copied out once, into typed arrays that the caller may transfer: views of the module's memory
+//! become invalid when it grows.
 
 mod cell_borders;
 mod error;

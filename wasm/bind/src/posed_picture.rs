@@ -56,8 +56,8 @@ impl PosedPicture {
         Self::try_new(arrays, samples, handles_json).map_err(|error| to_js(&error))
     }
 
-    /// Poses the picture. Returns the motions of all sites, sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth,
-    /// angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
+    /// Poses the picture. Returns the motions of all sites, sites × 12: a, b, c, d, rest x, rest y, posed x,
+    /// posed y, depth, angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
     ///
     /// # Errors
     /// For poses that do not fit the solved handles, or cannot be made.
@@ -117,7 +117,8 @@ impl PosedPicture {
         self.0.folded_triangles().flatten().collect()
     }
 
-    /// The number of triangles that any pose turns over, counted up to `limit` + 1; infinite for a pose that cannot be made.
+    /// The number of triangles that any pose turns over, counted up to `limit` + 1; infinite for a pose that
+    /// cannot be made.
     ///
     /// # Errors
     /// For a malformed array.
@@ -126,8 +127,9 @@ impl PosedPicture {
         Ok(count.map_or(f64::INFINITY, |count| count as f64))
     }
 
-    /// The farthest poses between two with at most `allowed` folds: the fraction of the way, then the poses. `turns` has for
-    /// each handle its turn at the start and at the end, and 1 if its rotation is a number, else 0.
+    /// The farthest poses between two with at most `allowed` folds: the fraction of the way, then the poses.
+    /// `turns` has for each handle its turn at the start and at the end, and 1 if its rotation is a number, else
+    /// 0.
     ///
     /// # Errors
     /// For a malformed array.
@@ -147,8 +149,8 @@ impl PosedPicture {
 
     /// Like [`fold_limit`](Self::fold_limit), for the handles with these indices, which turn and scale together.
     ///
-    /// `origins` has their poses before that, `rotations` their rotations then. `group` has the pivot's x and y, turn and
-    /// scale at the start, turn and scale at the end, and the least and greatest scale.
+    /// `origins` has their poses before that, `rotations` their rotations then. `group` has the pivot's x and y,
+    /// turn and scale at the start, turn and scale at the end, and the least and greatest scale.
     ///
     /// # Errors
     /// For a malformed array.
@@ -195,7 +197,8 @@ impl PosedPicture {
         self.0.coverage().collect()
     }
 
-    /// The bounding box of the posed picture and its static background, without the skirt: least x and y, greatest x and y.
+    /// The bounding box of the posed picture and its static background, without the skirt: least x and y,
+    /// greatest x and y.
     pub fn bounds(&self) -> Option<Vec<f64>> {
         self.0.bounds().map(edges)
     }
@@ -205,7 +208,8 @@ impl PosedPicture {
         self.0.rest_bounds().map(edges)
     }
 
-    /// The posed borders between cells, pieces × 2 ends × 2, from the arrays of [`CellBorders`](crate::CellBorders).
+    /// The posed borders between cells, pieces × 2 ends × 2, from the arrays of
+    /// [`CellBorders`](crate::CellBorders).
     pub fn borders(&self, corners: &[u32], barycentric: &[f32]) -> Vec<f32> {
         let pieces: Vec<BorderPiece> = corners
             .as_chunks::<3>()

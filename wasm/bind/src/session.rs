@@ -85,8 +85,8 @@ impl Session {
         Ok(Solution::new(solution, report))
     }
 
-    /// The warped picture at full quality, of the picture's size times `scale`, or grown to all that is bent beyond that; `pixelated` is
-    /// for pixel art. Solves first if it must.
+    /// The warped picture at full quality, of the picture's size times `scale`, or grown to all that is bent
+    /// beyond that; `pixelated` is for pixel art. Solves first if it must.
     ///
     /// # Errors
     /// As [`Session::begin`] and [`Session::advance`]; where the result would be too large.

@@ -1,11 +1,11 @@
 //! The borders between the cells 𝒱(h_i) (section III-B), to be drawn over a picture at rest or posed.
 //!
-//! In each triangle between samples of different cells the border is a straight piece, or three where three cells meet. Its ends are
-//! where both sites are as far, found by bisection along the edges: to a sixty-fourth of an edge. Sites of one handle, such as those
-//! along a bar, have one cell in common, and so have those of a held outline.
+//! In each triangle between samples of different cells the border is a straight piece, or three pieces if three cells
+//! meet. An end has the same distance to both sites, found by bisection of an edge to a sixty-fourth. Sites of one
+//! handle, for example along a bar, share one cell. So do those of a held outline.
 //!
-//! Cost: for each edge between cells some distances to two sites; two milliseconds for 100 sites and 10,000 samples. Limits: cells that
-//! reach no sample, and what of a cell lies between two samples of another one, are not seen.
+//! Cost: for each edge between cells some distances to two sites; two milliseconds for 100 sites and 10,000 samples.
+//! Limits: cells without samples, and parts of cells between two samples of another cell, are missed.
 
 use std::collections::HashMap;
 
@@ -26,7 +26,7 @@ const HALVINGS: u32 = 6;
 pub struct BorderPiece {
     /// The vertices of the triangle.
     pub corners: [u32; 3],
-    /// Both ends, as shares of the corners, which sum to 1: an end is at Σ share · corner, at rest and, drawn flat, in any pose.
+    /// Both ends in barycentric coordinates. They hold at rest and, as triangles are drawn flat, in any pose.
     pub ends: [[f64; 3]; 2],
 }
 
@@ -49,17 +49,17 @@ pub(crate) fn cell_borders(
     let site = |vertex: u32| sites.get(nearest[vertex as usize] as usize);
     let divided = |a: u32, b: u32| {
         nearest[a as usize] != nearest[b as usize]
-            && matches!((site(a), site(b)), (Some(one), Some(other)) if !share_a_cell(one, other))
+            && matches!((site(a), site(b)), (Some(one), Some(other)) if !have_one_cell(one, other))
     };
     let mut found = HashMap::new();
     let mut crossing = |a: u32, b: u32| {
         let (from, to) = (a.min(b), a.max(b));
-        let share = *found.entry((from, to)).or_insert_with(|| {
+        let fraction = *found.entry((from, to)).or_insert_with(|| {
             let [start, end] = [from, to].map(|vertex| mesh.vertices[vertex as usize]);
             let [one, other] = [from, to].map(|vertex| &fields[nearest[vertex as usize] as usize]);
-            as_far(navigation, [one, other], start, end)
+            equidistant(navigation, [one, other], start, end)
         });
-        if a == from { share } else { 1.0 - share }
+        if a == from { fraction } else { 1.0 - fraction }
     };
     let mut pieces = Vec::new();
     let between = |corners: &&[u32; 3]| corners.iter().all(|&vertex| (vertex as usize) < nearest.len());
@@ -68,9 +68,9 @@ pub(crate) fn cell_borders(
         for k in 0..3 {
             let next = (k + 1) % 3;
             if divided(corners[k], corners[next]) {
-                let share = crossing(corners[k], corners[next]);
+                let fraction = crossing(corners[k], corners[next]);
                 let mut end = [0.0; 3];
-                (end[k], end[next]) = (1.0 - share, share);
+                (end[k], end[next]) = (1.0 - fraction, fraction);
                 ends.push(end);
             }
         }
@@ -87,15 +87,16 @@ pub(crate) fn cell_borders(
 }
 
 /// Whether two sites are of one handle, or of the held outline.
-fn share_a_cell(one: &Site, other: &Site) -> bool {
+fn have_one_cell(one: &Site, other: &Site) -> bool {
     match one.kind.handle() {
         Some(handle) => other.kind.handle() == Some(handle),
         None => one.kind == SiteKind::Boundary && other.kind == SiteKind::Boundary,
     }
 }
 
-/// How far along a segment both sites are as far, if the one is nearer to its start and the other to its end.
-fn as_far(navigation: &Navigation, [one, other]: [&SiteField; 2], start: DVec2, end: DVec2) -> f64 {
+/// The fraction of a segment at which two sites are equally far, if one is nearer to its start and the other to its
+/// end.
+fn equidistant(navigation: &Navigation, [one, other]: [&SiteField; 2], start: DVec2, end: DVec2) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);
@@ -131,11 +132,11 @@ mod tests {
     }
 
     fn ends(solution: &Solution) -> Vec<[DVec2; 2]> {
-        let at = |corners: [u32; 3], shares: [f64; 3]| -> DVec2 {
-            (0..3).map(|k| shares[k] * solution.vertices()[corners[k] as usize]).sum()
+        let at = |corners: [u32; 3], coordinates: [f64; 3]| -> DVec2 {
+            (0..3).map(|k| coordinates[k] * solution.vertices()[corners[k] as usize]).sum()
         };
         let pieces = solution.cell_borders();
-        pieces.into_iter().map(|piece| piece.ends.map(|shares| at(piece.corners, shares))).collect()
+        pieces.into_iter().map(|piece| piece.ends.map(|coordinates| at(piece.corners, coordinates))).collect()
     }
 
     /// The distances from a place to all sites, ascending; the square is convex.
@@ -153,8 +154,8 @@ mod tests {
         let mut meeting = 0;
         for p in ends.iter().flatten() {
             let far = far(&solution, *p);
-            // Half an edge: where three cells meet the middle is the mean of three places on edges, and the tip of a third cell may
-            // reach over an edge between two others.
+            // Half an edge. Where three cells meet, the middle is a mean of three places on edges, and the tip of a
+            // third cell may cross an edge between the others.
             assert!(far[1] - far[0] < 1.75, "{p}: {far:?}");
             meeting += usize::from(far[2] - far[0] < 1.0);
         }

@@ -11,7 +11,7 @@ use crate::{
     site::{Site, SiteKind},
 };
 
-/// Triangles, drawn later ones over earlier ones as long as no handle has a depth.
+/// Triangles. Later ones are drawn over earlier ones while no handle has a depth.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RenderMesh {
     /// Rest places: the samples, then the skirt's vertices.
@@ -21,8 +21,9 @@ pub(crate) struct RenderMesh {
 }
 
 impl RenderMesh {
-    /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each part's skirt
-    /// before its mesh: where the picture covers itself, one part covers the other completely, in any order of the handles.
+    /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each
+    /// part's skirt before its mesh: where the picture covers itself, one part covers the other completely, in any
+    /// order of the handles.
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
         let Samples { mesh, skirt, .. } = samples;
         let layers = [&skirt.triangles, &mesh.triangles];
@@ -38,19 +39,19 @@ impl RenderMesh {
     }
 }
 
-/// For each sample the part with the largest share in the motion of its cell. A part is a point, a straight piece of a bar or
-/// polygon, or all of a held outline.
+/// For each sample the part with the largest harmonic weight in its cell. A part is a point, a straight piece of a
+/// bar or polygon, or all of a held outline.
 pub(crate) fn leading_parts(nearest: &[u32], sites: &[Site], harmonic: &HarmonicFields) -> Vec<u32> {
     let parts = parts(sites);
     let mut sums = vec![0.0; sites.len()];
-    let mut leader = |shares: &[(u32, f64)]| {
+    let mut leader = |weights: &[(u32, f64)]| {
         let part = |site: u32| parts[site as usize];
-        shares.iter().for_each(|&(site, share)| sums[part(site) as usize] += share);
+        weights.iter().for_each(|&(site, weight)| sums[part(site) as usize] += weight);
         let most = |best: (u32, f64), &(site, _): &(u32, f64)| {
             let sum = std::mem::take(&mut sums[part(site) as usize]);
             if sum > best.1 { (part(site), sum) } else { best }
         };
-        shares.iter().fold((0, 0.0), most).0
+        weights.iter().fold((0, 0.0), most).0
     };
     let leaders: Vec<u32> = harmonic.rows.iter().map(|row| leader(row)).collect();
     nearest.iter().map(|&site| leaders.get(site as usize).copied().unwrap_or(0)).collect()

@@ -1,8 +1,8 @@
 //! `xtask bindgen`: the solver, or its benchmark, as a WebAssembly module with its TypeScript glue.
 //!
-//! Builds the crate for `wasm32-unknown-unknown` and hands the result to `wasm-bindgen`, used as a
-//! library of exactly the version that the crate was compiled with: nothing to install, nothing that can mismatch.
-//! Costs half a second when nothing has changed.
+//! Builds the crate for `wasm32-unknown-unknown` and hands the result to `wasm-bindgen`, used as a library of
+//! exactly the version that the crate was compiled with: nothing to install, nothing that can mismatch. Costs
+//! half a second when nothing has changed.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -36,7 +36,8 @@ pub(crate) enum BindgenError {
     Glue { path: PathBuf, reason: String },
 }
 
-/// Builds a crate's module and writes `c2warp.js`, `c2warp.d.ts` and `c2warp_bg.wasm` into the folder `output` below `root`.
+/// Builds a crate's module and writes `c2warp.js`, `c2warp.d.ts` and `c2warp_bg.wasm` into the folder `output`
+/// below `root`.
 pub(crate) fn run(root: &Path, package: &str, output: &Path, profile: Profile) -> Result<(), BindgenError> {
     let module = compiled_module(root, package, profile)?;
     generate(&module, &root.join(output), profile)

@@ -1,7 +1,8 @@
-//! `xtask schema`: the project file's format, as the solver defines it, for others to read: a JSON schema for editors
-//! and validators, and TypeScript types for the page.
+//! `xtask schema`: the project file's format, as the solver defines it, for others to read: a JSON schema for
+//! editors and validators, and TypeScript types for the page.
 //!
-//! Both are committed, so that the page builds without Rust; `--check` tells when they no longer say what the solver does.
+//! Both are committed, so that the page builds without Rust; `--check` tells when they no longer say what the
+//! solver does.
 
 use std::fs;
 use std::io;

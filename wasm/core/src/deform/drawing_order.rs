@@ -1,14 +1,14 @@
 //! The drawing order of triangles where a posed picture covers itself: from the farthest to the nearest.
 //!
 //! The depth of handles spreads as motions do: by harmonic weights to the virtual sites (eq. 4), by weights to the
-//! vertices (eq. 1). A triangle has the mean of its corners' depths. Nearer triangles are drawn later; equally deep ones
-//! keep the order of the mesh. A depth buffer keeps one triangle of a pixel, but soft edges need all of them.
+//! vertices (eq. 1). A triangle has the mean of its corners' depths. Nearer triangles are drawn later; equally deep
+//! ones keep the order of the mesh. A depth buffer keeps one triangle of a pixel, but soft edges need all of them.
 //!
-//! Cost: linear in the stored weights, and a sort of the triangles. The order depends on depths alone, not on where handles
-//! are posed.
+//! Cost: linear in the stored weights, and a sort of the triangles. The order depends on depths alone, not on where
+//! handles are posed.
 //!
-//! Limits: triangles are not split where they intersect. Depths are rounded to [`DEPTH_STEPS`] depth steps, so that rounding
-//! decides nothing where many triangles are equally deep.
+//! Limits: triangles are not split where they intersect. Depths are rounded to [`DEPTH_STEPS`] depth steps, so that
+//! rounding decides nothing where many triangles are equally deep.
 
 use std::borrow::Cow;
 

@@ -1,27 +1,27 @@
 //! The rigid blend: rigid motions blend to a rigid motion, by dual complex numbers.
 //!
-//! A rotation by θ with a translation, y = p² x + 2pq with p = exp(iθ/2), is the dual complex number p + qε; the blend is
-//! their weighted sum, normalised to |p| = 1 (Matsuda, Kaji and Ochiai, "Anti-commutative dual complex numbers and 2D rigid
-//! transformation", 2014; in space: dual quaternion skinning, Kavan et al. 2008). For one point x that sites take to y_i this
-//! is
+//! A rotation by θ with a translation, y = p² x + 2pq with p = exp(iθ/2), is the dual complex number p + qε; the
+//! blend is their weighted sum, normalised to |p| = 1 (Matsuda, Kaji and Ochiai, "Anti-commutative dual complex
+//! numbers and 2D rigid transformation", 2014; in space: dual quaternion skinning, Kavan et al. 2008). For one point
+//! x that sites take to y_i this is
 //!
 //! ```text
 //! y = Σ w_i p̄_i y_i / Σ w_i p̄_i
 //! ```
 //!
-//! a mean with complex weights, so it does not depend on the origin. Stretches enter through the y_i alone: at each point a
-//! motion counts as the rotation by θ_i that takes the point to y_i.
+//! a mean with complex weights, so it does not depend on the origin. Stretches enter through the y_i alone: at each
+//! point a motion counts as the rotation by θ_i that takes the point to y_i.
 //!
-//! Guaranteed: equal motions blend to that motion; a site with all the weight moves its point; a point that all motions
-//! take to one place goes there. Without stretches, and with angles within 240° of one another, a point moves by a rigid
-//! motion. Two motions with a common pivot turn it about that pivot. The result depends smoothly (C²) on places, weights
-//! and angles, through any number of turns.
+//! Guaranteed: equal motions blend to that motion; a site with all the weight moves its point; a point that all
+//! motions take to one place goes there. Without stretches, and with angles within 240° of one another, a point moves
+//! by a rigid motion. Two motions with a common pivot turn it about that pivot. The result depends smoothly (C²) on
+//! places, weights and angles, through any number of turns.
 //!
-//! Limits: weights change from point to point, and with them the rigid motion, so a picture still bends. Beyond 240° the sum
-//! P = Σ w p may come near 0, where no choice of a rigid motion is continuous: as one of two angles makes a full turn, the
-//! blend has to follow it at one weight and return at another. From |P|² = 1/4 to 0 the result changes over to the linear
-//! blend, which shrinks what it rotates. Angles a whole turn apart (P = 0 at equal weights) are the same rotation, whose
-//! linear blend is rigid.
+//! Limits: weights change from point to point, and with them the rigid motion, so a picture still bends. Beyond 240°
+//! the sum P = Σ w p may come near 0, where no choice of a rigid motion is continuous: as one of two angles makes a
+//! full turn, the blend has to follow it at one weight and return at another. From |P|² = 1/4 to 0 the result changes
+//! over to the linear blend, which shrinks what it rotates. Angles a whole turn apart (P = 0 at equal weights) are
+//! the same rotation, whose linear blend is rigid.
 //!
 //! Cost: one complex and one matrix product for each site that moves the point, and one division.
 
@@ -73,7 +73,8 @@ impl Sums {
         self.place_along(p, &[]).0
     }
 
-    /// The posed place of p, and its derivatives along the variables that `changes` holds the derivatives of the sums for.
+    /// The posed place of p, and its derivatives along the variables that `changes` holds the derivatives of the sums
+    /// for.
     fn place_along<const N: usize>(&self, p: DVec2, changes: &[Self; N]) -> (DVec2, [DVec2; N]) {
         let Self { posed, half, moved } = *self;
         // The rigid blend minus the linear one, times P̄.

@@ -1,7 +1,7 @@
 //! The inverse of the drawn mesh at many points: which point of the picture is drawn at each.
 //!
-//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are taken in drawing order, and the
-//! last one around a point covers the others. [`locate`](super::locate) does the same for single points.
+//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are taken in drawing order,
+//! and the last one around a point covers the others. [`locate`](super::locate) does the same for single points.
 //!
 //! Cost: linear in the triangles, and for each in the points within its range of y, found by binary search.
 

@@ -1,7 +1,7 @@
 //! Single points between rest and pose: the point of the picture that is drawn at a place, and the way back.
 //!
-//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are searched from the last drawn to
-//! the first, which finds the visible one where the picture covers itself.
+//! Within a triangle the map of the mesh is affine, so its inverse is exact. Triangles are searched from the last
+//! drawn to the first, which finds the visible one where the picture covers itself.
 //!
 //! Cost: linear in the triangles, nearly all of which are ruled out by their bounding box.
 

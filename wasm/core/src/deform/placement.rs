@@ -1,5 +1,5 @@
-//! Where a handle can be placed: on the part of the picture that bends. The skirt around it, on which soft edges are drawn,
-//! holds no handles.
+//! Where a handle can be placed: on the part of the picture that bends. The skirt around it, on which soft edges are
+//! drawn, holds no handles.
 //!
 //! Cost: linear in the triangles.
 
@@ -10,11 +10,12 @@ use super::{
     triangle::{Corners, barycentric, corners, interpolate},
 };
 
-/// Least barycentric coordinate of a place on the border of a triangle: far enough inside that rounding does not lead out.
+/// Least barycentric coordinate of a place on the border of a triangle: far enough inside that rounding does not lead
+/// out.
 const INWARDS: f64 = 0.05;
 
-/// The place itself if it bends. On the skirt, and up to `within` beside the picture, the nearest place that bends; `None`
-/// farther away. The first `samples` vertices bend.
+/// The place itself if it bends. On the skirt, and up to `within` beside the picture, the nearest place that bends;
+/// `None` farther away. The first `samples` vertices bend.
 pub(super) fn placement(
     [rest, posed]: [&[DVec2]; 2],
     drawn: &[[u32; 3]],

@@ -138,8 +138,9 @@ impl Pose {
         points.iter().enumerate().map(|(row, &p)| self.blended(p, weights.row(row))).collect()
     }
 
-    /// Sites × 12 for a vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest y, posed x,
-    /// posed y, depth, angle, cosine and sine of half the angle. Places are in image pixels, angles in radians.
+    /// Sites × 12 for a vertex shader: a, b, c, d (the linear part takes x to (a, b) and y to (c, d)), rest x, rest
+    /// y, posed x, posed y, depth, angle, cosine and sine of half the angle. Places are in image pixels, angles in
+    /// radians.
     ///
     /// Vertex v of the mesh, at rest at p, is moved by the sites and weights of its row,
     /// `sites[offsets[v]..offsets[v + 1]]` and `weights[offsets[v]..offsets[v + 1]]` of [`SparseWeights`]. Site i alone

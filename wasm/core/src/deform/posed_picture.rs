@@ -1,10 +1,10 @@
 //! A solved picture without its solution: the mesh, the weights and the poser, and every question about a pose.
 //!
-//! This is all that a page needs while handles are dragged; the solution itself stays with the thread that solves. Vertices
-//! and weights may be rounded to 32 bits, as they are for a graphics card.
+//! This is all that a page needs while handles are dragged; the solution itself stays with the thread that solves.
+//! Vertices and weights may be rounded to 32 bits, as they are for a graphics card.
 //!
-//! Cost: a pose takes the time of [`Poser::pose`]. Posed vertices and the drawing order are computed at first use and kept
-//! until the next pose.
+//! Cost: a pose takes the time of [`Poser::pose`]. Posed vertices and the drawing order are computed at first use and
+//! kept until the next pose.
 
 use std::{borrow::Cow, cell::OnceCell};
 
@@ -94,7 +94,8 @@ impl PosedPicture {
         Ok(Self { mesh, poser, handles, folding, background, present: Present::default(), order: Order::default() })
     }
 
-    /// Poses the picture. `poses` are those of the solved handles, in their order; more may follow. Returns the motions.
+    /// Poses the picture. `poses` are those of the solved handles, in their order; more may follow. Returns the
+    /// motions.
     ///
     /// # Errors
     /// Those of [`Poser::pose`], and [`Error::PoseMismatch`] for fewer poses than handles. The present pose then stays.
@@ -214,8 +215,8 @@ impl PosedPicture {
         Ok(self.folding.count(&posed, limit))
     }
 
-    /// The farthest poses between two that fold at most `allowed` triangles. Those at the start are taken to be allowed; a
-    /// pose that cannot be made is not.
+    /// The farthest poses between two that fold at most `allowed` triangles. Those at the start are taken to be
+    /// allowed; a pose that cannot be made is not.
     #[must_use]
     pub fn fold_limit(&self, way: &HandleWay, blend: Blend, allowed: usize) -> FoldLimit {
         self.limit(way, blend, allowed)
@@ -231,8 +232,8 @@ impl PosedPicture {
         fold_limit(way, &mut |poses| self.fold_count_of(poses, blend, allowed).is_ok_and(|count| count <= allowed))
     }
 
-    /// How much of a move of the `selected` handles each vertex follows: 1 moves as far as they do, 0 stays. `diagonal` is
-    /// that of the picture, in pixels.
+    /// How much of a move of the `selected` handles each vertex follows: 1 moves as far as they do, 0 stays.
+    /// `diagonal` is that of the picture, in pixels.
     ///
     /// # Errors
     /// Those of [`set_pose`](Self::set_pose).

@@ -31,7 +31,8 @@ pub(super) fn interpolate([a, b, c]: Corners, [u, v, w]: [f64; 3]) -> DVec2 {
 
 /// The rotation in degrees and the scale of the similarity nearest to the affine map between two triangles.
 ///
-/// For the Jacobian J it is [α −β; β α] with α = (J₁₁ + J₂₂)/2 and β = (J₂₁ − J₁₂)/2. The identity if `from` has no area.
+/// For the Jacobian J it is [α −β; β α] with α = (J₁₁ + J₂₂)/2 and β = (J₂₁ − J₁₂)/2. The identity if `from` has no
+/// area.
 pub(super) fn nearest_similarity(from: Corners, to: Corners) -> (f64, f64) {
     let area = doubled_area(from);
     if area == 0.0 {

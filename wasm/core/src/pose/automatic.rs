@@ -1,6 +1,6 @@
-//! Automatic rotations of point handles (section VI): the best fit of what the handles around them do.
+//! Automatic rotations of point handles (section VI): the best fit to the motions of neighbouring handles.
 //!
-//! Cost: a look at every pair of handles that has an edge.
+//! Cost: linear in the pairs of handles that share an edge.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -16,24 +16,24 @@ use crate::{
     site::{Site, SiteGraph, SiteKind},
 };
 
-/// What automatic rotations follow: the cell graph, reduced to the handles.
+/// The cell graph, reduced to the handles.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Automatic {
-    /// Pairs of real sites that are neighbours, one of them a point handle, and how strongly.
+    /// Pairs of neighbouring real sites, at least one of them a point handle, with a weight.
     edges: Vec<(u32, u32, f64)>,
-    /// Pairs of handles that share out what is between them with no third one.
-    meeting: Vec<[u32; 2]>,
+    /// Pairs of handles whose regions of the cell graph are adjacent.
+    adjacent: Vec<[u32; 2]>,
 }
 
 impl Automatic {
     pub(super) fn new(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Self {
-        Self { edges: effective_links(sites, graph, harmonic), meeting: meeting(sites, graph, harmonic) }
+        Self { edges: effective_links(sites, graph, harmonic), adjacent: adjacent(sites, graph, harmonic) }
     }
 
-    /// Whether the data are consistent with what the caller knows: a check of what was read from bytes.
+    /// Whether data that were read from bytes are consistent.
     pub(super) fn is_whole(&self, is_real: impl Fn(u32) -> bool, handles: usize) -> bool {
         self.edges.iter().all(|&(i, j, _)| is_real(i) && is_real(j))
-            && self.meeting.iter().flatten().all(|&handle| (handle as usize) < handles)
+            && self.adjacent.iter().flatten().all(|&handle| (handle as usize) < handles)
     }
 
     /// Sets the automatic rotations among the motions of real sites.
@@ -66,8 +66,8 @@ impl Automatic {
         }
     }
 
-    /// Takes automatic rotations of neighbours to angles that go on from one to the other. Where one was set, the way around to it is the
-    /// person's: the automatic ones beside it do not follow it by whole turns.
+    /// Unwraps automatic rotations of neighbours to angles that differ by less than half a turn. They do not follow a
+    /// rotation that a person set by whole turns.
     fn turn_alike(&self, kinds: &[SiteKind], handles: &[Handle], motions: &mut [Motion]) {
         let mut found = vec![0.0; handles.len()];
         for (kind, motion) in kinds.iter().zip(&*motions) {
@@ -76,7 +76,7 @@ impl Automatic {
             }
         }
         let is_auto = |&handle: &u32| handles[handle as usize].rotation == Rotation::Auto;
-        let links = self.meeting.iter().filter(|pair| pair.iter().all(is_auto));
+        let links = self.adjacent.iter().filter(|pair| pair.iter().all(is_auto));
         let mut angles = found.clone();
         let is_free = vec![true; handles.len()];
         unwrap_angles(&mut angles, &is_free, links.map(|&[a, b]| (a as usize, b as usize)));
@@ -88,22 +88,22 @@ impl Automatic {
     }
 }
 
-/// Pseudo-edges (section VI) of point handles: the cell graph reduced to its real sites. The weight of an edge is the flow between
-/// two handles, directly and via virtual sites (the Schur complement of the Laplacian). Edges between other sites are left out: there
-/// may be a million.
+/// Pseudo-edges (section VI) of point handles: the cell graph reduced to its real sites. The weight of an edge is the
+/// flow between two handles, directly and via virtual sites (the Schur complement of the Laplacian). Edges between
+/// other sites are left out, as there may be a million.
 fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<(u32, u32, f64)> {
     let is_point = |site: usize| matches!(sites[site].kind, SiteKind::Point { .. });
     let mut flow = BTreeMap::<(u32, u32), f64>::new();
     for (i, j, weight) in graph.iter() {
         for (real, other) in [(i, j), (j, i)] {
-            // Links between two real sites count from both ends, as flows by way of virtual sites do.
+            // Links between two real sites count from both ends, as flows via virtual sites do.
             if !sites[real].kind.is_real() {
                 continue;
             }
-            for &(to, share) in &harmonic.rows[other] {
+            for &(to, fraction) in &harmonic.rows[other] {
                 if to as usize != real && (is_point(real) || is_point(to as usize)) {
                     let pair = ((real as u32).min(to), (real as u32).max(to));
-                    *flow.entry(pair).or_default() += weight * share;
+                    *flow.entry(pair).or_default() += weight * fraction;
                 }
             }
         }
@@ -111,8 +111,9 @@ fn effective_links(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields)
     flow.into_iter().map(|((i, j), weight)| (i, j, weight)).collect()
 }
 
-/// Pairs of handles between whose parts of the cell graph there are links: each site is of the part that has the largest share in it.
-fn meeting(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<[u32; 2]> {
+/// Pairs of handles whose regions of the cell graph are linked. A site belongs to the handle with the largest
+/// harmonic weight.
+fn adjacent(sites: &[Site], graph: &SiteGraph, harmonic: &HarmonicFields) -> Vec<[u32; 2]> {
     let leader = |row: &Vec<(u32, f64)>| {
         let (real, _) = row.iter().copied().reduce(|most, one| if one.1 > most.1 { one } else { most })?;
         sites[real as usize].kind.handle()

@@ -1,8 +1,8 @@
-//! ϖ_i: the share of handle i in the motion of each virtual site (sections IV-B and V-C, eq. 4).
+//! ϖ_i: the weight of handle i in the motion of each virtual site (sections IV-B and V-C, eq. 4).
 //!
-//! On the cell graph ϖ_i is 1 at handle i, 0 at the others and harmonic elsewhere. The paper iterates the Laplacian "tens of
-//! times"; here it is factorised once for all fields, with additions and multiplications of positive numbers only. So every
-//! share is accurate to the last digits, however small, none is negative, and they sum to 1.
+//! On the cell graph ϖ_i is 1 at handle i, 0 at the others and harmonic elsewhere. The paper iterates the Laplacian
+//! "tens of times"; here it is factorised once for all fields, with additions and multiplications of positive numbers
+//! only. So every weight is accurate to the last digits, however small. None is negative, and they sum to 1.
 //!
 //! The graph's weights are those of the links, not the paper's uniform ones: see `site/graph.rs`.
 //!
@@ -14,7 +14,7 @@ use crate::site::{Site, SiteGraph};
 /// The harmonic fields at all sites.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct HarmonicFields {
-    /// For each site the real sites and their shares, ascending: for a real site, itself alone.
+    /// For each site the real sites and their weights, ascending. A real site has itself alone.
     pub(crate) rows: Vec<Vec<(u32, f64)>>,
 }
 
@@ -38,16 +38,16 @@ impl HarmonicFields {
             }
         }
         for row in &mut rows {
-            let sum: f64 = row.iter().map(|&(_, share)| share).sum();
-            for (_, share) in row {
-                *share /= sum;
+            let sum: f64 = row.iter().map(|&(_, weight)| weight).sum();
+            for (_, weight) in row {
+                *weight /= sum;
             }
         }
         Self { rows }
     }
 
-    /// The real sites that a site gets its motion from, and their shares.
+    /// The real sites that a site gets its motion from, and their weights.
     pub(crate) fn row(&self, site: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        self.rows[site].iter().map(|&(real, share)| (real as usize, share))
+        self.rows[site].iter().map(|&(real, weight)| (real as usize, weight))
     }
 }

@@ -4,12 +4,12 @@ use glam::{DMat2, DVec2};
 
 use super::Strain;
 
-/// A stretch and then a rotation about the site's rest place, and a translation: T(p) = posed + R(angle) exp(strain) (p −
-/// rest).
+/// A stretch and then a rotation about the site's rest place, and a translation: T(p) = posed + R(angle)
+/// exp(strain) (p − rest).
 ///
-/// Stored as logarithms, which blend as sums (eq. 4): opposite rotations cannot cancel to nothing, as the paper's quaternions
-/// can, and more than half a turn remains more than half a turn. Blending about the site's own place makes the result
-/// independent of the picture's origin.
+/// Stored as logarithms, which blend as sums (eq. 4): opposite rotations cannot cancel to nothing, as the paper's
+/// quaternions can, and more than half a turn remains more than half a turn. Blending about the site's own place
+/// makes the result independent of the picture's origin.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Motion {
@@ -34,8 +34,8 @@ impl Motion {
         Self { angle, strain: Strain::uniform(scale), translation, depth }
     }
 
-    /// The motion of a bone: a stretch by `along` in a unit `direction` of the rest frame and by `across` at right angles to
-    /// it, then a rotation. Stretches below 1e-9 are set to 1e-9.
+    /// The motion of a bone: a stretch by `along` in a unit `direction` of the rest frame and by `across` at
+    /// right angles to it, then a rotation. Stretches below 1e-9 are set to 1e-9.
     pub(crate) fn of_bone(
         angle: f64,
         direction: DVec2,
@@ -52,8 +52,8 @@ impl Motion {
         Self { translation: self.translation + linear * from - from, ..*self }
     }
 
-    /// The motion as it enters blends: a bar that is posed to no length flattens its surroundings, but does not collapse
-    /// them.
+    /// The motion as it enters blends: a bar that is posed to no length flattens its surroundings, but does not
+    /// collapse them.
     pub(crate) fn passed_on(&self) -> Self {
         Self { strain: self.strain.shrunk_by_at_most(MIN_STRETCH_RATIO), ..*self }
     }

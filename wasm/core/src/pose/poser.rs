@@ -1,4 +1,4 @@
-//! Motions of all sites from the handles: what is computed anew in every frame of a drag.
+//! The motions of all sites from the posed handles, once a frame.
 
 use std::{borrow::Cow, collections::HashMap, sync::Arc};
 
@@ -37,10 +37,10 @@ use crate::{
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 ///
-/// Cost of a pose: a visit of every harmonic weight, and of every pair of handles with an edge if rotations are automatic.
-/// Microseconds for tens of handles, some milliseconds for 1,000. The rigid mode adds some hundreds of microseconds for
-/// 100 virtual sites, and some ten milliseconds for 500 handles. The first pose factorises matrices, which takes 10 to 20
-/// times as long.
+/// Cost of a pose: a visit of every harmonic weight, and of every pair of handles with an edge if rotations are
+/// automatic. Microseconds for tens of handles, some milliseconds for 1,000. The rigid mode adds some hundreds of
+/// microseconds for 100 virtual sites, and some ten milliseconds for 500 handles. The first pose factorises matrices,
+/// which takes 10 to 20 times as long.
 #[derive(Debug, Clone)]
 pub struct Poser {
     rest: Arc<[DVec2]>,
@@ -191,8 +191,8 @@ impl Poser {
         }
     }
 
-    /// The scales of the handles at each site, spread by harmonic weights. The stretch of a bar along itself is not passed
-    /// on.
+    /// The scales of the handles at each site, spread by harmonic weights. The stretch of a bar along itself is not
+    /// passed on.
     fn scales(&self, handles: &[Handle]) -> Vec<f64> {
         let logs: Vec<f64> = handles.iter().map(|handle| libm::log(handle.scale)).collect();
         if logs.iter().all(|&log| log == 0.0) {

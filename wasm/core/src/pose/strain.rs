@@ -9,8 +9,8 @@ const MIN_STRETCH: f64 = 1e-9;
 
 /// The logarithm of a stretch: a symmetric matrix [xx xy; xy yy].
 ///
-/// Stretches blend as sums of their logarithms, so a blend of stretches is a stretch, too: lengths stay above 0, and nothing
-/// is rotated or inverted (log-Euclidean means: Arsigny et al. 2007).
+/// Stretches blend as sums of their logarithms, so a blend of stretches is a stretch, too: lengths stay above 0, and
+/// nothing is rotated or inverted (log-Euclidean means: Arsigny et al. 2007).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Strain {
     /// Along x.
@@ -54,12 +54,13 @@ impl Strain {
         libm::exp(mean) * DMat2::from_cols_array(&[even + odd * half, across, across, even - odd * half])
     }
 
-    /// The stretch with its lesser principal stretch raised to at least `share` of the greater one, but not above 1.
-    pub(crate) fn shrunk_by_at_most(&self, share: f64) -> Self {
+    /// The stretch with its smaller principal stretch raised to at least `ratio` times the larger one, but not above
+    /// 1.
+    pub(crate) fn shrunk_by_at_most(&self, ratio: f64) -> Self {
         let (mean, half) = (self.mean(), (self.xx - self.yy) / 2.0);
         let r = libm::hypot(half, self.xy);
         let (long, short) = (mean + r, mean - r);
-        let least = (long + libm::log(share)).min(0.0);
+        let least = (long + libm::log(ratio)).min(0.0);
         // Written so that NaN is passed on.
         if short >= least || r == 0.0 {
             return *self;
@@ -123,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shrunk_to_nothing_is_shrunk_to_a_share_and_what_grows_is_left() {
+    fn a_shrunk_stretch_keeps_a_least_ratio_and_a_grown_one_stays() {
         let u = turn(0.9);
         for (along, across, least) in
             [(0.0, 1.0, 0.1), (1e-4, 3.0, 0.3), (0.0, 30.0, 1.0), (0.2, 1.0, 0.2), (50.0, 1.0, 1.0)]

@@ -1,12 +1,13 @@
-//! Angles that go on from neighbour to neighbour.
+//! Unwrapping of angles, so that neighbours differ by less than half a turn.
 //!
-//! Rotations that are found have an angle up to whole turns. Between neighbours the least difference is meant: what
-//! is rolled up by three turns unrolls by angles up to three turns, and what is turned as one by half a turn is so everywhere, and not by
-//! half a turn back in places. Where motions blend their angles do, so they are needed so.
+//! A rotation determines its angle up to whole turns, but blends depend on the angles. The smallest difference
+//! between neighbours is chosen. A shape that is rolled up by three turns then unrolls by angles up to three turns,
+//! and a shape that is turned by half a turn has one angle everywhere.
 //!
-//! From those that the person set, or else from the one that is turned least, each takes the angle nearest to that of the
-//! neighbour it is reached from: over the links across which angles differ least, whatever the order. Around a hole the last
-//! neighbours may still be a whole turn apart. Cost: a look at every link, and a heap of them where a turn is missing somewhere.
+//! Unwrapping starts at the angles that a person set, or else at the smallest one. It follows the links with the
+//! smallest differences first, so the order of sites does not matter. Each site takes the angle nearest to that of
+//! its predecessor. Around a hole the last neighbours may still be a whole turn apart. Cost: linear in the links,
+//! plus a heap of them if any angle must change.
 
 use std::{
     collections::BinaryHeap,
@@ -15,7 +16,7 @@ use std::{
 
 use crate::min_entry::MinEntry;
 
-/// Shifts the angles that are free by whole turns.
+/// Shifts the free angles by whole turns.
 pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl Iterator<Item = (usize, usize)> + Clone) {
     if links.clone().all(|(i, j)| (angles[i] - angles[j]).abs() < PI) {
         return;
@@ -23,7 +24,7 @@ pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl It
     let mut unwrapping = Unwrapping::new(angles, links);
     (0..is_free.len()).filter(|&site| !is_free[site]).for_each(|site| unwrapping.know(site));
     unwrapping.spread();
-    // Then from the least turned of each part that nothing set is in.
+    // Then start at the smallest angle of each component without a fixed one.
     let mut seeds: Vec<usize> = (0..is_free.len()).filter(|&site| !unwrapping.is_known[site]).collect();
     seeds.sort_by(|&a, &b| unwrapping.angles[a].abs().total_cmp(&unwrapping.angles[b].abs()));
     for seed in seeds {
@@ -37,9 +38,9 @@ pub(super) fn unwrap_angles(angles: &mut [f64], is_free: &[bool], links: impl It
 struct Unwrapping<'a> {
     angles: &'a mut [f64],
     neighbours: Vec<Vec<usize>>,
-    /// Whose angle is final.
+    /// Sites with a final angle.
     is_known: Vec<bool>,
-    /// Links from known ones, by how far angles differ: to which, and from which.
+    /// Links from known sites by the difference of angles: to, from.
     queue: BinaryHeap<MinEntry<(usize, usize)>>,
 }
 
@@ -92,7 +93,8 @@ mod tests {
         assert!(found.iter().zip(&wound).all(|(a, b)| (a - b).abs() < 1e-12));
     }
 
-    /// Between two that are set against one another it is where angles differ most that they stay apart, however sites are numbered.
+    /// Two fixed angles may contradict one another. The jump stays at the largest difference, in any order of the
+    /// sites.
     #[test]
     fn the_order_of_sites_does_not_matter() {
         let (angles, links) = ([2.6, 3.1, -2.5, -2.2, -1.4], [(0, 1), (1, 2), (2, 3), (3, 4), (0, 2)]);
@@ -113,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_set_stays_and_leads() {
+    fn fixed_angles_stay_and_spread() {
         let mut free = [true; 5];
         free[4] = false;
         let found = chain(&[0.1, 0.2, 0.3, 0.4, 0.5 + 2.0 * TAU], &free);

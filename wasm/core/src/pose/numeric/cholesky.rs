@@ -1,9 +1,10 @@
-//! The factorisation L D Lᵀ of a symmetric positive definite matrix: sparse Cholesky, with a fixed order of all sums.
+//! The factorisation L D Lᵀ of a symmetric positive definite matrix: sparse Cholesky, with a fixed order of all
+//! sums.
 //!
-//! Rows come in groups of up to three, the unknowns of one site. The group with the fewest neighbours is eliminated first
-//! (minimum degree: Tinney and Walker 1967). The columns of a group have their entries in the same rows, so they are stored
-//! and processed together (supernodes). Unlike [`elimination`](super::elimination) it accepts entries of any sign, and its
-//! accuracy depends on the condition of the matrix.
+//! Rows come in groups of up to three, the unknowns of one site. The group with the fewest neighbours is
+//! eliminated first (minimum degree: Tinney and Walker 1967). The columns of a group have their entries in the
+//! same rows, so they are stored and processed together (supernodes). Unlike [`elimination`](super::elimination)
+//! it accepts entries of any sign, and its accuracy depends on the condition of the matrix.
 //!
 //! Cost: for 200 sites of three rows, 40,000 entries and some 50 µs for a solution.
 
@@ -48,8 +49,8 @@ struct Columns {
 }
 
 impl Cholesky {
-    /// Factorises the matrix with the given lower entries (row, column, value); `groups` are the rows of each group, one to
-    /// three.
+    /// Factorises the matrix with the given lower entries (row, column, value); `groups` are the rows of each
+    /// group, one to three.
     pub(crate) fn new(groups: &[Vec<u32>], lower: &BTreeMap<(u32, u32), f64>) -> Self {
         let count = groups.iter().map(Vec::len).sum();
         let mut group_of = vec![0; count];
@@ -129,8 +130,8 @@ impl Cholesky {
 }
 
 impl Columns {
-    /// Finishes the column whose entries in the rows of `structure`, its own first, are in `sums`, and resets these to 0.
-    /// Calls `visit` with the row and the index of each entry.
+    /// Finishes the column whose entries in the rows of `structure`, its own first, are in `sums`, and resets
+    /// these to 0. Calls `visit` with the row and the index of each entry.
     fn close(&mut self, structure: &[u32], sums: &mut [f64], mut visit: impl FnMut(usize, usize)) {
         let diagonal = std::mem::take(&mut sums[structure[0] as usize]);
         let inverse = if diagonal > 0.0 { 1.0 / diagonal } else { 0.0 };

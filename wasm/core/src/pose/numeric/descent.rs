@@ -1,12 +1,12 @@
 //! Descent to a minimum: L-BFGS (Nocedal 1980), preconditioned by an approximate inverse of the Hessian.
 //!
-//! For as-rigid-as-possible that inverse is the Laplacian's. A step by it alone is one iteration of the local/global method
-//! (Sorkine and Alexa 2007), which keeps no history and so crawls along the directions in which rotations yield. The last few
-//! steps carry that information (Liu, Bouaziz and Kavan 2017): the energy of a bent strip settles in a quarter of the
-//! iterations, that of an unrolled spiral in a tenth.
+//! For as-rigid-as-possible that inverse is the Laplacian's. A step by it alone is one iteration of the local/global
+//! method (Sorkine and Alexa 2007), which keeps no history and so crawls along the directions in which rotations
+//! yield. The last few steps carry that information (Liu, Bouaziz and Kavan 2017): the energy of a bent strip
+//! converges in a quarter of the iterations, that of an unrolled spiral in a tenth.
 //!
-//! Once a direction is set, the energy is known along the whole line with its derivatives, so the line search is cheap: by
-//! Halley's method it takes a look or two. Every step is checked: the energy never rises.
+//! Once a direction is set, the energy is known along the whole line with its derivatives, so the line search is
+//! cheap: Halley's method takes one or two samples. Every step is checked: the energy never rises.
 
 use std::collections::VecDeque;
 
@@ -16,25 +16,27 @@ use super::Jet;
 
 /// Number of stored steps. With 5 a spiral takes a quarter more iterations; with 20 no fewer, but longer ones.
 const MEMORY: usize = 8;
-/// Sufficient decrease (first Wolfe condition): the least decrease of a step, as a share of what the initial slope predicts.
+/// Sufficient decrease (first Wolfe condition): the least decrease of a step, as a fraction of the decrease that the
+/// initial slope predicts.
 const SUFFICIENT_DECREASE: f64 = 1e-4;
 /// Relative rounding of an energy: where the decrease is below it, the slopes decide (Hager and Zhang 2005).
 const ENERGY_ROUNDING: f64 = 1e-13;
-/// Samples along a line before the search settles for the best one.
+/// Samples along a line before the search returns the best one.
 const MAX_SAMPLES: usize = 12;
-/// In a bracket no sample is closer to either end than this share of its width.
+/// In a bracket no sample is closer to either end than this fraction of its width.
 const BRACKET_MARGIN: f64 = 0.01;
-/// Where the curvature suggests no length in a bracket, this share of its width is tried.
+/// If the curvature suggests no length in a bracket, this fraction of its width is tried.
 const BRACKET_STEP: f64 = 0.1;
 
-/// Growth of the length where the curvature suggests none, and the greatest growth otherwise.
+/// Growth of the length if the curvature suggests none, and the greatest growth otherwise.
 const MAX_GROWTH: f64 = 3.0;
 
 /// The energy to be lowered, with its current point.
 pub(crate) trait Objective {
     /// Writes the gradient at the current point.
     fn gradient(&mut self, gradient: &mut [DVec2]);
-    /// Sets the direction of the line through the current point, whose gradient has been asked for. Returns the energy there.
+    /// Sets the direction of the line through the current point, whose gradient has been asked for. Returns the
+    /// energy there.
     fn set_direction(&mut self, direction: &[DVec2]) -> Jet;
     /// The energy on that line, at the current point plus `length` times the direction.
     fn along_line(&mut self, length: f64) -> Jet;
@@ -48,9 +50,9 @@ pub(crate) struct Limits {
     pub(crate) max_iterations: usize,
     /// The descent ends with an iteration whose direction moves no place by more than this,
     pub(crate) tolerance: f64,
-    /// or that lowers the energy by no more than this share of it.
+    /// or that lowers the energy by no more than this fraction of it.
     pub(crate) gain: f64,
-    /// Curvature condition (strong Wolfe): a line search ends where the slope is this share of the initial one.
+    /// Curvature condition (strong Wolfe): a line search ends where the slope is this fraction of the initial one.
     pub(crate) curvature_condition: f64,
 }
 
@@ -89,8 +91,8 @@ pub(crate) fn descend(objective: &mut impl Objective, places: usize, solve: impl
     }
 }
 
-/// Line search for the strong Wolfe conditions from the start of a line. Returns the step length and the energy there, or the
-/// best decrease found.
+/// Line search for the strong Wolfe conditions from the start of a line. Returns the step length and the energy
+/// there, or the best decrease found.
 fn line_search(objective: &mut impl Objective, start: Jet, curvature_condition: f64) -> Option<(f64, f64)> {
     let (mut low, mut high) = ((0.0, start), f64::INFINITY);
     let mut length = start.to_minimum().unwrap_or(1.0);
@@ -122,8 +124,8 @@ fn line_search(objective: &mut impl Objective, start: Jet, curvature_condition: 
 }
 
 impl Jet {
-    /// The length from here to where a hyperbola through the slope has its zero that bends as the slope does (Halley's method); `None`
-    /// where the slope falls.
+    /// The length to the zero of a hyperbola that fits the slope and its derivatives (Halley's method); `None` if the
+    /// slope falls.
     fn to_minimum(self) -> Option<f64> {
         let newton = -self.first / self.second;
         // A slope that flattens out soon has no zero by this measure.
@@ -137,7 +139,7 @@ impl Correction {
         Self { step: Vec::new(), change: Vec::new(), reciprocal: 0.0 }
     }
 
-    /// The reciprocal stays 0 where the slope did not rise along the step: such a pair says nothing about the curvature.
+    /// The reciprocal stays 0 if the slope did not rise along the step: such a pair says nothing about the curvature.
     fn set(&mut self, length: f64, direction: &[DVec2], gradient: &[DVec2], next_gradient: &[DVec2]) {
         self.step.clear();
         self.step.extend(direction.iter().map(|&by| length * by));
@@ -158,14 +160,14 @@ fn search_direction(
     for (by, &gradient) in direction.iter_mut().zip(gradient) {
         *by = -gradient;
     }
-    let mut shares = [0.0; MEMORY];
-    for (correction, share) in corrections.iter().zip(&mut shares).rev() {
-        *share = correction.reciprocal * dot(&correction.step, direction);
-        add(direction, -*share, &correction.change);
+    let mut factors = [0.0; MEMORY];
+    for (correction, factor) in corrections.iter().zip(&mut factors).rev() {
+        *factor = correction.reciprocal * dot(&correction.step, direction);
+        add(direction, -*factor, &correction.change);
     }
     solve(direction);
-    for (correction, share) in corrections.iter().zip(&shares) {
-        add(direction, share - correction.reciprocal * dot(&correction.change, direction), &correction.step);
+    for (correction, factor) in corrections.iter().zip(&factors) {
+        add(direction, factor - correction.reciprocal * dot(&correction.change, direction), &correction.step);
     }
 }
 
@@ -284,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn uphill_it_stays() {
+    fn an_uphill_direction_changes_nothing() {
         let mut well = DoubleWell::new(&START);
         descend(&mut well, START.len(), |values| values.iter_mut().for_each(|value| *value = -*value), LIMITS);
         assert_eq!(well.at, START);

@@ -2,7 +2,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// The jet of third order of a function of one variable, such as the energy along a line; or those of several functions at once.
+/// The jet of third order of a function of one variable, such as the energy along a line, or of several functions at
+/// once.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Jet<T = f64> {
     pub(crate) value: T,
@@ -79,7 +80,7 @@ impl<T: Copy + From<f64> + Add<Output = T> + Mul<Output = T>> Mul for Jet<T> {
 
 #[cfg(test)]
 impl Jet {
-    /// Asserts that the derivatives of a function at a place are the slopes of its value and of one another, but for `tolerance`.
+    /// Asserts that the derivatives of a function are the slopes of its value and of one another, within `tolerance`.
     pub(crate) fn assert_slopes(mut function: impl FnMut(f64) -> Self, at: f64, tolerance: f64) {
         let step = 1e-4;
         let [here, before, after] = [at, at - step, at + step].map(&mut function);

@@ -1,5 +1,5 @@
-//! The Laplacian of a weighted graph over its free vertices, with the others as boundary (section V-C: virtual and real sites of the
-//! cell graph); factorised once.
+//! The Laplacian of a weighted graph over its free vertices, with the others as boundary (section V-C: virtual and
+//! real sites of the cell graph); factorised once.
 
 use super::elimination::GroundedLaplacian;
 

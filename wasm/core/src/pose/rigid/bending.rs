@@ -1,9 +1,9 @@
 //! The cell graph, deformed as rigidly as possible (Sorkine and Alexa 2007), on the sites alone.
 //!
-//! The motions minimise Σ w_ij |(p_i − p_j) − s_i R_i (h_i − h_j)|² over the links, each counted from both ends. The scales s_i are
-//! those that handles request, harmonic in between. Real sites stay with their handles, with their rotation where the person set
-//! one. For given places the best rotations have a closed form, so the energy depends on the places alone; a [descent](descend) on
-//! the factorised Laplacian lowers it.
+//! The motions minimise Σ w_ij |(p_i − p_j) − s_i R_i (h_i − h_j)|² over the links, each counted from both ends. The
+//! scales s_i are those that handles request, harmonic in between. Real sites stay with their handles, and keep a
+//! rotation that the person set. For given places the best rotations have a closed form, so the energy depends on the
+//! places alone; a [descent](descend) on the factorised Laplacian lowers it.
 
 use glam::DVec2;
 
@@ -16,11 +16,12 @@ use super::super::{
 /// Iterations of the graph at most: twice as many as 200 sites of an unrolled spiral take.
 const MAX_ITERATIONS: usize = 120;
 
-/// Line searches end where the slope is this share of the initial one: nearly always at the step that the Laplacian suggests.
+/// Line searches end where the slope is this fraction of the initial one: nearly always at the step that the
+/// Laplacian suggests.
 const CURVATURE_CONDITION: f64 = 0.9;
 
-/// Deforms the graph until no site moves by more than `tolerance`. `is_free` says for each site whether its rotation is free,
-/// `scales` are those requested at the sites.
+/// Deforms the graph until no site moves by more than `tolerance`. `is_free` says for each site whether its rotation
+/// is free, `scales` are those requested at the sites.
 pub(super) fn bend(
     laplacian: &Laplacian,
     links: impl Iterator<Item = (usize, usize, f64)>,

@@ -1,9 +1,9 @@
 //! Distortion of a map: the symmetric Dirichlet energy of its Jacobian J, |J|² + |J⁻¹|² (Smith and Schaefer 2015).
 //!
-//! Rotations have the least energy. Near a rotation it measures strain as as-rigid-as-possible does, but it also grows
-//! without bound where J becomes singular, so shapes do not collapse. In the plane |J⁻¹|² = |J|² / det². To be finite for an
-//! inverted J too, with a steep gradient towards recovery, it has χ(det) = (det + √(det² + ε²)) / 2 > 0 in place of det
-//! (Garanzha et al. 2021).
+//! Rotations have the least energy. Near a rotation it measures strain as as-rigid-as-possible does, but it also
+//! grows without bound where J becomes singular, so shapes do not collapse. In the plane |J⁻¹|² = |J|² / det². To be
+//! finite for an inverted J too, with a steep gradient towards recovery, it has χ(det) = (det + √(det² + ε²)) / 2 > 0
+//! in place of det (Garanzha et al. 2021).
 //!
 //! Cost: one square root and one division for each evaluation.
 
@@ -11,7 +11,8 @@ use wide::f64x4;
 
 use super::{super::numeric::Jet, jacobians::Jacobians};
 
-/// The energy for one regularisation ε, as f(det J) |J|² − [`least`](Self::least): about |J − R|² / 2 near a rotation R.
+/// The energy for one regularisation ε, as f(det J) |J|² − [`least`](Self::least): about |J − R|² / 2 near a rotation
+/// R.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Distortion {
     /// ε².
@@ -31,8 +32,8 @@ impl Distortion {
         let regularisation = regularisation * regularisation;
         let root = (1.0 + regularisation).sqrt();
         let chi = (1.0 + root) / 2.0;
-        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1, as χ′ = χ / √(det² + ε²): with 1 in its
-        // place, χ would shift the minimum to a scale a little above 1.
+        // Chosen so that the derivative with respect to a uniform scale is 0 at scale 1, as χ′ = χ / √(det² + ε²):
+        // with 1 in its place, χ would shift the minimum to a scale a little above 1.
         let factor = chi * chi / (2.0 / root - 1.0);
         Self { regularisation, inverse: SCALE * factor, least: SCALE * 2.0 * (1.0 + factor / (chi * chi)) }
     }
@@ -43,8 +44,8 @@ impl Distortion {
         let root = (det * det + self.regularisation).sqrt();
         let chi = 0.5 * (det + root);
         // One division for all.
-        let share = 1.0 / (chi * chi * root);
-        let (inverse, by_root) = (self.inverse * share * root, share * chi * chi);
+        let reciprocal = 1.0 / (chi * chi * root);
+        let (inverse, by_root) = (self.inverse * reciprocal * root, reciprocal * chi * chi);
         let around = by_root * (1.0 + det * by_root);
         let first = -2.0 * inverse * by_root;
         Jet { value: SCALE + inverse, first, second: -first * (by_root + around), third: 3.0 * first * around * around }
@@ -123,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn what_turns_over_costs_more_than_what_is_squeezed() {
+    fn inversion_costs_more_than_compression() {
         for distortion in REGULARISATIONS.map(Distortion::new) {
             let of = |x| energy(&distortion, DMat2::from_diagonal(DVec2::new(1.0, x)));
             let energies = [1.0, 0.5, 0.2, 0.0, -0.2, -0.5].map(of);

@@ -1,4 +1,4 @@
-//! The Jacobians of several nodes, side by side: a processor works on some of them at a time.
+//! The Jacobians of several nodes side by side, for SIMD.
 
 use std::ops::{Add, Mul};
 

@@ -1,20 +1,20 @@
 //! The rigid pose mode: virtual sites move so that the picture distorts as little as it can.
 //!
 //! First the cell graph [bends](bending) as rigidly as possible, on the sites alone. From there the picture itself is
-//! [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], and lowered over everything that the handles
-//! leave free. So it needs no rotations from the person, bends as a limb bends, and seldom folds. A point cloud has no
-//! picture between its sites, so a cloud keeps the result of the graph.
+//! [relaxed](relaxation): its [distortion] is measured at the nodes of a [quadrature], and lowered over everything
+//! that the handles leave free. So it needs no rotations from the person, bends as a limb bends, and seldom folds. A
+//! point cloud has no picture between its sites, so a cloud keeps the result of the graph.
 //!
-//! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the way they were dragged there.
-//! Begun at the last frame's pose and settled in two iterations, a frame takes six tenths of the time, and what it shows depends
-//! on the drag: a twisted cross ends six pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times
-//! the energy.
+//! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the drag. Two iterations
+//! from the last frame's pose would take six tenths of the time, but depend on the drag. A twisted cross ends six
+//! pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times the energy.
 //!
-//! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima, and the
-//! descent from the harmonic pose leads to one of them. A pose without folds ends within a few thousandths of the picture's size
-//! from it. Where handles are taken past one another the descent ends earlier, with folds that more iterations would undo, a
-//! fourth to a seventh of those in the harmonic pose. The quadrature is one of samples, so poses differ by some thousandths of
-//! that size with their number, and by up to two hundredths where the picture is turned.
+//! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima,
+//! and the descent from the harmonic pose leads to one of them. A pose without folds ends within a few thousandths of
+//! the picture's size from it. Where handles are taken past one another the descent ends earlier, with folds that
+//! more iterations would undo, a fourth to a seventh of those in the harmonic pose. The quadrature is one of samples,
+//! so poses differ by some thousandths of that size with their number, and by up to two hundredths where the picture
+//! is turned.
 
 mod bending;
 mod distortion;
@@ -32,11 +32,11 @@ use super::{Motion, numeric::Laplacian};
 
 pub(crate) use self::{quadrature::Quadrature, relaxation::Freedom};
 
-/// The descent of the graph ends with an iteration that moves no site by more than this share of the scene's extent: a tenth
-/// of a pixel. What is relaxed from a pixel away is hardly worse, but jumps when a drag makes the graph take one iteration
-/// more or less.
+/// The descent of the graph ends with an iteration that moves no site by more than this fraction of the scene's
+/// extent: a tenth of a pixel. A relaxation from a pixel away is hardly worse, but jumps when a drag makes the graph
+/// take one iteration more or less.
 const BENDING_TOLERANCE: f64 = 1e-4;
-/// The same where no relaxation follows: a ten-thousandth of a pixel.
+/// The same if no relaxation follows: a ten-thousandth of a pixel.
 const GRAPH_TOLERANCE: f64 = 1e-7;
 /// The same for the relaxation: a hundredth of a pixel.
 const RELAXATION_TOLERANCE: f64 = 1e-5;
@@ -65,7 +65,7 @@ impl Rigid {
         Self { links, freedom, quadrature, laplacian: OnceLock::new(), relaxation: OnceLock::new() }
     }
 
-    /// Whether the data are consistent for this number of sites: a check of what was read from bytes.
+    /// Whether data that were read from bytes are consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
         let known = |&(i, j, weight): &(u32, u32, f64)| i < j && (j as usize) < sites && (0.0..=1.0).contains(&weight);
         self.freedom.len() == sites
@@ -78,8 +78,8 @@ impl Rigid {
         self.links.iter().map(|&(i, j, weight)| (i as usize, j as usize, weight))
     }
 
-    /// Replaces harmonic motions by rigid ones. `is_free` says for each site whether its rotation is free, `scales` are those
-    /// requested at the sites.
+    /// Replaces harmonic motions by rigid ones. `is_free` says for each site whether its rotation is free, `scales`
+    /// are those requested at the sites.
     pub(super) fn minimize(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
         if rest.is_empty() {
             return;

@@ -1,13 +1,13 @@
-//! Places all over the picture at which a pose is judged, with their weights: what travels to where poses are computed.
+//! The nodes all over the picture at which the rigid mode measures distortion, with their weights.
 //!
-//! A cell is divided by which two other sites weigh most, and every part has a place at its centroid: three in what would be a
-//! triangle of neighbouring sites, each nearer to another of its corners, like Gauss's of degree 2. A part that is long beside the
-//! supports that reach it has two places, which have its second moment along it. Where many sites meet in a narrow space, places are
-//! dense. A site whose cell has no other place is one. A symmetric scene has symmetric places.
+//! A cell is divided by its next two dominant sites, and every part has a node at its centroid. In a triangle of
+//! neighbouring sites these are three nodes, each nearer to another corner, like Gauss's rule of degree 2. A part
+//! that is long compared with its supports has two nodes with its second moment along it. Nodes are dense where many
+//! sites meet in a narrow space. A site whose cell has no node is one. A symmetric scene has symmetric nodes.
 //!
-//! All of a held outline counts as one site: whatever its sites weigh, they stay.
+//! A held outline counts as one site, as all of its sites stay.
 //!
-//! Numbers are kept as f32, some 70 kB for 200 sites; what rounding takes from sums that must be 1 and 0 is given back.
+//! Numbers are stored as f32, some 70 kB for 200 sites. Sums that must be 1 and 0 are corrected for rounding.
 
 mod moments;
 mod parts;
@@ -26,21 +26,22 @@ use crate::{
     weight::{Influence, SparseWeights, WeightFunctions},
 };
 
-/// A part that is longer than wide by more than this share of the least support that reaches it has two places, as standard deviations
-/// go. With one for all, what a small support between two bars does goes unseen, and folds; with 0.15 a twisted cross distorts by 2 %
-/// more, with 0.1 poses take 10 % longer.
+/// A part has two nodes if its standard deviations differ by more than this fraction of the smallest support that
+/// reaches it. With one node for each part, a small support between two bars goes unnoticed, and folds. With 0.15 a
+/// twisted cross distorts by 2 % more; with 0.1 poses take 10 % longer.
 const LONG: f64 = 0.12;
-/// Weights that change by more than this within the width of a part say nothing of it: its place is next to a joint of bones, where
-/// gradients have no bound.
+/// A node is dropped if weights change by more than this within the width of its part: it is next to a joint of
+/// bones, where gradients have no bound.
 const STEEP: f64 = 10.0;
-/// Least weight of a site at a place: what is less costs a sixth of the time of a pose, and changes its energy by some thousandths.
+/// Least weight of a site at a node. Smaller weights cost a sixth of the time of a pose, and change its energy by
+/// some thousandths.
 const TAIL: f64 = 0.004;
 
-/// Where a place is between triangles of the outline, of which each sees the paths on its own side, gradients are differences over this
-/// share of the width of its part.
+/// For a node between triangles of the outline, each of which sees the paths on its own side, gradients are
+/// differences over this fraction of the width of its part.
 const STEP: f64 = 1e-5;
 
-/// A place of the quadrature.
+/// A node of the quadrature.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     pub(super) at: DVec2,
@@ -49,7 +50,7 @@ pub(super) struct Node {
     pub(super) influences: Vec<Influence>,
 }
 
-/// All places, as they are kept.
+/// All nodes, as they are stored.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Quadrature {
     nodes: Vec<PackedNode>,
@@ -70,7 +71,7 @@ struct PackedInfluence {
 }
 
 impl Quadrature {
-    /// Places for the samples of a picture with their weights.
+    /// The nodes for the samples of a picture with their weights.
     pub(crate) fn new(
         navigation: &Navigation,
         sites: &[Site],
@@ -99,12 +100,12 @@ impl Quadrature {
         Self { nodes }
     }
 
-    /// Whether it is made for so many sites: to be asked of what came from elsewhere.
+    /// Whether data that were read from bytes are consistent for this number of sites.
     pub(super) fn is_whole(&self, sites: usize) -> bool {
         self.nodes.iter().all(|node| node.is_whole(sites))
     }
 
-    /// Its places, with the influences there.
+    /// The nodes, with the influences there.
     pub(super) fn nodes(&self) -> impl Iterator<Item = Node> + '_ {
         self.nodes.iter().map(PackedNode::unpacked)
     }
@@ -147,8 +148,7 @@ struct Placing<'a> {
 }
 
 impl Placing<'_> {
-    /// One node of a part or two; none where its centroid lies in a gap of the domain: then the parts around it tell what there is to
-    /// tell.
+    /// The one or two nodes of a part. None if its centroid lies in a gap of the domain: the parts around it suffice.
     fn nodes_of(&self, part: &Part) -> Vec<PackedNode> {
         let moments = &part.moments;
         let Some(one) = self.node_at(moments.centroid(), moments.area) else { return Vec::new() };
@@ -165,7 +165,7 @@ impl Placing<'_> {
         self.node(at, self.navigation.triangle_at(at)?, area)
     }
 
-    /// The node at a place that stands for an area, unless weights say nothing of that.
+    /// The node at a place that represents an area; `None` if weights change too much within it.
     fn node(&self, at: DVec2, triangle: NavTriangle, area: f64) -> Option<PackedNode> {
         let Self { navigation, sites, functions, held } = *self;
         let here = match navigation.is_on_edge(triangle, at) {
@@ -195,7 +195,7 @@ impl HeldOutline {
         Self(sites.iter().position(|site| site.kind == SiteKind::Boundary))
     }
 
-    /// Adds to what a site has to say already, if it has.
+    /// Adds to the influence of the same site, if there is one.
     fn add(self, influences: &mut Vec<Influence>, sites: &[Site], more: Influence) {
         let stays = sites[more.site].kind == SiteKind::Boundary;
         let site = self.0.filter(|_| stays).unwrap_or(more.site);

@@ -6,8 +6,8 @@ use glam::{DMat2, DVec2};
 
 use crate::pose::motion::turn;
 
-/// Area of a part, and its first and second moments about a place near it: about the picture's corner they would lose the digits that a
-/// part far away is told by.
+/// Area of a part, and its first and second moments about a place near it. About the picture's corner, moments of a
+/// distant part would lose digits.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moments {
     about: DVec2,
@@ -28,8 +28,8 @@ impl Moments {
         self.about + self.first / self.area
     }
 
-    /// Two places that, with half the area each, have the second moment along the longer axis; `None` where that is longer than the shorter
-    /// by less than `least`, measured as deviations: where they are as long there is no such axis.
+    /// Two places that, with half the area each, have the second moment along the longer axis. `None` if the standard
+    /// deviations along both axes differ by less than `least`: equal ones define no axis.
     pub(super) fn halves(&self, least: f64) -> Option<[DVec2; 2]> {
         let at = self.centroid();
         let mean = self.first / self.area;
@@ -57,7 +57,7 @@ impl AddAssign for Moments {
 mod tests {
     use super::*;
 
-    /// Equal areas on a grid of so many places by so many, as far apart as told, turned, about a place.
+    /// Equal areas on a turned grid of places about a place.
     fn rectangle(long: i32, wide: i32, apart: f64, turned: f64, middle: DVec2) -> Moments {
         let about = middle + DVec2::new(apart, -2.0 * apart);
         let mut sum = Moments::of(middle, 0.0, about);
@@ -71,7 +71,7 @@ mod tests {
 
     /// In a picture, and as small as in a mesh that lies far away.
     #[test]
-    fn what_is_long_is_halved_along_it() {
+    fn a_long_part_is_halved_along_its_axis() {
         for (apart, middle) in [(1.0, DVec2::new(900.0, -70.0)), (0.01, DVec2::new(1e6, -1e6))] {
             for turned in [0.0, 0.4, 1.6, 3.0] {
                 let moments = rectangle(40, 10, apart, turned, middle);
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_short_or_as_wide_as_long_is_one() {
+    fn a_short_or_square_part_is_not_halved() {
         for (apart, middle) in [(1.0, DVec2::new(900.0, -70.0)), (0.01, DVec2::new(1e6, -1e6))] {
             assert_eq!(rectangle(40, 10, apart, 0.4, middle).halves(12.0 * apart), None);
             assert_eq!(rectangle(40, 40, apart, 0.4, middle).halves(1e-3 * apart), None);

@@ -1,4 +1,4 @@
-//! The parts of the picture that have a node or two each: where the same site weighs most, and the same two others next to it.
+//! The parts of the picture that have one or two nodes each: the samples with the same dominant sites.
 
 use glam::DVec2;
 
@@ -9,32 +9,33 @@ use crate::{
     weight::{Influence, SparseWeights},
 };
 
-/// Sites whose weights differ by no more weigh the same: a sample on an axis of symmetry counts for both sides. One that weighs no more
-/// weighs nothing: it is rounding that decides where a support ends.
+/// Weights that differ by no more are equal: a sample on an axis of symmetry counts for both sides. A weight that is
+/// no greater counts as 0, as rounding decides where a support ends.
 const TIE: f64 = 1e-9;
-/// The site that weighs most and how many others tell a part of the picture from the rest. With one other, folds between the places go
-/// unseen; with three, or two in the order of their weights, poses are hardly better.
-const TOLD_BY: usize = 3;
+/// Number of dominant sites that identify a part. With two, folds between the nodes go unnoticed. With four, or with
+/// the order of the weights, poses are hardly better.
+const DOMINANT_COUNT: usize = 3;
 
-/// The site that weighs most, and the next two in the order of their numbers; [`NO_SITE`] where fewer reach.
-type Told = [u32; TOLD_BY];
+/// The sites with the largest weights: the first one, then the next two in ascending order; [`NO_SITE`] if fewer
+/// reach.
+type DominantSites = [u32; DOMINANT_COUNT];
 const NO_SITE: u32 = u32::MAX;
 
 /// A part of the picture.
 #[derive(Debug)]
 pub(super) struct Part {
-    told: Told,
+    dominant: DominantSites,
     pub(super) moments: Moments,
 }
 
 impl Part {
-    /// The site that weighs most, if any reaches.
+    /// The site with the largest weight, if any reaches.
     pub(super) fn site(&self) -> Option<usize> {
-        (self.told[0] != NO_SITE).then_some(self.told[0] as usize)
+        (self.dominant[0] != NO_SITE).then_some(self.dominant[0] as usize)
     }
 }
 
-/// The parts of a picture, whose samples stand for `areas`.
+/// The parts of a picture, whose samples represent `areas`.
 pub(super) fn parts(
     sites: &[Site],
     samples: &Samples,
@@ -51,18 +52,18 @@ pub(super) fn parts(
         for (site, weight) in weights.row(sample) {
             held.add(&mut row, sites, Influence { site, weight, gradient: DVec2::ZERO });
         }
-        divide(&row, [NO_SITE; TOLD_BY], 0, area, &mut |told, area| {
-            let about = sites.get(told[0] as usize).map_or(vertices[0], |site| site.rest);
+        divide(&row, [NO_SITE; DOMINANT_COUNT], 0, area, &mut |dominant, area| {
+            let about = sites.get(dominant[0] as usize).map_or(vertices[0], |site| site.rest);
             let moments = Moments::of(vertices[sample], area, about);
-            match parts.last_mut().filter(|last| last.told == told) {
+            match parts.last_mut().filter(|last| last.dominant == dominant) {
                 Some(last) => last.moments += moments,
-                None => parts.push(Part { told, moments }),
+                None => parts.push(Part { dominant, moments }),
             }
         });
     }
-    parts.sort_by_key(|part| part.told);
+    parts.sort_by_key(|part| part.dominant);
     parts.dedup_by(|next, kept| {
-        let same = next.told == kept.told;
+        let same = next.dominant == kept.dominant;
         if same {
             kept.moments += next.moments;
         }
@@ -71,26 +72,33 @@ pub(super) fn parts(
     parts
 }
 
-/// Divides the area of a sample among the parts that its weights tell of: one, or several where weights are tied. `told` holds the
-/// `known` sites that weigh most.
-fn divide(row: &[Influence], told: Told, known: usize, area: f64, take: &mut impl FnMut(Told, f64)) {
-    let others = || row.iter().filter(|one| !told[..known].contains(&(one.site as u32)));
+/// Divides the area of a sample among its parts: one, or several if weights are tied. `dominant` holds the `known`
+/// sites with the largest weights.
+fn divide(
+    row: &[Influence],
+    dominant: DominantSites,
+    known: usize,
+    area: f64,
+    take: &mut impl FnMut(DominantSites, f64),
+) {
+    let others = || row.iter().filter(|one| !dominant[..known].contains(&(one.site as u32)));
     let most = others().map(|one| one.weight).fold(0.0, f64::max);
     let tied = || others().filter(|one| one.weight >= most - TIE && one.weight > TIE);
     let count = tied().count();
-    if known == TOLD_BY || count == 0 {
-        let [first, second, third] = told;
+    if known == DOMINANT_COUNT || count == 0 {
+        let [first, second, third] = dominant;
         take([first, second.min(third), second.max(third)], area);
         return;
     }
     for one in tied() {
-        let mut next = told;
+        let mut next = dominant;
         next[known] = one.site as u32;
         divide(row, next, known + 1, area / count as f64, take);
     }
 }
 
-/// The area that each sample stands for: of every triangle a third. What has more corners on one circle is shared out as a whole.
+/// The area that each sample represents: a third of every triangle. Polygons with all corners on one circle are
+/// divided as a whole.
 pub(super) fn areas(samples: &Samples) -> Vec<f64> {
     let vertices = &samples.mesh.vertices;
     let mut areas = vec![0.0; vertices.len()];

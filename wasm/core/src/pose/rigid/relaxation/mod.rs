@@ -1,15 +1,15 @@
 //! Relaxation: motions that distort the picture itself as little as they can.
 //!
-//! The sites alone do not show how a blend deforms the picture between them. But the blended map is linear in the places and
-//! linear parts of the sites (eq. 1), and so is its Jacobian J at a node of the [quadrature](super::Quadrature), as in fast
-//! automatic skinning (Jacobson, Baran, Kavan, Popović and Sorkine 2012). Minimised is Σ area ·
-//! [`distortion`](super::distortion)(J / s), where s is the scale requested at the node, over everything that the handles
-//! leave free: see [`Freedom`].
+//! The sites alone do not show how a blend deforms the picture between them. But the blended map is linear in the
+//! places and linear parts of the sites (eq. 1), and so is its Jacobian J at a node of the
+//! [quadrature](super::Quadrature), as in fast automatic skinning (Jacobson, Baran, Kavan, Popović and Sorkine 2012).
+//! Minimised is Σ area · [`distortion`](super::distortion)(J / s), where s is the scale requested at the node, over
+//! everything that the handles leave free: see [`Freedom`].
 //!
-//! A [descent](descend) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line J is linear
-//! in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see `relaxing`. The
-//! initial motions are those of the cell graph alone: see [`bending`](super::bending). Cost: some 0.1 ms an iteration for 200
-//! sites.
+//! A [descent](descend) minimises it, preconditioned by the factorised matrix of Σ area |J|². Along a line J is
+//! linear in the length, so det J and |J|² are polynomials in it, and a line search does not visit the sites: see
+//! `relaxing`. The initial motions are those of the cell graph alone: see [`bending`](super::bending). Cost: some 0.1
+//! ms an iteration for 200 sites.
 
 mod nodes;
 mod relaxing;
@@ -35,30 +35,32 @@ use super::{
 
 pub(crate) use self::unknowns::Freedom;
 
-/// Regularisation ε of the first iterations: large, so that what is inverted at the start recovers in them.
+/// Regularisation ε of the first iterations: large, so that inverted parts recover in them.
 const FIRST_REGULARISATION: f64 = 0.5;
-/// Number of these iterations. Without them a twisted cross of 200 sites keeps twice as many folds, and bars beside a held
-/// outline keep some.
+/// Number of these iterations. Without them a twisted cross of 200 sites keeps twice as many folds, and bars beside a
+/// held outline keep some.
 const FIRST_ITERATIONS: usize = 2;
-/// Regularisation ε of the iterations that follow. With half of it descents get stuck; with twice as much folds cost too
-/// little.
+/// Regularisation ε of the iterations that follow. With half of it descents get stuck; with twice as much folds cost
+/// too little.
 const REGULARISATION: f64 = 0.2;
-/// Stiffness of the spring that anchors a motion at its initial value, as a fraction of the area around its site: it decides where
-/// the quadrature does not. With a fifth of it, bars that turn against each other distort more of what is between them; with
-/// five times as much, everything bends stiffly.
+/// Stiffness of the spring that anchors a motion at its initial value, as a fraction of the area around its site: it
+/// decides where the quadrature does not. A fifth of it distorts more of the picture between bars that turn against
+/// each other. Five times as much bends everything stiffly.
 const ANCHOR_STIFFNESS: f64 = 0.1;
-/// Least area for [`ANCHOR_STIFFNESS`], as a fraction of the mean cell: a site of little influence stays with its surroundings. With a
-/// hundredth of it, a site between two bars may go anywhere, and folds what is between the nodes of the quadrature.
+/// Least area for [`ANCHOR_STIFFNESS`], as a fraction of the mean cell: a site of little influence stays with its
+/// surroundings. With a hundredth of it, a site between two bars may go anywhere, and folds the picture between the
+/// nodes of the quadrature.
 const LEAST: f64 = 0.2;
-/// The descent ends with an iteration that lowers the energy by no more than this share: most poses take about five. With ten
-/// times as much, drags jump by some pixels.
+/// The descent ends with an iteration that lowers the energy by no more than this fraction: most poses take about
+/// five. With ten times as much, drags jump by some pixels.
 const GAIN: f64 = 2e-3;
-/// Line searches end where the slope is this share of the initial one: the first low point of a line is far from its minimum.
-/// With twice as much, a twisted cross jumps by five times as much as its handles move; the samples of a line hardly cost
-/// more, as each is much closer than the last.
+/// Line searches end where the slope is this fraction of the initial one: the first low point of a line is far from
+/// its minimum. With twice as much, a twisted cross jumps by five times as much as its handles move; the samples of a
+/// line hardly cost more, as each is much closer than the last.
 const CURVATURE_CONDITION: f64 = 0.015;
-/// Iterations at most. With six, a twisted cross of 200 sites stays folded in places. With 40, what handles fold that were taken
-/// past one another at random is down to a half or a fifth, but it takes twice as long, and drags of them jump half as often again.
+/// Iterations at most. With six, a twisted cross of 200 sites stays folded in places. With 40, folds between handles
+/// that were moved past one another at random drop to a half or a fifth. That takes twice as long, and drags jump
+/// half as often again.
 const MAX_ITERATIONS: usize = 8;
 
 /// The blended map's distortion as a function of the unknowns. Lengths are in [units](Relaxation::unit).
@@ -102,7 +104,7 @@ impl Relaxation {
         let mut parts = self.parts(motions);
         let mut relaxing = Relaxing::new(self, &parts, is_free, scales, FIRST_REGULARISATION);
         self.relax(&mut relaxing, is_free, tolerance / self.unit);
-        // Handles may be posed so far out that numbers overflow: the result of the graph is kept then.
+        // If handles are posed so far out that numbers overflow, keep the result of the graph.
         if !relaxing.unknown().iter().all(|by| by.is_finite()) {
             return;
         }
@@ -123,7 +125,8 @@ impl Relaxation {
         motions.iter().zip(&self.rest).map(of_motion).collect()
     }
 
-    /// Descends until no unknown moves by more than `tolerance`: first with a large regularisation, then with the final one.
+    /// Descends until no unknown moves by more than `tolerance`: first with a large regularisation, then with the
+    /// final one.
     fn relax(&self, relaxing: &mut Relaxing, is_free: &[bool], tolerance: f64) {
         let solve = |values: &mut [DVec2]| {
             self.inverse.solve(values);
@@ -136,7 +139,7 @@ impl Relaxation {
         descend(relaxing, self.unknowns.len(), solve, limits(MAX_ITERATIONS - FIRST_ITERATIONS));
     }
 
-    /// Sets what is free of motions to the given parts.
+    /// Sets the free parts of motions.
     fn set_motions(&self, motions: &mut [Motion], parts: &[Parts], is_free: &[bool]) {
         for (site, ((freedom, _), motion)) in self.unknowns.iter().zip(motions).enumerate() {
             let [place, x, y] = parts[site];

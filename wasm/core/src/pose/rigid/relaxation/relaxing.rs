@@ -23,7 +23,8 @@ pub(super) struct Relaxing<'a> {
     /// The unknowns, relative to their initial values.
     unknown: Vec<DVec2>,
     direction: Vec<DVec2>,
-    /// Scratch: the direction, or the gradient, in terms of the parts of each site, whose places are relative to the origin.
+    /// Scratch: the direction, or the gradient, in terms of the parts of each site, whose places are relative to the
+    /// origin.
     parts: Vec<Parts>,
     maps: Vec<Maps>,
     lines: Vec<Lines>,
@@ -44,8 +45,8 @@ struct Maps {
     along: Jacobians,
 }
 
-/// det J and |J|² of some nodes along the direction: coefficients of polynomials in the length, whose constant terms belong to
-/// the current pose.
+/// det J and |J|² of some nodes along the direction: coefficients of polynomials in the length, whose constant terms
+/// belong to the current pose.
 #[derive(Debug, Clone, Copy, Default)]
 struct Lines {
     area: f64x4,
@@ -59,8 +60,8 @@ struct Lines {
 const LANES: usize = Jacobians::LANES;
 
 impl<'a> Relaxing<'a> {
-    /// Begins at the given parts of all sites, whose places are the sites' posed places; `scales` are those requested at the
-    /// sites, `regularisation` is ε of the distortion.
+    /// Begins at the given parts of all sites, whose places are the sites' posed places; `scales` are those requested
+    /// at the sites, `regularisation` is ε of the distortion.
     pub(super) fn new(
         relaxation: &'a Relaxation,
         parts: &[Parts],
@@ -79,7 +80,7 @@ impl<'a> Relaxing<'a> {
         let groups = nodes.len().div_ceil(LANES);
         let (mut maps, mut lines) = (Vec::with_capacity(groups), Vec::with_capacity(groups));
         while nodes.len() > 0 {
-            // Where there is no node the area is 0.
+            // Lanes without a node have no area.
             let (mut area, mut scale, mut derivatives) = ([0.0; LANES], [1.0; LANES], [DMat2::IDENTITY; LANES]);
             for (lane, (node, terms)) in nodes.by_ref().take(LANES).enumerate() {
                 (area[lane], scale[lane]) = (node.area, scale_at(terms));
@@ -239,7 +240,8 @@ impl Lines {
         (Jet::of_polynomial(self.det, length.into()), Jet::of_polynomial(self.square, length.into()))
     }
 
-    /// The gradients of the energies, weighted by area, with respect to J at the start of the lines, where the factors are.
+    /// The gradients of the energies, weighted by area, with respect to J at the start of the lines, where the
+    /// factors are.
     fn gradients(&self, maps: &Maps) -> Jacobians {
         self.area * maps.unscale * gradient(&maps.derivative, &self.factor, self.square[0])
     }

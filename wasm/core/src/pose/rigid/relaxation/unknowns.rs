@@ -1,4 +1,4 @@
-//! What of the sites' motions the handles leave free, as a vector of unknowns.
+//! The parts of the sites' motions that the handles leave free, as a vector of unknowns.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,8 @@ pub(crate) enum Freedom {
     Whole,
     /// The linear part: a point, unless its rotation is set.
     Linear,
-    /// The image of the normal of this direction under the linear part: a bar. It makes no difference on the bar itself.
+    /// The image of the normal of this direction under the linear part: a bar. It makes no difference on the bar
+    /// itself.
     Across(DVec2),
     /// Nothing: a polygon keeps its inside, and a held outline stays in place.
     None,
