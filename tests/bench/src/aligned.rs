@@ -1,8 +1,8 @@
-//! Tables in Markdown that are aligned for eyes too.
+//! Markdown tables with aligned columns.
 
 use std::fmt::Write;
 
-/// A table whose first `words` columns stand on the left and whose others, which hold numbers, on the right.
+/// Formats a table. The first `words` columns are aligned left. The others hold numbers and are aligned right.
 #[must_use]
 pub fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>, words: usize) -> String {
     let lines: Vec<Vec<String>> =
@@ -16,14 +16,14 @@ pub fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>, words: 
             if column < words { format!("{cell:width$}") } else { format!("{cell:>width$}") }
         };
         let cells: Vec<String> = line.iter().enumerate().map(cell).collect();
-        writeln!(text, "| {} |", cells.join(" | ")).expect("writing to memory does not fail");
+        writeln!(text, "| {} |", cells.join(" | ")).expect("writing to a string never fails");
         if at == 0 {
             let rule = |(column, &width): (usize, &usize)| match column < words {
                 true => "-".repeat(width),
                 false => "-".repeat(width - 1) + ":",
             };
             let rules: Vec<String> = widths.iter().enumerate().map(rule).collect();
-            writeln!(text, "| {} |", rules.join(" | ")).expect("writing to memory does not fail");
+            writeln!(text, "| {} |", rules.join(" | ")).expect("writing to a string never fails");
         }
     }
     text

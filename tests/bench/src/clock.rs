@@ -1,10 +1,10 @@
-//! Time, from wherever the benchmark runs.
+//! Clocks for the native program and the page.
 
 use std::{sync::LazyLock, time::Instant};
 
 use wasm_bindgen::prelude::*;
 
-/// Milliseconds since some moment that does not change; never goes back.
+/// A monotonic clock. Returns the milliseconds since a fixed moment.
 pub type Clock = fn() -> f64;
 
 /// The clock of a native program.
@@ -20,7 +20,7 @@ extern "C" {
     fn performance_now() -> f64;
 }
 
-/// The clock of a page. In steps of 5 µs where the page is isolated from others, else of 100 µs.
+/// The clock of a page. Its resolution is 5 µs in a cross-origin isolated page, otherwise 100 µs.
 #[must_use]
 pub fn page_ms() -> f64 {
     performance_now()

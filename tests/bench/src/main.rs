@@ -1,8 +1,8 @@
-//! `c2warp-bench`: runs the benchmark natively and prints its tables; see the library.
+//! `c2warp-bench`: runs the benchmark natively, or prints its tables.
 //!
-//! - without arguments: runs, and prints tables of it alone;
-//! - `--json FILE`: runs, and writes the times to a file;
-//! - `--tables FOLDER`: runs nothing, and prints tables of `native.json`, and of `wasm.json` and `memory.json` where they are.
+//! - Without arguments it runs and prints the tables of this run.
+//! - `--json FILE` runs and writes the times to a file.
+//! - `--tables FOLDER` prints the tables of `native.json`, and of `wasm.json` and `memory.json` if they exist.
 
 use std::{
     error::Error,
@@ -47,7 +47,7 @@ fn read(folder: &Path) -> Result<Results, Box<dyn Error>> {
     Ok(Results { native, wasm: json(&folder.join("wasm.json"))?, memory: json(&folder.join("memory.json"))? })
 }
 
-/// What a file holds, if there is one.
+/// Reads a JSON file. Returns `None` if it does not exist.
 fn json<T: DeserializeOwned>(file: &Path) -> Result<Option<T>, Box<dyn Error>> {
     match fs::read_to_string(file) {
         Ok(text) => Ok(Some(serde_json::from_str(&text).map_err(|reason| format!("{}: {reason}", file.display()))?)),

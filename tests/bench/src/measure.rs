@@ -1,34 +1,34 @@
-//! How long something takes: the least of many runs, after some that do not count.
+//! Measures times as the minimum of many runs after a warm-up.
 //!
-//! The first runs pay for memory that is not mapped yet, and in a page for code that is not optimised yet. Whatever else a
-//! machine does only ever adds to a time, on shared ones more than half for seconds on end: so the least is what the program
-//! itself takes, and the one figure that is much the same in two runs.
+//! The first runs map memory, and in a page they run unoptimised code. Other work of the machine only adds time, on
+//! shared machines more than half for seconds. So the minimum is the time of the program itself, and it is the most
+//! reproducible statistic.
 
 use crate::clock::Clock;
 
-/// How much work goes into one figure.
+/// The effort for one measurement.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
-    /// Runs that do not count go on for this long; there is at least one.
+    /// Duration of the warm-up, which has at least one run.
     pub warm_up_ms: f64,
-    /// Runs that count go on for this long.
+    /// Duration of the measured runs.
     pub measured_ms: f64,
-    /// The least number of runs that count.
-    pub least_runs: usize,
+    /// The smallest number of measured runs.
+    pub min_runs: usize,
 }
 
 impl Effort {
-    /// For figures to be printed.
-    pub const FULL: Self = Self { warm_up_ms: 250.0, measured_ms: 600.0, least_runs: 5 };
-    /// For trying out whether a case runs at all.
-    pub const TRIAL: Self = Self { warm_up_ms: 0.0, measured_ms: 0.0, least_runs: 1 };
+    /// For published results.
+    pub const FULL: Self = Self { warm_up_ms: 250.0, measured_ms: 600.0, min_runs: 5 };
+    /// For tests: one run without a reliable time.
+    pub const TRIAL: Self = Self { warm_up_ms: 0.0, measured_ms: 0.0, min_runs: 1 };
 }
 
-/// What each run that counts has to tell.
+/// Returns the results of the measured runs.
 ///
 /// # Errors
 /// The first error of a run.
-pub fn runs<T, E>(clock: Clock, effort: Effort, mut run: impl FnMut() -> Result<T, E>) -> Result<Vec<T>, E> {
+pub fn repeat<T, E>(clock: Clock, effort: Effort, mut run: impl FnMut() -> Result<T, E>) -> Result<Vec<T>, E> {
     let start = clock();
     loop {
         once(&mut run)?;
@@ -37,34 +37,34 @@ pub fn runs<T, E>(clock: Clock, effort: Effort, mut run: impl FnMut() -> Result<
         }
     }
     let start = clock();
-    let mut told = Vec::new();
-    while told.len() < effort.least_runs.max(1) || clock() - start < effort.measured_ms {
-        told.push(once(&mut run)?);
+    let mut results = Vec::new();
+    while results.len() < effort.min_runs.max(1) || clock() - start < effort.measured_ms {
+        results.push(once(&mut run)?);
     }
-    Ok(told)
+    Ok(results)
 }
 
-/// One run, as a call of its own: pages go over to optimised code where a function is called, not while one runs.
+/// Runs once. It is a separate call because pages switch to optimised code at calls, not during a run.
 #[inline(never)]
 fn once<T>(run: &mut impl FnMut() -> T) -> T {
     run()
 }
 
-/// The least time of a run that cannot fail.
-pub fn least_ms(clock: Clock, effort: Effort, mut run: impl FnMut()) -> f64 {
+/// Returns the shortest time of a run that cannot fail, in milliseconds.
+pub fn min_ms(clock: Clock, effort: Effort, mut run: impl FnMut()) -> f64 {
     let timed = || {
         let start = clock();
         run();
         Ok::<_, std::convert::Infallible>(clock() - start)
     };
-    match runs(clock, effort, timed) {
-        Ok(times) => least(times),
+    match repeat(clock, effort, timed) {
+        Ok(times) => minimum(times),
     }
 }
 
-/// The least value; not a number where there is none.
+/// Returns the smallest value, or NaN if there is none.
 #[must_use]
-pub fn least(values: impl IntoIterator<Item = f64>) -> f64 {
+pub fn minimum(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().reduce(f64::min).unwrap_or(f64::NAN)
 }
 
@@ -77,11 +77,11 @@ mod tests {
     thread_local!(static NOW: Cell<f64> = const { Cell::new(0.0) });
 
     #[test]
-    fn runs_until_there_are_enough_and_they_took_long_enough() {
-        let effort = Effort { warm_up_ms: 25.0, measured_ms: 40.0, least_runs: 3 };
+    fn repeat_runs_often_enough_and_long_enough() {
+        let effort = Effort { warm_up_ms: 25.0, measured_ms: 40.0, min_runs: 3 };
         for (duration, warm, counted) in [(10.0, 3, 4), (100.0, 1, 3)] {
             let mut all = 0;
-            let told = runs(
+            let results = repeat(
                 || NOW.get(),
                 effort,
                 || {
@@ -90,14 +90,14 @@ mod tests {
                     Ok::<_, ()>(all)
                 },
             );
-            assert_eq!(told, Ok((warm + 1..=warm + counted).collect()));
+            assert_eq!(results, Ok((warm + 1..=warm + counted).collect()));
         }
-        assert_eq!(runs(|| NOW.get(), effort, || Err::<(), _>("no")), Err("no"));
+        assert_eq!(repeat(|| NOW.get(), effort, || Err::<(), _>("no")), Err("no"));
     }
 
     #[test]
-    fn nothing_has_no_least() {
-        assert_eq!(least([3.0, 1.0, 2.0]), 1.0);
-        assert!(least([]).is_nan());
+    fn minimum_of_nothing_is_nan() {
+        assert_eq!(minimum([3.0, 1.0, 2.0]), 1.0);
+        assert!(minimum([]).is_nan());
     }
 }

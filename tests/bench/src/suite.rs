@@ -1,4 +1,4 @@
-//! Runs every case.
+//! Runs all cases.
 
 use std::hint::black_box;
 
@@ -11,121 +11,131 @@ use c2warp::{
 use glam::DVec2;
 
 use crate::{
-    cases::{Scene, TABLE_1, TABLE_2, gingerbread, one_more, raised, spread, table_1},
+    cases::{Case, TABLE_1, TABLE_2, gingerbread, knee_handle, raise_hand, spread, table_1},
     clock::Clock,
-    measure::{Effort, least, least_ms, runs},
-    results::{Evaluation, Solve, Timings, Yardstick},
+    measure::{Effort, min_ms, minimum, repeat},
+    results::{Baseline, Evaluation, Solve, Timings},
 };
 
-/// Samples that answer quickly, and serve finer meshes by evaluation.
+/// The number of samples of the small solve, whose weights are also evaluated on a finer mesh.
 pub const SMALL: u32 = 10_000;
-/// Virtual sites of the dense case.
-pub const DENSE: u32 = 60;
-/// Virtual sites of the figure that is posed: what the editor asks for, and more.
-pub const POSED: [u32; 3] = [30, 120, 200];
-/// The least number of samples that a project may ask for.
-const LEAST_SAMPLES: u32 = 100;
+/// The number of virtual sites of the case with many sites.
+pub const MANY_SITES: u32 = 60;
+/// The numbers of virtual sites of rigid poses. The editor asks for 100.
+pub const RIGID_POSE_SITES: [u32; 3] = [30, 120, 200];
+/// The smallest number of samples of a project.
+const MIN_SAMPLES: u32 = 100;
 
-/// Where, how long and how large the cases run.
+/// The clock, effort and size of the cases.
 #[derive(Debug, Clone, Copy)]
 pub struct Suite {
-    /// What tells the time.
+    /// The clock.
     pub clock: Clock,
-    /// What goes into each figure.
+    /// The effort for each measurement.
     pub effort: Effort,
-    /// Share of the samples and points that the cases are meant to have: 1, or less for a trial.
-    pub share: f64,
+    /// Fraction of the samples and points of each case: 1, or less for a test.
+    pub fraction: f64,
 }
 
 /// Milliseconds of one solve.
 #[derive(Debug, Clone, Copy, Default)]
 struct Times {
     stages: StageTimes,
-    whole: f64,
+    total: f64,
 }
 
 impl Suite {
-    /// All cases as they are meant.
+    /// Returns the suite for published results.
     #[must_use]
     pub fn full(clock: Clock) -> Self {
-        Self { clock, effort: Effort::FULL, share: 1.0 }
+        Self { clock, effort: Effort::FULL, fraction: 1.0 }
     }
 
-    /// Runs every case, and tells the name of each before.
+    /// Runs all cases. Calls `on_case` with the name of each case before it runs.
     ///
     /// # Errors
-    /// None, unless a scene cannot be solved any more.
-    pub fn timings(&self, mut tell: impl FnMut(&str)) -> Result<Timings, Error> {
+    /// If a case cannot be solved.
+    pub fn timings(&self, mut on_case: impl FnMut(&str)) -> Result<Timings, Error> {
         let mut scenes = Vec::new();
-        for (scene, paper) in table_1().iter().zip(TABLE_1) {
-            tell(paper.name);
-            let project = scene.project(self.count(paper.samples), paper.virtual_sites);
-            scenes.push(self.solved(scene, &project)?.0);
+        for (case, paper) in table_1().iter().zip(TABLE_1) {
+            on_case(paper.name);
+            let project = case.project(self.count(paper.samples), paper.virtual_sites);
+            scenes.push(self.solved(case, &project)?.0);
         }
         let figure = gingerbread();
         let project = |samples: u32, virtual_sites| figure.project(self.count(samples), virtual_sites);
         let [coarse, middle, fine] = TABLE_2.map(|row| project(row.samples, 0));
-        tell("Gingerbread figure, three resolutions");
+        on_case("Gingerbread figure at three resolutions");
         let coarse_solve = self.solved(&figure, &coarse)?.0;
         let (middle_solve, middle_solution) = self.solved(&figure, &middle)?;
         let (fine_solve, fine_solution) = self.solved(&figure, &fine)?;
-        tell("Evaluation at every vertex");
+        on_case("Evaluation at every vertex");
         let vertices = &fine_solution.vertices()[..fine_solution.samples()];
         let (small, small_solution) = self.solved(&figure, &project(SMALL, 0))?;
-        let serving_ms = self.evaluation(&small_solution, vertices, Solution::weights_at);
-        tell("Distances");
-        let yardstick = self.yardstick(&middle_solution, &middle);
-        tell("Virtual sites and evaluation");
-        let (dense, dense_solution) = self.solved(&figure, &project(TABLE_2[1].samples, DENSE))?;
-        let evaluation = self.evaluations(&dense_solution, &figure);
-        tell("One more handle");
+        let fine_evaluation_ms = self.evaluation(&small_solution, vertices, Solution::weights_at);
+        on_case("Distances");
+        let baseline = self.baseline(&middle_solution, &middle);
+        on_case("Many virtual sites, and evaluation");
+        let (many_sites, many_sites_solution) = self.solved(&figure, &project(TABLE_2[1].samples, MANY_SITES))?;
+        let evaluation = self.evaluations(&many_sites_solution, &figure);
+        on_case("One more handle");
         let insertion = self.insertion(&figure, &middle)?;
-        tell("A frame in the rigid mode");
-        let mut frames_ms = [0.0; POSED.len()];
-        for (frame_ms, virtual_sites) in frames_ms.iter_mut().zip(POSED) {
-            *frame_ms = self.frame(&figure, &project(SMALL, virtual_sites))?;
+        on_case("Rigid poses");
+        let mut rigid_pose_ms = [0.0; RIGID_POSE_SITES.len()];
+        for (pose_ms, virtual_sites) in rigid_pose_ms.iter_mut().zip(RIGID_POSE_SITES) {
+            *pose_ms = self.rigid_pose(&figure, &project(SMALL, virtual_sites))?;
         }
         let resolutions = [coarse_solve, middle_solve, fine_solve];
-        Ok(Timings { scenes, resolutions, small, dense, insertion, yardstick, evaluation, serving_ms, frames_ms })
+        Ok(Timings {
+            scenes,
+            resolutions,
+            small,
+            many_sites,
+            insertion,
+            baseline,
+            evaluation,
+            fine_evaluation_ms,
+            rigid_pose_ms,
+        })
     }
 
     fn count(&self, samples: u32) -> u32 {
-        ((f64::from(samples) * self.share) as u32).max(LEAST_SAMPLES)
+        ((f64::from(samples) * self.fraction) as u32).max(MIN_SAMPLES)
     }
 
-    /// Solves a project again and again with one solver, as an editor does: the outline stays.
-    fn solved(&self, scene: &Scene, project: &Project) -> Result<(Solve, Solution), Error> {
-        let picture = scene.picture()?;
+    /// Solves a project repeatedly with one solver, as an editor does. The outline is reused.
+    fn solved(&self, case: &Case, project: &Project) -> Result<(Solve, Solution), Error> {
+        let picture = case.picture()?;
         let mut solver = Solver::new();
-        let times = runs(self.clock, self.effort, || self.times(&mut solver, project, &picture))?;
+        let times = repeat(self.clock, self.effort, || self.times(&mut solver, project, &picture))?;
         let solution = solver.into_solution().expect("solved at least once");
         Ok((solve(&times, &solution), solution))
     }
 
-    /// From a solution to that with one more handle.
-    fn insertion(&self, scene: &Scene, project: &Project) -> Result<Solve, Error> {
-        let picture = scene.picture()?;
+    /// Adds a handle to a solved project.
+    fn insertion(&self, case: &Case, project: &Project) -> Result<Solve, Error> {
+        let picture = case.picture()?;
         let mut more = project.clone();
-        more.handles.push(one_more());
+        more.handles.push(knee_handle());
         let mut solver = Solver::new();
-        let times = runs(self.clock, self.effort, || {
+        let times = repeat(self.clock, self.effort, || {
             self.times(&mut solver, project, &picture)?;
             self.times(&mut solver, &more, &picture)
         })?;
         Ok(solve(&times, solver.solution().expect("every stage has run")))
     }
 
-    /// The motions of all sites in the rigid mode, with every rotation left to the solver.
-    fn frame(&self, scene: &Scene, project: &Project) -> Result<f64, Error> {
+    /// Poses all sites in the rigid mode. All rotations are left to the solver.
+    fn rigid_pose(&self, case: &Case, project: &Project) -> Result<f64, Error> {
         let mut project = project.clone();
         (project.pose.mode, project.weighting.support) = (PoseMode::Rigid, Support::Smooth);
-        raised(&mut project.handles);
+        raise_hand(&mut project.handles);
         for handle in &mut project.handles {
             handle.rotation = Rotation::Auto;
         }
-        let solution = solve_once(&project, &scene.picture()?)?;
+        let solution = solve_once(&project, &case.picture()?)?;
         solution.poser().pose(&project.handles, project.pose.blend)?;
-        Ok(least_ms(self.clock, self.effort, || {
+        Ok(min_ms(self.clock, self.effort, || {
             let _ = black_box(solution.poser().pose(&project.handles, project.pose.blend));
         }))
     }
@@ -140,18 +150,18 @@ impl Suite {
             stages.add(stage, now - last);
             last = now;
         }
-        Ok(Times { stages, whole: last - start })
+        Ok(Times { stages, total: last - start })
     }
 
-    /// A pass and a Dijkstra over the same samples, from each handle in turn.
-    fn yardstick(&self, solution: &Solution, project: &Project) -> Yardstick {
+    /// Times a pass and Dijkstra's algorithm on the same samples, from each handle in turn.
+    fn baseline(&self, solution: &Solution, project: &Project) -> Baseline {
         let navigation = solution.navigation();
         let points = &solution.vertices()[..solution.samples()];
         let sources: Vec<DVec2> = project.handles.iter().filter_map(|handle| point(&handle.shape)).collect();
         let locate = |&p| navigation.located(p).expect("samples lie in the domain");
         let located: Vec<Located> = points.iter().map(locate).collect();
         let mut distances = vec![0.0; points.len()];
-        let passes = least_ms(self.clock, self.effort, || {
+        let passes = min_ms(self.clock, self.effort, || {
             for &source in &sources {
                 let from = navigation.distances_from(source).expect("handles lie in the domain");
                 for (distance, &p) in distances.iter_mut().zip(&located) {
@@ -163,21 +173,21 @@ impl Suite {
         let graph = graph_of_samples(solution);
         let at = |source: &DVec2| points.iter().position(|p| p == source).expect("handles are samples");
         let at: Vec<usize> = sources.iter().map(at).collect();
-        let graphs = least_ms(self.clock, self.effort, || {
+        let graphs = min_ms(self.clock, self.effort, || {
             for &source in &at {
                 black_box(graph.distances(points, source));
             }
         });
         let sources = sources.len() as f64;
-        Yardstick { pass_ms: passes / sources, graph_ms: graphs / sources }
+        Baseline { pass_ms: passes / sources, graph_ms: graphs / sources }
     }
 
-    /// Times for a million points all over the domain.
-    fn evaluations(&self, solution: &Solution, scene: &Scene) -> Evaluation {
-        let image = &scene.project.image;
+    /// Times the evaluation of points over the whole domain, and scales it to a million points.
+    fn evaluations(&self, solution: &Solution, case: &Case) -> Evaluation {
+        let image = &case.project.image;
         let size = DVec2::new(f64::from(image.width), f64::from(image.height));
         let inside = |&p: &DVec2| solution.weights_at(p).is_some();
-        let count = (100_000.0 * self.share).ceil();
+        let count = (100_000.0 * self.fraction).ceil();
         let points: Vec<DVec2> = spread(size).filter(inside).take(count as usize).collect();
         let million = 1e6 / count;
         Evaluation {
@@ -187,7 +197,7 @@ impl Suite {
     }
 
     fn evaluation<T>(&self, solution: &Solution, points: &[DVec2], at: impl Fn(&Solution, DVec2) -> T) -> f64 {
-        least_ms(self.clock, self.effort, || {
+        min_ms(self.clock, self.effort, || {
             for &p in points {
                 black_box(at(solution, p));
             }
@@ -195,7 +205,7 @@ impl Suite {
     }
 }
 
-/// The paper's graph: the edges of the mesh between the samples of a solution.
+/// Returns the paper's graph: the mesh edges between the samples of a solution.
 #[must_use]
 pub fn graph_of_samples(solution: &Solution) -> Graph {
     let samples = solution.samples();
@@ -204,9 +214,9 @@ pub fn graph_of_samples(solution: &Solution) -> Graph {
     Graph::of_triangles(samples, &triangles)
 }
 
-/// The least times of many solves with the same outcome, each stage for itself.
+/// Returns the minimum time of each stage over many solves of the same project.
 fn solve(times: &[Times], solution: &Solution) -> Solve {
-    let of = |part: fn(&Times) -> f64| least(times.iter().map(part));
+    let of = |part: fn(&Times) -> f64| minimum(times.iter().map(part));
     Solve {
         samples: solution.samples(),
         virtual_sites: solution.sites().iter().filter(|site| !site.kind.is_real()).count(),
@@ -214,7 +224,7 @@ fn solve(times: &[Times], solution: &Solution) -> Solve {
         regions_ms: of(|t| t.stages.regions),
         weights_ms: of(|t| t.stages.weights),
         solve_ms: of(|t| t.stages.regions + t.stages.weights),
-        whole_ms: of(|t| t.whole),
+        total_ms: of(|t| t.total),
     }
 }
 
@@ -231,32 +241,32 @@ mod tests {
     use crate::clock::native_ms;
 
     #[test]
-    fn every_case_solves() {
-        let suite = Suite { clock: native_ms, effort: Effort::TRIAL, share: 0.02 };
-        let mut told = Vec::new();
-        let timings = suite.timings(|name| told.push(name.to_owned())).unwrap();
-        assert_eq!(told[..6], TABLE_1.map(|scene| scene.name.to_owned()));
-        for (scene, paper) in timings.scenes.iter().zip(TABLE_1) {
-            assert!(scene.virtual_sites >= paper.virtual_sites as usize, "{}: {scene:?}", paper.name);
+    fn every_case_can_be_solved() {
+        let suite = Suite { clock: native_ms, effort: Effort::TRIAL, fraction: 0.02 };
+        let mut names = Vec::new();
+        let timings = suite.timings(|name| names.push(name.to_owned())).unwrap();
+        assert_eq!(names[..6], TABLE_1.map(|row| row.name.to_owned()));
+        for (solve, paper) in timings.scenes.iter().zip(TABLE_1) {
+            assert!(solve.virtual_sites >= paper.virtual_sites as usize, "{}: {solve:?}", paper.name);
         }
         for solve in timings.resolutions.iter().chain([&timings.small]) {
             assert_eq!(solve.virtual_sites, 0, "the figure needs no virtual site: {solve:?}");
-            assert!(solve.whole_ms >= solve.sampling_ms && solve.solve_ms > 0.0, "{solve:?}");
+            assert!(solve.total_ms >= solve.sampling_ms && solve.solve_ms > 0.0, "{solve:?}");
         }
-        assert!((60..66).contains(&timings.dense.virtual_sites), "{:?}", timings.dense);
-        let Yardstick { pass_ms, graph_ms } = timings.yardstick;
-        assert!(pass_ms > 0.0 && graph_ms > 0.0 && timings.serving_ms > 0.0);
-        assert!(timings.frames_ms.iter().all(|&ms| ms > 0.0), "{:?}", timings.frames_ms);
+        assert!((60..66).contains(&timings.many_sites.virtual_sites), "{:?}", timings.many_sites);
+        let Baseline { pass_ms, graph_ms } = timings.baseline;
+        assert!(pass_ms > 0.0 && graph_ms > 0.0 && timings.fine_evaluation_ms > 0.0);
+        assert!(timings.rigid_pose_ms.iter().all(|&ms| ms > 0.0), "{:?}", timings.rigid_pose_ms);
     }
 
     #[test]
-    fn the_figure_has_about_the_samples_of_table_2() {
-        let suite = Suite { clock: native_ms, effort: Effort::TRIAL, share: 1.0 };
+    fn figure_has_about_the_samples_of_table_2() {
+        let suite = Suite { clock: native_ms, effort: Effort::TRIAL, fraction: 1.0 };
         let figure = gingerbread();
         let [coarse, middle, _] = TABLE_2.map(|row| row.samples);
-        for (asked, share) in [(coarse, 0.1), (middle, 0.01)] {
+        for (asked, tolerance) in [(coarse, 0.1), (middle, 0.01)] {
             let (solve, _) = suite.solved(&figure, &figure.project(asked, 0)).unwrap();
-            assert!((solve.samples as f64 / f64::from(asked) - 1.0).abs() < share, "{asked}: {}", solve.samples);
+            assert!((solve.samples as f64 / f64::from(asked) - 1.0).abs() < tolerance, "{asked}: {}", solve.samples);
         }
     }
 }

@@ -1,43 +1,42 @@
-//! The results as a person reads them: tables in Markdown, aligned.
+//! The printed tables, in Markdown.
 
 use crate::{
     aligned::aligned,
-    bars::bars,
     cases::{TABLE_1, TABLE_2},
-    results::{Figure, Results},
-    suite::{DENSE, POSED, SMALL},
+    requirements::{Requirement, requirements},
+    results::{Metric, Results},
+    suite::{MANY_SITES, RIGID_POSE_SITES, SMALL},
 };
 
-/// What stands where there is no figure.
+/// Placeholder for a missing value.
 const NONE: &str = "–";
 
-/// Everything that was measured, beside what the paper says, and which bars it meets.
+/// Formats all results, with the paper's values and the requirements.
 #[must_use]
 pub fn tables(results: &Results) -> String {
-    let parts = [
-        ("Table I: regions and weights of six scenes, ms", table_1(results), TABLE_1_NOTE),
-        ("Table II: one figure in three resolutions, ms", table_2(results), TABLE_2_NOTE),
-        ("Parts, ms", parts(results), ""),
-        ("Bars", bar_table(results), BARS_NOTE),
+    let sections = [
+        ("Table I: six scenes, times in ms", table_1(results), TABLE_1_NOTE),
+        ("Table II: one figure at three resolutions, times in ms", table_2(results), TABLE_2_NOTE),
+        ("Single steps, times in ms", steps(results), ""),
+        ("Requirements", requirement_table(results), REQUIREMENTS_NOTE),
     ];
-    let part = |(title, table, note): (&str, String, &str)| format!("## {title}\n\n{table}{note}");
-    parts.map(part).join("\n").trim_end().to_owned() + "\n"
+    let section = |(title, table, note): (&str, String, &str)| format!("## {title}\n\n{table}{note}");
+    sections.map(section).join("\n").trim_end().to_owned() + "\n"
 }
 
 const TABLE_1_NOTE: &str = "
-Scenes drawn to resemble the paper's. Each scene asks for as many
-virtual sites as the paper's had. t_rd is the stage of regions, t_w that of weights (harmonic fields and drawn mesh
-included). The paper: one core of an i7-3740QM.
+The scenes resemble the paper's. Each asks for the paper's number of virtual sites. t_rd is the stage of regions. t_w is
+the stage of weights, with harmonic fields and the drawn mesh. The paper used one core of an i7-3740QM.
 ";
 
 const TABLE_2_NOTE: &str = "
-Six point handles that need no virtual site. Ours: regions and weights; the sampling stands apart, as the paper's
-vertices were given.
+Six point handles that need no virtual site. Native and wasm times are for regions and weights. Sampling is listed
+separately, because the paper's vertices were given.
 ";
 
-const BARS_NOTE: &str = "
-Every time is the least of many runs. A pass is one distance field without a bound, asked at every sample. A solve is
-regions and weights. Bars in ms are for orientation, on two cores of a cloud machine. No verdict changes the exit status.
+const REQUIREMENTS_NOTE: &str = "
+Every time is the minimum of many runs. A pass is one unbounded distance field, evaluated at every sample. A solve is
+regions and weights. Limits in ms are guidelines for two cores of a cloud machine. Results do not change the exit status.
 ";
 
 fn table_1(results: &Results) -> String {
@@ -56,7 +55,7 @@ fn table_1(results: &Results) -> String {
         "native",
         "wasm",
     ];
-    let row = |(at, paper): (usize, &crate::cases::PaperScene)| {
+    let row = |(at, paper): (usize, &crate::cases::Table1Row)| {
         let ours = &results.native.scenes[at];
         let wasm = results.wasm.as_ref().map(|timings| &timings.scenes[at]);
         vec![
@@ -80,7 +79,7 @@ fn table_1(results: &Results) -> String {
 
 fn table_2(results: &Results) -> String {
     let header = ["vertices paper", "ours", "biharmonic", "paper", "native", "wasm", "sampling native", "wasm"];
-    let row = |(at, paper): (usize, &crate::cases::PaperResolution)| {
+    let row = |(at, paper): (usize, &crate::cases::Table2Row)| {
         let ours = &results.native.resolutions[at];
         let wasm = results.wasm.as_ref().map(|timings| &timings.resolutions[at]);
         vec![
@@ -97,56 +96,56 @@ fn table_2(results: &Results) -> String {
     aligned(&header, TABLE_2.iter().enumerate().map(row), 1)
 }
 
-fn parts(results: &Results) -> String {
+fn steps(results: &Results) -> String {
     let [_, middle, fine] = TABLE_2.map(|row| thousands(row.samples as usize));
     let small = thousands(SMALL as usize);
-    let [few, more, most] = POSED;
-    let frame = |sites: u32| format!("a frame in the rigid mode, {sites} virtual sites");
-    let cases: [(String, Figure); 17] = [
-        (format!("one pass at {middle}"), |t| t.yardstick.pass_ms),
-        (format!("one graph Dijkstra at {middle}"), |t| t.yardstick.graph_ms),
+    let [few, more, most] = RIGID_POSE_SITES;
+    let rigid_pose = |sites: u32| format!("pose in the rigid mode, {sites} virtual sites");
+    let steps: [(String, Metric); 17] = [
+        (format!("one pass at {middle}"), |t| t.baseline.pass_ms),
+        (format!("Dijkstra on the graph at {middle}"), |t| t.baseline.graph_ms),
         (format!("{small}: regions"), |t| t.small.regions_ms),
         (format!("{small}: weights"), |t| t.small.weights_ms),
         (format!("{middle}: regions"), |t| t.resolutions[1].regions_ms),
         (format!("{middle}: weights"), |t| t.resolutions[1].weights_ms),
-        (format!("{middle}, {DENSE} virtual sites: regions"), |t| t.dense.regions_ms),
-        (format!("{middle}, {DENSE} virtual sites: weights"), |t| t.dense.weights_ms),
+        (format!("{middle}, {MANY_SITES} virtual sites: regions"), |t| t.many_sites.regions_ms),
+        (format!("{middle}, {MANY_SITES} virtual sites: weights"), |t| t.many_sites.weights_ms),
         ("one more handle: sampling".into(), |t| t.insertion.sampling_ms),
         ("one more handle: regions".into(), |t| t.insertion.regions_ms),
         ("one more handle: weights".into(), |t| t.insertion.weights_ms),
         ("a million points: weights and gradients".into(), |t| t.evaluation.influences_ms),
         ("a million points: weights".into(), |t| t.evaluation.weights_ms),
-        (format!("weights of {fine} points from {small} samples"), |t| t.serving_ms),
-        (frame(few), |t| t.frames_ms[0]),
-        (frame(more), |t| t.frames_ms[1]),
-        (frame(most), |t| t.frames_ms[2]),
+        (format!("weights at {fine} points from {small} samples"), |t| t.fine_evaluation_ms),
+        (rigid_pose(few), |t| t.rigid_pose_ms[0]),
+        (rigid_pose(more), |t| t.rigid_pose_ms[1]),
+        (rigid_pose(most), |t| t.rigid_pose_ms[2]),
     ];
-    let row = |(what, time): (String, Figure)| {
+    let row = |(name, time): (String, Metric)| {
         let (native, wasm) = (time(&results.native), results.wasm.as_ref().map(time));
         let ratio = wasm.map_or(NONE.into(), |wasm| format!("{:.2}", wasm / native));
-        vec![what, milliseconds(native), or_none(wasm), ratio]
+        vec![name, milliseconds(native), or_none(wasm), ratio]
     };
-    aligned(&["", "native", "wasm", "wasm ÷ native"], cases.into_iter().map(row), 1)
+    aligned(&["", "native", "wasm", "wasm ÷ native"], steps.into_iter().map(row), 1)
 }
 
-fn bar_table(results: &Results) -> String {
-    let row = |bar: crate::bars::Bar| {
+fn requirement_table(results: &Results) -> String {
+    let row = |requirement: Requirement| {
         vec![
-            bar.what.clone(),
-            format!("≤ {} {}", bar.limit, bar.unit),
-            figure(bar.figure),
-            bar.verdict().to_owned(),
-            bar.wasm.map_or(NONE.into(), figure),
+            requirement.name.clone(),
+            format!("≤ {} {}", requirement.limit, requirement.unit),
+            two_decimals(requirement.value),
+            requirement.verdict().to_owned(),
+            requirement.wasm.map_or(NONE.into(), two_decimals),
         ]
     };
-    aligned(&["", "bar", "figure", "verdict", "in wasm"], bars(results).into_iter().map(row), 1)
+    aligned(&["", "limit", "value", "verdict", "in wasm"], requirements(results).into_iter().map(row), 1)
 }
 
 fn or_none(ms: Option<f64>) -> String {
     ms.map_or(NONE.into(), milliseconds)
 }
 
-/// Milliseconds to about three digits.
+/// Formats milliseconds with about three digits.
 fn milliseconds(ms: f64) -> String {
     match ms {
         _ if ms < 0.995 => format!("{ms:.3}"),
@@ -156,12 +155,12 @@ fn milliseconds(ms: f64) -> String {
     }
 }
 
-/// The figure of a bar, to a digit more than its limit has.
-fn figure(value: f64) -> String {
+/// Formats a value with two decimals, or with none from 100 on.
+fn two_decimals(value: f64) -> String {
     if value < 100.0 { format!("{value:.2}") } else { format!("{value:.0}") }
 }
 
-/// A whole number with a comma after each three digits.
+/// Formats an integer with commas between groups of three digits.
 pub(crate) fn thousands(number: usize) -> String {
     let digits = number.to_string();
     let comma = |at: usize| at > 0 && (digits.len() - at).is_multiple_of(3);
@@ -171,7 +170,7 @@ pub(crate) fn thousands(number: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::results::{Evaluation, Memory, Solve, Timings, Yardstick};
+    use crate::results::{Baseline, Evaluation, Memory, Solve, Timings};
 
     fn solve(samples: usize, regions_ms: f64, weights_ms: f64) -> Solve {
         let solve_ms = regions_ms + weights_ms;
@@ -182,69 +181,69 @@ mod tests {
             regions_ms,
             weights_ms,
             solve_ms,
-            whole_ms: solve_ms + 1.0,
+            total_ms: solve_ms + 1.0,
         }
     }
 
-    /// Timings that meet every bar by exactly nothing but one, which they miss.
+    /// Timings that meet every requirement exactly, except one that they miss.
     fn timings() -> Timings {
         Timings {
             scenes: TABLE_1.iter().map(|paper| solve(paper.samples as usize, 5.0, 2.0)).collect(),
             resolutions: [solve(627, 0.25, 0.25), solve(31_325, 16.0, 14.0), solve(619_649, 500.0, 400.0)],
             small: solve(10_000, 6.0, 4.0),
-            dense: solve(31_325, 60.0, 30.5),
+            many_sites: solve(31_325, 60.0, 30.5),
             insertion: solve(31_325, 5.0, 5.25),
-            yardstick: Yardstick { pass_ms: 7.5, graph_ms: 1.875 },
+            baseline: Baseline { pass_ms: 7.5, graph_ms: 1.875 },
             evaluation: Evaluation { influences_ms: 300.0, weights_ms: 250.0 },
-            serving_ms: 240.0,
-            frames_ms: [0.04, 0.25, 1.0],
+            fine_evaluation_ms: 240.0,
+            rigid_pose_ms: [0.04, 0.25, 1.0],
         }
     }
 
-    fn line<'a>(text: &'a str, what: &str) -> Vec<&'a str> {
-        let line = text.lines().find(|line| line.trim_start_matches("| ").starts_with(what));
-        line.unwrap_or_else(|| panic!("no line {what:?} in {text}")).split('|').map(str::trim).collect()
+    fn line<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
+        let line = text.lines().find(|line| line.trim_start_matches("| ").starts_with(name));
+        line.unwrap_or_else(|| panic!("no line {name:?} in {text}")).split('|').map(str::trim).collect()
     }
 
     #[test]
-    fn bars_say_pass_or_short_as_the_figures_are() {
+    fn requirements_are_met_or_missed() {
         let mut wasm = timings();
         wasm.small.solve_ms *= 1.7;
         let memory = Memory { samples: 100, virtual_sites: 60, held_bytes: 40_100, peak_bytes: 80_000 };
         let mut results = Results { native: timings(), wasm: Some(wasm), memory: Some(memory) };
         let text = tables(&results);
-        for (what, limit, figure, verdict, wasm) in [
-            ("one pass ÷ one graph Dijkstra", "≤ 4 ×", "4.00", "pass", "4.00"),
-            ("solve of 31,325, 6 handles", "≤ 4 passes", "4.00", "pass", "4.00"),
-            ("solve of 31,325, 60 virtual sites", "≤ 12 passes", "12.07", "short", "12.07"),
-            ("solve of 619,649 ÷ 31,325", "≤ 30 ×", "30.00", "pass", "30.00"),
-            ("one more handle at 31,325", "≤ 1.5 passes", "1.50", "pass", "1.50"),
-            ("solve of 10,000  ", "≤ 10 ms", "10.00", "pass", "17.00"),
-            ("solve of 619,649  ", "≤ 900 ms", "900", "pass", "900"),
-            ("solve of 10,000, then", "≤ 250 ms", "250", "pass", "257"),
-            ("a rigid pose, 200 virtual sites", "≤ 1 ms", "1.00", "pass", "1.00"),
-            ("WebAssembly ÷ native, at worst: small", "≤ 1.6 ×", "1.70", "short", "–"),
-            ("memory a sample, 60 virtual sites (800 while solving)", "≤ 400 bytes", "401", "short", "–"),
+        for (name, limit, value, verdict, wasm) in [
+            ("one pass ÷ Dijkstra on the graph", "≤ 4 ×", "4.00", "met", "4.00"),
+            ("solve of 31,325, 6 handles", "≤ 4 passes", "4.00", "met", "4.00"),
+            ("solve of 31,325, 60 virtual sites", "≤ 12 passes", "12.07", "missed", "12.07"),
+            ("solve of 619,649 ÷ 31,325", "≤ 30 ×", "30.00", "met", "30.00"),
+            ("one more handle at 31,325", "≤ 1.5 passes", "1.50", "met", "1.50"),
+            ("solve of 10,000  ", "≤ 10 ms", "10.00", "met", "17.00"),
+            ("solve of 619,649  ", "≤ 900 ms", "900", "met", "900"),
+            ("solve of 10,000, then", "≤ 250 ms", "250", "met", "257"),
+            ("rigid pose, 200 virtual sites", "≤ 1 ms", "1.00", "met", "1.00"),
+            ("WebAssembly ÷ native, worst case: small", "≤ 1.6 ×", "1.70", "missed", "–"),
+            ("memory per sample, 60 virtual sites (peak 800)", "≤ 400 bytes", "401", "missed", "–"),
         ] {
-            assert_eq!(line(&text, what)[2..6], [limit, figure, verdict, wasm], "{what}\n{text}");
+            assert_eq!(line(&text, name)[2..6], [limit, value, verdict, wasm], "{name}\n{text}");
         }
-        results.native.yardstick.pass_ms = f64::NAN;
-        assert_eq!(line(&tables(&results), "one pass ÷")[4], "short");
+        results.native.baseline.pass_ms = f64::NAN;
+        assert_eq!(line(&tables(&results), "one pass ÷")[4], "missed");
     }
 
     #[test]
-    fn the_papers_figures_stand_beside_ours() {
+    fn tables_show_the_papers_values() {
         let results = Results { native: timings(), wasm: None, memory: None };
         let text = tables(&results);
         let tower = ["Tower", "12", "0", "113", "7", "7,834", "7,834", "3,750", "5.00", "–", "13.0", "2.00", "–"];
         assert_eq!(line(&text, "Tower")[1..14], tower);
         assert_eq!(line(&text, "31,325 ")[1..7], ["31,325", "31,325", "8,691", "110", "30.0", "–"]);
         assert_eq!(line(&text, "619,649 ")[1..7], ["619,649", "619,649", "–", "20,796", "900", "–"]);
-        assert!(!text.contains("WebAssembly ÷") && !text.contains("memory a sample"));
+        assert!(!text.contains("WebAssembly ÷") && !text.contains("memory per sample"));
     }
 
     #[test]
-    fn numbers_are_grouped() {
+    fn thousands_are_separated_by_commas() {
         assert_eq!(
             [0, 12, 999, 1_000, 619_649, 1_234_567].map(thousands).join(" "),
             "0 12 999 1,000 619,649 1,234,567"

@@ -1,13 +1,13 @@
-//! The benchmark for a page.
+//! The entry point of the benchmark in a page.
 
 use wasm_bindgen::prelude::*;
 
 use crate::{clock::page_ms, suite::Suite};
 
-/// Runs every case; minutes may pass. Returns the [`Timings`](crate::results::Timings) as JSON.
+/// Runs all cases, which takes minutes, and returns the [`Timings`](crate::results::Timings) as JSON.
 ///
 /// # Errors
-/// None, unless a scene cannot be solved any more.
+/// If a case cannot be solved.
 #[wasm_bindgen]
 pub fn run() -> Result<String, JsError> {
     let timings = Suite::full(page_ms).timings(|_| {})?;

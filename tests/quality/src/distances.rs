@@ -1,5 +1,6 @@
-//! Intrinsic distances beside the geodesic of the polygon: the solver's, and those of Dijkstra's algorithm along the edges of the
-//! samples' mesh, which is the paper's way (section V-B).
+//! Compares intrinsic distances with exact geodesics: those of the solver, and the paper's (section V-B).
+//!
+//! The paper uses Dijkstra's algorithm on the edges of the mesh between samples.
 
 use std::hint::black_box;
 
@@ -11,7 +12,7 @@ use c2warp::{
 };
 use c2warp_bench::{
     clock::native_ms,
-    measure::{Effort, least_ms},
+    measure::{Effort, min_ms},
     suite::graph_of_samples,
 };
 use c2warp_tests::{
@@ -20,46 +21,46 @@ use c2warp_tests::{
 };
 use glam::DVec2;
 
-const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, least_runs: 3 };
+const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, min_runs: 3 };
 
-/// Numbers of samples asked for.
+/// The requested numbers of samples.
 const SAMPLES: [u32; 3] = [2_000, 8_000, 31_000];
-/// Points that distances are measured from.
+/// The number of sources.
 const SOURCES: usize = 4;
-/// Samples that distances are compared at.
+/// The number of samples at which distances are compared.
 const COMPARED: usize = 400;
-/// Distances below this are compared as if they were as long, in pixels.
+/// Relative errors of distances below this length refer to this length, in pixels.
 const SHORTEST: f64 = 1.0;
 
-/// Relative errors of some distances.
+/// Relative errors of distances.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
-    /// Their mean.
+    /// The mean error.
     pub mean: f64,
-    /// The greatest.
+    /// The largest error.
     pub greatest: f64,
 }
 
-/// Distances in one domain with one number of samples. Times are for one source.
+/// Distances in one domain with one number of samples. Times are per source.
 #[derive(Debug, Clone)]
 pub struct Distances {
-    /// What the domain is.
+    /// The name of the domain.
     pub domain: &'static str,
-    /// Corners of its outline.
+    /// The number of corners of its outline.
     pub corners: usize,
-    /// Samples of it.
+    /// The number of samples.
     pub samples: usize,
-    /// Of the solver.
+    /// Errors of the solver.
     pub solver: Errors,
-    /// Of Dijkstra's algorithm on the edges.
+    /// Errors of Dijkstra's algorithm on the mesh edges.
     pub graph: Errors,
-    /// The solver's time to all samples, ms.
+    /// Time of the solver for all samples, in ms.
     pub solver_ms: f64,
-    /// The time of Dijkstra's algorithm, ms.
+    /// Time of Dijkstra's algorithm, in ms.
     pub graph_ms: f64,
 }
 
-/// Distances in all domains, with each number of samples.
+/// Measures distances in all domains with each number of samples.
 #[must_use]
 pub fn distances() -> Vec<Distances> {
     let domains = [
@@ -85,7 +86,7 @@ fn of_samples(
     sources: &[DVec2],
     count: u32,
 ) -> Distances {
-    // Handles are samples, so both measure from the same points.
+    // Handles are samples, so both methods have the same sources.
     let handles = sources.iter().enumerate().map(|(at, &source)| Handle::point(at.to_string(), source));
     let mut project = Project::for_picture(outlines::SIZE, outlines::SIZE).with_handles(handles);
     project.samples = count;
@@ -99,25 +100,25 @@ fn of_samples(
         let distances = navigation.distances_from(source).expect("sources lie in the domain");
         located.iter().map(|&p| distances.to_located(p).unwrap_or(f64::INFINITY)).collect()
     };
-    let walk = |source: DVec2| {
+    let dijkstra = |source: DVec2| {
         let at = points.iter().position(|&p| p == source).expect("handles are samples");
         graph.distances(points, at)
     };
 
-    // Samples on the outline lie in it or not as rounding decides.
+    // Rounding decides whether samples on the outline are inside, so leave the outside ones out.
     let inner: Vec<usize> = (0..samples).filter(|&i| geodesics.contains(points[i])).collect();
     let compared: Vec<usize> = inner.iter().copied().step_by(inner.len().div_ceil(COMPARED)).collect();
     let viewpoints: Vec<Viewpoint> = compared.iter().map(|&i| geodesics.viewpoint(points[i])).collect();
     let (mut of_solver, mut of_graph) = (Vec::new(), Vec::new());
     for &source in sources {
-        let (found, walked) = (solve(source), walk(source));
+        let (found, by_graph) = (solve(source), dijkstra(source));
         for (&i, exact) in compared.iter().zip(geodesics.distances(source, &viewpoints)) {
             let error = |distance: f64| (distance - exact).abs() / exact.max(SHORTEST);
             of_solver.push(error(found[i]));
-            of_graph.push(error(walked[i]));
+            of_graph.push(error(by_graph[i]));
         }
     }
-    let time = |run: &dyn Fn(DVec2) -> Vec<f64>| least_ms(native_ms, EFFORT, || drop(black_box(run(sources[0]))));
+    let time = |run: &dyn Fn(DVec2) -> Vec<f64>| min_ms(native_ms, EFFORT, || drop(black_box(run(sources[0]))));
     Distances {
         domain: name,
         corners: domain.rings().iter().map(Vec::len).sum(),
@@ -125,7 +126,7 @@ fn of_samples(
         solver: errors(&of_solver),
         graph: errors(&of_graph),
         solver_ms: time(&solve),
-        graph_ms: time(&walk),
+        graph_ms: time(&dijkstra),
     }
 }
 
@@ -133,7 +134,7 @@ fn errors(all: &[f64]) -> Errors {
     Errors { mean: all.iter().sum::<f64>() / all.len() as f64, greatest: greatest(all.iter().copied()) }
 }
 
-/// The greatest value; what is not a number is greater than any.
+/// Returns the largest value. NaN counts as larger than any number.
 pub(crate) fn greatest(values: impl Iterator<Item = f64>) -> f64 {
     values.max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }

@@ -1,19 +1,22 @@
-//! How well pictures bend: standard poses, each by every mode of the solver and by two methods to compare with, measured on one
-//! mesh.
+//! Measures the quality of poses: `npm run quality`.
 //!
-//! The methods to compare with are here, in test code: as-rigid-as-possible over the whole mesh ([`dense`]), which takes the
-//! modes' place where time plays no part, and moving least squares ([`least_squares`]), which knows no domain. Distances inside the
-//! picture, which all rests on, are compared with the geodesic ([`distances`]), and second maxima of weights are counted ([`maxima`]).
+//! Standard poses are solved in every mode of the solver and by two reference methods, and compared on one mesh. The
+//! reference methods exist only in this crate:
+//!
+//! - [`dense_arap`]: as-rigid-as-possible over the whole mesh. It has the quality that the modes aim at, but is slow.
+//! - [`least_squares`]: moving least squares. It knows no domain.
+//!
+//! [`distances`] compares intrinsic distances with exact geodesics. [`maxima`] counts secondary maxima of weights.
 
-pub mod bars;
-pub mod dense;
+pub mod comparison_mesh;
+pub mod constraints;
+pub mod dense_arap;
 pub mod distances;
-pub mod fine;
 pub mod least_squares;
 pub mod maxima;
 pub mod measure;
 pub mod methods;
 pub mod poses;
+pub mod requirements;
 pub mod sheet;
 pub mod tables;
-pub mod targets;

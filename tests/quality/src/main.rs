@@ -1,6 +1,9 @@
-//! `c2warp-quality FOLDER [NAME]`: compares distances with the geodesic, counts second maxima of weights, and compares the methods on the
-//! standard poses, or what of this has a name that contains NAME; writes a sheet for each pose to the folder and prints the tables.
-//! `c2warp-quality --overview FILE` draws one pose by the editor's mode and by those that it is compared with.
+//! `c2warp-quality FOLDER [NAME]`: prints tables and writes a sheet of pictures per pose to the folder.
+//!
+//! It compares distances with geodesics, counts secondary maxima of weights, and compares methods on the standard
+//! poses. With NAME, it runs only the parts and poses whose name contains NAME.
+//!
+//! `c2warp-quality --overview FILE` draws one pose by the editor's method and the methods it is compared with.
 
 use std::{
     error::Error,
@@ -13,13 +16,13 @@ use std::{
 use c2warp_quality::{
     distances::distances,
     maxima::maxima,
-    methods::{Compared, EDITOR, METHODS, Method},
+    methods::{Comparison, EDITOR, METHODS, Method},
     poses::standard_poses,
     sheet::{Row, sheet},
     tables::tables,
 };
 
-/// The names of what is of no pose.
+/// Names of the parts that do not measure poses.
 const DISTANCES: &str = "distances";
 const MAXIMA: &str = "maxima";
 
@@ -47,7 +50,7 @@ fn main() -> ExitCode {
 fn overview(file: &Path) -> Result<(), Box<dyn Error>> {
     let waving = standard_poses()?.into_iter().find(|pose| pose.name == WAVING).ok_or("no such pose")?;
     let methods = [Method::Paper, EDITOR, Method::Dense, Method::LeastSquares];
-    Ok(sheet(&Compared::of(waving)?, &methods, &[Row::Grid, Row::Picture]).save(file)?)
+    Ok(sheet(&Comparison::of(waving)?, &methods, &[Row::Grid, Row::Picture]).save(file)?)
 }
 
 fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
@@ -62,20 +65,20 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
         eprintln!("  {MAXIMA}");
         counted = maxima()?;
     }
-    let (mut all, mut unsolved) = (Vec::new(), Vec::new());
+    let (mut comparisons, mut failed) = (Vec::new(), Vec::new());
     for pose in standard_poses()?.into_iter().filter(|pose| pose.name.contains(name)) {
         let name = pose.name;
         eprintln!("  {name}");
-        match Compared::of(pose) {
-            Ok(compared) => {
-                sheet(&compared, &METHODS, &Row::ALL)
+        match Comparison::of(pose) {
+            Ok(comparison) => {
+                sheet(&comparison, &METHODS, &Row::ALL)
                     .save(folder.join(name.replace(' ', "-")).with_extension("png"))?;
-                all.push(compared);
+                comparisons.push(comparison);
             }
-            Err(reason) => unsolved.push((name, reason.to_string())),
+            Err(reason) => failed.push((name, reason.to_string())),
         }
     }
-    let text = tables(&measured, &counted, &all, &unsolved);
+    let text = tables(&measured, &counted, &comparisons, &failed);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
 }

@@ -1,4 +1,4 @@
-//! Second maxima of weights (the paper's figure 9) on scenes like those of its Table I, counted on the mesh.
+//! Counts secondary maxima of weights (the paper's figure 9) on scenes after its Table I.
 
 use c2warp::{
     Error,
@@ -10,39 +10,39 @@ use c2warp_tests::secondary_maxima::SecondaryMaxima;
 
 use crate::methods::EDITOR_DENSITY;
 
-/// How weights are asked for.
+/// The weighting of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Weighting {
-    /// The paper's supports and as many virtual sites as it had.
+    /// The paper's supports and numbers of virtual sites.
     Paper,
-    /// What the editor asks for.
+    /// The editor's supports and numbers of virtual sites.
     Editor,
 }
 
-/// The second maxima of one scene.
+/// The secondary maxima of one scene.
 #[derive(Debug, Clone)]
 pub struct SceneMaxima {
-    /// The scene's name.
+    /// The name of the scene.
     pub scene: &'static str,
-    /// How its weights are asked for.
+    /// The weighting.
     pub weighting: Weighting,
-    /// Its second maxima.
+    /// The secondary maxima.
     pub maxima: SecondaryMaxima,
 }
 
-/// Those of all scenes, each in both ways.
+/// Finds the secondary maxima of all scenes with both weightings.
 ///
 /// # Errors
-/// None that a scene of the benchmark has.
+/// If a scene cannot be solved.
 pub fn maxima() -> Result<Vec<SceneMaxima>, Error> {
     let mut all = Vec::new();
-    for (scene, paper) in table_1().iter().zip(TABLE_1) {
+    for (case, paper) in table_1().iter().zip(TABLE_1) {
         for weighting in [Weighting::Paper, Weighting::Editor] {
             let project = match weighting {
-                Weighting::Paper => scene.project(paper.samples, paper.virtual_sites),
-                Weighting::Editor => smooth(scene.project(paper.samples, EDITOR_DENSITY)),
+                Weighting::Paper => case.project(paper.samples, paper.virtual_sites),
+                Weighting::Editor => smooth(case.project(paper.samples, EDITOR_DENSITY)),
             };
-            let maxima = SecondaryMaxima::of(&solve(&project, &scene.picture()?)?);
+            let maxima = SecondaryMaxima::of(&solve(&project, &case.picture()?)?);
             all.push(SceneMaxima { scene: paper.name, weighting, maxima });
         }
     }
@@ -55,7 +55,7 @@ fn smooth(mut project: Project) -> Project {
 }
 
 impl Weighting {
-    /// What tables call it.
+    /// Returns the name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! The methods, and what each makes of a pose.
+//! The methods, and their results for a pose.
 
 use std::hint::black_box;
 
@@ -9,50 +9,51 @@ use c2warp::{
 };
 use c2warp_bench::{
     clock::native_ms,
-    measure::{Effort, least_ms},
+    measure::{Effort, min_ms},
 };
 use glam::DVec2;
 
 use crate::{
-    dense::{Dense, pins},
-    fine::Fine,
+    comparison_mesh::ComparisonMesh,
+    constraints::Constraints,
+    dense_arap::{DenseArap, pins},
     least_squares,
     measure::{Distortion, jacobians},
     poses::StandardPose,
-    targets::Targets,
 };
 
-/// Times are the least of some runs, as the benchmark's are.
-const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, least_runs: 3 };
+/// Times are the minimum of some runs, as in the benchmark.
+const EFFORT: Effort = Effort { warm_up_ms: 0.0, measured_ms: 20.0, min_runs: 3 };
 
-/// A way to pose a picture.
+/// A method to pose a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// The paper's: harmonic motions, the paper's supports, no more virtual sites than it needs. Rotations of point handles are
-    /// left to the solver where the pose leaves them.
+    /// The paper's method: harmonic motions, the paper's supports, and no additional virtual sites.
+    ///
+    /// Automatic rotations of point handles are left to the solver.
     Paper,
-    /// The rigid mode with smooth supports and at least so many virtual sites.
+    /// The rigid mode with smooth supports.
     Rigid {
-        /// Virtual sites at least.
+        /// The smallest number of virtual sites.
         density: u32,
-        /// How motions are blended.
+        /// The blend of motions.
         blend: Blend,
     },
-    /// As rigid as possible over the whole mesh.
+    /// As-rigid-as-possible over the whole mesh.
     Dense,
     /// Moving least squares.
     LeastSquares,
 }
 
-/// Virtual sites that the editor asks for.
+/// The number of virtual sites that the editor asks for.
 pub const EDITOR_DENSITY: u32 = 100;
-/// What the editor asks for.
+/// The editor's method.
 pub const EDITOR: Method = Method::Rigid { density: EDITOR_DENSITY, blend: Blend::Linear };
 
-/// Numbers of samples that the editor's way is tried with besides: what comes out must not hang on one of them.
+/// Further numbers of samples for the editor's method. The result must not depend on them.
 pub const OTHER_SAMPLES: [u32; 5] = [4_000, 6_000, 10_000, 16_000, 31_325];
 
-/// In the order of tables and sheets.
+/// All methods in the order of tables and sheets.
 pub const METHODS: [Method; 9] = [
     Method::Paper,
     Method::Rigid { density: 0, blend: Blend::Linear },
@@ -66,7 +67,7 @@ pub const METHODS: [Method; 9] = [
 ];
 
 impl Method {
-    /// What tables and sheets call it.
+    /// Returns the name in tables and sheets.
     #[must_use]
     pub fn name(self) -> String {
         match self {
@@ -79,78 +80,79 @@ impl Method {
     }
 }
 
-/// What a method made of a pose.
+/// The result of a method for a pose.
 #[derive(Debug, Clone)]
 pub struct Outcome {
     /// The method.
     pub method: Method,
-    /// Where the vertices of the common mesh went.
+    /// Posed positions of the vertices of the common mesh.
     pub posed: Vec<DVec2>,
-    /// Figures of it.
+    /// The distortion.
     pub distortion: Distortion,
-    /// How far a handle is from where it should be, at worst, in pixels.
-    pub off_handles: f64,
-    /// Virtual sites, of the modes of the solver.
+    /// The largest distance of a handle from its posed position, in pixels.
+    pub handle_error: f64,
+    /// The number of virtual sites, for the modes of the solver.
     pub virtual_sites: Option<usize>,
-    /// Where the sites rest and go.
+    /// Rest and posed positions of the sites.
     pub sites: Vec<(DVec2, DVec2)>,
-    /// Milliseconds for the motions of the sites.
+    /// Time for the motions of the sites, in milliseconds.
     pub pose_ms: Option<f64>,
-    /// Milliseconds from posed handles to posed vertices.
+    /// Time from posed handles to posed vertices, in milliseconds.
     pub frame_ms: f64,
-    /// Turns of the reference, and the milliseconds until its energy is within 1 % of where it ends.
-    pub turns: Option<(usize, f64)>,
+    /// Iterations of the reference, and the time until its energy is within 1 % of the final energy, in milliseconds.
+    pub iterations: Option<(usize, f64)>,
 }
 
-/// A pose by every method that can do it.
+/// The results of all methods for one pose.
 #[derive(Debug)]
-pub struct Compared {
+pub struct Comparison {
     /// The pose.
     pub pose: StandardPose,
-    /// What is demanded.
-    pub targets: Targets,
+    /// The constraints of the pose.
+    pub constraints: Constraints,
     /// The common mesh.
-    pub fine: Fine,
-    /// In the order of [`METHODS`].
+    pub mesh: ComparisonMesh,
+    /// Results in the order of [`METHODS`].
     pub outcomes: Vec<Outcome>,
-    /// Methods that cannot do it, and why.
-    pub refused: Vec<(Method, String)>,
-    /// What [`EDITOR`] makes of it with each of [`OTHER_SAMPLES`].
-    pub others: Vec<Distortion>,
+    /// Methods that failed, with the reason.
+    pub failed: Vec<(Method, String)>,
+    /// Distortions by [`EDITOR`] with each of [`OTHER_SAMPLES`].
+    pub with_other_samples: Vec<Distortion>,
 }
 
-impl Compared {
+impl Comparison {
     /// Runs every method on a pose.
     ///
     /// # Errors
-    /// Where the pose itself cannot be solved by the paper's method: then there is no mesh to compare on.
+    /// If the paper's method cannot solve the pose, because its samples are the common mesh.
     pub fn of(pose: StandardPose) -> Result<Self, Error> {
         let picture = pose.solver_picture();
-        let fine = Fine::of(&solve(&pose.project, &picture)?);
-        let targets = Targets::of(&pose.project);
-        let mut compared = Self { pose, targets, fine, outcomes: Vec::new(), refused: Vec::new(), others: Vec::new() };
+        let mesh = ComparisonMesh::of(&solve(&pose.project, &picture)?);
+        let constraints = Constraints::of(&pose.project);
+        let mut comparison =
+            Self { pose, constraints, mesh, outcomes: Vec::new(), failed: Vec::new(), with_other_samples: Vec::new() };
         for method in METHODS {
             let outcome = match method {
-                Method::Paper => compared.by_solver(method, PoseMode::Harmonic, Support::Paper, Blend::Linear, 0),
+                Method::Paper => comparison.by_solver(method, PoseMode::Harmonic, Support::Paper, Blend::Linear, 0),
                 Method::Rigid { density, blend } => {
-                    compared.by_solver(method, PoseMode::Rigid, Support::Smooth, blend, density)
+                    comparison.by_solver(method, PoseMode::Rigid, Support::Smooth, blend, density)
                 }
-                Method::Dense => Ok(compared.by_dense()),
-                Method::LeastSquares => Ok(compared.by_least_squares()),
+                Method::Dense => Ok(comparison.by_dense()),
+                Method::LeastSquares => Ok(comparison.by_least_squares()),
             };
             match outcome {
-                Ok(outcome) => compared.outcomes.push(outcome),
-                Err(reason) => compared.refused.push((method, reason.to_string())),
+                Ok(outcome) => comparison.outcomes.push(outcome),
+                Err(reason) => comparison.failed.push((method, reason.to_string())),
             }
         }
-        compared.others =
-            OTHER_SAMPLES.into_iter().map(|count| compared.with_samples(count)).collect::<Result<_, _>>()?;
-        Ok(compared)
+        comparison.with_other_samples =
+            OTHER_SAMPLES.into_iter().map(|count| comparison.with_samples(count)).collect::<Result<_, _>>()?;
+        Ok(comparison)
     }
 
-    /// What one method made of it.
+    /// Returns the result of a method, or `None` if it failed.
     #[must_use]
-    pub fn by(&self, method: Method) -> Option<&Outcome> {
+    pub fn outcome_of(&self, method: Method) -> Option<&Outcome> {
         self.outcomes.iter().find(|outcome| outcome.method == method)
     }
 
@@ -162,15 +164,15 @@ impl Compared {
         blend: Blend,
         density: u32,
     ) -> Result<Outcome, Error> {
-        let project = self.asking(mode, support, blend, density);
+        let project = self.with_settings(mode, support, blend, density);
         let solution = solve(&project, &self.pose.solver_picture())?;
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        // The same samples whatever the mode, but for those that a solve adds.
-        let same = solution.vertices().get(..self.fine.vertices.len()) == Some(&self.fine.vertices[..]);
+        // All modes have the same samples, except those that a solve adds.
+        let same = solution.vertices().get(..self.mesh.vertices.len()) == Some(&self.mesh.vertices[..]);
         let map = |p: DVec2| solution.map(&pose, p).map_or(p, |mapped| mapped.posed);
         let posed = match same {
-            true => solution.posed_vertices(&pose)[..self.fine.vertices.len()].to_vec(),
-            false => self.fine.vertices.iter().map(|&p| map(p)).collect(),
+            true => solution.posed_vertices(&pose)[..self.mesh.vertices.len()].to_vec(),
+            false => self.mesh.vertices.iter().map(|&p| map(p)).collect(),
         };
         let site = |(at, site): (usize, &c2warp::site::Site)| (site.rest, pose.moved(at, site.rest));
         let posed_again = || solution.poser().pose(&project.handles, project.pose.blend);
@@ -178,30 +180,30 @@ impl Compared {
         let frame_ms = ms_of(|| posed_again().map(|pose| solution.posed_vertices(&pose)));
         Ok(Outcome {
             method,
-            distortion: Distortion::of(&self.fine, &posed),
-            off_handles: self.off_handles(&posed, map),
+            distortion: Distortion::of(&self.mesh, &posed),
+            handle_error: self.handle_error(&posed, map),
             virtual_sites: Some(solution.sites().iter().filter(|site| !site.kind.is_real()).count()),
             sites: solution.sites().iter().enumerate().map(site).collect(),
             pose_ms: Some(pose_ms),
             frame_ms,
-            turns: None,
+            iterations: None,
             posed,
         })
     }
 
-    /// The editor's way with so many samples, on the mesh over them.
+    /// Measures the editor's method with `count` samples, on the mesh over them.
     fn with_samples(&self, count: u32) -> Result<Distortion, Error> {
         let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
-        let mut project = self.asking(PoseMode::Rigid, Support::Smooth, blend, density);
+        let mut project = self.with_settings(PoseMode::Rigid, Support::Smooth, blend, density);
         project.samples = count;
         let solution = solve(&project, &self.pose.solver_picture())?;
         let pose = solution.poser().pose(&project.handles, blend)?;
-        let fine = Fine::of(&solution);
-        Ok(Distortion::of(&fine, &solution.posed_vertices(&pose)[..fine.vertices.len()]))
+        let mesh = ComparisonMesh::of(&solution);
+        Ok(Distortion::of(&mesh, &solution.posed_vertices(&pose)[..mesh.vertices.len()]))
     }
 
-    /// The pose's project with other settings.
-    fn asking(&self, mode: PoseMode, support: Support, blend: Blend, density: u32) -> Project {
+    /// Returns the project with other settings.
+    fn with_settings(&self, mode: PoseMode, support: Support, blend: Blend, density: u32) -> Project {
         let mut project = self.pose.project.clone();
         project.weighting.support = support;
         (project.pose.mode, project.pose.blend, project.pose.density) = (mode, blend, density);
@@ -209,92 +211,93 @@ impl Compared {
     }
 
     fn by_dense(&self) -> Outcome {
-        let pins = pins(&self.fine, &self.targets);
-        let dense = Dense::new(&self.fine, &pins);
-        let settle = || dense.settled(&dense.harmonic(&pins));
-        let frame_ms = ms_of(settle);
-        let first = settle();
-        // There may be a lower minimum near where a mode of the solver ends: the reference is the lowest that was found.
+        let pins = pins(&self.mesh, &self.constraints);
+        let dense = DenseArap::new(&self.mesh, &pins);
+        let minimize = || dense.minimize(&dense.harmonic(&pins));
+        let frame_ms = ms_of(minimize);
+        let first = minimize();
+        // There may be a lower minimum near the result of a mode. The reference is the lowest one found.
         let others = self.outcomes.iter().map(|outcome| {
             let pinned = outcome.posed.iter().zip(&pins).map(|(&posed, pin)| pin.unwrap_or(posed));
-            dense.settled(&pinned.collect::<Vec<_>>())
+            dense.minimize(&pinned.collect::<Vec<_>>())
         });
         let by_harmonic = first.clone();
         let best = others.fold(first, |best, other| if other.energy < 0.999 * best.energy { other } else { best });
         if best.energy < by_harmonic.energy {
             let (found, harmonic) = (best.energy, by_harmonic.energy);
-            eprintln!("    dense: {found:.0} from another start, {harmonic:.0} from the harmonic one");
+            eprintln!("    dense: energy {found:.0} from another start, {harmonic:.0} from the harmonic start");
         }
         let near = by_harmonic.descent.iter().position(|&energy| energy <= 1.01 * by_harmonic.energy);
-        let near = near.map_or(0.0, |turn| frame_ms * (turn + 1) as f64 / by_harmonic.turns as f64);
-        let map = |p| self.fine.interpolated(&best.posed, p).unwrap_or(p);
+        let near = near.map_or(0.0, |iteration| frame_ms * (iteration + 1) as f64 / by_harmonic.iterations as f64);
+        let map = |p| self.mesh.interpolated(&best.posed, p).unwrap_or(p);
         Outcome {
             method: Method::Dense,
-            distortion: Distortion::of(&self.fine, &best.posed),
-            off_handles: self.off_handles(&best.posed, map),
+            distortion: Distortion::of(&self.mesh, &best.posed),
+            handle_error: self.handle_error(&best.posed, map),
             virtual_sites: None,
             sites: Vec::new(),
             pose_ms: None,
             frame_ms,
-            turns: Some((by_harmonic.turns, near)),
+            iterations: Some((by_harmonic.iterations, near)),
             posed: best.posed,
         }
     }
 
     fn by_least_squares(&self) -> Outcome {
-        let mut targets = self.targets.clone();
-        if targets.outline_held {
-            targets.points.extend(self.outline().map(|p| (p, p)));
+        let mut constraints = self.constraints.clone();
+        if constraints.outline_held {
+            constraints.points.extend(self.outline().map(|p| (p, p)));
         }
-        let spacing = (self.fine.areas.iter().sum::<f64>() / self.fine.vertices.len() as f64).sqrt();
-        let map = |p| least_squares::moved(&targets, spacing, p);
-        let all = || self.fine.vertices.iter().map(|&p| map(p)).collect::<Vec<_>>();
+        let spacing = (self.mesh.areas.iter().sum::<f64>() / self.mesh.vertices.len() as f64).sqrt();
+        let map = |p| least_squares::posed_point(&constraints, spacing, p);
+        let all = || self.mesh.vertices.iter().map(|&p| map(p)).collect::<Vec<_>>();
         let posed = all();
         Outcome {
             method: Method::LeastSquares,
-            distortion: Distortion::of(&self.fine, &posed),
-            off_handles: self.off_handles(&posed, map),
+            distortion: Distortion::of(&self.mesh, &posed),
+            handle_error: self.handle_error(&posed, map),
             virtual_sites: None,
             sites: Vec::new(),
             pose_ms: None,
             frame_ms: ms_of(all),
-            turns: None,
+            iterations: None,
             posed,
         }
     }
 
-    /// Triangles that are turned over and lie farther than three of their sides from every handle.
+    /// Returns the number of flipped triangles that are farther than three of their sides from every handle.
     #[must_use]
     pub fn folds_away_from_handles(&self, outcome: &Outcome) -> usize {
-        let jacobians = jacobians(&self.fine, &outcome.posed);
+        let jacobians = jacobians(&self.mesh, &outcome.posed);
         let is_away = |&t: &usize| {
-            let corners = self.fine.corners(t, &self.fine.vertices);
+            let corners = self.mesh.corners(t, &self.mesh.vertices);
             let side = corners[0].distance(corners[1]);
             let is_far = |distance: f64| distance > 3.0 * side;
-            self.targets.points.iter().all(|(rest, _)| is_far(rest.distance(corners[0])))
-                && self.targets.pieces.iter().all(|piece| is_far(piece.nearest(corners[0]).1))
+            self.constraints.points.iter().all(|(rest, _)| is_far(rest.distance(corners[0])))
+                && self.constraints.segments.iter().all(|segment| is_far(segment.nearest(corners[0]).1))
         };
         (0..jacobians.len()).filter(|&t| jacobians[t].determinant() < 0.0).filter(is_away).count()
     }
 
+    /// Returns the vertices on the outline.
     fn outline(&self) -> impl Iterator<Item = DVec2> + '_ {
-        let on = self.fine.on_outline();
-        self.fine.vertices.iter().zip(on).filter(|(_, on)| *on).map(|(&p, _)| p)
+        let on = self.mesh.on_outline();
+        self.mesh.vertices.iter().zip(on).filter(|(_, on)| *on).map(|(&p, _)| p)
     }
 
-    /// How far the places that handles demand are from where they should be, at worst.
-    fn off_handles(&self, posed: &[DVec2], map: impl Fn(DVec2) -> DVec2) -> f64 {
-        let places = self.targets.places();
-        let off = places.iter().map(|&(rest, to)| map(rest).distance(to)).fold(0.0, f64::max);
-        let on_outline = self.fine.on_outline();
-        let outline = (0..posed.len()).filter(|&v| self.targets.outline_held && on_outline[v]);
-        outline.map(|v| posed[v].distance(self.fine.vertices[v])).fold(off, f64::max)
+    /// Returns the largest distance of a constrained point from its posed position.
+    fn handle_error(&self, posed: &[DVec2], map: impl Fn(DVec2) -> DVec2) -> f64 {
+        let points = self.constraints.check_points();
+        let error = points.iter().map(|&(rest, to)| map(rest).distance(to)).fold(0.0, f64::max);
+        let on_outline = self.mesh.on_outline();
+        let outline = (0..posed.len()).filter(|&v| self.constraints.outline_held && on_outline[v]);
+        outline.map(|v| posed[v].distance(self.mesh.vertices[v])).fold(error, f64::max)
     }
 }
 
-/// The least time of some runs.
+/// Returns the minimum time of some runs.
 fn ms_of<T>(run: impl Fn() -> T) -> f64 {
-    least_ms(native_ms, EFFORT, || {
+    min_ms(native_ms, EFFORT, || {
         black_box(run());
     })
 }

@@ -10,27 +10,27 @@ use c2warp_tests::Scene;
 use glam::DVec2;
 use image::{Rgba, RgbaImage};
 
-/// Samples of the mesh that all methods are compared on.
+/// The number of samples of the common mesh.
 pub const SAMPLES: u32 = 8_000;
-/// Side of the pictures that are drawn here.
+/// Side of the generated pictures in pixels.
 const SIZE: u32 = 800;
 
-/// A picture with handles that are posed.
+/// A picture with posed handles.
 #[derive(Debug, Clone)]
 pub struct StandardPose {
-    /// A short name, also of the sheet's file.
+    /// A short name, also used for the file of the sheet.
     pub name: &'static str,
-    /// The project; how it is solved and posed is left to the method.
+    /// The project. Each method uses its own settings.
     pub project: Project,
-    /// Its picture.
+    /// The picture.
     pub picture: RgbaImage,
 }
 
 impl StandardPose {
-    /// The picture as the solver takes it.
+    /// Returns the picture for the solver.
     ///
     /// # Panics
-    /// For a picture too small or too large to warp, which none is.
+    /// If the picture is too small or too large. None is.
     #[must_use]
     pub fn solver_picture(&self) -> Picture<'_> {
         let (width, height) = self.picture.dimensions();
@@ -51,10 +51,10 @@ impl StandardPose {
     }
 }
 
-/// All of them.
+/// Returns all standard poses.
 ///
 /// # Errors
-/// Where the sample picture of the editor cannot be read.
+/// If the sample picture of the editor cannot be read.
 pub fn standard_poses() -> image::ImageResult<Vec<StandardPose>> {
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/public/samples/gingerbread.png");
     let gingerbread = image::open(sample)?.into_rgba8();
@@ -70,7 +70,7 @@ pub fn standard_poses() -> image::ImageResult<Vec<StandardPose>> {
     ])
 }
 
-/// Point handles with their rotations left to the solver.
+/// Returns point handles whose rotations are left to the solver.
 fn handles(moves: &[(DVec2, DVec2)]) -> Vec<Handle> {
     let handle = |(id, &(rest, posed)): (usize, &(DVec2, DVec2))| {
         Handle::point(format!("h{id}"), rest).posed_at([posed]).turned(Rotation::Auto)
@@ -78,14 +78,14 @@ fn handles(moves: &[(DVec2, DVec2)]) -> Vec<Handle> {
     moves.iter().enumerate().map(handle).collect()
 }
 
-/// A strip of 640 by 160 px, bent by three pins.
+/// A strip of 640 by 160 px that three pins bend.
 fn strip() -> StandardPose {
     let ring = [(80.0, 320.0), (720.0, 320.0), (720.0, 480.0), (80.0, 480.0)].map(DVec2::from).to_vec();
     let moves = [((120.0, 400.0), (180.0, 500.0)), ((400.0, 400.0), (400.0, 300.0)), ((680.0, 400.0), (620.0, 500.0))];
     StandardPose::on_rings("1 strip", vec![ring], &moves.map(|(rest, posed)| (rest.into(), posed.into())))
 }
 
-/// Where the editor puts the handles of its sample: head, hands, feet.
+/// The handles of the editor's sample: head, hands, feet.
 const GINGERBREAD: [(f64, f64); 5] = [(512.0, 260.0), (124.0, 516.0), (900.0, 516.0), (312.0, 1126.0), (712.0, 1126.0)];
 
 fn gingerbread(name: &'static str, picture: RgbaImage, posed: [DVec2; 5]) -> StandardPose {
@@ -104,7 +104,7 @@ fn waving(picture: RgbaImage) -> StandardPose {
     gingerbread("2 waving", picture, posed)
 }
 
-/// The gingerbread figure, head and hands turned about its hips by 35°.
+/// The gingerbread figure with head and hands rotated about its hips by 35°.
 fn bowing(picture: RgbaImage) -> StandardPose {
     let hips = DVec2::new(512.0, 850.0);
     let turn = |p: (f64, f64)| hips + DVec2::from_angle(35.0_f64.to_radians()).rotate(DVec2::from(p) - hips);
@@ -114,59 +114,59 @@ fn bowing(picture: RgbaImage) -> StandardPose {
     gingerbread("3 bowing", picture, posed)
 }
 
-/// A cross with its ends held and its middle, four handles, turned by 90°.
+/// A cross with fixed ends, whose middle is rotated by 90° with four handles.
 fn cross() -> StandardPose {
     let middle = DVec2::splat(f64::from(SIZE) / 2.0);
     let arm = [(-80.0, -80.0), (-80.0, -320.0), (80.0, -320.0)].map(DVec2::from);
     let quarter = |k: usize| DVec2::from_angle(std::f64::consts::FRAC_PI_2 * k as f64);
     let ring = (0..4).flat_map(|k| arm.map(|p| middle + quarter(k).rotate(p).round())).collect();
-    let place = |k: usize, far: f64| middle + quarter(k).rotate(DVec2::new(0.0, -far)).round();
-    let ends = (0..4).map(|k| (place(k, 290.0), place(k, 290.0)));
-    let turned = (0..4).map(|k| (place(k, 60.0), place(k + 1, 60.0)));
+    let position = |k: usize, far: f64| middle + quarter(k).rotate(DVec2::new(0.0, -far)).round();
+    let ends = (0..4).map(|k| (position(k, 290.0), position(k, 290.0)));
+    let turned = (0..4).map(|k| (position(k, 60.0), position(k + 1, 60.0)));
     StandardPose::on_rings("4 cross", vec![ring], &ends.chain(turned).collect::<Vec<_>>())
 }
 
-/// A square whose two handles, 40 px apart, are taken to 100 px apart.
+/// A square with two handles that are pulled from 40 to 100 px apart.
 fn pulled() -> StandardPose {
     let ring = [(100.0, 100.0), (700.0, 100.0), (700.0, 700.0), (100.0, 700.0)].map(DVec2::from).to_vec();
     let moves = [((380.0, 400.0), (350.0, 400.0)), ((420.0, 400.0), (450.0, 400.0))];
     StandardPose::on_rings("5 pulled", vec![ring], &moves.map(|(rest, posed)| (rest.into(), posed.into())))
 }
 
-/// A scene of `tests/scenes`, four times as large.
+/// A scene of `tests/scenes`, enlarged four times.
 fn of_scene(name: &'static str, scene: &str) -> StandardPose {
     let Scene { project, picture } = Scene::enlarged(scene, 4);
     StandardPose::new(name, project, picture)
 }
 
-/// A spiral of a turn and a quarter, its seven handles taken to a straight line.
+/// A spiral of one and a quarter turns, whose seven handles are moved to a straight line.
 fn spiral() -> StandardPose {
     const HALF_WIDTH: f64 = 36.0;
     let centre = DVec2::splat(f64::from(SIZE) / 2.0);
-    let turns = 1.25 * std::f64::consts::TAU;
+    let iterations = 1.25 * std::f64::consts::TAU;
     let radius = |angle: f64| 120.0 + 19.0 * angle;
     let at = |angle: f64, offset: f64| centre + (radius(angle) + offset) * DVec2::from_angle(angle);
-    let angles = |count: usize| (0..=count).map(move |i| turns * i as f64 / count as f64);
+    let angles = |count: usize| (0..=count).map(move |i| iterations * i as f64 / count as f64);
     let outer = angles(90).map(|angle| at(angle, HALF_WIDTH));
     let inner = angles(90).map(|angle| at(angle, -HALF_WIDTH)).collect::<Vec<_>>().into_iter().rev();
-    // Handles a little inside both ends. The line goes on from the outer end, and is as long as the spiral.
-    let rest: Vec<DVec2> = (0..7).map(|i| at(turns * (0.02 + 0.96 * f64::from(i) / 6.0), 0.0)).collect();
+    // The handles are slightly inside both ends. The line continues from the outer end and is as long as the spiral.
+    let rest: Vec<DVec2> = (0..7).map(|i| at(iterations * (0.02 + 0.96 * f64::from(i) / 6.0), 0.0)).collect();
     let length = |from: f64, to: f64| {
         let steps = 1000;
         let point = |i: i32| at(from + (to - from) * f64::from(i) / f64::from(steps), 0.0);
         (0..steps).map(|i| point(i).distance(point(i + 1))).sum::<f64>()
     };
-    let outer_end = turns * 0.98;
+    let outer_end = iterations * 0.98;
     let tangent = (at(outer_end, 0.0) - at(outer_end - 1e-3, 0.0)).normalize();
     let moves: Vec<_> = rest
         .iter()
         .enumerate()
-        .map(|(i, &p)| (p, rest[6] - tangent * length(turns * (0.02 + 0.96 * i as f64 / 6.0), outer_end)))
+        .map(|(i, &p)| (p, rest[6] - tangent * length(iterations * (0.02 + 0.96 * i as f64 / 6.0), outer_end)))
         .collect();
     StandardPose::on_rings("8 spiral", vec![outer.chain(inner).collect()], &moves)
 }
 
-/// Tiles in colours that run from corner to corner.
+/// Tiles in a gradient from corner to corner.
 fn tiles() -> RgbaImage {
     RgbaImage::from_fn(SIZE, SIZE, |x, y| {
         let (across, down) = (f64::from(x) / f64::from(SIZE), f64::from(y) / f64::from(SIZE));

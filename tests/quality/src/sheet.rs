@@ -1,4 +1,4 @@
-//! Pictures for eyes: a pose by several methods side by side.
+//! Sheets: pictures of a pose by several methods, side by side.
 
 use std::convert::Infallible;
 
@@ -16,50 +16,50 @@ use image::{Rgba, RgbaImage, imageops};
 
 use crate::{
     measure::{energy, jacobians, stretches},
-    methods::{Compared, Method, Outcome},
+    methods::{Comparison, Method, Outcome},
 };
 
-/// Greatest side of a panel in pixels.
+/// The longer side of a panel in pixels.
 const PANEL: f64 = 360.0;
-/// Height of the labels.
+/// Height of the labels in pixels.
 const LABEL: u32 = 28;
-/// Lines of the grid over the larger side.
+/// Number of grid lines along the longer side.
 const LINES: u32 = 40;
 
-/// What a row of panels shows.
+/// The contents of a row of panels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Row {
-    /// A grid, turned over where it is red, with the sites.
+    /// A grid with the sites. Flipped triangles are red.
     Grid,
     /// The picture.
     Picture,
-    /// The energy, from blue over green to red.
+    /// The energy, from blue through green to red.
     Energy,
 }
 
 impl Row {
-    /// In the order of sheets.
+    /// All rows in the order of sheets.
     pub const ALL: [Self; 3] = [Self::Grid, Self::Picture, Self::Energy];
 }
 
-/// The sheet of a pose: a column for each of these methods that did it.
+/// Draws the sheet of a pose, with a column for each method that succeeded.
 #[must_use]
-pub fn sheet(compared: &Compared, methods: &[Method], rows: &[Row]) -> RgbaImage {
-    let frame = Frame::around(compared);
-    let (width, height) = (frame.width, frame.height);
-    let shown: Vec<&Outcome> = methods.iter().filter_map(|&method| compared.by(method)).collect();
+pub fn sheet(comparison: &Comparison, methods: &[Method], rows: &[Row]) -> RgbaImage {
+    let view = View::around(comparison);
+    let (width, height) = (view.width, view.height);
+    let shown: Vec<&Outcome> = methods.iter().filter_map(|&method| comparison.outcome_of(method)).collect();
     let size = (shown.len() as u32 * (width + 8), rows.len() as u32 * (height + 8) + LABEL);
     let mut sheet = RgbaImage::from_pixel(size.0, size.1, Rgba([255; 4]));
-    let grid = grid(compared);
+    let grid = grid(comparison);
     for (column, outcome) in (0_u32..).zip(shown) {
         let x = column * (width + 8) + 4;
         let label = format!("{}  E {:.3}", outcome.method.name().replace(", rigid", " +"), outcome.distortion.energy);
         write(&mut sheet, &label, x, 20);
-        for (row, what) in (0_u32..).zip(rows) {
-            let panel = match what {
-                Row::Grid => frame.warped(compared, outcome, &grid, true),
-                Row::Picture => frame.warped(compared, outcome, &compared.pose.picture, false),
-                Row::Energy => frame.energies(compared, outcome),
+        for (row, contents) in (0_u32..).zip(rows) {
+            let panel = match contents {
+                Row::Grid => view.warped(comparison, outcome, &grid, true),
+                Row::Picture => view.warped(comparison, outcome, &comparison.pose.picture, false),
+                Row::Energy => view.energies(comparison, outcome),
             };
             imageops::overlay(&mut sheet, &panel, x.into(), (LABEL + row * (height + 8)).into());
         }
@@ -67,20 +67,20 @@ pub fn sheet(compared: &Compared, methods: &[Method], rows: &[Row]) -> RgbaImage
     sheet
 }
 
-/// Where a panel shows what.
-struct Frame {
+/// The view of a panel.
+struct View {
     width: u32,
     height: u32,
     low: DVec2,
     scale: f64,
 }
 
-impl Frame {
-    /// Room for the result of every method.
-    fn around(compared: &Compared) -> Self {
-        let places = compared.outcomes.iter().flat_map(|outcome| &outcome.posed);
-        let first = compared.fine.vertices[0];
-        let (low, high) = places.fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
+impl View {
+    /// Returns the view that holds the result of every method.
+    fn around(comparison: &Comparison) -> Self {
+        let points = comparison.outcomes.iter().flat_map(|outcome| &outcome.posed);
+        let first = comparison.mesh.vertices[0];
+        let (low, high) = points.fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
         let margin = 0.03 * (high - low).max_element();
         let (low, high) = (low - margin, high + margin);
         let scale = PANEL / (high - low).max_element();
@@ -92,21 +92,21 @@ impl Frame {
         self.scale * (p - self.low)
     }
 
-    fn warped(&self, compared: &Compared, outcome: &Outcome, texture: &RgbaImage, marked: bool) -> RgbaImage {
-        let fine = &compared.fine;
+    fn warped(&self, comparison: &Comparison, outcome: &Outcome, texture: &RgbaImage, marked: bool) -> RgbaImage {
+        let mesh = &comparison.mesh;
         let posed: Vec<DVec2> = outcome.posed.iter().map(|&p| self.at(p)).collect();
         let (width, height) = texture.dimensions();
         let picture =
             Picture::new(width, height, texture.as_raw()).expect("the pose's own picture, or one of its size");
-        // The result has the picture's shape: of one large enough for the panel, the panel is cut out.
-        let room = f64::from(self.width).max(f64::from(self.height));
-        let scale = room / f64::from(width.min(height));
+        // The result has the shape of the picture. Make it large enough for the panel, and crop it.
+        let side = f64::from(self.width).max(f64::from(self.height));
+        let scale = side / f64::from(width.min(height));
         let to_picture: Vec<DVec2> = posed.iter().map(|&p| p / scale).collect();
         let warped = raster::warp(
             &picture,
-            &fine.vertices,
+            &mesh.vertices,
             &to_picture,
-            &fine.triangles,
+            &mesh.triangles,
             ResampleOptions { scale, ..ResampleOptions::default() },
         )
         .expect("a fair size");
@@ -114,17 +114,17 @@ impl Frame {
         let mut panel = RgbaImage::from_pixel(self.width, self.height, Rgba([244, 244, 240, 255]));
         imageops::overlay(&mut panel, &whole, 0, 0);
         if marked {
-            let all = jacobians_of(compared, outcome);
+            let all = jacobians_of(comparison, outcome);
             for t in (0..all.len()).filter(|&t| stretches(all[t])[1] < 0.0) {
-                fill(&mut panel, fine.corners(t, &posed), Rgba([230, 0, 0, 255]));
+                fill(&mut panel, mesh.corners(t, &posed), Rgba([230, 0, 0, 255]));
             }
             for &(_, posed) in &outcome.sites {
                 dot(&mut panel, self.at(posed), 1.5, Rgba([0, 60, 220, 255]));
             }
-            for (_, to) in compared.targets.places() {
+            for (_, to) in comparison.constraints.check_points() {
                 dot(&mut panel, self.at(to), 2.0, Rgba([255, 150, 0, 255]));
             }
-            for &(_, to) in &compared.targets.points {
+            for &(_, to) in &comparison.constraints.points {
                 dot(&mut panel, self.at(to), 5.0, Rgba([0, 0, 0, 255]));
                 dot(&mut panel, self.at(to), 3.5, Rgba([255, 200, 0, 255]));
             }
@@ -132,30 +132,30 @@ impl Frame {
         panel
     }
 
-    fn energies(&self, compared: &Compared, outcome: &Outcome) -> RgbaImage {
+    fn energies(&self, comparison: &Comparison, outcome: &Outcome) -> RgbaImage {
         let mut panel = RgbaImage::from_pixel(self.width, self.height, Rgba([244, 244, 240, 255]));
         let posed: Vec<DVec2> = outcome.posed.iter().map(|&p| self.at(p)).collect();
-        for (t, j) in jacobians_of(compared, outcome).into_iter().enumerate() {
-            fill(&mut panel, compared.fine.corners(t, &posed), heat(energy(stretches(j))));
+        for (t, j) in jacobians_of(comparison, outcome).into_iter().enumerate() {
+            fill(&mut panel, comparison.mesh.corners(t, &posed), heat(energy(stretches(j))));
         }
         panel
     }
 }
 
-fn jacobians_of(compared: &Compared, outcome: &Outcome) -> Vec<glam::DMat2> {
-    jacobians(&compared.fine, &outcome.posed)
+fn jacobians_of(comparison: &Comparison, outcome: &Outcome) -> Vec<glam::DMat2> {
+    jacobians(&comparison.mesh, &outcome.posed)
 }
 
-/// From 0.001 (blue) to 10 (red), by its logarithm.
+/// Returns a colour for the logarithm of the energy, from 0.001 (blue) to 10 (red).
 fn heat(energy: f64) -> Rgba<u8> {
     let t = ((energy.max(1e-9).log10() + 3.0) / 4.0).clamp(0.0, 1.0);
     let peak = |at: f64| (255.0 * (1.5 - 4.0 * (t - at).abs()).clamp(0.0, 1.0)) as u8;
     Rgba([peak(0.8), peak(0.5), peak(0.2), 255])
 }
 
-/// Lines over pale tiles, of the size of the pose's picture.
-fn grid(compared: &Compared) -> RgbaImage {
-    let (width, height) = compared.pose.picture.dimensions();
+/// Draws lines over pale tiles, at the size of the picture.
+fn grid(comparison: &Comparison) -> RgbaImage {
+    let (width, height) = comparison.pose.picture.dimensions();
     let step = width.max(height) / LINES;
     let thin = (step / 7).max(1);
     RgbaImage::from_fn(width, height, |x, y| {
@@ -169,6 +169,7 @@ fn grid(compared: &Compared) -> RgbaImage {
     })
 }
 
+/// Fills a triangle.
 fn fill(panel: &mut RgbaImage, corners: [DVec2; 3], colour: Rgba<u8>) {
     let [a, b, c] = corners;
     let twice = (b - a).perp_dot(c - a);
@@ -186,6 +187,7 @@ fn fill(panel: &mut RgbaImage, corners: [DVec2; 3], colour: Rgba<u8>) {
     }
 }
 
+/// Draws a disc.
 fn dot(panel: &mut RgbaImage, centre: DVec2, radius: f64, colour: Rgba<u8>) {
     let (from, to) = ((centre - radius).floor().max(DVec2::ZERO), centre + radius);
     for y in from.y as u32..=(to.y.max(0.0) as u32).min(panel.height() - 1) {

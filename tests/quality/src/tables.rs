@@ -1,66 +1,71 @@
-//! The results as a person reads them: tables in Markdown, aligned.
+//! The printed tables, in Markdown.
 
 use std::fmt::Write;
 
 use c2warp_bench::aligned::aligned;
 
 use crate::{
-    bars::{Bar, bars, distance_bars, maxima_bars},
     distances::{Distances, greatest},
     maxima::SceneMaxima,
-    measure::MOST_ENERGY,
-    methods::{Compared, EDITOR, Method, OTHER_SAMPLES, Outcome},
+    measure::MAX_ENERGY,
+    methods::{Comparison, EDITOR, Method, OTHER_SAMPLES, Outcome},
     poses::SAMPLES,
+    requirements::{Requirement, distance_requirements, maxima_requirements, pose_requirements},
 };
 
-/// What stands where there is no figure.
+/// Placeholder for a missing value.
 const NONE: &str = "–";
 
-/// Everything that was measured, and which bars it meets.
+/// Formats all results and requirements.
 #[must_use]
 pub fn tables(
     distances: &[Distances],
     maxima: &[SceneMaxima],
-    all: &[Compared],
-    unsolved: &[(&'static str, String)],
+    comparisons: &[Comparison],
+    failed: &[(&'static str, String)],
 ) -> String {
     let mut text = String::new();
     if !distances.is_empty() {
         write!(text, "## Distances\n\n{}{DISTANCE_NOTES}\n", distance_table(distances)).expect("memory");
     }
     if !maxima.is_empty() {
-        write!(text, "## Second maxima of weights\n\n{}{MAXIMA_NOTES}\n", maxima_table(maxima)).expect("memory");
+        write!(text, "## Secondary maxima of weights\n\n{}{MAXIMA_NOTES}\n", maxima_table(maxima)).expect("memory");
     }
-    if !all.is_empty() || !unsolved.is_empty() {
-        text += &poses(all, unsolved);
+    if !comparisons.is_empty() || !failed.is_empty() {
+        text += &poses(comparisons, failed);
     }
-    let bars = distance_bars(distances).into_iter().chain(maxima_bars(maxima)).chain(all.iter().flat_map(bars));
-    write!(text, "## Bars\n\n{}", bar_table(bars)).expect("memory");
+    let requirements = distance_requirements(distances)
+        .into_iter()
+        .chain(maxima_requirements(maxima))
+        .chain(comparisons.iter().flat_map(pose_requirements));
+    write!(text, "## Requirements\n\n{}", requirement_table(requirements)).expect("memory");
     text
 }
 
-fn poses(all: &[Compared], unsolved: &[(&'static str, String)]) -> String {
-    let mut text = format!("## Quality of a pose\n\n{}{}", outcomes(all), notes());
-    for compared in all {
-        for (method, reason) in &compared.refused {
-            writeln!(text, "{}: {} is left out: {reason}", compared.pose.name, method.name()).expect("memory");
+fn poses(comparisons: &[Comparison], failed: &[(&'static str, String)]) -> String {
+    let mut text = format!("## Quality of a pose\n\n{}{}", outcomes(comparisons), notes());
+    for comparison in comparisons {
+        for (method, reason) in &comparison.failed {
+            writeln!(text, "{}: {} failed: {reason}", comparison.pose.name, method.name()).expect("memory");
         }
     }
-    for (pose, reason) in unsolved {
-        writeln!(text, "{pose} is left out: {reason}").expect("memory");
+    for (pose, reason) in failed {
+        writeln!(text, "{pose} failed: {reason}").expect("memory");
     }
-    write!(text, "\n## {} with other numbers of samples\n\n{}", EDITOR.name(), other_samples(all)).expect("memory");
-    text + "\nE mean, least stretch and folds, each on the mesh over the samples.\n\n"
+    write!(text, "\n## {} with other numbers of samples\n\n{}", EDITOR.name(), other_samples(comparisons))
+        .expect("memory");
+    text + "\nMean E, smallest stretch and folds, each on the mesh over the samples.\n\n"
 }
 
 const DISTANCE_NOTES: &str = "
-Relative errors against the geodesic of the polygon, which a visibility graph over the reflex corners finds without the solver's help:
-at 400 samples, from each of four sources. Graph: Dijkstra's algorithm along the edges of the samples' mesh, the paper's way. Times:
-one source to all samples, on one core. Where an error is 0 both have added up the same square roots in the same order.
+Relative errors against exact geodesics at 400 samples, from each of four sources. A visibility graph over the reflex
+corners finds the geodesics without the solver. Graph: Dijkstra's algorithm on the edges of the mesh between samples, as
+in the paper. Times are for one source and all samples, on one core. An error of 0 means that the solver and the visibility
+graph added the same square roots in the same order.
 ";
 
 fn distance_table(all: &[Distances]) -> String {
-    let header = ["domain", "corners", "samples", "c2warp mean", "greatest", "ms", "graph mean", "greatest", "ms"];
+    let header = ["domain", "corners", "samples", "c2warp mean", "largest", "ms", "graph mean", "largest", "ms"];
     let row = |d: &Distances| {
         vec![
             d.domain.to_owned(),
@@ -78,13 +83,14 @@ fn distance_table(all: &[Distances]) -> String {
 }
 
 const MAXIMA_NOTES: &str = "
-The paper saw none in its examples. Counted on the mesh: maxima that rise by more than 0.01 above the pass to a higher one, and how high
-the highest rises. Eq. 2 does not rule them out: in a dead end that two supports reach, the weight of the one that ends farther in grows
-from the entrance on. Handles: the fields by which they move the picture, sums of the weights of all sites by eq. 4.
+The paper saw none in its examples. A maximum counts if it rises by more than 0.01 above the pass to a higher one. The
+table shows the number of them and the largest rise. Eq. 2 does not exclude them: if two supports reach a dead end, the
+weight of the deeper one grows from the entrance on. Handles: the fields that move the picture, sums of all weights by
+eq. 4.
 ";
 
 fn maxima_table(all: &[SceneMaxima]) -> String {
-    let header = ["scene", "weighting", "sites", "second maxima", "highest", "of handles", "highest"];
+    let header = ["scene", "weighting", "sites", "secondary maxima", "largest rise", "of handles", "largest rise"];
     let row = |SceneMaxima { scene, weighting, maxima }: &SceneMaxima| {
         let highest = |rises: &[f64]| match rises {
             [] => NONE.into(),
@@ -103,77 +109,94 @@ fn maxima_table(all: &[SceneMaxima]) -> String {
     aligned(&header, all.iter().map(row), 2)
 }
 
-fn percent(share: f64) -> String {
-    digits(100.0 * share) + " %"
+/// Formats a fraction as a percentage.
+fn percent(fraction: f64) -> String {
+    digits(100.0 * fraction) + " %"
 }
 
 fn notes() -> String {
     format!(
         "
-All on one mesh of about {SAMPLES} samples, figures by triangle and weighted by area. E: symmetric Dirichlet energy
-|J|² + |J⁻¹|² − 4, {MOST_ENERGY} at most and for a triangle that is turned over. ARAP: mean of |J − R|², which dense minimises.
-Stretch: largest and least singular value of J, negative where turned over. Bending: Σ over inner edges of length ÷ distance
-between centroids · |J₁ − J₂|², without a unit. Off: farthest off a handle or a held outline. Moved: share of the area that
-went farther than half a pixel. Pose: motions of the sites; frame: posed handles to posed vertices, on one core; the least time of
-some runs, as in the benchmark. Dense: the lowest minimum found from the harmonic start and from every other row's result; its time is
-from the harmonic start until the energy falls by less than 1e-9 of itself in a turn, the factorisation left out, and in brackets until
-it is within 1 % of that. Its pins are single vertices: on a finer mesh they hold less, and its energy gathers around them.
+All methods are compared on one mesh of about {SAMPLES} samples. Values are per triangle, weighted by area.
+
+- E: symmetric Dirichlet energy |J|² + |J⁻¹|² − 4. It is capped at {MAX_ENERGY}, also for flipped triangles.
+- ARAP: mean of |J − R|², the energy that dense minimises.
+- Stretch: largest and smallest singular value of J, negative if flipped.
+- Bending: Σ over inner edges of length ÷ distance between centroids · |J₁ − J₂|², without a unit.
+- Error: largest error at a handle or a held outline.
+- Moved: fraction of the area that moved by more than half a pixel.
+- Pose: time for the motions of the sites. Frame: time from posed handles to posed vertices. Both are the minimum of some
+  runs on one core.
+- Dense: the lowest minimum found from the harmonic start and from the results of the other methods. Its time is from the
+  harmonic start until an iteration lowers the energy by less than 1e-9 of it, without the factorisation. The time in
+  brackets is until the energy is within 1 % of that. Its pins are single vertices. On a finer mesh they hold less, and
+  the energy concentrates around them.
 "
     )
 }
 
-fn outcomes(all: &[Compared]) -> String {
+fn outcomes(comparisons: &[Comparison]) -> String {
     let header = [
-        "pose", "method", "virtual", "E mean", "E 99 %", "ARAP", "stretch", "least", "folds", "bending", "off px",
+        "pose", "method", "virtual", "E mean", "E 99 %", "ARAP", "stretch", "smallest", "folds", "bending", "error px",
         "moved", "pose ms", "frame ms", "÷ dense",
     ];
-    let row = |compared: &Compared, outcome: &Outcome| {
+    let row = |comparison: &Comparison, outcome: &Outcome| {
         let d = &outcome.distortion;
-        let dense = compared.by(Method::Dense);
-        let of_dense = |ratio: &dyn Fn(&Outcome) -> f64| dense.map_or(NONE.into(), |dense| digits(ratio(dense)));
-        let near = outcome.turns.map_or(String::new(), |(_, near)| format!(" ({})", digits(near)));
+        let dense = comparison.outcome_of(Method::Dense);
+        let ratio_to_dense = |ratio: &dyn Fn(&Outcome) -> f64| dense.map_or(NONE.into(), |dense| digits(ratio(dense)));
+        let near = outcome.iterations.map_or(String::new(), |(_, near)| format!(" ({})", digits(near)));
         vec![
-            compared.pose.name.to_owned(),
+            comparison.pose.name.to_owned(),
             outcome.method.name(),
             outcome.virtual_sites.map_or(NONE.into(), |count| count.to_string()),
             digits(d.energy),
-            digits(d.energy_99),
+            digits(d.energy_percentile_99),
             digits(d.rigidity),
-            format!("{:.2}", d.most_stretch),
-            format!("{:.2}", d.least_stretch),
+            format!("{:.2}", d.max_stretch),
+            format!("{:.2}", d.min_stretch),
             d.folds.to_string(),
             digits(d.bending),
-            if outcome.off_handles < 1e-9 { "0".into() } else { format!("{:.0e}", outcome.off_handles) },
+            if outcome.handle_error < 1e-9 { "0".into() } else { format!("{:.0e}", outcome.handle_error) },
             format!("{:.0} %", 100.0 * d.moved),
             outcome.pose_ms.map_or(NONE.into(), digits),
             digits(outcome.frame_ms) + &near,
-            of_dense(&|dense| d.energy / dense.distortion.energy),
+            ratio_to_dense(&|dense| d.energy / dense.distortion.energy),
         ]
     };
-    let rows = all.iter().flat_map(|compared| compared.outcomes.iter().map(move |outcome| row(compared, outcome)));
+    let rows = comparisons
+        .iter()
+        .flat_map(|comparison| comparison.outcomes.iter().map(move |outcome| row(comparison, outcome)));
     aligned(&header, rows, 2)
 }
 
-fn other_samples(all: &[Compared]) -> String {
+fn other_samples(comparisons: &[Comparison]) -> String {
     let counts = OTHER_SAMPLES.map(|count| count.to_string());
     let header: Vec<&str> = std::iter::once("pose").chain(counts.iter().map(String::as_str)).collect();
-    let row = |compared: &Compared| {
-        let figures =
-            compared.others.iter().map(|d| format!("{} {:.2} {}", digits(d.energy), d.least_stretch, d.folds));
-        std::iter::once(compared.pose.name.to_owned()).chain(figures).collect()
+    let row = |comparison: &Comparison| {
+        let figures = comparison
+            .with_other_samples
+            .iter()
+            .map(|d| format!("{} {:.2} {}", digits(d.energy), d.min_stretch, d.folds));
+        std::iter::once(comparison.pose.name.to_owned()).chain(figures).collect()
     };
-    aligned(&header, all.iter().map(row), 1)
+    aligned(&header, comparisons.iter().map(row), 1)
 }
 
-fn bar_table(bars: impl Iterator<Item = Bar>) -> String {
-    let row = |bar: Bar| {
-        let limit = if bar.limit.is_finite() { format!("≤ {}", bar.limit) } else { NONE.into() };
-        vec![bar.of.to_owned(), bar.what.to_owned(), limit, digits(bar.figure), bar.verdict().to_owned()]
+fn requirement_table(requirements: impl Iterator<Item = Requirement>) -> String {
+    let row = |requirement: Requirement| {
+        let limit = if requirement.limit.is_finite() { format!("≤ {}", requirement.limit) } else { NONE.into() };
+        vec![
+            requirement.subject.to_owned(),
+            requirement.name.to_owned(),
+            limit,
+            digits(requirement.value),
+            requirement.verdict().to_owned(),
+        ]
     };
-    aligned(&["of", "", "bar", "", ""], bars.map(row), 2)
+    aligned(&["subject", "", "limit", "value", "verdict"], requirements.map(row), 2)
 }
 
-/// A figure to about three digits.
+/// Formats a number with about three digits.
 fn digits(value: f64) -> String {
     match value.abs() {
         0.0 => "0".into(),

@@ -1,6 +1,6 @@
-//! `c2warp-bench-memory FILE`: writes to a file, as JSON, what a solve holds in memory.
+//! `c2warp-bench-memory FILE`: writes the memory of a solve to a file, as JSON.
 //!
-//! A program of its own, since counting takes time.
+//! It is a separate program because counting allocations takes time.
 
 use std::{error::Error, fs, process::ExitCode};
 
@@ -8,7 +8,7 @@ use c2warp::Solver;
 use c2warp_bench::{
     cases::{TABLE_2, gingerbread},
     results::Memory,
-    suite::DENSE,
+    suite::MANY_SITES,
 };
 use peak_alloc::PeakAlloc;
 
@@ -30,13 +30,13 @@ fn main() -> ExitCode {
 }
 
 fn memory() -> Result<Memory, Box<dyn Error>> {
-    let scene = gingerbread();
-    let project = scene.project(TABLE_2[1].samples, DENSE);
-    let picture = scene.picture()?;
+    let case = gingerbread();
+    let project = case.project(TABLE_2[1].samples, MANY_SITES);
+    let picture = case.picture()?;
     let before = HEAP.current_usage();
     let mut solver = Solver::new();
     solver.begin(&project, &picture)?;
-    // What finding the outline in the picture takes for a moment depends on the picture, not on the samples.
+    // Ignore the peak of finding the outline. It depends on the picture, not on the samples.
     HEAP.reset_peak_usage();
     while solver.advance()?.is_some() {}
     let (held_bytes, peak_bytes) = (HEAP.current_usage() - before, HEAP.peak_usage() - before);

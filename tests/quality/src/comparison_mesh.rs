@@ -1,21 +1,21 @@
-//! The one mesh that all methods of a pose are compared on: the samples of a solve, without the rim around them.
+//! The mesh on which all methods of a pose are compared: the samples of a solution, without the skirt.
 
 use c2warp::Solution;
 use glam::DVec2;
 
-/// A triangle mesh over the domain; all triangles wind the same way.
+/// A triangle mesh over the domain. All triangles have the same orientation.
 #[derive(Debug, Clone)]
-pub struct Fine {
-    /// Rest places.
+pub struct ComparisonMesh {
+    /// Rest positions.
     pub vertices: Vec<DVec2>,
-    /// Vertex numbers, counted so that [`DVec2::perp_dot`] of the edges is positive.
+    /// Vertex indices, in the order in which [`DVec2::perp_dot`] of the edges is positive.
     pub triangles: Vec<[u32; 3]>,
-    /// Area of each triangle.
+    /// The area of each triangle.
     pub areas: Vec<f64>,
 }
 
-impl Fine {
-    /// The mesh over the samples of a solution.
+impl ComparisonMesh {
+    /// Returns the mesh over the samples of a solution.
     #[must_use]
     pub fn of(solution: &Solution) -> Self {
         let vertices = solution.vertices()[..solution.samples()].to_vec();
@@ -30,19 +30,19 @@ impl Fine {
         Self { vertices, triangles, areas }
     }
 
-    /// The corners of a triangle in places of the vertices.
+    /// Returns the corners of a triangle for these positions of the vertices.
     #[must_use]
-    pub fn corners(&self, triangle: usize, places: &[DVec2]) -> [DVec2; 3] {
-        self.triangles[triangle].map(|v| places[v as usize])
+    pub fn corners(&self, triangle: usize, positions: &[DVec2]) -> [DVec2; 3] {
+        self.triangles[triangle].map(|v| positions[v as usize])
     }
 
-    /// Inner edges: the triangles on both sides and the two vertices.
+    /// Returns the vertices of each inner edge, and the triangles on its sides.
     #[must_use]
     pub fn inner_edges(&self) -> Vec<([u32; 2], [usize; 2])> {
         self.edges().into_iter().filter_map(|(edge, sides)| Some((edge, sides.try_into().ok()?))).collect()
     }
 
-    /// Whether each vertex is on the outline.
+    /// Returns whether each vertex is on the outline.
     #[must_use]
     pub fn on_outline(&self) -> Vec<bool> {
         let mut on = vec![false; self.vertices.len()];
@@ -63,19 +63,20 @@ impl Fine {
         edges
     }
 
-    /// Where a point goes when the map is linear in each triangle; `None` outside the mesh.
+    /// Interpolates the posed positions linearly in each triangle. Returns `None` outside the mesh.
     #[must_use]
     pub fn interpolated(&self, posed: &[DVec2], p: DVec2) -> Option<DVec2> {
-        // On the outline a point may lie outside by rounding: the triangle that it lies least outside of.
-        let inside = |t: usize| {
+        // A point on the outline may be outside by rounding. So take the triangle that contains it best.
+        let barycentric = |t: usize| {
             let [a, b, c] = self.corners(t, &self.vertices);
             let twice = 2.0 * self.areas[t];
             [(c - b).perp_dot(p - b), (a - c).perp_dot(p - c), (b - a).perp_dot(p - a)].map(|area| area / twice)
         };
-        let least = |shares: [f64; 3]| shares.into_iter().fold(f64::INFINITY, f64::min);
-        let best = (0..self.triangles.len()).max_by(|&s, &t| least(inside(s)).total_cmp(&least(inside(t))))?;
-        let shares = inside(best);
+        let least = |coordinates: [f64; 3]| coordinates.into_iter().fold(f64::INFINITY, f64::min);
+        let best =
+            (0..self.triangles.len()).max_by(|&s, &t| least(barycentric(s)).total_cmp(&least(barycentric(t))))?;
+        let coordinates = barycentric(best);
         let at = self.corners(best, posed);
-        (least(shares) > -1e-6).then(|| at[0] * shares[0] + at[1] * shares[1] + at[2] * shares[2])
+        (least(coordinates) > -1e-6).then(|| at[0] * coordinates[0] + at[1] * coordinates[1] + at[2] * coordinates[2])
     }
 }

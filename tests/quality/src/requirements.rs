@@ -1,0 +1,69 @@
+//! Requirements on the rigid mode, on distances and on weights, and whether they are met.
+
+use crate::{
+    distances::{Distances, greatest},
+    maxima::{SceneMaxima, Weighting},
+    methods::{Comparison, EDITOR, Method},
+};
+
+/// A requirement on one pose, the distances in one domain, or the weights of one scene.
+#[derive(Debug, Clone)]
+pub struct Requirement {
+    /// The pose, the domain or the scene.
+    pub subject: &'static str,
+    /// The name of the measured value.
+    pub name: &'static str,
+    /// The measured value.
+    pub value: f64,
+    /// The largest allowed value.
+    pub limit: f64,
+}
+
+impl Requirement {
+    /// Returns `met` or `missed`.
+    #[must_use]
+    pub fn verdict(&self) -> &'static str {
+        if self.value <= self.limit { "met" } else { "missed" }
+    }
+}
+
+/// Returns one requirement on distances per domain, over all numbers of samples.
+#[must_use]
+pub fn distance_requirements(all: &[Distances]) -> Vec<Requirement> {
+    let of = |same: &[Distances]| {
+        let value = greatest(same.iter().map(|distances| distances.solver.greatest));
+        Requirement { subject: same[0].domain, name: "largest error of a distance", value, limit: 1e-6 }
+    };
+    all.chunk_by(|a, b| a.domain == b.domain).map(of).collect()
+}
+
+/// Returns the requirements on weights: no secondary maxima with the paper's supports.
+#[must_use]
+pub fn maxima_requirements(all: &[SceneMaxima]) -> Vec<Requirement> {
+    let of = |SceneMaxima { scene, maxima, .. }: &SceneMaxima| {
+        let none = |name, found: &[f64]| Requirement { subject: scene, name, value: found.len() as f64, limit: 0.0 };
+        [
+            none("secondary maxima of the weights of sites", &maxima.of_sites),
+            none("secondary maxima of the fields of handles", &maxima.of_handles),
+        ]
+    };
+    all.iter().filter(|of_scene| of_scene.weighting == Weighting::Paper).flat_map(of).collect()
+}
+
+/// Returns the requirements on a pose by `rigid 100`, the editor's method.
+#[must_use]
+pub fn pose_requirements(comparison: &Comparison) -> Vec<Requirement> {
+    let (Some(rigid), Some(dense)) = (comparison.outcome_of(EDITOR), comparison.outcome_of(Method::Dense)) else {
+        return Vec::new();
+    };
+    let requirement = |name, value, limit| Requirement { subject: comparison.pose.name, name, value, limit };
+    // A pin may flip the triangles around it, however fine the mesh is. So folds of the reference count only away from
+    // pins.
+    let folds = if comparison.folds_away_from_handles(dense) == 0 { 0.0 } else { f64::INFINITY };
+    vec![
+        requirement("rigid 100: mean energy ÷ that of dense", rigid.distortion.energy / dense.distortion.energy, 1.25),
+        requirement("rigid 100: frame time ÷ that of dense", rigid.frame_ms / dense.frame_ms, 0.02),
+        requirement("rigid 100: folds, if dense has none", rigid.distortion.folds as f64, folds),
+        requirement("rigid 100: largest error at a handle, px", rigid.handle_error, 1e-6),
+    ]
+}
