@@ -1,4 +1,4 @@
-/** The engine: solving in the worker, overtaking, and workers that die. */
+/** The engine: solves in the worker, superseded requests, and workers that die. */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -30,7 +30,7 @@ test.beforeEach(async ({ page }) => {
   await page.goto('/harness/');
 });
 
-test('solves in stages, to arrays that fit together', async ({ page }) => {
+test('a solve reports its stages and returns consistent arrays', async ({ page }) => {
   const result = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
     const stages: string[] = [];
@@ -61,7 +61,7 @@ test('solves in stages, to arrays that fit together', async ({ page }) => {
   expect(result.report).toMatchObject({ islands: 2, holes: 2, point_handles: 2, real_sites: 2 });
 });
 
-test('a newer solve overtakes an older one, before it begins and while it runs', async ({ page }) => {
+test('a newer solve supersedes an older one, queued or running', async ({ page }) => {
   const outcomes = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
     const named = (promise: Promise<unknown>) =>
@@ -84,7 +84,7 @@ test('a newer solve overtakes an older one, before it begins and while it runs',
   expect(outcomes).toEqual(['AbortError', 'AbortError', 'solved']);
 });
 
-test('a refused project names its reason, and the next solve works', async ({ page }) => {
+test('a rejected project states the reason, and the next solve works', async ({ page }) => {
   const [refused, code, handles, next] = await page.evaluate(
     async ([outside, project]) => {
       const engine = await harness.startedEngine();
@@ -104,7 +104,7 @@ test('a refused project names its reason, and the next solve works', async ({ pa
   expect(next).toBe(true);
 });
 
-test('a project file is read strictly, and the offending key named', async ({ page }) => {
+test('a project file is parsed strictly, and errors name the key', async ({ page }) => {
   const [good, bad] = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
     const checked = engine.checkProject(JSON.stringify(project));
@@ -122,7 +122,7 @@ test('a project file is read strictly, and the offending key named', async ({ pa
   expect(bad?.code).toBe('project');
 });
 
-test('a worker that dies is replaced, and what it was asked is asked again', async ({ page }) => {
+test('a worker that dies is replaced, and its requests are repeated', async ({ page }) => {
   const result = await page.evaluate(async (project) => {
     const workers: Worker[] = [];
     const OriginalWorker = globalThis.Worker;
@@ -138,7 +138,7 @@ test('a worker that dies is replaced, and what it was asked is asked again', asy
         ?.dispatchEvent(new MessageEvent('message', { data: { kind: 'died', message: 'unreachable' } }));
     const engine = await harness.startedEngine();
     await engine.solve(project);
-    // In the midst of it: what is over by then is asked of nobody again.
+    // Dies during the request, since finished requests are not repeated.
     let died = false;
     const again = engine.solve(project, () => {
       if (!died) dies();
@@ -159,7 +159,7 @@ test('a worker that dies is replaced, and what it was asked is asked again', asy
   expect(result.workers).toBe(4);
 });
 
-test('exports at any scale, in straight alpha', async ({ page }) => {
+test('exports have any scale and straight alpha', async ({ page }) => {
   const sizes = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
     const [whole, half] = [await engine.warp(project), await engine.warp(project, 0.5)];
@@ -171,7 +171,7 @@ test('exports at any scale, in straight alpha', async ({ page }) => {
   ]);
 });
 
-test('a picture that comes before an export has begun overtakes it', async ({ page }) => {
+test('a new picture supersedes an export that has not begun', async ({ page }) => {
   const [older, newer] = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
     const first = engine.warp(project).then(
@@ -185,7 +185,7 @@ test('a picture that comes before an export has begun overtakes it', async ({ pa
   expect([older, newer]).toEqual(['AbortError', 255]);
 });
 
-/** What the command prints. It is compiled first where it has not been. */
+/** Returns the output of the command line. Cargo compiles it first if needed. */
 function native(args: readonly string[]): string {
   const { stdout, stderr } = spawnSync(
     'cargo',
@@ -196,7 +196,7 @@ function native(args: readonly string[]): string {
   return stdout;
 }
 
-/** The rows of a table, without its header. */
+/** Returns the rows of a CSV table, without its header. */
 const rows = (csv: string) =>
   csv
     .trim()
@@ -204,7 +204,7 @@ const rows = (csv: string) =>
     .slice(1)
     .map((line) => line.split(','));
 
-test.describe('as the command', () => {
+test.describe('compared with the command line', () => {
   test.describe.configure({ timeout: 1_200_000 });
 
   const solvedInPage = (page: Page, text: string) =>
@@ -226,7 +226,7 @@ test.describe('as the command', () => {
     expect(report.weights_hash).toBe(JSON.parse(told).weights_hash);
   });
 
-  test('native code and WebAssembly pose a picture alike, as far as 32 bits tell', async ({ page }) => {
+  test('native code and WebAssembly pose a picture equally, in 32 bits', async ({ page }) => {
     const project = JSON.parse(readFileSync(SAMPLE, 'utf8')) as Project;
     const handles = project.handles.map((handle) =>
       handle.id === 'left-hand' ? { ...handle, posed: [220, 360] } : handle,
@@ -241,7 +241,7 @@ test.describe('as the command', () => {
     writeFileSync(points, `x,y\n${grid.map((point) => point.join(',')).join('\n')}\n`);
     const table = (command: string) =>
       rows(native([command, file, '--image', PICTURE, '--at', points, '-o', '-']));
-    // Eq. 1, by the motions of the page and the weights of the command.
+    // Eq. 1, with the motions of the page and the weights of the command line.
     const expected = grid.map(() => ({ x: 0, y: 0, moved: false }));
     for (const [point, site, , , , , weight] of table('weights')) {
       const at = Number(point);
@@ -260,7 +260,7 @@ test.describe('as the command', () => {
       return moved ? Math.hypot(Number(x) - inX, Number(y) - inY) : 0;
     });
     expect(expected.filter(({ moved }) => moved).length).toBeGreaterThan(1000);
-    // Numbers of 32 bits near 1000 are 6e-5 apart, and some are summed.
+    // 32-bit numbers near 1000 are 6e-5 apart, and some of them are summed.
     expect(Math.max(...off)).toBeLessThan(5e-4);
     rmSync(dir, { recursive: true });
   });

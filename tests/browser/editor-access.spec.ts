@@ -1,11 +1,11 @@
-/** The editor by the rules of WCAG 2.2 AA: what axe-core finds in its main states, and what axe cannot see. */
+/** The editor under WCAG 2.2 AA: axe-core in the main states, and rules that axe cannot check. */
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { apart, Editor } from './editor';
 import { expect, test } from './fixtures';
 
-/** Each begins where the one before ends. */
+/** Each step begins in the state that the one before left. */
 const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   'a picture is open': async () => {},
   'settings are open beside a selected handle': async (editor) => {
@@ -55,13 +55,13 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   },
 };
 
-/** Turns the head over, below the arms. */
+/** Drags the head below the arms, so that the picture folds. */
 const fold = (editor: Editor): Promise<void> =>
   editor.page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).updateHandle('head', { rotation: 175, posed: [512, 900] });
   });
 
-/** What axe finds, one line for each element. */
+/** Returns the violations that axe finds, one line per element. */
 async function violations(page: Page): Promise<readonly string[]> {
   const { violations } = await new AxeBuilder({ page }).analyze();
   return violations.flatMap(({ id, nodes }) =>
@@ -74,7 +74,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     [1000, 740],
     [320, 640],
   ] as const) {
-    test(`axe finds nothing in ${colorScheme} colours at ${width} × ${height}`, async ({ page }) => {
+    test(`axe finds no violation in ${colorScheme} colours at ${width} × ${height}`, async ({ page }) => {
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width, height });
       const editor = await Editor.open(page);
@@ -89,7 +89,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   }
 }
 
-test('axe finds nothing on a phone whose sheet of settings is open', async ({ page }) => {
+test('axe finds no violation on a phone with an open settings sheet', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 640 });
   const editor = await Editor.open(page);
   await editor.button('How the picture bends').click();
@@ -97,7 +97,7 @@ test('axe finds nothing on a phone whose sheet of settings is open', async ({ pa
   expect(await violations(page)).toEqual([]);
 });
 
-test('axe finds nothing in an editor without a picture, nor in an article', async ({ page }) => {
+test('axe finds no violation in an empty editor and in an article', async ({ page }) => {
   await page.goto('/plain/');
   await page.evaluate(() => document.body.replaceChildren(document.createElement('c2-warp')));
   await expect(page.getByRole('button', { name: 'Open a picture', exact: true })).toBeVisible();
@@ -107,7 +107,7 @@ test('axe finds nothing in an editor without a picture, nor in an article', asyn
   expect(await new AxeBuilder({ page }).include('c2-warp').analyze()).toMatchObject({ violations: [] });
 });
 
-/** How far the colours of two styles of one element are apart, as WCAG reckons contrast. */
+/** Returns the WCAG contrast ratio between the colours of two styles of one element. */
 const contrast = (shown: Locator, of: keyof CSSStyleDeclaration, ground: Locator): Promise<number> =>
   ground
     .evaluateHandle((element) => getComputedStyle(element).backgroundColor)
@@ -132,7 +132,7 @@ const contrast = (shown: Locator, of: keyof CSSStyleDeclaration, ground: Locator
     );
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`controls can be told from the card that they lie on, in ${colorScheme} colours`, async ({ page }) => {
+  test(`controls contrast with their card in ${colorScheme} colours`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     const editor = await Editor.open(page);
     const card = page.getByRole('region', { name: 'Properties' });
@@ -144,7 +144,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('what moves by itself comes to rest within five seconds', async ({ page }) => {
+test('animations stop within five seconds', async ({ page }) => {
   await page.goto('/');
   await new Editor(page).ready();
   const ends = await page
@@ -156,7 +156,7 @@ test('what moves by itself comes to rest within five seconds', async ({ page }) 
   expect(Math.max(...ends)).toBeLessThan(5000);
 });
 
-test('what is said appears in a region that was there before', async ({ page }) => {
+test('announcements appear in an existing live region', async ({ page }) => {
   const editor = await Editor.open(page);
   const region = page.locator('c2-warp .notices');
   await expect(region).toHaveAttribute('role', 'status');
@@ -167,7 +167,7 @@ test('what is said appears in a region that was there before', async ({ page }) 
   await expect(page.locator('c2-warp .before')).toContainText('Depth takes a number');
 });
 
-test('a notice stays while it is pointed at', async ({ page }) => {
+test('a notice stays while the pointer is on it', async ({ page }) => {
   await page.clock.install();
   const editor = await Editor.open(page);
   await editor.handle('head').click();
@@ -182,7 +182,7 @@ test('a notice stays while it is pointed at', async ({ page }) => {
   await expect(notice).toBeHidden();
 });
 
-test('a fold is told once, however many triangles there are', async ({ page }) => {
+test('a fold is announced once, for any number of triangles', async ({ page }) => {
   const editor = await Editor.open(page);
   const told = page.getByRole('status').getByText('A part of the picture is folded');
   await expect(told).toHaveCount(0);
@@ -191,7 +191,7 @@ test('a fold is told once, however many triangles there are', async ({ page }) =
   await expect(told).toHaveCount(1);
 });
 
-test('the corner that has been moved is told, not its bar', async ({ page }) => {
+test('a moved corner is announced instead of its bar', async ({ page }) => {
   const editor = await Editor.open(page);
   await STATES['a bar is selected']?.(editor);
   await editor.corner(2, 'leg').focus();
@@ -199,7 +199,7 @@ test('the corner that has been moved is told, not its bar', async ({ page }) => 
   await expect(page.getByRole('status').getByText('Corner 2 of leg: x 349, y 1000')).toBeAttached();
 });
 
-test('names hold the words that can be read', async ({ page }) => {
+test('accessible names contain the visible labels', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('ArrowRight');
@@ -211,7 +211,7 @@ test('names hold the words that can be read', async ({ page }) => {
   await expect(page.locator('c2-warp .shell')).toHaveAttribute('lang', 'en');
 });
 
-test('the focus of the stage shows on a picture that fills it', async ({ page }) => {
+test('the focus ring of the stage shows on a picture that fills it', async ({ page }) => {
   const editor = await Editor.open(page);
   const head = editor.handle('head');
   await head.focus();
@@ -228,7 +228,7 @@ test('the focus of the stage shows on a picture that fills it', async ({ page })
   expect(apart(before, await edge())).toBeGreaterThan(20);
 });
 
-test('the sheet of a small window does not lie over a tool that has the focus', async ({ page }) => {
+test('the sheet of a small window does not cover a focused tool', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 256 });
   const editor = await Editor.open(page);
   await editor.handle('left foot').focus();
@@ -247,7 +247,7 @@ test('the sheet of a small window does not lie over a tool that has the focus', 
   await expect.poll(inFront).toBe(true);
 });
 
-/** The names of the pictures, groups and applications that Chromium tells a screen reader of. */
+/** Returns the names of images and applications in Chromium's accessibility tree. */
 async function told(page: Page): Promise<readonly string[]> {
   const session = await page.context().newCDPSession(page);
   const { nodes } = await session.send('Accessibility.getFullAXTree');
@@ -256,14 +256,14 @@ async function told(page: Page): Promise<readonly string[]> {
     .map(({ role, name }) => `${role?.value}: ${name?.value}`);
 }
 
-test('a disabled editor still tells of its picture', async ({ page }) => {
+test('a disabled editor still exposes its picture', async ({ page }) => {
   await Editor.open(page);
   expect(await told(page)).toEqual(['application: Picture gingerbread.png']);
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('disabled', ''));
   await expect.poll(() => told(page)).toEqual(['image: Picture gingerbread.png, disabled']);
 });
 
-test('a picture in an article has the words of its page', async ({ page }) => {
+test('a picture in an article has the alternative text of its page', async ({ page }) => {
   await page.goto('/article/');
   const first = page.locator('#first');
   await expect(first.getByRole('button', { name: 'Handle head, ' })).toBeVisible();

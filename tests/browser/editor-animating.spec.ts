@@ -1,9 +1,9 @@
-/** A page whose script poses the handles in every frame, alone and while people work. */
+/** A page script that poses the handles in every frame, alone and during edits. */
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
-test('a pose of many handles is shown, and is neither a step nor an event nor a text', async ({ page }) => {
+test('a pose set by the page shows without a step, event or announcement', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('head', { x: 10, y: -20 });
   await editor.button('Undo: move head').click();
@@ -22,7 +22,7 @@ test('a pose of many handles is shown, and is neither a step nor an event nor a 
       ]);
       places.push(warp.mapPoint([900, 516])?.map(Math.round));
     }
-    // A project's handles are a pose.
+    // The handles of a project are a valid pose.
     const { handles } = warp.project;
     warp.pose([{ id: 'left-hand', posed: [0, 0] }]);
     warp.pose(handles);
@@ -46,7 +46,7 @@ test('a pose of many handles is shown, and is neither a step nor an event nor a 
   await expect(editor.button('Redo: move head')).toBeEnabled();
 });
 
-test('what is no pose of the handles is refused, and poses none', async ({ page }) => {
+test('an invalid pose is rejected and poses no handle', async ({ page }) => {
   await Editor.open(page);
   const refusals = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -78,7 +78,7 @@ test('what is no pose of the handles is refused, and poses none', async ({ page 
   ]);
 });
 
-test('a person drags one handle while the page poses all, and takes that back', async ({ page }) => {
+test('a drag works and can be undone while the page poses all handles', async ({ page }) => {
   const editor = await Editor.open(page);
   const head = await editor.place('head');
   const frames = async (from: number) => {
@@ -111,9 +111,7 @@ test('a person drags one handle while the page poses all, and takes that back', 
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('places in the window and in the picture lead to one another, also where the page scales the editor', async ({
-  page,
-}) => {
+test('window and picture coordinates convert both ways in a scaled editor', async ({ page }) => {
   const editor = await Editor.open(page);
   for (const transform of ['none', 'scale(0.5)']) {
     await page.locator('c2-warp').evaluate((element, transform) => {
@@ -137,7 +135,7 @@ test('places in the window and in the picture lead to one another, also where th
   expect(none).toEqual([null, null]);
 });
 
-test('an exported picture has the pose of its call', async ({ page }) => {
+test('an export has the pose at the time of the call', async ({ page }) => {
   await Editor.open(page);
   const apart = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
@@ -153,7 +151,7 @@ test('an exported picture has the pose of its call', async ({ page }) => {
   expect(apart).toEqual({ second: false, third: true });
 });
 
-test('out of sight a pose waits, and is drawn on the way back', async ({ page }) => {
+test('an editor out of view draws its pose when it is back in view', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   const before = await editor.look(hand);

@@ -1,4 +1,4 @@
-/** Poses, pictures and text through the clipboard, by real keys. */
+/** Poses, pictures and text through the clipboard, with real keys. */
 import type { Page } from '@playwright/test';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -11,7 +11,7 @@ const copy = (page: Page) => page.keyboard.press('Control+c');
 const paste = (page: Page) => page.keyboard.press('Control+v');
 const posed = async (editor: Editor, id: string) => (await editor.inProject(id))?.posed;
 
-test('the pose of all is copied where none is selected, and pasted as one step', async ({ page }) => {
+test('without a selection all handles are copied; a paste is one step', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   await editor.dragHandle('right foot', { x: 20, y: -10 });
@@ -30,7 +30,7 @@ test('the pose of all is copied where none is selected, and pasted as one step',
   expect(await posed(editor, 'right-foot')).toEqual([712, 1126]);
 });
 
-test('the pose of one goes to its handle, or to those that are selected', async ({ page }) => {
+test('the pose of one handle is pasted to it, or to the selected ones', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const [x = 0, y = 0] = (await posed(editor, 'left-hand')) as [number, number];
@@ -54,7 +54,7 @@ test('the pose of one goes to its handle, or to those that are selected', async 
   ]);
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 
-  // Where its handle is gone a word says so.
+  // A notice appears if the handle does not exist.
   await page.keyboard.press('Escape');
   await editor.handle('left hand').focus();
   await editor.solves(() => page.keyboard.press('Delete'));
@@ -62,7 +62,7 @@ test('the pose of one goes to its handle, or to those that are selected', async 
   await expect(page.getByText('There is no handle here for the pose of left hand.')).toBeVisible();
 });
 
-test('a pose is copied and pasted with the focus on a switch', async ({ page }) => {
+test('poses are copied and pasted with the focus on a switch', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
@@ -76,7 +76,7 @@ test('a pose is copied and pasted with the focus on a switch', async ({ page }) 
   await expect.poll(() => posed(editor, 'left-hand')).toEqual(moved);
 });
 
-test('what says that it is a pose and is none is refused, other texts are left alone', async ({ page }) => {
+test('an invalid pose is rejected, and other text is ignored', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   for (const text of ['hello', '{"format": "c2warp/1"}']) {
@@ -120,15 +120,13 @@ test('text in fields and beside the stage is copied and pasted as text', async (
   await page.getByRole('heading', { name: 'left hand' }).selectText();
   await copy(page);
   expect((await clipped(page)).trim()).toBe('left hand');
-  // With the focus on the stage it is the pose, whatever is selected elsewhere.
+  // With the focus on the stage the pose is copied, whatever text is selected.
   await editor.handle('left hand').focus();
   await copy(page);
   expect(await clipped(page)).toContain('c2warp-pose/1');
 });
 
-test('in a page of somebody else the clipboard is the element’s while that has the focus', async ({
-  page,
-}) => {
+test('on other pages the element uses the clipboard only while focused', async ({ page }) => {
   await page.goto('/plain/');
   const editor = new Editor(page);
   await editor.ready();
@@ -153,7 +151,7 @@ test('in a page of somebody else the clipboard is the element’s while that has
   await copy(page);
   expect(await clipped(page)).toBe('words');
 
-  // A readonly editor changes nothing, and leaves what is copied to the page.
+  // A readonly editor pastes nothing, and leaves the paste event to the page.
   await editor.handle('left hand').focus();
   await copy(page);
   expect(await clipped(page)).toContain('c2warp-pose/1');

@@ -1,4 +1,4 @@
-/** `<c2-warp>` in somebody's page: attributes, methods, events, and what it gives back when it goes. */
+/** `<c2-warp>` on other pages: attributes, methods, events, and the release of resources. */
 import type { Page } from '@playwright/test';
 import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
@@ -6,7 +6,7 @@ import { Answers } from './answers';
 import { apart, Editor } from './editor';
 import { expect, test } from './fixtures';
 
-/** How much redder than blue a piece of what is drawn is, in 255ths. */
+/** Returns the mean of red minus blue in a part of the drawing, in 255ths. */
 function warmth(png: Buffer): number {
   const { data, width, height, channels } = decode(png);
   let sum = 0;
@@ -14,9 +14,7 @@ function warmth(png: Buffer): number {
   return sum / (width * height);
 }
 
-test('it tells of input while dragging, of change once committed, of selection and history', async ({
-  page,
-}) => {
+test('events: input during a drag, change on commit, selection, history', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => {
     const heard: string[] = [];
@@ -33,7 +31,7 @@ test('it tells of input while dragging, of change once committed, of selection a
   await expect.poll(heard).toEqual(['selectionchange', 'input', 'historychange', 'input', 'change']);
 });
 
-test('input and change bubble, like those of form controls, and no other event does', async ({ page }) => {
+test('only input and change bubble, as with form controls', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const heard: string[] = [];
@@ -48,7 +46,7 @@ test('input and change bubble, like those of form controls, and no other event d
   await expect.poll(heard).toEqual(['input c2-warp', 'change c2-warp']);
 });
 
-test('methods do what tools do', async ({ page }) => {
+test('methods have the same effects as tools', async ({ page }) => {
   const editor = await Editor.open(page);
   const answers = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
@@ -87,7 +85,7 @@ test('methods do what tools do', async ({ page }) => {
   await expect.poll(async () => (await editor.told('head')).rotation).toBe(0);
 });
 
-test('what no handle can be is refused at once, and leaves no step', async ({ page }) => {
+test('invalid handles throw at once and add no step', async ({ page }) => {
   await Editor.open(page);
   const refusals = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -133,7 +131,7 @@ test('what no handle can be is refused at once, and leaves no step', async ({ pa
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
 
-test('a point is told where it goes', async ({ page }) => {
+test('mapPoint returns the posed position of a point', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('right hand').click();
   await editor.field('y').fill('400');
@@ -147,7 +145,7 @@ test('a point is told where it goes', async ({ page }) => {
   expect(await mapped(5, 5)).toBeNull();
 });
 
-test('what is refused reaches the page as an error with a code', async ({ page }) => {
+test('rejected input reaches the page as an error with a code', async ({ page }) => {
   const editor = await Editor.open(page);
   const code = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -160,7 +158,7 @@ test('what is refused reaches the page as an error with a code', async ({ page }
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('removed, it gives back its context; put back, it has its document', async ({ page }) => {
+test('removal releases the context; reinsertion restores the document', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 10, y: -40 });
   const told = await editor.still(() => editor.told('right hand'));
@@ -179,9 +177,9 @@ test('removed, it gives back its context; put back, it has its document', async 
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
-test('created and removed again and again, nothing of it is left', async ({ page }) => {
+test('elements that are created and removed leave no resources', async ({ page }) => {
   await Editor.open(page);
-  // One solves, and one writes PNGs for the whole page.
+  // One solver, and one PNG writer for the whole page.
   await expect.poll(() => page.workers().length).toBe(2);
   await page.evaluate(async () => {
     const gone: WeakRef<Element>[] = [];
@@ -204,7 +202,7 @@ test('created and removed again and again, nothing of it is left', async ({ page
   await expect.poll(() => page.workers().length).toBe(2);
 });
 
-test('removed while it opens another picture, it keeps neither', async ({ page }) => {
+test('removal while a picture opens closes both pictures', async ({ page }) => {
   const answers = await Answers.of(page);
   await page.addInitScript(() => {
     const opened: ImageBitmap[] = [];
@@ -233,7 +231,7 @@ test('removed while it opens another picture, it keeps neither', async ({ page }
   await expect.poll(open).toBe(0);
 });
 
-test('of many on a page each in sight is drawn, and posed', async ({ page }) => {
+test('every element in view is drawn and posed, of many on a page', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const project = (document.querySelector('c2-warp') as C2Warp).project;
@@ -254,10 +252,10 @@ test('of many on a page each in sight is drawn, and posed', async ({ page }) => 
     await warp.scrollIntoViewIfNeeded();
     await expect(warp.locator('.solved')).toContainText('sample', { timeout: 60_000 });
     const middle = await editor.middle(warp);
-    // What is baked is brown; without a context its place is grey.
+    // The gingerbread is brown; without a context the area is grey.
     await expect.poll(async () => warmth(await editor.look(middle, 4))).toBeGreaterThan(40);
   }
-  // All in sight at once, and one of the last posed.
+  // All are in view at once, and one of the last is posed.
   await page.evaluate(() => {
     for (const warp of document.querySelectorAll<C2Warp>('c2-warp')) {
       Object.assign(warp, { readonly: false, play: true });
@@ -278,7 +276,7 @@ test('of many on a page each in sight is drawn, and posed', async ({ page }) => 
   await expect.poll(async () => warmth(await editor.look(raised, 3))).toBeGreaterThan(40);
 });
 
-test('a page may remove it when it tells of a change', async ({ page }) => {
+test('a change listener can remove the element', async ({ page }) => {
   await Editor.open(page);
   const left = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -289,7 +287,7 @@ test('a page may remove it when it tells of a change', async ({ page }) => {
   expect(left).toBe(0);
 });
 
-test('the tool of the attribute is taken up after a move, and when readonly goes', async ({ page }) => {
+test('the tool attribute applies after a move and when readonly ends', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   const pressed = page.locator('.tools [aria-pressed=true]');
@@ -302,7 +300,7 @@ test('the tool of the attribute is taken up after a move, and when readonly goes
   await expect(pressed).toHaveAccessibleName(/point/);
 });
 
-test('readonly shows, pans and zooms, and changes nothing', async ({ page }) => {
+test('a readonly editor pans and zooms, and changes nothing', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
   const hand = await editor.place('right hand');
@@ -313,7 +311,7 @@ test('readonly shows, pans and zooms, and changes nothing', async ({ page }) => 
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('a handle that cannot be solved is named and taken back, and the history with it', async ({ page }) => {
+test('a rejected handle is named, and removed from document and history', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 10, y: -40 });
   await page.locator('c2-warp').evaluate((element) => {
@@ -326,9 +324,7 @@ test('a handle that cannot be solved is named and taken back, and the history wi
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
-test('of what a page does in one go only the handles that cannot be solved are taken back', async ({
-  page,
-}) => {
+test('of several changes by the page only rejected handles are reverted', async ({ page }) => {
   const editor = await Editor.open(page);
   const told = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
@@ -371,7 +367,7 @@ test('of what a page does in one go only the handles that cannot be solved are t
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('a handle that is taken back leaves the drag of another in hand', async ({ page }) => {
+test('reverting a rejected handle does not end the drag of another', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await answers.hold();
@@ -393,9 +389,7 @@ test('a handle that is taken back leaves the drag of another in hand', async ({ 
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('what a page does with a project or a handle that it has given or got is its own affair', async ({
-  page,
-}) => {
+test('objects passed to or returned by the element are copies', async ({ page }) => {
   await Editor.open(page);
   const posed = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -424,7 +418,7 @@ test('what a page does with a project or a handle that it has given or got is it
   ]);
 });
 
-test('readonly or disabled in the midst of a drag takes it back', async ({ page }) => {
+test('a drag is reverted when the editor becomes readonly or disabled', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   await warp.evaluate((element) => {
@@ -446,7 +440,7 @@ test('readonly or disabled in the midst of a drag takes it back', async ({ page 
   expect(await page.evaluate(() => Reflect.get(globalThis, 'changes'))).toBe(0);
 });
 
-test('readonly gives up a drawing and a number being typed', async ({ page }) => {
+test('readonly discards a draft and a number being typed', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   const flip = (on: boolean) => warp.evaluate((element, on) => Object.assign(element, { readonly: on }), on);
@@ -470,7 +464,7 @@ test('readonly gives up a drawing and a number being typed', async ({ page }) =>
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('hidden in the midst of a drag, it takes it back and keeps its view', async ({ page }) => {
+test('hiding the element reverts a drag and keeps the view', async ({ page }) => {
   const editor = await Editor.open(page);
   const show = (display: string) =>
     page.locator('c2-warp').evaluate((element, display) => {
@@ -490,14 +484,14 @@ test('hidden in the midst of a drag, it takes it back and keeps its view', async
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
 
-/** Asks for so many samples that the solver is at work for long. */
+/** Requests so many samples that the solve takes long. */
 const ponder = (page: Page) =>
   page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
     warp.project = { ...warp.project, samples: 1_000_000 };
   });
 
-test('dragging does not wait for a solve', async ({ page }) => {
+test('a drag does not wait for a solve', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
@@ -511,7 +505,7 @@ test('dragging does not wait for a solve', async ({ page }) => {
   await expect(page.getByRole('progressbar')).toBeVisible();
 });
 
-test('a long solve shows progress, and can be cancelled where people may edit', async ({ page }) => {
+test('a long solve shows progress, and editors can cancel it', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await answers.hold();
@@ -528,7 +522,7 @@ test('a long solve shows progress, and can be cancelled where people may edit', 
   await expect.poll(samples).toBe(10_000);
 });
 
-test('an undo whose solve is cancelled is taken back, and loses nothing of the history', async ({ page }) => {
+test('cancelling the solve of an undo reverts it and keeps the history', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await editor.solves(async () => {
@@ -537,7 +531,7 @@ test('an undo whose solve is cancelled is taken back, and loses nothing of the h
     });
   });
   await expect.poll(async () => (await editor.kept()).handles?.length).toBe(6);
-  // Only the present is solved then: what came before it is to be solved again.
+  // Only the present is solved then, so an undo needs another solve.
   await page.reload();
   await editor.ready();
   await expect(editor.handles).toHaveCount(6);
@@ -557,7 +551,7 @@ test('an undo whose solve is cancelled is taken back, and loses nothing of the h
   await expect(editor.handles).toHaveCount(6);
 });
 
-test('an export is told until it is done, whatever is solved meanwhile', async ({ page }) => {
+test('export progress shows until the end, also during solves', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await answers.hold();
@@ -577,7 +571,7 @@ test('an export is told until it is done, whatever is solved meanwhile', async (
   await expect(editor.solved).toContainText('sample');
 });
 
-test('what was taken back while it was solved shows no progress any more', async ({ page }) => {
+test('progress ends when the change is undone during its solve', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
@@ -593,14 +587,14 @@ test('what was taken back while it was solved shows no progress any more', async
   await expect(page.locator('c2-warp .solved')).toContainText('sample');
 });
 
-test('the colours chosen stay chosen', async ({ page }) => {
+test('the chosen theme persists', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Dark colours').click();
   await page.reload();
   await expect(editor.button('Light colours')).toBeVisible();
 });
 
-test('the switch of colours follows the system', async ({ page }) => {
+test('the theme switch follows the system', async ({ page }) => {
   const editor = await Editor.open(page);
   await expect(editor.button('Dark colours')).toBeVisible();
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
@@ -608,7 +602,7 @@ test('the switch of colours follows the system', async ({ page }) => {
   await expect(editor.button('Dark colours')).toBeVisible();
 });
 
-test('it tells of the selection whatever changes it', async ({ page }) => {
+test('every change of the selection fires an event', async ({ page }) => {
   await Editor.open(page);
   const heard = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -626,7 +620,7 @@ test('it tells of the selection whatever changes it', async ({ page }) => {
   expect(heard).toEqual(['head', 'belly', 'head', 'belly', '']);
 });
 
-test('what changes nothing is no step, and takes no redo away', async ({ page }) => {
+test('calls that change nothing add no step and keep the redo', async ({ page }) => {
   await Editor.open(page);
   const labels = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -643,7 +637,7 @@ test('what changes nothing is no step, and takes no redo away', async ({ page })
   await expect(page.getByRole('button', { name: 'Redo: change handle' })).toBeEnabled();
 });
 
-test('a property is taken back by undefined, as frameworks do it', async ({ page }) => {
+test('setting a property to undefined resets it, as frameworks do', async ({ page }) => {
   await Editor.open(page);
   const left = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -655,7 +649,7 @@ test('a property is taken back by undefined, as frameworks do it', async ({ page
   expect(left).toEqual({ selection: [], handles: 5 });
 });
 
-test('a selection box goes with the picture that it was drawn on', async ({ page }) => {
+test('a selection box disappears with its picture', async ({ page }) => {
   const editor = await Editor.open(page);
   const box = page.locator('c2-warp rect.box');
   const stage = (await page.locator('c2-warp .stage').boundingBox()) ?? { x: 0, y: 0 };
@@ -670,7 +664,7 @@ test('a selection box goes with the picture that it was drawn on', async ({ page
   await expect(box).not.toBeAttached();
 });
 
-test('disabled, it hears no key', async ({ page }) => {
+test('a disabled editor ignores keys', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   await editor.handle('head').focus();
@@ -687,7 +681,7 @@ test('disabled, it hears no key', async ({ page }) => {
   await expect(page.locator('c2-warp .bare')).not.toBeAttached();
 });
 
-test('disabled, no control is reached by pointer or keys', async ({ page }) => {
+test('pointer and keys reach no control of a disabled editor', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   const colours = editor.button('Dark colours');
@@ -703,7 +697,7 @@ test('disabled, no control is reached by pointer or keys', async ({ page }) => {
   await expect(colours).toBeVisible();
 });
 
-test('disabled, it does what methods ask for', async ({ page }) => {
+test('methods work on a disabled editor', async ({ page }) => {
   const editor = await Editor.open(page);
   const fitted = await editor.zoom();
   await page.keyboard.press('1');
@@ -717,7 +711,7 @@ test('disabled, it does what methods ask for', async ({ page }) => {
     .toMatch(`${Math.round(fitted * 100)} %`);
 });
 
-test('without a picture there is nothing to put a handle on, and a selection waits', async ({ page }) => {
+test('without a picture handles are rejected, and a selection is kept', async ({ page }) => {
   const editor = await Editor.open(page);
   const refused = await page.evaluate(() => {
     const warp = document.createElement('c2-warp') as C2Warp;
@@ -737,7 +731,7 @@ test('without a picture there is nothing to put a handle on, and a selection wai
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('what was open stays where the solver dies of another picture', async ({ page }) => {
+test('the open work stays if the solver dies on another picture', async ({ page }) => {
   await page.addInitScript(() => {
     const workers: Worker[] = [];
     globalThis.Worker = class extends Worker {

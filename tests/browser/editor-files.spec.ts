@@ -1,4 +1,4 @@
-/** Opening, saving, exporting, coming back after a reload, and files that are refused. */
+/** Opening, saving, exporting, restoring after a reload, and rejected files. */
 import { mkdir } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { decode, encode } from 'fast-png';
@@ -8,7 +8,7 @@ import { Answers } from './answers';
 import { apart, bytes, Editor, SAME } from './editor';
 import { expect, test } from './fixtures';
 
-/** A small picture: an opaque disc, or nothing at all. */
+/** Returns a small picture: an opaque disc, or a transparent one. */
 function disc(size: number, radius = size * 0.4): Buffer {
   const data = new Uint8Array(size * size * 4);
   for (let pixel = 0; pixel < size * size; pixel++) {
@@ -26,7 +26,7 @@ const project = (value: unknown, name = 'other.c2warp.json') => ({
   buffer: Buffer.from(typeof value === 'string' ? value : JSON.stringify(value)),
 });
 
-/** Carries out `event` on the editor with files as a drop or a paste brings them. */
+/** Dispatches `event` on the editor with files, like a drop or a paste. */
 async function bring(
   editor: Editor,
   event: 'drop' | 'paste',
@@ -57,7 +57,7 @@ async function bring(
   );
 }
 
-test('the project is saved, and opens exactly as it was', async ({ page }) => {
+test('a saved project opens exactly as it was', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 30, y: -50 });
   const told = await editor.still(() => editor.told('right hand'));
@@ -76,7 +76,7 @@ test('the project is saved, and opens exactly as it was', async ({ page }) => {
   expect((await bytes(await editor.download('Save the project file'))).toString()).toBe(text);
 });
 
-test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
+test('a PNG export is warped, at full size, with alpha', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 0, y: -80 });
   const exported = await editor.download('Export a PNG at full size');
@@ -90,7 +90,7 @@ test('a PNG is exported at full size, bent, with alpha', async ({ page }) => {
   expect(alpha(2, 2)).toBe(0);
 });
 
-/** A striped rectangle in the middle, of three colours. */
+/** Returns a picture with a centred, striped rectangle in three colours. */
 function sprite(width: number, height: number): Buffer {
   const data = new Uint8Array(width * height * 4);
   const colours = [
@@ -104,9 +104,7 @@ function sprite(width: number, height: number): Buffer {
   return Buffer.from(encode({ width, height, data, channels: 4 }));
 }
 
-test('pixel art is exported with the colours that it has, unless a switch or the page says otherwise', async ({
-  page,
-}) => {
+test('pixel art keeps its colours in exports, unless switched off', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.choose(png('sprite.png', sprite(40, 48)));
   const pixelArt = editor.switch('Pixel art');
@@ -139,7 +137,7 @@ test('pixel art is exported with the colours that it has, unless a switch or the
   await page.reload();
   await expect(editor.handle('head')).toBeVisible();
   await expect(pixelArt).not.toBeChecked();
-  // As the page says, or its script.
+  // Set by the page's attribute, then by its script.
   const blob = (options?: { pixelated: boolean }) =>
     page.locator('c2-warp').evaluate(async (element, options) => {
       const file = await (element as C2Warp).toBlob(1, options);
@@ -155,7 +153,7 @@ test('pixel art is exported with the colours that it has, unless a switch or the
   expect((await ofBlob({ pixelated: false })).size).toBeGreaterThan(50);
 });
 
-test('the first PNG is exported without a network too', async ({ page, context }) => {
+test('the first PNG export works offline', async ({ page, context }) => {
   const editor = await Editor.open(page);
   await page.waitForLoadState('networkidle');
   await context.setOffline(true);
@@ -163,9 +161,7 @@ test('the first PNG is exported without a network too', async ({ page, context }
   expect([width, height]).toEqual([1024, 1280]);
 });
 
-test('what is bent beyond the frame is seen before an export, fitted into view, and told to be cut off', async ({
-  page,
-}) => {
+test('parts beyond the frame are shown, fitted, and reported as cut off', async ({ page }) => {
   const editor = await Editor.open(page);
   const [frame, told] = [page.locator('c2-warp .frame'), page.getByText('is cut off in the PNG')];
   await editor.dragHandle('right hand', { x: 0, y: -30 });
@@ -185,7 +181,7 @@ test('what is bent beyond the frame is seen before an export, fitted into view, 
   const all = decode(await bytes(download));
   expect(all.height).toBe(1280);
   expect(all.width).toBeGreaterThan(1024 + 50);
-  // Nothing is left of the frame, and the last column holds a part of the hand.
+  // Nothing extends to the left of the frame, and the last column holds a part of the hand.
   const alphas = Array.from(
     { length: all.height },
     (_, y) => all.data[(y * all.width + all.width - 1) * 4 + 3],
@@ -202,7 +198,7 @@ test('what is bent beyond the frame is seen before an export, fitted into view, 
   await expect(frame).toHaveCount(0);
 });
 
-test('a word in passing does not take away the way back to what was open before', async ({ page }) => {
+test('a short notice does not remove the offer to reopen earlier work', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -10, y: -40 });
   await page.locator('c2-warp').evaluate(async (element) => {
@@ -215,7 +211,7 @@ test('a word in passing does not take away the way back to what was open before'
   });
   const back = editor.button(/^Back to/);
   await expect(back).toBeVisible();
-  // Answered by the page as soon as it is there: after a few seconds it goes by itself.
+  // The page answers at once, since the notice disappears after a few seconds.
   const said = page.locator('c2-warp').evaluate(
     ({ shadowRoot: root }) =>
       new Promise<string>((done) => {
@@ -241,7 +237,7 @@ test('a word in passing does not take away the way back to what was open before'
   await expect(editor.handle('right hand')).toBeVisible();
 });
 
-test('a soft shadow is a part of the picture', async ({ page }) => {
+test('a soft shadow belongs to the picture', async ({ page }) => {
   const editor = await Editor.open(page);
   const left = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
@@ -265,7 +261,7 @@ test('a soft shadow is a part of the picture', async ({ page }) => {
   await expect(editor.handles).toHaveCount(0);
 });
 
-test('a reload brings everything back: picture, pose, history', async ({ page }) => {
+test('a reload restores picture, pose and history', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.choose(png('disc.png', disc(96)));
   await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
@@ -293,9 +289,7 @@ test('a reload brings everything back: picture, pose, history', async ({ page })
   await expect(editor.handles).toHaveCount(1);
 });
 
-test('where the browser has no room to keep the work, that is told once, and again after it had some', async ({
-  page,
-}) => {
+test('full storage is reported once, and again after a success', async ({ page }) => {
   await page.addInitScript(() => {
     const { put } = IDBObjectStore.prototype;
     IDBObjectStore.prototype.put = function (...given) {
@@ -307,7 +301,7 @@ test('where the browser has no room to keep the work, that is told once, and aga
   const editor = await Editor.open(page);
   const dismiss = editor.button('Dismiss');
   await full(true);
-  // A picture that is only opened is no loss.
+  // An opened picture without edits is no loss.
   await editor.choose(png('disc.png', disc(96)));
   await expect(editor.status).toContainText('96 × 96 px');
   await page.keyboard.press('p');
@@ -326,7 +320,7 @@ test('where the browser has no room to keep the work, that is told once, and aga
   await expect(editor.notice).toContainText('Save the project before you leave');
 });
 
-/** How many times the browser refuses to decode a picture, from the next load of the page on. */
+/** Makes the browser fail to decode pictures this many times, from the next page load on. */
 const undecoded = (page: Page, times: number) =>
   page.addInitScript((times) => {
     const { createImageBitmap } = globalThis;
@@ -337,7 +331,7 @@ const undecoded = (page: Page, times: number) =>
     }) as typeof createImageBitmap;
   }, times);
 
-test('work that cannot be opened is told of, and is there once it can', async ({ page }) => {
+test('stored work that fails to open is reported, and opens later', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   const told = await editor.still(() => editor.told('left hand'));
@@ -347,7 +341,7 @@ test('work that cannot be opened is told of, and is there once it can', async ({
   await expect(editor.notice).toContainText('gingerbread.png: The picture is damaged');
   await editor.ready();
   expect(await editor.told('left hand')).not.toEqual(told);
-  // The sample that stands there in its place is not written over it.
+  // The sample shown instead does not overwrite the stored work.
   await editor.handle('head').click();
   expect(await editor.kept()).toMatchObject({ step: 'Move left hand' });
   await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
@@ -355,7 +349,7 @@ test('work that cannot be opened is told of, and is there once it can', async ({
   await expect.poll(() => editor.told('left hand')).toEqual(told);
 });
 
-test('a file that is brought while work is coming back costs nothing', async ({ page }) => {
+test('a file dropped while work is being restored loses nothing', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
@@ -379,14 +373,14 @@ test('a file that is brought while work is coming back costs nothing', async ({ 
   await answers.pass();
   await expect(editor.status).toContainText('96 × 96 px');
   await expect.poll(() => editor.kept()).toMatchObject({ picture: 'disc.png' });
-  // The way back outlives the page.
+  // The offer to reopen survives a reload.
   await page.reload();
   await expect(editor.status).toContainText('96 × 96 px');
   await editor.button('Back to gingerbread.png').click();
   await expect.poll(() => editor.told('left hand')).toEqual(told);
 });
 
-test('the guard against folds stays on over a reload and a move', async ({ page }) => {
+test('the fold guard stays on after a reload and a move', async ({ page }) => {
   const editor = await Editor.open(page);
   const guard = editor.switch('Stop at folds');
   const stays = async (as: boolean) => {
@@ -408,11 +402,11 @@ test('the guard against folds stays on over a reload and a move', async ({ page 
   await stays(false);
 });
 
-test('of two tabs the one that changed last comes back, whole', async ({ page, context }) => {
+test('the last change of two tabs is restored completely', async ({ page, context }) => {
   const first = await Editor.open(page);
   await first.dragHandle('left hand', { x: 20, y: -40 });
   await expect.poll(() => first.kept()).toMatchObject({ step: 'Move left hand' });
-  // It opens with the same work, the first goes on with another picture.
+  // The second tab opens the same work, and the first continues with another picture.
   const other = await context.newPage();
   const second = await Editor.open(other);
   await expect(second.button('Undo: move left hand')).toBeEnabled();
@@ -422,7 +416,7 @@ test('of two tabs the one that changed last comes back, whole', async ({ page, c
   await expect(first.status).toContainText('96 × 96 px');
   await page.keyboard.press('p');
   await page.keyboard.press('Enter');
-  // With the selection all of it is written: nothing more comes of this tab.
+  // The selection is written last: this tab writes nothing after it.
   const work = { picture: 'disc.png', step: 'Add handle', selection: ['handle-1'] };
   await expect.poll(() => first.kept()).toMatchObject(work);
   await second.dragHandle('right hand', { x: -20, y: -40 });
@@ -438,15 +432,13 @@ test('of two tabs the one that changed last comes back, whole', async ({ page, c
   }
 });
 
-test('a step that nobody waited for to be refused does not take the work before it along', async ({
-  page,
-}) => {
+test('after a reload, reverting a rejected step keeps earlier work', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   const told = await editor.still(() => editor.told('left hand'));
   await answers.hold();
-  // Two bars that hardly anything lies between: they ask for too much.
+  // Two bars that nearly touch need too many sites.
   await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
     const close = [560, 560.05].map((y, i): Handle => {
@@ -459,7 +451,7 @@ test('a step that nobody waited for to be refused does not take the work before 
   await expect(page.getByRole('progressbar')).toBeVisible();
   await expect.poll(async () => (await editor.kept()).handles?.length).toBe(7);
   await page.reload();
-  // Each bar has two corners besides itself.
+  // Each bar counts three times: itself and its two corners.
   await expect(editor.handles).toHaveCount(11);
   await answers.pass();
   await expect(editor.notice).toContainText('more than 8192 sites', { timeout: 60_000 });
@@ -467,7 +459,7 @@ test('a step that nobody waited for to be refused does not take the work before 
   await expect.poll(() => editor.told('left hand')).toEqual(told);
   await expect(page.getByRole('progressbar')).toBeHidden();
 
-  // It is gone for good.
+  // The rejected step does not come back.
   await expect.poll(async () => (await editor.kept()).handles?.length).toBe(5);
   await page.reload();
   await editor.ready();
@@ -476,9 +468,7 @@ test('a step that nobody waited for to be refused does not take the work before 
   await expect(editor.notice).toBeHidden();
 });
 
-test('a handle that nobody waited for to be refused does not take the work after it along', async ({
-  page,
-}) => {
+test('after a reload, reverting a rejected handle keeps later work', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   await answers.hold();
@@ -501,7 +491,7 @@ test('a handle that nobody waited for to be refused does not take the work after
 });
 
 for (const event of ['drop', 'paste'] as const) {
-  test(`a picture is opened by ${event}, and the way back keeps the work`, async ({ page }) => {
+  test(`${event} opens a picture, and the earlier work can be reopened`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 20, y: -40 });
     const told = await editor.still(() => editor.told('left hand'));
@@ -510,26 +500,26 @@ for (const event of ['drop', 'paste'] as const) {
     await expect(editor.handles).toHaveCount(0);
     await editor.button('Back to gingerbread.png').click();
     await expect(editor.handles).toHaveCount(5);
-    // The hand's own turn is known once the picture is solved again.
+    // The automatic turn of the hand is known after the next solve.
     await expect.poll(() => editor.told('left hand')).toEqual(told);
   });
 }
 
-test('in a narrow window words beside the way back stay whole', async ({ page }) => {
+test('notices with an action keep words whole in narrow windows', async ({ page }) => {
   await page.setViewportSize({ width: 640, height: 480 });
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 10, y: -20 });
   await bring(editor, 'drop', png('gingerbread-2.png', disc(64)));
   const words = page.getByText('gingerbread-2.png is open.');
   await expect(words).toBeVisible();
-  // Two lines: the name, and what is said of it.
+  // Two lines: the name, and the message.
   const lines = await words.evaluate(
     (p) => p.clientHeight / Number.parseFloat(getComputedStyle(p).lineHeight),
   );
   expect(Math.round(lines)).toBeLessThan(3);
 });
 
-test('readonly or disabled, nobody takes the way back', async ({ page }) => {
+test('readonly and disabled editors do not reopen earlier work', async ({ page }) => {
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   await editor.dragHandle('left hand', { x: 20, y: -40 });
@@ -549,7 +539,7 @@ test('readonly or disabled, nobody takes the way back', async ({ page }) => {
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('of two pictures worked on, each leads back to the other', async ({ page }) => {
+test('each of two edited pictures offers to reopen the other', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   const told = await editor.still(() => editor.told('left hand'));
@@ -570,9 +560,7 @@ test('of two pictures worked on, each leads back to the other', async ({ page })
   await expect(editor.button(/^Back to/)).toBeHidden();
 });
 
-test('a wrong picture in between does not take away the way back, nor does one that is refused', async ({
-  page,
-}) => {
+test('the offer to reopen survives unedited and rejected pictures', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   const told = await editor.still(() => editor.told('left hand'));
@@ -580,7 +568,7 @@ test('a wrong picture in between does not take away the way back, nor does one t
     await bring(editor, 'drop', png(name, disc(64)));
     await expect(page.getByText(`${name} is open.`)).toBeVisible();
   }
-  // It is shown until the solver refuses it.
+  // The picture is shown until the solver rejects it.
   await bring(editor, 'drop', png('clear.png', disc(64, 0)));
   await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
   await expect(page.getByText('right.png is open.')).toBeVisible();
@@ -588,7 +576,7 @@ test('a wrong picture in between does not take away the way back, nor does one t
   await expect.poll(() => editor.told('left hand')).toEqual(told);
 });
 
-test('a picture that is refused leaves the view and what is being drawn', async ({ page }) => {
+test('a rejected picture keeps the view and the draft', async ({ page }) => {
   const editor = await Editor.open(page);
   const refused = async () => {
     await bring(editor, 'drop', png('clear.png', disc(64, 0)));
@@ -627,9 +615,7 @@ test('a picture that is refused leaves the view and what is being drawn', async 
   await expect(editor.button('Undo: add polygon')).toBeVisible();
 });
 
-test('moved on its page, it leads back still, draws on, looks where it did, and a project waits on', async ({
-  page,
-}) => {
+test('a moved element keeps reopen offer, draft, view and waiting project', async ({ page }) => {
   const editor = await Editor.open(page);
   const move = async () => {
     await page.locator('c2-warp').evaluate((element) => document.body.append(element));
@@ -651,7 +637,7 @@ test('moved on its page, it leads back still, draws on, looks where it did, and 
   expect(await editor.zoom()).toBe(zoom);
   await editor.button('Back to gingerbread.png').click();
   await expect.poll(() => editor.told('left hand')).toEqual(told);
-  // What was drawn and not done is work too.
+  // A draft counts as work too.
   await editor.button('Back to disc.png').click();
   await expect(corners).toHaveCount(2);
   await editor.button('Back to gingerbread.png').click();
@@ -666,7 +652,7 @@ test('moved on its page, it leads back still, draws on, looks where it did, and 
   await expect(editor.handle('middle')).toBeVisible();
 });
 
-test('of several pictures the first is opened, and a word names the others', async ({ page }) => {
+test('the first of several pictures opens, and a notice names the others', async ({ page }) => {
   const editor = await Editor.open(page);
   await bring(editor, 'drop', png('one.png', disc(64)), png('two.png', disc(64)));
   await expect(page.getByText('two.png was not opened')).toBeVisible();
@@ -675,7 +661,7 @@ test('of several pictures the first is opened, and a word names the others', asy
   await expect(page.getByText('one.png and 1 more were not opened')).toBeVisible();
 });
 
-test('a project without its picture asks for it, and takes it when it comes', async ({ page }) => {
+test('a project without its picture asks for it, and opens with it', async ({ page }) => {
   const editor = await Editor.open(page);
   const other = {
     format: 'c2warp/1',
@@ -685,7 +671,7 @@ test('a project without its picture asks for it, and takes it when it comes', as
   await editor.choose(project(other));
   await expect(page.getByText('belongs to the picture disc.png (64 × 64 px)')).toBeVisible();
   await expect(editor.handles).toHaveCount(5);
-  // A wrong one in between takes nothing away.
+  // A wrong picture in between does not end the wait.
   await bring(editor, 'drop', png('wrong.png', disc(48)));
   await expect(editor.solved).toContainText('48 × 48 px');
   await expect(page.getByText('belongs to the picture disc.png (64 × 64 px)')).toBeVisible();
@@ -704,7 +690,7 @@ const at = (id: string, rest: unknown) => ({ id, kind: 'point', rest, posed: [51
 
 const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] = [
   ['an empty file', png('empty.png', Buffer.alloc(0)), /empty\.png: The file is empty/],
-  ['a text', png('notes.txt', Buffer.from('no picture')), /notes\.txt: The file is not a picture/],
+  ['a text file', png('notes.txt', Buffer.from('no picture')), /notes\.txt: The file is not a picture/],
   ['a truncated picture', png('cut.png', disc(64).subarray(0, 200)), /cut\.png: The picture is incomplete/],
   ['one pixel', png('dot.png', disc(1)), /dot\.png: .*at least 2 × 2/],
   [
@@ -712,8 +698,8 @@ const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] 
     png('clear.png', disc(64, 0)),
     /clear\.png: nothing in this picture is opaque enough to be warped/,
   ],
-  ['a project that is empty', project(' '), /other\.c2warp\.json: the file is empty/],
-  ['a project that is no JSON', project('{'), /other\.c2warp\.json: /],
+  ['an empty project', project(' '), /other\.c2warp\.json: the file is empty/],
+  ['a project with invalid JSON', project('{'), /other\.c2warp\.json: /],
   ['a wrong type', project(sample([at('a', ['512', 300])])), /handles\[0\]\.rest\[0\]/],
   ['an unknown key', project({ ...sample([]), colour: 'red' }), /colour/],
   ['a handle outside', project(sample([at('lost', [20, 20])])), /lost/],
@@ -721,7 +707,7 @@ const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] 
 ];
 
 for (const [title, file, message] of REFUSED) {
-  test(`${title} is refused in a notice, and the work stays`, async ({ page }) => {
+  test(`${title} is rejected in a notice, and the work stays`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 20, y: -40 });
     const told = await editor.still(() => editor.told('left hand'));
@@ -743,7 +729,7 @@ for (const [title, name] of [
   ['a folder', 'some folder'],
   ['a folder with the name of a project', 'old.c2warp.json'],
 ] as const) {
-  test(`${title} is refused with a sentence about it`, async ({ page }) => {
+  test(`${title} is rejected with a message about folders`, async ({ page }) => {
     const editor = await Editor.open(page);
     const folder = test.info().outputPath(name);
     await mkdir(folder, { recursive: true });
@@ -757,9 +743,7 @@ for (const [title, name] of [
   });
 }
 
-test('an empty editor has no original to show, and opens a picture by its button, by pointer and by keys', async ({
-  page,
-}) => {
+test('an empty editor has no original, and opens a picture by its button', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() =>
     document.querySelector('c2-warp')?.replaceWith(document.createElement('c2-warp')),
@@ -781,7 +765,7 @@ test('an empty editor has no original to show, and opens a picture by its button
   await expect(editor.status).toContainText('96 × 96 px');
 });
 
-test('a picture that was opened and not touched comes back too', async ({ page }) => {
+test('an opened picture without edits is restored too', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.choose(png('disc.png', disc(96)));
   await expect(editor.status).toContainText('96 × 96 px');

@@ -1,8 +1,8 @@
-/** Where a pose folds the picture, the guard against that, and what lies over what. */
+/** Folds of the picture, the guard against them, and depth order. */
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
-/** Pushes the right hand into the belly, as far as a share of the way. */
+/** Drags the right hand toward the belly by a fraction of the way. */
 async function push(editor: Editor, share: number): Promise<void> {
   const [hand, head] = [await editor.place('right hand'), await editor.place('head')];
   await editor.page.mouse.move(hand.x, hand.y);
@@ -11,7 +11,7 @@ async function push(editor: Editor, share: number): Promise<void> {
   await editor.page.mouse.move(goal.x, goal.y, { steps: 8 });
 }
 
-test('folds are counted as a warning, and shown at a press', async ({ page }) => {
+test('a warning counts the folds, and a press shows them', async ({ page }) => {
   const editor = await Editor.open(page);
   const warning = page.getByRole('button', { name: /triangles? folded/ });
   await expect(warning).toBeHidden();
@@ -29,7 +29,7 @@ test('folds are counted as a warning, and shown at a press', async ({ page }) =>
   await expect(page.locator('c2-warp path.folds')).toHaveCount(0);
 });
 
-test('the guard stops a drag at a fold, and lets it go where the pointer returns', async ({ page }) => {
+test('the guard stops a drag at a fold, and releases it on the way back', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.switch('Stop at folds').click();
   const rest = await editor.place('right hand');
@@ -40,7 +40,7 @@ test('the guard stops a drag at a fold, and lets it go where the pointer returns
   const held = await editor.still(() => editor.place('right hand'));
   expect(held.x).toBeGreaterThan(head.x + 20);
   expect(held.x).toBeLessThan(rest.x - 10);
-  // The pointer comes back to a place without folds: the handle is under it again.
+  // The pointer is back at a position without folds: the handle follows it again.
   await page.mouse.move(rest.x - 8, rest.y + 2);
   await expect.poll(async () => (await editor.place('right hand')).x).toBeCloseTo(rest.x - 8, 0);
   await expect(stopped).toBeHidden();
@@ -48,13 +48,13 @@ test('the guard stops a drag at a fold, and lets it go where the pointer returns
   await page.mouse.up();
   await expect(page.getByRole('button', { name: /triangles? folded/ })).toBeHidden();
   await expect(stopped).toBeHidden();
-  // One step for the whole drag.
+  // The drag is one step.
   await editor.button('Undo: move right hand').click();
   await expect(editor.button('Undo')).toBeDisabled();
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
-test('the guard stops numbers and keys too, and is off at first', async ({ page }) => {
+test('the guard is off by default, and stops numbers and keys too', async ({ page }) => {
   const editor = await Editor.open(page);
   await expect(editor.switch('Stop at folds')).not.toBeChecked();
   await editor.switch('Stop at folds').click();
@@ -69,13 +69,13 @@ test('the guard stops numbers and keys too, and is off at first', async ({ page 
   const nudged = await editor.still(() => editor.told('right hand'));
   expect(nudged.x).toBeGreaterThan(x - 30);
   await expect(page.getByText('Stopped: more would fold the picture')).toBeAttached();
-  // What is undone was stopped by nothing.
+  // The guard does not limit undo.
   await expect(page.getByText('Stopped at a fold')).toBeVisible();
   await page.keyboard.press('Control+z');
   await expect(page.getByText('Stopped at a fold')).toBeHidden();
 });
 
-test('depth is set by number, buttons and keys, each taken back by undo', async ({ page }) => {
+test('depth is set by number, buttons and keys, and undone', async ({ page }) => {
   const editor = await Editor.open(page);
   const depth = async () => (await editor.inProject('right-hand'))?.depth ?? 0;
   await editor.handle('right hand').click();

@@ -1,11 +1,11 @@
-/** Several handles turned and scaled as one, by the ring around them: under a mouse, a finger and keys. */
+/** Turning and scaling several handles as a group, by their ring: with mouse, touch and keys. */
 import type { CDPSession, Page } from '@playwright/test';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Place } from './editor';
 import { expect, test } from './fixtures';
 
-/** The head and two cheeks, the latter with a turn that is set and one that is automatic; a bar besides. */
+/** The head and two cheeks, one with a set turn and one with an automatic turn, and a bar. */
 const GROUP = ['head', 'left-cheek', 'right-cheek', 'mouth'];
 const centre: Place = { x: 510, y: 318 };
 
@@ -43,7 +43,7 @@ const grip = (editor: Editor) => editor.middle(editor.page.locator('c2-warp .rin
 const handles = (editor: Editor) =>
   editor.page.locator('c2-warp').evaluate((element) => (element as C2Warp).project.handles);
 
-/** Where the middle of what is selected is on the page. */
+/** Returns the centre of the selection on the page. */
 const middle = async (editor: Editor): Promise<Place> => {
   const [x, y] = await editor.page
     .locator('c2-warp')
@@ -51,7 +51,7 @@ const middle = async (editor: Editor): Promise<Place> => {
   return { x, y };
 };
 
-/** A place, seen from a pivot, turned by degrees and so many times as far away. */
+/** Turns a point about a pivot by degrees, and scales its distance. */
 function around(pivot: Place, { x, y }: Place, degrees: number, growth = 1): Place {
   const [dx, dy, turn] = [x - pivot.x, y - pivot.y, (degrees * Math.PI) / 180];
   const [cos, sin] = [growth * Math.cos(turn), growth * Math.sin(turn)];
@@ -60,7 +60,7 @@ function around(pivot: Place, { x, y }: Place, degrees: number, growth = 1): Pla
 
 const corners = (handle: Handle) => (handle.kind === 'point' ? [handle.posed] : handle.posed);
 
-/** How far the group is from where turning and scaling it as one leads, image pixels. */
+/** Returns the largest distance of a handle from its place in the turned and scaled group, image pixels. */
 function off(before: readonly Handle[], after: readonly Handle[], degrees: number, growth = 1): number {
   const ways = before
     .filter(({ id }) => GROUP.includes(id))
@@ -77,7 +77,7 @@ function off(before: readonly Handle[], after: readonly Handle[], degrees: numbe
 
 const field = (all: readonly Handle[], id: string) => all.find((handle) => handle.id === id);
 
-/** Rounded to hundredths, in x and in y. */
+/** The rounding to hundredths in x and y. */
 const ROUNDED = 0.01;
 
 async function lead(page: Page, from: Place, to: Place): Promise<void> {
@@ -86,9 +86,7 @@ async function lead(page: Page, from: Place, to: Place): Promise<void> {
   await page.mouse.move(to.x, to.y, { steps: 6 });
 }
 
-test('one ring turns all that is selected about its centre, in one step that Escape takes back', async ({
-  page,
-}) => {
+test('the group ring turns the selection in one step; Escape reverts it', async ({ page }) => {
   const editor = await opened(page);
   await expect(page.locator('c2-warp .ring')).toHaveCount(1);
   const before = await handles(editor);
@@ -96,7 +94,7 @@ test('one ring turns all that is selected about its centre, in one step that Esc
   await page.keyboard.down('Shift');
   await lead(page, top, around(pivot, top, 43));
   await expect.poll(async () => off(before, await handles(editor), 45)).toBeLessThan(ROUNDED);
-  // The knob stays with the pointer, but for the snap.
+  // The knob follows the pointer, except for snapping.
   const held = around(pivot, top, 45);
   await expect.poll(async () => Math.abs((await knob(editor)).x - held.x)).toBeLessThan(1);
   expect((await events(page)).every((type) => type === 'input')).toBe(true);
@@ -123,14 +121,14 @@ test('one ring turns all that is selected about its centre, in one step that Esc
   expect(await handles(editor)).toEqual(before);
 });
 
-test('the grip on the ring scales all that is selected, and the panel tells so', async ({ page }) => {
+test('the grip on the ring scales the selection, and the panel shows it', async ({ page }) => {
   const editor = await opened(page);
   const before = await handles(editor);
   const [pivot, from] = [await middle(editor), await grip(editor)];
   await page.mouse.move(from.x, from.y);
   await expect(page.locator('c2-warp .stage')).toHaveCSS('cursor', 'nwse-resize');
   await page.keyboard.down('Shift');
-  // Half as far again, and a little: tenths of the way of the farthest handle.
+  // A little more than 1.5 times as far, snapped to tenths by the farthest handle.
   await lead(page, from, around(pivot, from, 0, 1.38));
   await page.mouse.up();
   await page.keyboard.up('Shift');
@@ -147,7 +145,7 @@ test('the grip on the ring scales all that is selected, and the panel tells so',
   expect(await handles(editor)).toEqual(before);
 });
 
-test('an Alt-drag of one of them turns all, from where it is pressed', async ({ page }) => {
+test('an Alt-drag of a selected handle turns the group', async ({ page }) => {
   const editor = await opened(page);
   const before = await handles(editor);
   const [pivot, cheek] = [await middle(editor), await editor.place('right cheek')];
@@ -160,7 +158,7 @@ test('an Alt-drag of one of them turns all, from where it is pressed', async ({ 
   expect(off(before, await handles(editor), 60)).toBeLessThan(ROUNDED);
 });
 
-test('comma and full stop turn all about their centre, and scale them with Alt', async ({ page }) => {
+test('comma and full stop turn the group, and scale it with Alt', async ({ page }) => {
   const editor = await opened(page);
   const before = await handles(editor);
   await editor.handle('head').focus();
@@ -173,13 +171,13 @@ test('comma and full stop turn all about their centre, and scale them with Alt',
   expect(off(before, await handles(editor), 15, 1.1)).toBeLessThan(5 * ROUNDED);
   await page.keyboard.press('Alt+Comma');
   await expect(page.getByText('rotation 15 degrees, scale 1.09')).toBeAttached();
-  // Steps in a row are one: of turning, and of scaling.
+  // Consecutive turns are one step, and so are consecutive scalings.
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   expect(await handles(editor)).toEqual(before);
 });
 
-test('past half a turn the picture goes on turning as one, where it bends smoothly too', async ({ page }) => {
+test('past half a turn the group keeps turning, in the harmonic mode too', async ({ page }) => {
   const editor = await opened(page, []);
   await editor.solves(() => editor.button('Smooth').click());
   const places = [
@@ -199,7 +197,7 @@ test('past half a turn the picture goes on turning as one, where it bends smooth
   const all = await handles(editor);
   expect(field(all, 'left-cheek')?.rotation).toBe(10 + 195);
   expect(field(all, 'mouth')?.rotation).toBeCloseTo(195, 1);
-  /** From one place to another, as it is after a turn. */
+  /** Returns the vector between two points after a turn. */
   const way = ([from, to]: readonly (readonly [number, number])[], degrees: number) =>
     around(
       { x: 0, y: 0 },
@@ -220,12 +218,12 @@ test('past half a turn the picture goes on turning as one, where it bends smooth
         0,
       ),
     ];
-    // Each handle is rounded to hundredths at each of 13 steps.
+    // Each handle is rounded to hundredths in each of 13 steps.
     expect(Math.hypot(found.x - goal.x, found.y - goal.y)).toBeLessThan(0.5);
   }
 });
 
-test('where the guard stops a turn, what is selected stays one', async ({ page }) => {
+test('the selection stays rigid where the guard stops a turn', async ({ page }) => {
   const editor = await opened(page, []);
   await editor.switch('Stop at folds').click();
   await select(page);
@@ -244,12 +242,12 @@ test('where the guard stops a turn, what is selected stays one', async ({ page }
   const turn = Number(field(after, 'mouth')?.rotation);
   expect(turn).toBeGreaterThan(10);
   expect(turn).toBeLessThan(150);
-  // Where it was stopped is rounded, too, once for each of the moves.
+  // The stopped pose is rounded too, once per move.
   expect(off(before, after, turn)).toBeLessThan(0.2);
   await expect(editor.button(/triangles? folded/)).toBeHidden();
 });
 
-test('in a picture that plays the ring turns what is selected, too', async ({ page }) => {
+test('the group ring works in play mode', async ({ page }) => {
   const editor = await opened(page);
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).play = true;
@@ -278,9 +276,9 @@ test.describe('on a phone', () => {
     await send('touchEnd', []);
   };
 
-  test('a finger turns all by the knob and scales them by the grip, each 44 px across', async ({ page }) => {
+  test('a finger turns by the knob and scales by the grip, each 44 px wide', async ({ page }) => {
     const editor = await opened(page);
-    // From here on, sizes are for a finger.
+    // Sizes are for touch from here on.
     await editor.handle('left foot').tap();
     await select(page);
     await editor.drawn();

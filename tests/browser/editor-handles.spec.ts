@@ -1,9 +1,9 @@
-/** Placing, dragging, turning, undoing: the editor under a mouse. */
+/** Placing, dragging, turning and undoing with a mouse. */
 import type { C2Warp } from '../../web/src/element';
 import { apart, Editor } from './editor';
 import { expect, test } from './fixtures';
 
-test('the sample opens with five handles, a hint, and what the solver did', async ({ page }) => {
+test('the sample opens with five handles, a hint and the solver’s report', async ({ page }) => {
   const editor = await Editor.open(page);
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByText('Drag a hand')).toBeVisible();
@@ -11,7 +11,7 @@ test('the sample opens with five handles, a hint, and what the solver did', asyn
   await expect(editor.status).toContainText(/virtual handle/);
 });
 
-test('a hand is dragged: the arm bends, the rest stays, and one undo takes it back', async ({ page }) => {
+test('dragging a hand bends the arm only, and is one undo step', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   const goal = { x: hand.x - 10, y: hand.y - 80 };
@@ -24,7 +24,7 @@ test('a hand is dragged: the arm bends, the rest stays, and one undo takes it ba
   expect(Math.abs(told.y - (516 - 80 / zoom))).toBeLessThan(12);
   await expect(page.getByText('Drag a hand')).toBeHidden();
   await expect.poll(async () => apart(arm, await editor.look(goal))).toBeGreaterThan(10);
-  // What is held stays to the hundredth of a pixel; the picture may lean about it.
+  // Handles stay within a hundredth of a pixel; the picture may turn about them.
   const slip = async () => {
     const [x, y] = await page
       .locator('c2-warp')
@@ -32,7 +32,7 @@ test('a hand is dragged: the arm bends, the rest stays, and one undo takes it ba
     return Math.hypot(x - 312, y - 1126);
   };
   await expect.poll(slip).toBeLessThan(0.01);
-  // Its label tells whole degrees, its field tenths. At densities from 50 to 600 the foot leans by 1.8° to 3.2°.
+  // The label has whole degrees, the field tenths. At densities from 50 to 600 the foot turns by 1.8° to 3.2°.
   await editor.handle('left foot').click();
   await expect
     .poll(async () => Math.abs(Number(await editor.field('rotation').inputValue())))
@@ -45,11 +45,11 @@ test('a hand is dragged: the arm bends, the rest stays, and one undo takes it ba
   await expect.poll(() => editor.told('right hand')).toEqual(told);
 });
 
-test('the ring turns, Shift in steps of 15°, and Alt-drag too', async ({ page }) => {
+test('the ring and Alt-drags turn a handle, in 15° steps with Shift', async ({ page }) => {
   const editor = await Editor.open(page);
   const head = await editor.place('head');
   await page.mouse.click(head.x, head.y);
-  // The ring's knob stands 40 px above the handle.
+  // The knob of the ring is 40 px above the handle.
   await editor.drag({ x: head.x, y: head.y - 40 }, { x: 40, y: 40 });
   await expect.poll(async () => (await editor.told('head')).rotation).toBeCloseTo(90, 0);
   await page.keyboard.press('Control+z');
@@ -72,14 +72,12 @@ test('the ring turns, Shift in steps of 15°, and Alt-drag too', async ({ page }
   await expect.poll(() => editor.told('head')).toMatchObject({ x: 512, y: 260 });
 });
 
-test('a handle is placed on the bent picture, which does not jump, and taken away again', async ({
-  page,
-}) => {
+test('a handle placed on the posed picture does not move it', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left foot', { x: -60, y: 10 });
   const head = await editor.place('head');
   const belly = { x: head.x, y: head.y + 180 };
-  /** Where the red button goes, which lies beside the place. */
+  /** Returns the posed position of the red button beside the new handle. */
   const button = () =>
     page.locator('c2-warp').evaluate((element) => (element as C2Warp).mapPoint([512, 835]));
   const before = await editor.still(button);
@@ -93,7 +91,7 @@ test('a handle is placed on the bent picture, which does not jump, and taken awa
     return Math.abs(added.x - belly.x) + Math.abs(added.y - belly.y);
   };
   await expect.poll(away).toBeLessThan(3);
-  // What it holds is where it is, to the hundredth of a pixel.
+  // The new handle is within a hundredth of a pixel of its point.
   const slip = () =>
     page.locator('c2-warp').evaluate((element) => {
       const warp = element as C2Warp;
@@ -114,7 +112,7 @@ test('a handle is placed on the bent picture, which does not jump, and taken awa
   await expect(editor.handles).toHaveCount(6);
 });
 
-test('beside the picture nothing is placed, and a word says so', async ({ page }) => {
+test('no handle can be placed beside the picture, and a notice says so', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('p');
   const hand = await editor.place('left hand');
@@ -123,7 +121,7 @@ test('beside the picture nothing is placed, and a word says so', async ({ page }
   await expect(editor.handles).toHaveCount(5);
 });
 
-test('on the edge of a shape, where it ends already, a handle is placed on the shape', async ({ page }) => {
+test('a press just outside a shape places the handle on the shape', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate(async (element) => {
     const canvas = new OffscreenCanvas(64, 64);
@@ -141,7 +139,7 @@ test('on the edge of a shape, where it ends already, a handle is placed on the s
   const scale = await editor.zoom();
   for (const [count, degrees] of [10, 130, 250].entries()) {
     const [x, y] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-    // The shape ends at 20 px from its middle.
+    // The shape ends 20 px from its centre.
     await page.mouse.click(
       centre.x + (32 + 20.7 * x - middle.x) * scale,
       centre.y + (32 + 20.7 * y - middle.y) * scale,
@@ -160,7 +158,7 @@ for (const [key, after] of [
   ['Delete', 'delete left hand'],
   ['ArrowLeft', 'move left hand'],
 ] as const) {
-  test(`${key} in the midst of a drag ends it, and both can be undone`, async ({ page }) => {
+  test(`${key} during a drag ends it, and both can be undone`, async ({ page }) => {
     const editor = await Editor.open(page);
     const hand = await editor.place('left hand');
     await page.mouse.move(hand.x, hand.y);
@@ -179,7 +177,7 @@ for (const [key, after] of [
   });
 }
 
-test('Enter in the midst of placing a handle leaves it with the pointer', async ({ page }) => {
+test('Enter does not end the placement of a handle by pointer', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('p');
   const at = await editor.fromImage('left hand', [124, 516]);
@@ -197,16 +195,14 @@ test('Enter in the midst of placing a handle leaves it with the pointer', async 
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('a handle chosen in the list is moved by keys', async ({ page }) => {
+test('a handle selected in the list moves by keys', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp .list .item', { hasText: 'head' }).click();
   await page.keyboard.press('Shift+ArrowRight');
   await expect.poll(async () => (await editor.told('head')).x).toBe(522);
 });
 
-test('a handle chosen in the list comes into view, and Control or Shift chooses several', async ({
-  page,
-}) => {
+test('the list scrolls handles into view; Control and Shift select several', async ({ page }) => {
   const editor = await Editor.open(page);
   const listed = (name: string) => page.locator('c2-warp .item').filter({ hasText: name });
   await editor.button('Actual size').click();
@@ -229,7 +225,7 @@ test('a handle chosen in the list comes into view, and Control or Shift chooses 
   await expect(page.getByRole('heading', { name: '2 handles' })).toBeVisible();
 });
 
-test('what a number cannot be is told, and the old one put back', async ({ page }) => {
+test('an invalid number is reported, and the old one restored', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   for (const [field, typed, words] of [
@@ -251,7 +247,7 @@ test('what a number cannot be is told, and the old one put back', async ({ page 
   await expect(page.locator('c2-warp .notice')).toBeHidden();
 });
 
-test('Escape bails out of a drag', async ({ page }) => {
+test('Escape reverts a drag', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('left hand');
   await page.mouse.move(hand.x, hand.y);
@@ -264,7 +260,7 @@ test('Escape bails out of a drag', async ({ page }) => {
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('a drag that ends where it began is no step, and takes no redo away', async ({ page }) => {
+test('a drag back to its start adds no step and keeps the redo', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => {
     element.addEventListener('historychange', (event) =>
@@ -291,7 +287,7 @@ test('a drag that ends where it began is no step, and takes no redo away', async
   });
 });
 
-test('a box selects both feet, Shift-click adds, and they move together', async ({ page }) => {
+test('a box selects both feet, Shift-click adds, and all move together', async ({ page }) => {
   const editor = await Editor.open(page);
   const [left, right] = [await editor.place('left foot'), await editor.place('right foot')];
   await editor.drag({ x: left.x - 60, y: left.y - 40 }, { x: right.x - left.x + 120, y: 60 });
@@ -307,7 +303,7 @@ test('a box selects both feet, Shift-click adds, and they move together', async 
   await expect.poll(moved).toEqual([true, true, true]);
 });
 
-test('a number being typed stays while the rest of the editor is shown anew', async ({ page }) => {
+test('a number being typed survives a redraw of the editor', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('x').fill('540');
@@ -320,7 +316,7 @@ test('a number being typed stays while the rest of the editor is shown anew', as
   await editor.field('x').press('Enter');
   await expect.poll(async () => (await editor.told('head')).x).toBe(540);
 
-  // What is given up, or committed from elsewhere, is shown as it is.
+  // A discarded number, or one set elsewhere, shows the current value.
   await editor.field('x').fill('300');
   await editor.field('x').press('Escape');
   await expect(editor.field('x')).toHaveValue('540');
@@ -328,9 +324,7 @@ test('a number being typed stays while the rest of the editor is shown anew', as
   await expect(editor.field('x')).toHaveValue('541');
 });
 
-test('numbers may be written with a comma; arrow keys step each of several from where it is', async ({
-  page,
-}) => {
+test('numbers accept a comma, and arrow keys step each selected handle', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('x').fill('510,5');
@@ -348,7 +342,7 @@ test('numbers may be written with a comma; arrow keys step each of several from 
   await expect(editor.field('x')).toHaveValue('');
 });
 
-test('a release that nobody was told of ends the drag', async ({ page }) => {
+test('a move without buttons ends a drag whose release was missed', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   await page.evaluate(() =>
@@ -361,7 +355,7 @@ test('a release that nobody was told of ends the drag', async ({ page }) => {
   await expect(editor.button('Undo: move right hand')).toBeEnabled();
 });
 
-test('handles are taken hold of where they are seen, in an editor that the page scales', async ({ page }) => {
+test('handles are grabbed where they appear in a scaled editor', async ({ page }) => {
   const editor = await Editor.open(page);
   for (const [property, value] of [
     ['scale', '0.6'],
@@ -382,7 +376,7 @@ test('handles are taken hold of where they are seen, in an editor that the page 
   }
 });
 
-test('numbers commit as one step each, and reset puts back one handle or all', async ({ page }) => {
+test('each number is one step, and reset restores one handle or all', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('rotation').fill('30');
@@ -398,7 +392,7 @@ test('numbers commit as one step each, and reset puts back one handle or all', a
   await editor.handle('head').click();
   await editor.button('Reset to rest').click();
   await expect.poll(() => editor.told('head')).toMatchObject({ x: 512, y: 260 });
-  // At rest a handle turns by itself again: the hand that is still moved leans the head a little.
+  // At rest the turn is automatic again, and the moved hand turns the head a little.
   await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(async () => (await editor.told('left hand')).x).not.toBe(124);
   await editor.button('Reset all handles').click();

@@ -1,10 +1,10 @@
-/** The editor without a pointer, and what it says to those who do not see it. */
+/** The editor without a pointer, and its announcements to screen readers. */
 import type { Locator } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { apart, Editor, SAME } from './editor';
 import { expect, test } from './fixtures';
 
-test('Tab goes from handle to handle, and arrow keys move what has the focus', async ({ page }) => {
+test('Tab goes from handle to handle, and arrow keys move the focused one', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('Tab');
@@ -16,13 +16,13 @@ test('Tab goes from handle to handle, and arrow keys move what has the focus', a
   expect(told).toMatchObject({ x: 125, y: 506 });
   await expect(page.getByText(`left hand: x 125, y 506, rotation ${told.rotation} degree`)).toBeAttached();
 
-  // Nudges in a row are one step.
+  // Consecutive nudges are one step.
   await page.keyboard.press('Control+z');
   await expect.poll(() => editor.told('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });
   await expect(page.getByText('Undone: Move left hand')).toBeAttached();
 });
 
-test('comma and full stop turn', async ({ page }) => {
+test('comma and full stop turn a handle', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('.');
@@ -44,13 +44,13 @@ test('a handle is placed, selected and deleted by keys', async ({ page }) => {
   await page.keyboard.press('Delete');
   await expect(editor.handles).toHaveCount(5);
   await expect(page.getByText('Delete handle 1')).toBeAttached();
-  // The focus was on what is gone; keys go on working, and Tab goes on to the handles.
+  // The focused handle is deleted: keys still work, and Tab goes to the handles.
   await expect(page.locator('c2-warp .stage')).toBeFocused();
   await page.keyboard.press('Control+z');
   await expect(editor.handles).toHaveCount(6);
 });
 
-test('Control A selects all, Escape lets go', async ({ page }) => {
+test('Control A selects all, and Escape deselects', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('Control+a');
   await expect(page.getByRole('heading', { name: '5 handles' })).toBeVisible();
@@ -58,7 +58,7 @@ test('Control A selects all, Escape lets go', async ({ page }) => {
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'false');
 });
 
-test('O shows the original for as long as it is held', async ({ page }) => {
+test('O shows the original while held', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   const before = await editor.look(hand, 16);
@@ -76,7 +76,7 @@ test('O shows the original for as long as it is held', async ({ page }) => {
   await expect.poll(async () => apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
 });
 
-test('W shows the bent picture alone for as long as it is held', async ({ page }) => {
+test('W shows the posed picture alone while held', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   await editor.dragHandle('right hand', { x: 0, y: -90 });
@@ -93,7 +93,7 @@ test('W shows the bent picture alone for as long as it is held', async ({ page }
   expect(apart(alone, covered)).toBeGreaterThan(10);
   await page.keyboard.up('w');
   expect(apart(await look(), covered)).toBeLessThan(SAME);
-  // Without overlays and selection it is the same picture, which is not the original.
+  // Without overlays and selection, the posed picture looks the same and differs from the original.
   await editor.button('Overlays').click();
   for (const name of ['Mesh', 'Virtual handles', 'Reach'])
     await page.getByRole('checkbox', { name }).uncheck();
@@ -107,7 +107,7 @@ test('W shows the bent picture alone for as long as it is held', async ({ page }
   await page.keyboard.up('o');
 });
 
-test('over the original a press moves the view, and no handle that nobody sees', async ({ page }) => {
+test('over the original a press pans, and moves no hidden handle', async ({ page }) => {
   const editor = await Editor.open(page);
   const [at, told] = [await editor.place('head'), await editor.told('head')];
   await editor.handle('head').focus();
@@ -125,7 +125,7 @@ test('over the original a press moves the view, and no handle that nobody sees',
   await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
 });
 
-test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async ({ page }) => {
+test('0 fits, 1 shows actual size, and the wheel zooms at the pointer', async ({ page }) => {
   const editor = await Editor.open(page);
   const fitted = await editor.zoom();
   await page.keyboard.press('1');
@@ -151,7 +151,7 @@ test('0 fits, 1 is actual size, and the wheel zooms towards the pointer', async 
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('keys of the document work from a number field, which is committed before', async ({ page }) => {
+test('document keys work from a number field and commit it first', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('x').fill('530');
@@ -163,7 +163,7 @@ test('keys of the document work from a number field, which is committed before',
   await expect.poll(() => editor.told('head')).toMatchObject({ x: 512 });
 });
 
-test('Escape is for a dialog around the editor once there is nothing to take back', async ({ page }) => {
+test('Escape reaches a dialog around the editor if nothing is to revert', async ({ page }) => {
   const editor = await Editor.open(page);
   const taken = (key: string) =>
     page.evaluate(async (key) => {
@@ -181,14 +181,14 @@ test('Escape is for a dialog around the editor once there is nothing to take bac
   expect(await taken('Escape')).toBe(false);
 });
 
-/** Whether a button's tooltip can be seen. */
+/** Returns a query for whether a button's tooltip is visible. */
 const tipped = (button: Locator) => () =>
   button.evaluate((element) => {
     const { content, opacity } = getComputedStyle(element, '::after');
     return content !== 'none' && opacity === '1';
   });
 
-test('Escape dismisses a tooltip, until its button is hovered or focused again', async ({ page }) => {
+test('Escape dismisses a tooltip until its button is hovered or focused', async ({ page }) => {
   const editor = await Editor.open(page);
   const [fit, undo] = [editor.button('Fit'), editor.button('Undo')];
   await editor.handle('head').focus();
@@ -196,7 +196,7 @@ test('Escape dismisses a tooltip, until its button is hovered or focused again',
   await expect.poll(tipped(fit)).toBe(true);
   await page.keyboard.press('Escape');
   await expect.poll(tipped(fit)).toBe(false);
-  // That press was for the tooltip; the next one is for what is selected.
+  // That press dismissed the tooltip; the next one deselects.
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Escape');
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'false');
@@ -217,9 +217,7 @@ test('Escape dismisses a tooltip, until its button is hovered or focused again',
   await expect.poll(tipped(fit)).toBe(true);
 });
 
-test('Escape dismisses a hovered tooltip while the focus is elsewhere on the page, which hears the key', async ({
-  page,
-}) => {
+test('with the focus elsewhere, Escape dismisses a tooltip and reaches the page', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const field = document.createElement('input');
@@ -236,9 +234,7 @@ test('Escape dismisses a hovered tooltip while the focus is elsewhere on the pag
   await expect(page.locator('body > input')).toHaveValue('Escape false');
 });
 
-test('the pointer may go onto a tooltip; a press there dismisses it, and does not press the button', async ({
-  page,
-}) => {
+test('a tooltip can be hovered; a press dismisses it without the button', async ({ page }) => {
   const editor = await Editor.open(page);
   const reset = editor.button('Reset all handles');
   await editor.handle('head').focus();
@@ -257,9 +253,7 @@ test('the pointer may go onto a tooltip; a press there dismisses it, and does no
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('a pressed button shows no tooltip until it is hovered again: the way to the picture is free', async ({
-  page,
-}) => {
+test('a pressed button shows no tooltip until it is hovered again', async ({ page }) => {
   const editor = await Editor.open(page);
   const bar = editor.button('Draw a bar');
   await bar.hover();
@@ -268,7 +262,7 @@ test('a pressed button shows no tooltip until it is hovered again: the way to th
   await page.mouse.down();
   expect(await tipped(bar)()).toBe(false);
   await page.mouse.up();
-  // Where the tooltip was: the first corner of a bar.
+  // The first corner of a bar is set where the tooltip was.
   await page.mouse.click(x + 60, y);
   await expect(page.locator('.draft')).toHaveCount(1);
   await page.keyboard.press('Escape');
@@ -276,7 +270,7 @@ test('a pressed button shows no tooltip until it is hovered again: the way to th
   await expect.poll(tipped(bar)).toBe(true);
 });
 
-test('the tooltip of a disabled button is as plain as any other', async ({ page }) => {
+test('the tooltip of a disabled button is fully opaque', async ({ page }) => {
   const editor = await Editor.open(page);
   const undo = editor.button('Undo');
   await expect(undo).toBeDisabled();
@@ -314,7 +308,7 @@ for (const name of [
   });
 }
 
-test('an open menu takes the place of its tooltip', async ({ page }) => {
+test('an open menu hides the tooltip of its button', async ({ page }) => {
   const editor = await Editor.open(page);
   const overlays = editor.button('Overlays');
   await overlays.hover();
@@ -326,7 +320,7 @@ test('an open menu takes the place of its tooltip', async ({ page }) => {
   await expect.poll(tipped(overlays)).toBe(true);
 });
 
-test('Escape gives up a drawing before it dismisses a tooltip', async ({ page }) => {
+test('Escape discards a draft before it dismisses a tooltip', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('b');
   const head = await editor.place('head');
@@ -341,7 +335,7 @@ test('Escape gives up a drawing before it dismisses a tooltip', async ({ page })
   await expect.poll(tipped(editor.button('Fit'))).toBe(false);
 });
 
-test('a menu that is closed by Escape gives the focus to its button, and the keys back', async ({ page }) => {
+test('closing a menu with Escape focuses its button, and keys work again', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('ArrowUp');
@@ -354,7 +348,7 @@ test('a menu that is closed by Escape gives the focus to its button, and the key
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('a button that disables itself gives the keys back', async ({ page }) => {
+test('keys work again after a button disables itself', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('ArrowUp');
@@ -365,7 +359,7 @@ test('a button that disables itself gives the keys back', async ({ page }) => {
   await expect(editor.button('Undo')).toBeEnabled();
 });
 
-test('a press on a control of the panel leaves the keys with the picture', async ({ page }) => {
+test('a press on a panel control leaves the focus on the picture', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   for (const name of ['Auto turn', /^Bring forward$/]) {
@@ -375,14 +369,14 @@ test('a press on a control of the panel leaves the keys with the picture', async
     await page.keyboard.press('ArrowRight');
     await expect.poll(async () => (await editor.told('head')).x).toBe(before.x + 1);
   }
-  // From a field too, which is committed.
+  // A field is committed, and loses the focus too.
   await editor.field('x').fill('530');
   await editor.button(/^Bring forward$/).click();
   await page.keyboard.press('ArrowRight');
   await expect.poll(async () => (await editor.told('head')).x).toBe(531);
 });
 
-test('a pressed switch leaves Space to the picture', async ({ page }) => {
+test('after a press on a switch, Space still pans the picture', async ({ page }) => {
   const editor = await Editor.open(page);
   const guard = editor.switch('Stop at folds');
   await guard.click();
@@ -400,9 +394,7 @@ test('a pressed switch leaves Space to the picture', async ({ page }) => {
   await expect(guard).toBeChecked();
 });
 
-test('a control that the Tab key came to keeps the keys, until it is pressed by pointer', async ({
-  page,
-}) => {
+test('a control focused by Tab keeps the focus until a pointer press', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   const forward = editor.button(/^Bring forward$/);
@@ -415,7 +407,7 @@ test('a control that the Tab key came to keeps the keys, until it is pressed by 
   await expect(forward).not.toBeFocused();
 });
 
-test('the crosshair stays in view, is told, and goes with Escape or another tool', async ({ page }) => {
+test('the crosshair stays in view, is announced, and ends with Escape', async ({ page }) => {
   const editor = await Editor.open(page);
   const crosshair = page.locator('c2-warp .crosshair');
   await editor.handle('head').focus();
@@ -435,7 +427,7 @@ test('the crosshair stays in view, is told, and goes with Escape or another tool
   await expect(crosshair).toBeHidden();
 });
 
-test('a tool that is chosen by keys places with them at once, wherever the focus was', async ({ page }) => {
+test('a tool chosen by keys places handles by keys at once', async ({ page }) => {
   const editor = await Editor.open(page);
   for (const choose of [
     async () => {
@@ -456,9 +448,7 @@ test('a tool that is chosen by keys places with them at once, wherever the focus
   }
 });
 
-test('the list of keys opens by its button or a key, and closes by Escape, which takes back nothing', async ({
-  page,
-}) => {
+test('the key list opens by button or key; Escape only closes it', async ({ page }) => {
   const editor = await Editor.open(page);
   const keys = page.getByRole('dialog', { name: 'Keys' });
   await editor.handle('head').focus();
@@ -472,14 +462,14 @@ test('the list of keys opens by its button or a key, and closes by Escape, which
   await expect(keys).toBeVisible();
   await page.mouse.click(300, 600);
   await expect(keys).toBeHidden();
-  // All of it can be read in little room.
+  // The list scrolls in a small editor.
   await page.setViewportSize({ width: 700, height: 420 });
   await page.keyboard.press('?');
   await keys.getByText('Redo').scrollIntoViewIfNeeded();
   await expect(keys.getByText('Redo')).toBeInViewport();
 });
 
-test('the original is shown while its button is held, whatever has the focus', async ({ page }) => {
+test('the original shows while its button is held, with any focus', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('x').focus();
@@ -493,7 +483,7 @@ test('the original is shown while its button is held, whatever has the focus', a
   await expect(page.getByText('Original', { exact: true })).toBeHidden();
 });
 
-test('a number that is being typed is dropped where the picture is set to play', async ({ page }) => {
+test('play mode discards a number being typed', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   const told = await editor.told('head');
@@ -505,7 +495,7 @@ test('a number that is being typed is dropped where the picture is set to play',
   expect((await editor.inProject('head'))?.posed).toEqual([told.x, told.y]);
 });
 
-test('a press that enters a field selects its number, to be typed over', async ({ page }) => {
+test('a press into a field selects its number', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('x').click();
@@ -526,9 +516,7 @@ test('every control has a name', async ({ page }) => {
   }
 });
 
-test('Escape in a field takes back what is typed, and is not for a dialog around the editor', async ({
-  page,
-}) => {
+test('Escape in a field reverts the input, and does not reach a dialog', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.evaluate(() => {
@@ -547,7 +535,7 @@ test('Escape in a field takes back what is typed, and is not for a dialog around
   await expect(page.locator('dialog')).toBeVisible();
 });
 
-test('letters of another script are commands by their places', async ({ page }) => {
+test('keys of other scripts are commands by their position', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('ArrowUp');
@@ -566,7 +554,7 @@ test('letters of another script are commands by their places', async ({ page }) 
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('O shows the original for as long as it is held in another script too', async ({ page }) => {
+test('the key of O shows the original while held in other scripts too', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   const keyboard = await page.context().newCDPSession(page);
@@ -578,7 +566,7 @@ test('O shows the original for as long as it is held in another script too', asy
   await expect(original).toBeHidden();
 });
 
-test('keys go on working within a closed shadow', async ({ page }) => {
+test('keys work inside a closed shadow root', async ({ page }) => {
   await Editor.open(page);
   await page.evaluate(() => {
     const host = document.createElement('div');
@@ -608,7 +596,7 @@ test('keys go on working within a closed shadow', async ({ page }) => {
   await expect.poll(count).toBe(5);
 });
 
-test('what can only click, such as a screen reader, switches to the original and back', async ({ page }) => {
+test('a plain click, as from a screen reader, toggles the original', async ({ page }) => {
   const editor = await Editor.open(page);
   const compare = editor.button(/compare/i);
   await compare.evaluate((button) => (button as HTMLElement).click());

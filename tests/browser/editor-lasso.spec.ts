@@ -1,8 +1,8 @@
-/** The lasso: what it holds bends, and all else of the picture stays. */
+/** The lasso: its inside bends, and the rest of the picture stays. */
 import { apart, Editor, type Place } from './editor';
 import { expect, test } from './fixtures';
 
-/** Around head and arms of the sample, image pixels: of its five handles only that of the head lies within. */
+/** A ring around head and arms of the sample, image pixels. Only the head's handle lies inside. */
 const [CENTRE, RADIUS] = [[512, 400] as const, 340];
 
 function around(at: (x: number, y: number) => Place, corners = 24): readonly Place[] {
@@ -12,7 +12,7 @@ function around(at: (x: number, y: number) => Place, corners = 24): readonly Pla
   });
 }
 
-/** Draws by one press. */
+/** Draws with one press and drag. */
 async function draw({ page }: Editor, path: readonly Place[]): Promise<void> {
   const [first] = path;
   if (!first) return;
@@ -28,12 +28,10 @@ const ids = ({ page }: Editor): Promise<readonly string[]> =>
 const domain = ({ page }: Editor): Promise<{ kind: string; rings?: readonly (readonly unknown[])[] }> =>
   page.evaluate(() => document.querySelector('c2-warp')?.project.domain ?? { kind: 'none' });
 
-test('what a lasso holds bends, what lies around stays, and undo brings the handles back that lay there', async ({
-  page,
-}) => {
+test('only the inside of a lasso bends; undo restores the handles outside', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
-  // Bent, so that it shows that the lasso is drawn on the original.
+  // The picture is posed, which shows that the lasso is drawn on the original.
   await editor.dragHandle('head', { x: 30, y: 20 });
   const bent = await editor.look(at(512, 260));
   await page.keyboard.press('l');
@@ -48,10 +46,10 @@ test('what a lasso holds bends, what lies around stays, and undo brings the hand
   expect(kind).toBe('polygon');
   expect(rings?.map((ring) => ring.length)).toEqual([24]);
   await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
-  // Solved: what lies around goes nowhere.
+  // Once solved, the outside does not move.
   await expect.poll(() => editor.mapped(312, 1126)).toBeNull();
 
-  // The words about the lasso end with the next step: they are not to cover the foot now.
+  // The next step dismisses the lasso notice, which would cover the foot.
   await page.getByRole('button', { name: 'Dismiss' }).click();
   const foot = await editor.look(at(312, 1126));
   const neck = await editor.look(at(512, 500));
@@ -59,7 +57,7 @@ test('what a lasso holds bends, what lies around stays, and undo brings the hand
   await expect.poll(async () => apart(neck, await editor.look(at(512, 500)))).toBeGreaterThan(3);
   expect(apart(foot, await editor.look(at(312, 1126)))).toBe(0);
 
-  // The lasso shows what it holds when it is taken in hand again.
+  // The lasso tool shows the current lasso.
   await page.keyboard.press('l');
   await expect(page.locator('c2-warp .domain .dashes')).toBeAttached();
   await page.keyboard.press('v');
@@ -72,7 +70,7 @@ test('what a lasso holds bends, what lies around stays, and undo brings the hand
   await expect.poll(() => editor.mapped(312, 1126)).not.toBeNull();
 });
 
-test('the panel leads back to all of the picture', async ({ page }) => {
+test('the panel restores the whole picture as domain', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
@@ -85,9 +83,7 @@ test('the panel leads back to all of the picture', async ({ page }) => {
   await expect.poll(() => editor.mapped(312, 1126)).not.toBeNull();
 });
 
-test('a lasso holds the picture alone: beside it nothing, and a handle outside of it is refused in words', async ({
-  page,
-}) => {
+test('an empty lasso and a handle outside the lasso are rejected', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
@@ -106,7 +102,7 @@ test('a lasso holds the picture alone: beside it nothing, and a handle outside o
   expect(await ids(editor)).toEqual(['head']);
 });
 
-test('a lasso is drawn by keys, and half of it survives a reload', async ({ page }) => {
+test('a lasso is drawn by keys, and its draft survives a reload', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('l');
   await page.locator('c2-warp .stage').focus();
@@ -129,13 +125,11 @@ test('a lasso is drawn by keys, and half of it survives a reload', async ({ page
   await expect.poll(async () => (await domain(editor)).rings?.map((ring) => ring.length)).toEqual([3]);
 });
 
-test('a line that crosses itself makes a lasso all the same, and a handle taken from the list takes the arrow tool', async ({
-  page,
-}) => {
+test('a self-crossing line makes a lasso; the list selects the select tool', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
-  // Once and a half around.
+  // One and a half times around.
   const [once, more] = [around(at), around((x, y) => at(x - 20, y + 10)).slice(0, 12)];
   await draw(editor, [...once, ...more]);
   await expect.poll(() => ids(editor)).toEqual(['head']);
@@ -149,11 +143,11 @@ test('a line that crosses itself makes a lasso all the same, and a handle taken 
   await expect(editor.handle('head')).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('a lasso offers to hold its boundary', async ({ page }) => {
+test('the lasso panel offers to hold the boundary', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
-  // All handles are in it.
+  // All handles lie inside.
   await draw(editor, [at(10, 10), at(1014, 10), at(1014, 1270), at(10, 1270)]);
   await expect(page.getByText('Where it moves away, it leaves a gap.')).toBeVisible();
   expect(await ids(editor)).toHaveLength(5);
@@ -162,7 +156,7 @@ test('a lasso offers to hold its boundary', async ({ page }) => {
   await expect(page.getByText('Where it moves away, it leaves a gap.')).toBeHidden();
 });
 
-test('with Alt at its beginning a lasso cuts a hole, and one elsewhere is another part', async ({ page }) => {
+test('a lasso begun with Alt cuts a hole; a separate one adds a part', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   const square = (x: number, y: number, side: number) => [

@@ -1,4 +1,4 @@
-/** Where things stand: in small frames, in pages with a style of their own, under a system's colours. */
+/** Layout: in small frames, on pages with their own styles, in forced colours. */
 import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { insetsOf } from '../../web/src/element/insets';
@@ -11,7 +11,7 @@ const box = async (shown: Locator) => {
   return { ...found, right: found.x + found.width, bottom: found.y + found.height };
 };
 
-/** How far the dots are from where the stage has their handles, CSS pixels. */
+/** Returns the distances between the dots and their handles on the stage, CSS pixels. */
 const misplaced = (page: Page) =>
   page.locator('c2-warp').evaluate((element) => {
     const root = element.shadowRoot;
@@ -24,7 +24,7 @@ const misplaced = (page: Page) =>
     });
   });
 
-test('how the page sets its text moves no handle', async ({ page }) => {
+test('text styles of the page move no handle', async ({ page }) => {
   await Editor.open(page);
   for (const [property, value] of [
     ['direction', 'rtl'],
@@ -43,7 +43,7 @@ test('how the page sets its text moves no handle', async ({ page }) => {
   }
 });
 
-test('Tab to a handle out of sight brings it beside the cards, and scrolls nothing', async ({ page }) => {
+test('Tab pans a handle into view beside the cards, without scrolling', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('1');
@@ -70,7 +70,7 @@ for (const [width, height] of [
   [640, 240],
   [667, 331],
 ] as const) {
-  test(`every button of the bars lies inside ${width} × ${height}`, async ({ page }) => {
+  test(`every toolbar and status button lies inside ${width} × ${height}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await Editor.open(page);
     const buttons = page.locator('c2-warp').locator('.top .button, .tools .button, .status .button');
@@ -84,7 +84,7 @@ for (const [width, height] of [
   });
 }
 
-test('it can be seen where its width is left to its content', async ({ page }) => {
+test('an element with content width is visible', async ({ page }) => {
   await Editor.open(page);
   const widths = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -114,7 +114,7 @@ for (const [width, height] of [
   [500, 360],
   [500, 420],
 ] as const) {
-  test(`the picture can be seen, and held beside the cards, at ${width} × ${height ?? 'whatever height it takes'}`, async ({
+  test(`the picture is visible beside the cards at ${width} × ${height ?? 'default height'}`, async ({
     page,
   }) => {
     const editor = await Editor.open(page);
@@ -150,7 +150,7 @@ for (const [width, height] of [
   });
 }
 
-test('what is drawn and what is said lie beside the cards', async ({ page }) => {
+test('draft bar and notices lie beside the cards', async ({ page }) => {
   await page.setViewportSize({ width: 640, height: 400 });
   const editor = await Editor.open(page);
   const [tools, panel] = [page.locator('c2-warp .tools'), page.getByRole('region', { name: 'Properties' })];
@@ -178,9 +178,7 @@ for (const [width, height] of [
   [800, 600],
   [800, 350],
 ] as const) {
-  test(`hints stand in the middle of where the picture is fitted, at ${width} × ${height}`, async ({
-    page,
-  }) => {
+  test(`hints are centred over the fitted picture at ${width} × ${height}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await Editor.open(page);
     const stage = await box(page.locator('c2-warp .stage'));
@@ -193,7 +191,7 @@ for (const [width, height] of [
   });
 }
 
-test('the hint goes when its handle is out of sight', async ({ page }) => {
+test('the hint hides when its handle is out of view', async ({ page }) => {
   const editor = await Editor.open(page);
   const hint = page.getByText('Drag a hand');
   await expect(hint).toBeVisible();
@@ -204,9 +202,7 @@ test('the hint goes when its handle is out of sight', async ({ page }) => {
   await expect(hint).toBeVisible();
 });
 
-test('a long list follows what is selected on the picture, beside the numbers; long names wrap', async ({
-  page,
-}) => {
+test('a long list scrolls to the selection; long names wrap', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => {
     for (let k = 0; k < 20; k++) {
@@ -223,7 +219,7 @@ test('a long list follows what is selected on the picture, beside the numbers; l
   expect(await list.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
 });
 
-test('forced colours show what is chosen', async ({ page }) => {
+test('forced colours show the selection', async ({ page }) => {
   await page.emulateMedia({ forcedColors: 'active', reducedMotion: 'reduce' });
   await page.goto('/');
   const editor = new Editor(page);
@@ -246,7 +242,7 @@ test('forced colours show what is chosen', async ({ page }) => {
   await expect.poll(ground(editor.switch('Stop at folds'))).toBe(chosen);
 });
 
-test('what the page lays over the editor covers its bars and cards', async ({ page }) => {
+test('a page overlay covers the bars and cards of the editor', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const warp = document.querySelector('c2-warp');
@@ -262,7 +258,7 @@ test('what the page lays over the editor covers its bars and cards', async ({ pa
   }
 });
 
-test('in another document it has its styles, made there or brought there', async ({ page }) => {
+test('the element is styled in another document, created or moved there', async ({ page }) => {
   await Editor.open(page);
   await page.evaluate(() => {
     const frame = document.createElement('iframe');
@@ -284,9 +280,9 @@ test('in another document it has its styles, made there or brought there', async
   await expect(frame.locator('#made .shell')).toBeVisible();
 });
 
-test('readonly, nobody is invited to draw', async ({ page }) => {
+test('a readonly editor shows no drawing hint', async ({ page }) => {
   const editor = await Editor.open(page);
-  // What a first visitor is told comes first.
+  // Ends the hint for first visits, which has priority.
   await editor.dragHandle('left hand', { x: 10, y: -20 });
   await page.keyboard.press('Escape');
   const hint = page.getByText('Drag a bar, or click its corners');

@@ -1,9 +1,9 @@
-/** Bars and polygons: drawn, bent, moved and turned; what the solver refuses of them. */
+/** Bars and polygons: drawing, bending, moving, turning, and rejection by the solver. */
 import { Answers } from './answers';
 import { apart, Editor, type Place } from './editor';
 import { expect, test } from './fixtures';
 
-/** The left leg of the sample, from below the foot's handle to the hip, image pixels. */
+/** A line in the left leg of the sample, from below the foot's handle to the hip, image pixels. */
 const [ANKLE, HIP] = [
   [330, 1040],
   [430, 820],
@@ -13,11 +13,11 @@ async function clicks(editor: Editor, places: readonly Place[]): Promise<void> {
   for (const at of places) await editor.page.mouse.click(at.x, at.y);
 }
 
-/** Solved once the picture holds a handle's own corner. */
+/** Waits until the solution maps a handle's corner to its posed position. */
 const settles = (editor: Editor, rest: readonly [number, number], posed: readonly [number, number]) =>
   expect.poll(() => editor.away(rest, posed)).toBeLessThan(1);
 
-/** A bar in the left leg, solved. */
+/** Adds a bar in the left leg, and waits for the solution. */
 async function leg(editor: Editor): Promise<(x: number, y: number) => Place> {
   const at = await editor.fromImage('head', [512, 260]);
   await editor.page.keyboard.press('b');
@@ -27,14 +27,14 @@ async function leg(editor: Editor): Promise<(x: number, y: number) => Place> {
   return at;
 }
 
-test('a bar is drawn by clicks, and bent by one end; undo takes each step back', async ({ page }) => {
+test('a bar is drawn by clicks and bent by one end, each undone alone', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('b');
   const [first, second] = [at(...ANKLE), at(...HIP)];
   await page.mouse.click(first.x, first.y);
   await page.mouse.move(second.x, second.y);
-  // The line to the pointer, before the next corner is set.
+  // The line to the pointer, before the next click.
   await expect(page.locator('c2-warp .draft .next')).toBeAttached();
   await expect(page.getByRole('group', { name: 'Drawing' })).toContainText('One corner more');
   await page.mouse.dblclick(second.x, second.y);
@@ -50,7 +50,7 @@ test('a bar is drawn by clicks, and bent by one end; undo takes each step back',
   const bent = await editor.inProject('bar-1');
   if (bent?.kind !== 'bar') throw new Error('a bar stays one');
   expect(bent.posed[1]).toEqual(bent.rest[1]);
-  // The picture is where the corners are.
+  // The picture follows the corners.
   for (const k of [0, 1]) await settles(editor, bent.rest[k] ?? [0, 0], bent.posed[k] ?? [0, 0]);
   await expect.poll(async () => apart(before, await editor.look(goal))).toBeGreaterThan(10);
 
@@ -63,7 +63,7 @@ test('a bar is drawn by clicks, and bent by one end; undo takes each step back',
   await expect(editor.handle('bar 1')).toBeVisible();
 });
 
-test('one press, drag and release draws a whole bar, with Shift at 45°', async ({ page }) => {
+test('one drag draws a whole bar, with Shift in steps of 45°', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await editor.button('Draw a bar').click();
@@ -78,9 +78,7 @@ test('one press, drag and release draws a whole bar, with Shift at 45°', async 
   expect(bar.posed[1]?.[1]).toBeCloseTo(bar.posed[0]?.[1] ?? 0, 1);
 });
 
-test('a double click gives a bar a corner there, which bends it, and one on the corner takes it away', async ({
-  page,
-}) => {
+test('a double click adds a corner that bends the bar, or removes one', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await leg(editor);
   await page.keyboard.press('v');
@@ -97,7 +95,7 @@ test('a double click gives a bar a corner there, which bends it, and one on the 
   await page.mouse.dblclick(bent.x, bent.y);
   await expect(editor.button('Undo: delete a corner of bar 1')).toBeEnabled();
   expect(await corners()).toBe(2);
-  // The ends stay: a bar has two.
+  // The ends stay: a bar needs two.
   const ankle = at(...ANKLE);
   await page.mouse.dblclick(ankle.x, ankle.y);
   expect(await corners()).toBe(2);
@@ -105,13 +103,13 @@ test('a double click gives a bar a corner there, which bends it, and one on the 
   await expect.poll(corners).toBe(3);
 });
 
-test('by keys a corner is added beside the one that has the focus, and deleted', async ({ page }) => {
+test('keys add a corner beside the focused one, and delete it', async ({ page }) => {
   const editor = await Editor.open(page);
   await leg(editor);
   await page.keyboard.press('v');
   await editor.corner(2, 'bar 1').focus();
   await page.keyboard.press('c');
-  // Behind an end there is no edge: it comes before.
+  // No edge follows an end, so the corner is added before it.
   await expect(editor.corner(2, 'bar 1')).toBeFocused();
   await expect(editor.corner(3, 'bar 1')).toBeVisible();
   await page.keyboard.press('Shift+ArrowLeft');
@@ -119,7 +117,7 @@ test('by keys a corner is added beside the one that has the focus, and deleted',
   await page.keyboard.press('x');
   await expect(editor.corner(1, 'bar 1')).toBeFocused();
   await expect(editor.corner(3, 'bar 1')).toBeHidden();
-  // Two are needed.
+  // A bar needs two corners.
   await page.keyboard.press('x');
   await expect(editor.corner(2, 'bar 1')).toBeVisible();
   await editor.button('Add a corner').click();
@@ -127,7 +125,7 @@ test('by keys a corner is added beside the one that has the focus, and deleted',
   await expect(editor.corner(3, 'bar 1')).toBeVisible();
 });
 
-test('a corner that is clicked has its place in the panel, and buttons of its own', async ({ page }) => {
+test('a clicked corner shows its position and buttons in the panel', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await leg(editor);
   await page.keyboard.press('v');
@@ -149,7 +147,7 @@ test('a corner that is clicked has its place in the panel, and buttons of its ow
     posed: [before.posed[0], [450, before.posed[1][1] + 10]],
     rest: before.rest,
   });
-  // Two are needed; a third stands halfway, and goes again.
+  // Two corners are needed. A third is added halfway, and removed again.
   await expect(editor.button('Delete the corner')).toBeDisabled();
   await editor.button('Add a corner').click();
   const third = page.getByRole('group', { name: 'Corner 2 of 3' });
@@ -163,14 +161,14 @@ test('a corner that is clicked has its place in the panel, and buttons of its ow
   await expect(page.getByRole('group', { name: 'Corner' })).toBeHidden();
 });
 
-test('what is drawn goes on to the pointer also where the view moves under it', async ({ page }) => {
+test('the draft line follows the pointer when the view moves', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Draw a bar').click();
   const head = await editor.place('head');
   await page.mouse.click(head.x, head.y + 50);
   await page.mouse.move(head.x + 60, head.y + 40);
   const line = page.locator('c2-warp .draft .next');
-  /** The end of the line on the page: that of the path's text. */
+  /** Returns the end of the line on the page, from the path data. */
   const end = () =>
     line.evaluate((path: SVGPathElement) => {
       const [x = 0, y = 0] = (path.getAttribute('d') ?? '').split('L').at(-1)?.split(',').map(Number) ?? [];
@@ -190,7 +188,7 @@ test('what is drawn goes on to the pointer also where the view moves under it', 
   expect(await end()).toEqual(pointer);
 });
 
-test('a polygon closes on its first corner, and carries the picture inside it along', async ({ page }) => {
+test('a polygon closes on its first corner and moves the picture inside', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
@@ -202,7 +200,7 @@ test('a polygon closes on its first corner, and carries the picture inside it al
   await page.mouse.click(first.x, first.y);
   await expect(editor.handle('polygon 1')).toBeVisible();
   await page.keyboard.press('v');
-  // By its body, away from corners, ring and middle.
+  // Dragged by its inside, away from corners, ring and middle.
   const inside = at(480, 800);
   await editor.drag(inside, { x: 30, y: 20 });
   const [dx, dy] = [30, 20].map((by) => by / (at(1, 0).x - at(0, 0).x));
@@ -211,7 +209,7 @@ test('a polygon closes on its first corner, and carries the picture inside it al
   await expect(editor.button('Undo: move polygon 1')).toBeEnabled();
 });
 
-test('what is drawn waits over a reload, and goes on with its tool', async ({ page }) => {
+test('a draft survives a reload and continues with its tool', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
@@ -227,11 +225,11 @@ test('what is drawn waits over a reload, and goes on with its tool', async ({ pa
   await editor.solves(() => page.keyboard.press('Enter'));
   const polygon = await editor.inProject('polygon-1');
   expect(polygon?.kind === 'polygon' && polygon.posed).toHaveLength(3);
-  // Nothing of it waits any more.
+  // No draft is stored any more.
   await expect.poll(kept).toEqual([]);
 });
 
-test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing up', async ({ page }) => {
+test('Backspace and Ctrl Z remove the last corner; Escape the draft', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   const corners = page.locator('c2-warp .draft .corner');
@@ -248,7 +246,7 @@ test('Backspace and Ctrl Z take the last corner back, Escape gives the drawing u
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('redo brings back the corner that was taken back, and nothing else', async ({ page }) => {
+test('redo restores only the corner that was undone', async ({ page }) => {
   const editor = await Editor.open(page);
   const corners = page.locator('c2-warp .draft .corner');
   await editor.dragHandle('left hand', { x: 20, y: -40 });
@@ -267,7 +265,7 @@ test('redo brings back the corner that was taken back, and nothing else', async 
   await expect(corners).toHaveCount(2);
   await editor.button('Redo: set a corner').click();
   await expect(corners).toHaveCount(3);
-  // Also the first. Once the drawing is given up, redo is for the hand again.
+  // The first corner too. After the draft is discarded, redo applies to the hand again.
   for (const left of [2, 1, 0]) {
     await page.keyboard.press('Control+z');
     await expect(corners).toHaveCount(left);
@@ -280,7 +278,7 @@ test('redo brings back the corner that was taken back, and nothing else', async 
   await expect(editor.button('Undo: move left hand')).toBeEnabled();
 });
 
-test('Enter finishes also after a press on a button of the drawing', async ({ page }) => {
+test('Enter finishes after a press on a button of the draft bar too', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
@@ -292,7 +290,7 @@ test('Enter finishes also after a press on a button of the drawing', async ({ pa
   expect((await editor.inProject('polygon-1'))?.kind).toBe('polygon');
 });
 
-test('a drawing waits while another tool is in hand', async ({ page }) => {
+test('a draft waits while another tool is selected', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   const corners = page.locator('c2-warp .draft .corner');
@@ -310,7 +308,7 @@ test('a drawing waits while another tool is in hand', async ({ page }) => {
       return [Math.round(x - before.x), Math.round(y - before.y)];
     })
     .toEqual([30, 20]);
-  // A handle is moved, and that is undone: corners stay.
+  // Undo reverts the move of a handle and keeps the corners.
   await editor.button('Select and move').click();
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   await page.keyboard.press('Control+z');
@@ -322,14 +320,14 @@ test('a drawing waits while another tool is in hand', async ({ page }) => {
   await expect(editor.handle('polygon 1')).toBeVisible();
 });
 
-test('by keys alone: a bar is drawn, one end moved, the whole turned and deleted', async ({ page }) => {
+test('keys draw a bar, move one end, turn it and delete it', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('b');
   await page.keyboard.press('Enter');
   await expect(page.getByText(/bar, corner 1: x \d+, y \d+/)).toBeAttached();
   for (let step = 0; step < 4; step++) await page.keyboard.press('Shift+ArrowDown');
   await page.keyboard.press('Enter');
-  // Where no arrow has gone on, Enter finishes.
+  // Without an arrow key in between, Enter finishes.
   await page.keyboard.press('Enter');
   await expect(editor.handle('bar 1')).toBeFocused();
   await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(0);
@@ -364,7 +362,7 @@ test('the panel moves, turns beyond half a turn, and resets a bar', async ({ pag
   await expect.poll(() => editor.inProject('bar-1')).toEqual(rest);
 });
 
-test('a box, Shift-click and arrows work on bars and points alike', async ({ page }) => {
+test('selection box, Shift-click and arrow keys work on bars and points', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await leg(editor);
   await page.keyboard.press('Escape');
@@ -383,7 +381,7 @@ test('a box, Shift-click and arrows work on bars and points alike', async ({ pag
   await expect(page.getByRole('heading', { name: 'Left foot' })).toBeVisible();
 });
 
-test('a bar wholly beside the picture is refused, and the drawing is not lost', async ({ page }) => {
+test('a bar beside the picture is rejected, and its draft stays', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('b');
@@ -393,7 +391,7 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Undo: set a corner')).toBeEnabled();
-  // It goes on from there: one corner more, on the leg.
+  // The draft continues with one more corner, on the leg.
   const leg = at(380, 950);
   await page.mouse.click(leg.x, leg.y);
   await page.keyboard.press('Enter');
@@ -401,7 +399,7 @@ test('a bar wholly beside the picture is refused, and the drawing is not lost', 
   await expect(page.getByText('Only the part of bar 1 on the picture bends it')).toBeVisible();
 });
 
-test('a refused bar comes back as a drawing, and what was done since stays', async ({ page }) => {
+test('a rejected bar returns as a draft, and later changes stay', async ({ page }) => {
   const answers = await Answers.of(page);
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
@@ -422,7 +420,7 @@ test('a refused bar comes back as a drawing, and what was done since stays', asy
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('the boundary is held at a switch, as one step', async ({ page }) => {
+test('a switch holds the boundary, as one step', async ({ page }) => {
   const editor = await Editor.open(page);
   const rim = [980, 516] as const;
   await editor.switch('Hold the boundary').click();
@@ -435,7 +433,7 @@ test('the boundary is held at a switch, as one step', async ({ page }) => {
   const told = await editor.still(() => editor.told('right hand'));
   const lift = 516 - told.y;
   expect(lift).toBeGreaterThan(10);
-  // The hand goes, its rim stays nearly where it is.
+  // The hand moves, and its edge hardly moves.
   await expect.poll(() => editor.away([900, 516], [told.x, told.y])).toBeLessThan(1);
   await expect.poll(() => editor.away(rim, rim)).toBeLessThan(lift / 2);
 
@@ -446,16 +444,16 @@ test('the boundary is held at a switch, as one step', async ({ page }) => {
   await expect.poll(() => editor.away(rim, rim)).toBeGreaterThan(lift / 2);
 });
 
-test.describe('under fingers', () => {
+test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-  /** The click of a tap comes some time after the finger has gone. */
+  /** Browsers send the click of a tap some time after the touch ends. */
   const tapTool = async (editor: Editor, name: string) => {
     await editor.button(name).tap();
     await expect(editor.button(name)).toHaveAttribute('aria-pressed', 'true');
   };
 
-  test('a bar is drawn by taps, finished by its button, and bent by its end', async ({ page }) => {
+  test('a bar is drawn by taps, finished by its button and bent by its end', async ({ page }) => {
     const editor = await Editor.open(page);
     const at = await editor.fromImage('head', [512, 260]);
     await tapTool(editor, 'Draw a bar');
@@ -480,11 +478,11 @@ test.describe('under fingers', () => {
     await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
   });
 
-  test('a double tap gives a bar a corner', async ({ page }) => {
+  test('a double tap adds a corner to a bar', async ({ page }) => {
     const editor = await Editor.open(page);
     const at = await editor.fromImage('head', [512, 260]);
     await tapTool(editor, 'Draw a bar');
-    // In an arm, which the sheet of what is selected leaves free.
+    // In an arm, which the sheet does not cover.
     for (const place of [at(260, 560), at(480, 560)]) await page.touchscreen.tap(place.x, place.y);
     await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
     await editor.button('Finish').tap();
@@ -494,7 +492,7 @@ test.describe('under fingers', () => {
     const session = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: Place[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
-    // Without waiting for one another: on a busy machine two taps would be too far apart.
+    // Sent without waiting: on a busy machine two taps would be too far apart.
     await Promise.all([
       touch('touchStart', knee),
       touch('touchEnd'),
@@ -504,7 +502,7 @@ test.describe('under fingers', () => {
     await expect(editor.corner(3, 'bar 1')).toBeVisible();
   });
 
-  test('how the picture bends can be chosen while nothing is selected', async ({ page }) => {
+  test('the bending mode can be changed without a selection', async ({ page }) => {
     const editor = await Editor.open(page);
     await expect(editor.button(/^Smooth$/)).toBeHidden();
     await editor.button('How the picture bends').tap();

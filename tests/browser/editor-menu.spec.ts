@@ -1,4 +1,4 @@
-/** The context menu: by a right click, a finger that stays, and keys. */
+/** The context menu: by right click, long press and keys. */
 import type { CDPSession, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Place } from './editor';
@@ -14,7 +14,7 @@ const selection = (page: Page) =>
 const set = (page: Page, attribute: string) =>
   page.locator('c2-warp').evaluate((element, name) => element.setAttribute(name, ''), attribute);
 
-/** A bar in the left leg, not selected. */
+/** Adds a bar in the left leg, not selected. */
 async function leg(editor: Editor): Promise<void> {
   const rest = [
     [330, 1040],
@@ -29,9 +29,7 @@ async function leg(editor: Editor): Promise<void> {
   );
 }
 
-test('a right click selects a handle and tells what can be done with it, each with its key', async ({
-  page,
-}) => {
+test('a right click selects a handle and lists its commands with keys', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
@@ -47,7 +45,7 @@ test('a right click selects a handle and tells what can be done with it, each wi
   await expect(editor.handle('right hand')).toBeFocused();
   expect(await posed(editor, 'right-hand')).toEqual([1024 - (moved?.[0] as number), moved?.[1]]);
 
-  // On one of several that are selected it is about all of them.
+  // On one of several selected handles, the menu applies to all of them.
   await page.keyboard.press('Control+a');
   await rightClick(page, await editor.place('right hand'));
   await expect(menu(page)).toHaveAccessibleName('5 handles');
@@ -55,22 +53,20 @@ test('a right click selects a handle and tells what can be done with it, each wi
   expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
   expect(await posed(editor, 'right-hand')).toEqual([900, 516]);
 
-  // What cannot be done now is there, and does nothing.
+  // Commands that cannot run are listed and do nothing.
   await rightClick(page, await editor.place('right hand'));
   await expect(entry(page, 'Reset')).toBeDisabled();
   await entry(page, 'Reset').click({ force: true });
   await expect(menu(page)).toBeVisible();
 
-  // None stays marked once the mouse is elsewhere.
+  // No entry stays highlighted when the pointer leaves.
   await entry(page, 'Delete').hover();
   await expect(entry(page, 'Delete')).toBeFocused();
   await page.mouse.move(5, 5);
   await expect(menu(page)).toBeFocused();
 });
 
-test('on the picture it adds a point there; a press beside it does nothing but close it', async ({
-  page,
-}) => {
+test('on the picture it adds a point; a press outside only closes it', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await editor.handle('head').click();
@@ -95,11 +91,11 @@ test('on the picture it adds a point there; a press beside it does nothing but c
   await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('corners are added where a line is pressed, and deleted', async ({ page }) => {
+test('corners are added at the pressed point of a line, and deleted', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
   await leg(editor);
-  // A fifth of the way, where a key would add one in the middle.
+  // A fifth of the way; a key would add one in the middle.
   await rightClick(page, at(410, 864));
   await expect(entry(page, 'Delete the corner')).toHaveCount(0);
   await editor.solves(() => entry(page, 'Add a corner').click());
@@ -115,7 +111,7 @@ test('corners are added where a line is pressed, and deleted', async ({ page }) 
   await expect(entry(page, 'Delete the corner')).toBeDisabled();
 });
 
-test('keys open it for what has the focus, and go through it', async ({ page }) => {
+test('keys open it for the focused handle and navigate it', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('right hand').focus();
   await page.keyboard.press('ArrowUp');
@@ -130,7 +126,7 @@ test('keys open it for what has the focus, and go through it', async ({ page }) 
   await expect(entry(page, 'Delete')).toBeFocused();
   await page.keyboard.press('Home');
   await expect(entry(page, 'Reset')).toBeFocused();
-  // A letter leads to an entry, and is no key of a command meanwhile; nor is another key.
+  // A letter goes to an entry; letters and other keys run no command meanwhile.
   await page.keyboard.press('m');
   await expect(entry(page, 'Mirror to the other side')).toBeFocused();
   await page.keyboard.press('Delete');
@@ -165,7 +161,7 @@ test('keys open it for what has the focus, and go through it', async ({ page }) 
   await expect.poll(() => posed(editor, 'right-hand')).toEqual([900, 515]);
 });
 
-test('with Shift the browser’s own menu is left; a drag and a drawing go on', async ({ page }) => {
+test('Shift opens the browser’s menu; a drag and a draft continue', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     Object.assign(globalThis, { prevented: [] });
@@ -201,7 +197,7 @@ test('with Shift the browser’s own menu is left; a drag and a drawing go on', 
   expect(await prevented()).toEqual([false, true, true]);
 });
 
-test('on a corner of one of several it is about all of them', async ({ page }) => {
+test('on a corner of one of several selected handles it applies to all', async ({ page }) => {
   const editor = await Editor.open(page);
   await leg(editor);
   await page.keyboard.press('Control+a');
@@ -213,9 +209,7 @@ test('on a corner of one of several it is about all of them', async ({ page }) =
   expect(await posed(editor, 'head')).toEqual([(before?.[0] as number) + 1, before?.[1]]);
 });
 
-test('there is none in the midst of a drag, nor where the picture is shown at rest to be drawn around', async ({
-  page,
-}) => {
+test('it does not open during a drag or with the lasso tool', async ({ page }) => {
   const editor = await Editor.open(page);
   const head = await editor.place('head');
   await page.mouse.move(head.x, head.y);
@@ -234,7 +228,7 @@ test('there is none in the midst of a drag, nor where the picture is shown at re
   await expect(menu(page)).toBeVisible();
 });
 
-test('it closes when the page takes away what it is about', async ({ page }) => {
+test('it closes when the page removes its handle', async ({ page }) => {
   const editor = await Editor.open(page);
   await rightClick(page, await editor.place('head'));
   await expect(menu(page)).toHaveAccessibleName('head');
@@ -242,14 +236,14 @@ test('it closes when the page takes away what it is about', async ({ page }) => 
   await expect(menu(page)).toHaveCount(0);
 });
 
-test('a click with Ctrl is a right click on a Mac, and begins no drag', async ({ page }) => {
+test('a Ctrl click is a right click on a Mac, and begins no drag', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Add a point handle').click();
   const belly = beside(await editor.place('head'), 0, 200);
   await page.keyboard.down('Control');
   await page.mouse.move(belly.x, belly.y);
   await page.mouse.down();
-  // Elsewhere the browser sends no such event for it.
+  // Other systems send no such event for a Ctrl click.
   await page.locator('c2-warp .stage').evaluate((stage, { x: clientX, y: clientY }) => {
     const init = { clientX, clientY, ctrlKey: true, bubbles: true, cancelable: true };
     stage.dispatchEvent(new MouseEvent('contextmenu', init));
@@ -262,7 +256,7 @@ test('a click with Ctrl is a right click on a Mac, and begins no drag', async ({
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('a press elsewhere on the page closes it, and so does scrolling', async ({ page }) => {
+test('a press elsewhere on the page closes it, as does scrolling', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.goto('/plain/');
   const editor = new Editor(page);
@@ -281,13 +275,13 @@ test('a press elsewhere on the page closes it, and so does scrolling', async ({ 
   await expect(menu(page)).toBeVisible();
   await page.evaluate(() => scrollBy(0, 40));
   await expect(menu(page)).toHaveCount(0);
-  // An editor that is lower than its menu: that goes beyond it, and stays within the window.
+  // The menu extends beyond a lower editor, and stays within the window.
   await page.setViewportSize({ width: 900, height: 320 });
   await rightClick(page, await editor.still(() => editor.place('right hand')));
   await expect(menu(page)).toBeInViewport({ ratio: 1 });
 });
 
-test('people who may change nothing have no menu, and one that is open closes', async ({ page }) => {
+test('a readonly editor has no menu, and an open one closes', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   await rightClick(page, hand);
@@ -306,7 +300,7 @@ test('people who may change nothing have no menu, and one that is open closes', 
 test.describe('with the clipboard', () => {
   test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
 
-  test('poses are copied and pasted, and what is none is told', async ({ page }) => {
+  test('poses are copied and pasted, and other text is reported', async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 30, y: -80 });
     const moved = await posed(editor, 'left-hand');
@@ -328,9 +322,7 @@ test.describe('with the clipboard', () => {
   });
 });
 
-test('where the clipboard cannot be read a word says how to paste, unless the pose is of this page', async ({
-  page,
-}) => {
+test('without clipboard access the menu pastes only poses of this page', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const refused = () => Promise.reject(new DOMException('refused', 'NotAllowedError'));
@@ -346,14 +338,14 @@ test('where the clipboard cannot be read a word says how to paste, unless the po
   await expect(page.getByText('can be pasted on this page alone')).toBeVisible();
   await page.keyboard.press('r');
   await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
-  // Something else may have been copied meanwhile: the browser is asked, and refuses.
+  // Something else may have been copied meanwhile. The browser refuses to read it.
   await page.evaluate(() => window.dispatchEvent(new Event('blur')));
   await rightClick(page, await editor.place('left hand'));
   await entry(page, 'Paste a pose').click();
   await expect.poll(() => posed(editor, 'left-hand')).toEqual(moved);
 });
 
-test.describe('by fingers', () => {
+test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
   const send = (session: CDPSession, type: 'Start' | 'Move' | 'End', touchPoints: readonly Place[] = []) =>
@@ -361,10 +353,10 @@ test.describe('by fingers', () => {
       type: `touch${type}`,
       touchPoints: touchPoints.map((at, id) => ({ ...at, id })),
     });
-  /** Longer than any finger has to stay. */
+  /** Longer than a long press. */
   const stay = (page: Page) => page.waitForTimeout(900);
 
-  test('one that stays opens it, and a tap chooses; nothing is dragged', async ({ page }) => {
+  test('a long press opens it, a tap chooses, and nothing is dragged', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
     const hand = await editor.place('right hand');
@@ -376,7 +368,7 @@ test.describe('by fingers', () => {
     expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
     const box = await entry(page, 'Delete').boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
-    // A tap beside it closes it, and lets go of nothing.
+    // A tap outside closes the menu and keeps the selection.
     const head = await editor.place('head');
     await page.touchscreen.tap(head.x, head.y - 60);
     await expect(menu(page)).toHaveCount(0);
@@ -391,7 +383,7 @@ test.describe('by fingers', () => {
     expect((await selection(page)).split(' ')).toHaveLength(5);
   });
 
-  test('one that stays and then moves drags, and the menu goes', async ({ page }) => {
+  test('a long press that then moves drags, and closes the menu', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
     const hand = await editor.place('right hand');
@@ -417,7 +409,7 @@ test.describe('by fingers', () => {
     await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(480);
   });
 
-  test('one that stays where it places a handle goes on to drag it', async ({ page }) => {
+  test('a long press that places a handle continues as a drag', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
     const head = await editor.place('head');
@@ -429,14 +421,14 @@ test.describe('by fingers', () => {
     await send(session, 'End');
     await expect(editor.handles).toHaveCount(6);
     await expect(menu(page)).toHaveCount(0);
-    // With the same tool on one that is there it opens.
+    // With the same tool on an existing handle, the menu opens.
     await send(session, 'Start', [head]);
     await expect(menu(page)).toHaveAccessibleName('head');
     await send(session, 'End');
     await expect(editor.handles).toHaveCount(6);
   });
 
-  test('one that moves drags at once, and two navigate', async ({ page }) => {
+  test('a moving finger drags at once, and two fingers navigate', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
     const [hand, foot] = [await editor.place('right hand'), await editor.place('left foot')];
@@ -457,10 +449,10 @@ test.describe('by fingers', () => {
   });
 });
 
-test.describe('in little room', () => {
+test.describe('in a small window', () => {
   test.use({ viewport: { width: 320, height: 480 } });
 
-  test('it stays within the window, whichever edge is near', async ({ page }) => {
+  test('it stays within the window near every edge', async ({ page }) => {
     const editor = await Editor.open(page);
     await page.keyboard.press('Escape');
     const stage = await page.locator('c2-warp .stage').boundingBox();

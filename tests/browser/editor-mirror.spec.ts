@@ -1,16 +1,16 @@
-/** Mirroring handles to the other side of what bends. */
+/** Mirroring handles to the other side of the domain. */
 import { corners } from '../../web/src/document/handle';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
-/** Where a handle's mirror image is, corner by corner. */
+/** Returns the corners of a handle's mirror image. */
 const flipped = (handle: Handle | undefined, of: 'rest' | 'posed') =>
   handle ? corners(handle, of).map(([x, y]) => [expect.closeTo(1024 - x, 1), expect.closeTo(y, 1)]) : [];
 const places = (handle: Handle | undefined, of: 'rest' | 'posed') => (handle ? corners(handle, of) : []);
 
-test('M poses the hand on the other side, and arrow keys go on there', async ({ page }) => {
+test('M poses and selects the hand on the other side', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const left = await editor.inProject('left-hand');
@@ -22,7 +22,7 @@ test('M poses the hand on the other side, and arrow keys go on there', async ({ 
   const right = await editor.inProject('right-hand');
   expect(places(right, 'posed')).toEqual(flipped(left, 'posed'));
   expect(await editor.inProject('left-hand')).toEqual(left);
-  // The picture follows on both sides alike.
+  // The picture follows equally on both sides.
   const one = await editor.still(() => editor.mapped(200, 540));
   const other = await editor.mapped(824, 540);
   expect(
@@ -39,7 +39,7 @@ test('M poses the hand on the other side, and arrow keys go on there', async ({ 
   expect(await editor.inProject('left-hand')).toEqual(left);
 });
 
-test('the button adds what is missing on the other side, a bar too', async ({ page }) => {
+test('the button adds missing counterparts, bars too', async ({ page }) => {
   const editor = await Editor.open(page);
   const at = await editor.fromImage('left hand', [124, 516]);
   await editor.handle('right foot').focus();
@@ -68,7 +68,7 @@ test('the button adds what is missing on the other side, a bar too', async ({ pa
   await expect(editor.handles).toHaveCount(7);
 });
 
-test('all at once are flipped, and what has no other side is told', async ({ page }) => {
+test('mirroring all handles flips the pose; unmatched ones are reported', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('m');
@@ -84,7 +84,7 @@ test('all at once are flipped, and what has no other side is told', async ({ pag
   expect(places(await editor.inProject('right-hand'), 'posed')).toEqual(flipped(hand, 'posed'));
   expect((await editor.inProject('left-hand'))?.posed).toEqual([124, 516]);
 
-  // Beside the figure's middle there is nothing of a lasso that holds one arm alone.
+  // A lasso around one arm leaves nothing on the other side of the figure.
   const hold = () =>
     page.locator('c2-warp').evaluate((element) => {
       const editor = element as C2Warp;
@@ -109,7 +109,7 @@ test('all at once are flipped, and what has no other side is told', async ({ pag
   await expect(editor.handles).toHaveCount(1);
 });
 
-test('a key that is held mirrors once', async ({ page }) => {
+test('a held key mirrors once', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('head', { x: 40, y: 0 });
   const head = await editor.inProject('head');

@@ -1,4 +1,4 @@
-/** `<c2-warp>` in somebody's page: what is opened when several things are asked for, or the element comes and goes. */
+/** `<c2-warp>` on other pages: concurrent requests to open, and elements that are moved or removed. */
 
 import type { Page, Route } from '@playwright/test';
 import { encode } from 'fast-png';
@@ -9,8 +9,8 @@ import { expect, test } from './fixtures';
 
 const SIDES = { '/slow.png': 40, '/fast.png': 48 } as const;
 
-/** The picture that comes late: when a test lets it come, and at once from then on. */
-class Slow {
+/** A picture whose response a test delays. Once released, it is served at once. */
+class SlowPicture {
   readonly #page: Page;
   readonly #answered: Promise<void>[] = [];
   #time = Promise.resolve();
@@ -21,7 +21,7 @@ class Slow {
     this.stays();
   }
 
-  /** Whoever asks for it from now on waits for it. */
+  /** Delays all later requests. */
   stays(): void {
     this.#time = new Promise((come) => {
       this.#come = come;
@@ -29,12 +29,12 @@ class Slow {
   }
 
   asked(route: Route): void {
-    // Nobody may wait for it any more.
+    // The request may have been aborted meanwhile.
     const answered = this.#time.then(() => route.fulfill(file(SIDES['/slow.png']))).catch(() => {});
     this.#answered.push(answered);
   }
 
-  /** Lets it come, and gives whoever still waits for it the time to open it: some more than it takes to do the same. */
+  /** Answers all requests, and waits longer than it takes to open the picture. */
   async comes(): Promise<void> {
     this.#come();
     await Promise.all(this.#answered);
@@ -60,9 +60,9 @@ const PROJECT = {
   handles: [{ id: 'middle', kind: 'point', rest: [24, 24], posed: [30, 24] }],
 } as const;
 
-/** The editor's page with this body instead, where `heard` are the element's events, and one picture comes when it is told to. */
-async function open(page: Page, body: string): Promise<Slow> {
-  const slow = new Slow(page);
+/** Opens the editor's page with another body. `heard` lists the element's events; one picture is slow. */
+async function open(page: Page, body: string): Promise<SlowPicture> {
+  const slow = new SlowPicture(page);
   await page.route('**/fast.png', (route) => route.fulfill(file(SIDES['/fast.png'])));
   await page.route('**/slow.png', (route) => slow.asked(route));
   await page.route('**/project.json', (route) => route.fulfill({ json: PROJECT }));
@@ -90,7 +90,7 @@ const handles = (page: Page) =>
     .evaluate((element) => (element as C2Warp).project.handles.map(({ id }) => id).join());
 const heard = (page: Page) => page.evaluate(() => Reflect.get(globalThis, 'heard') as string[]);
 
-test('an empty stage asks for a picture, and not while one is on its way', async ({ page }) => {
+test('an empty stage asks for a picture, except while one is loading', async ({ page }) => {
   const slow = await open(page, '<c2-warp></c2-warp>');
   const [asks, waits] = [page.getByText('Drop a picture here'), page.getByText('Opening…')];
   await expect(asks).toBeVisible();
@@ -98,7 +98,7 @@ test('an empty stage asks for a picture, and not while one is on its way', async
   await warp(page).evaluate((element) => element.setAttribute('src', '/slow.png'));
   await expect(waits).toBeVisible();
   await expect(asks).toBeHidden();
-  // Another one overtakes it, which is refused: then it asks again.
+  // A rejected file supersedes the load, so the stage asks again.
   const refused = warp(page).evaluate((element) =>
     (element as C2Warp).load(new Blob(['no picture'])).catch((error: Error) => error.message),
   );
@@ -108,7 +108,7 @@ test('an empty stage asks for a picture, and not while one is on its way', async
   await expect(waits).toBeHidden();
 });
 
-/** A network that lets files through only once it is told to. */
+/** Delays files until the returned function is called. */
 async function late(page: Page, files: string): Promise<() => void> {
   let comes = () => {};
   const come = new Promise<void>((done) => {
@@ -121,7 +121,7 @@ async function late(page: Page, files: string): Promise<() => void> {
   return comes;
 }
 
-test('while the script is slow to come, the page says so', async ({ page }) => {
+test('the page shows a message while the script loads', async ({ page }) => {
   const comes = await late(page, '**/index-*.js');
   await page.goto('/', { waitUntil: 'commit' });
   const waits = page.getByText('The editor is loading');
@@ -131,7 +131,7 @@ test('while the script is slow to come, the page says so', async ({ page }) => {
   await expect(waits).toBeHidden();
 });
 
-test('while the solver is slow to come, nothing looks lost', async ({ page }) => {
+test('the stage shows that it is opening while the solver loads', async ({ page }) => {
   const comes = await late(page, '**/*.wasm');
   await page.goto('/');
   await expect(page.getByText('Opening…')).toBeVisible();
@@ -141,7 +141,7 @@ test('while the solver is slow to come, nothing looks lost', async ({ page }) =>
   await expect(page.getByText('Opening…')).toBeHidden();
 });
 
-/** A network that answers everything by a page of its own, such as that of a hotel, until it is told to let files through. */
+/** Answers requests for files with an HTML page, like a captive portal, until the returned function is called. */
 async function captive(page: Page, files: string): Promise<() => Promise<void>> {
   await page.route(files, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }));
   return () => page.unroute(files);
@@ -151,12 +151,12 @@ for (const [what, files] of [
   ['the solver', '**/*.wasm'],
   ['the worker', '**/worker-*.js'],
 ] as const) {
-  test(`where ${what} does not come it can be tried again, and the sample opens`, async ({ page }) => {
+  test(`after ${what} fails to load, a retry opens the sample`, async ({ page }) => {
     const free = await captive(page, files);
     await page.goto('/');
     const editor = new Editor(page);
     await editor.button('Try again').click();
-    // The network is as it was.
+    // The network works again.
     await expect(editor.button('Try again')).toBeVisible();
     await free();
     await editor.button('Try again').click();
@@ -164,9 +164,7 @@ for (const [what, files] of [
     await expect(editor.notice).toBeHidden();
   });
 
-  test(`where ${what} does not come the kept work is shown, and what is done meanwhile stays`, async ({
-    page,
-  }) => {
+  test(`while ${what} fails to load, stored work shows and edits stay`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 0, y: -40 });
     await expect.poll(async () => (await editor.kept()).step).toBe('Move left hand');
@@ -174,7 +172,7 @@ for (const [what, files] of [
     const free = await captive(page, files);
     await page.reload();
     await expect(editor.notice).toContainText('The solver');
-    // The end of the drag asks for the solver once more, still in vain.
+    // The end of the drag requests the solver again, without success.
     const failed = warp(page).evaluate(
       (element) =>
         new Promise<void>((done) => element.addEventListener('error', () => done(), { once: true })),
@@ -196,7 +194,7 @@ for (const [what, files] of [
   });
 }
 
-test('the next edit asks a solver again that has failed', async ({ page }) => {
+test('the next edit retries a failed solver', async ({ page }) => {
   const free = await captive(page, '**/worker-*.js');
   await page.goto('/');
   const editor = new Editor(page);
@@ -223,9 +221,7 @@ test('a project that the page set waits for the solver', async ({ page }) => {
     .toEqual(['ready', 'load']);
 });
 
-test('a picture without handles says what to do, and the one that a person brings has the point tool in hand', async ({
-  page,
-}) => {
+test('a picture without handles shows a hint; own pictures get the point tool', async ({ page }) => {
   await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
   const editor = new Editor(page);
   const pressed = (tool: string) => expect(editor.button(tool)).toHaveAttribute('aria-pressed', 'true');
@@ -247,9 +243,7 @@ test('a picture without handles says what to do, and the one that a person bring
   await pressed('Select and move');
 });
 
-test('a picture is fitted as it is while it is being solved, whatever the size of the one before', async ({
-  page,
-}) => {
+test('a new picture is fitted during its solve, whatever the last size', async ({ page }) => {
   const answers = await Answers.of(page);
   await open(page, `<c2-warp src="/samples/gingerbread.png"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
@@ -266,7 +260,7 @@ test('a picture is fitted as it is while it is being solved, whatever the size o
   expect(await editor.zoom()).toBe(zoom);
 });
 
-test('the newest load wins, and the one before it is told so', async ({ page }) => {
+test('the newest load wins, and the earlier one rejects', async ({ page }) => {
   const slow = await open(page, `<c2-warp></c2-warp>`);
   const ends = await warp(page).evaluate(async (element) => {
     const load = (source: string) =>
@@ -281,7 +275,7 @@ test('the newest load wins, and the one before it is told so', async ({ page }) 
   expect(await picture(page)).toBe('fast.png');
 });
 
-test('the newest src wins, and a load over the src that the element begins with', async ({ page }) => {
+test('the newest src wins, and a load wins over the initial src', async ({ page }) => {
   const slow = await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
   await warp(page).evaluate((element) => element.setAttribute('src', '/fast.png'));
   await expect.poll(() => heard(page)).toEqual(expect.arrayContaining(['ready', 'load']));
@@ -301,7 +295,7 @@ test('the newest src wins, and a load over the src that the element begins with'
   expect(await picture(page)).toBe('fast.png');
 });
 
-test('what is being loaded ends with the element, whether it comes back or not', async ({ page }) => {
+test('removal of the element aborts a load, even if it is reinserted', async ({ page }) => {
   await open(page, `<c2-warp></c2-warp>`);
   const ends = await warp(page).evaluate(async (element) => {
     const ends: string[] = [];
@@ -322,9 +316,7 @@ test('what is being loaded ends with the element, whether it comes back or not',
   expect(ends).toEqual(['AbortError', 'AbortError']);
 });
 
-test('a new src is opened also where the element is moved before it comes, or is on no page', async ({
-  page,
-}) => {
+test('a new src opens although the element was moved or detached', async ({ page }) => {
   const slow = await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   await warp(page).evaluate(async (element) => {
@@ -343,7 +335,7 @@ test('a new src is opened also where the element is moved before it comes, or is
   await expect.poll(() => picture(page)).toBe('fast.png');
 });
 
-test('moved without a new src, it keeps what is open', async ({ page }) => {
+test('a moved element without a new src keeps its work', async ({ page }) => {
   const slow = await open(page, `<c2-warp src="/slow.png"></c2-warp>`);
   await slow.comes();
   await expect.poll(() => heard(page)).toContain('load');
@@ -355,7 +347,7 @@ test('moved without a new src, it keeps what is open', async ({ page }) => {
   expect(await picture(page)).toBe('fast.png');
 });
 
-test('without a picture it is ready, tells of none, and has none to give', async ({ page }) => {
+test('without a picture it is ready, fires no load and rejects exports', async ({ page }) => {
   await open(page, `<c2-warp></c2-warp>`);
   await expect.poll(() => heard(page)).toEqual(['ready']);
   const refusals = await warp(page).evaluate(async (element) => {
@@ -370,9 +362,7 @@ test('without a picture it is ready, tells of none, and has none to give', async
   expect(refusals[1]).toContain('no picture');
 });
 
-test('a project that is set before the element is on a page, or known, is for its picture', async ({
-  page,
-}) => {
+test('properties set before insertion or upgrade apply to the picture', async ({ page }) => {
   const json = JSON.stringify(PROJECT);
   await open(
     page,
@@ -399,9 +389,7 @@ test('a project that is set before the element is on a page, or known, is for it
   expect(await warp(page).evaluate(told)).toEqual([[['middle', [30, 24]]], ['middle']]);
 });
 
-test('a project that is set before there is a picture waits for the one that a person brings', async ({
-  page,
-}) => {
+test('a project set without a picture waits for a picture of the user', async ({ page }) => {
   await open(page, '<c2-warp></c2-warp>');
   await expect.poll(() => heard(page)).toContain('ready');
   const editor = new Editor(page);
@@ -432,7 +420,7 @@ test('a project that is set before there is a picture waits for the one that a p
   await expect(editor.handles).toHaveCount(0);
 });
 
-test('what no project can be is refused with the key, and shows nothing of it', async ({ page }) => {
+test('an invalid project is rejected with the key, and nothing changes', async ({ page }) => {
   const slow = await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
   await slow.comes();
   await expect.poll(() => heard(page)).toContain('load');
@@ -463,7 +451,7 @@ test('what no project can be is refused with the key, and shows nothing of it', 
   ]);
 });
 
-test('a picture and a project that are set one after the other belong together', async ({ page }) => {
+test('src and project set one after the other open together', async ({ page }) => {
   await open(page, `<c2-warp src="/fast.png"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   await page.route('**/other.png', (route) => route.fulfill(file(64)));
@@ -477,15 +465,15 @@ test('a picture and a project that are set one after the other belong together',
   });
   await expect.poll(() => handles(page)).toBe('far');
   expect(await picture(page)).toBe('other.png');
-  // Once it is solved.
+  // Waits for the solution.
   const selection = () => warp(page).evaluate((element) => (element as C2Warp).selection.join());
   await expect.poll(selection).toBe('far');
-  // It came with the picture, and is no step that could be undone.
+  // The project came with the picture, so it is no undo step.
   await warp(page).evaluate((element) => (element as C2Warp).undo());
   expect(await handles(page)).toBe('far');
 });
 
-test('a project that was set waits until it is used, or another comes with a picture', async ({ page }) => {
+test('a waiting project is kept until used or replaced', async ({ page }) => {
   const slow = await open(page, `<c2-warp></c2-warp>`);
   await page.evaluate((project) => {
     const warp = document.querySelector('c2-warp') as C2Warp;
@@ -521,7 +509,7 @@ test('a project that was set waits until it is used, or another comes with a pic
   expect(ends).toEqual(['picture ', 'middle', 'other']);
 });
 
-test('what cannot be loaded does not end what comes back with the element', async ({ page }) => {
+test('a failed load does not stop the work restored after a move', async ({ page }) => {
   await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   const end = await warp(page).evaluate(async (element) => {
@@ -536,7 +524,7 @@ test('what cannot be loaded does not end what comes back with the element', asyn
   expect(await picture(page)).toBe('fast.png');
 });
 
-test('a selection that the page sets ends a drag, which stays', async ({ page }) => {
+test('a selection set by the page ends a drag and keeps its result', async ({ page }) => {
   const editor = new Editor(page);
   await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
@@ -555,21 +543,21 @@ test('a selection that the page sets ends a drag, which stays', async ({ page })
   await expect(editor.button('Undo: move middle')).toBeEnabled();
 });
 
-test('no tool has the name of something else', async ({ page }) => {
+test('names of Object properties are no tools', async ({ page }) => {
   const editor = new Editor(page);
   await open(page, `<c2-warp src="/fast.png" project="/project.json" tool="constructor"></c2-warp>`);
   await editor.handle('middle').click();
   await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('a picture in its address has no name of it', async ({ page }) => {
+test('a picture in a data URL gets a default name', async ({ page }) => {
   const address = `data:image/png;base64,${square(48).toString('base64')}`;
   await open(page, `<c2-warp src="${address}"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   expect(await picture(page)).toBe('picture.png');
 });
 
-test('a key set later keeps what is open from then on', async ({ page }) => {
+test('an autosave key set later stores the open work from then on', async ({ page }) => {
   await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   await warp(page).evaluate((element) => {

@@ -1,4 +1,4 @@
-/** The overlays of cells and of coverage: what they show, and that they go along with the picture and the handles. */
+/** The overlays of cells and coverage: content, and updates with picture and handles. */
 import type { Locator } from '@playwright/test';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -11,22 +11,20 @@ async function overlay(editor: Editor, name: string): Promise<void> {
   await editor.page.keyboard.press('Escape');
 }
 
-/** The line of the borders, which lies over its pale casing. */
+/** The line of the borders, without its pale casing. */
 const borders = (editor: Editor): Locator => editor.page.locator('.marks path.cells').last();
 
 const line = async (editor: Editor): Promise<string> => (await borders(editor).getAttribute('d')) ?? '';
 
 const pieces = async (editor: Editor): Promise<number> => (await line(editor)).split('M').length - 1;
 
-test('cells are divided by lines that go along with a drag, and by others once there is another handle', async ({
-  page,
-}) => {
+test('cell borders follow a drag, and change with another handle', async ({ page }) => {
   const editor = await Editor.open(page);
   await overlay(editor, 'Cells');
   await expect(borders(editor)).toBeAttached();
   const before = await line(editor);
   const count = await pieces(editor);
-  // Of a hundred cells each has some twenty pieces at the least.
+  // Each of a hundred cells has at least some twenty pieces.
   expect(count).toBeGreaterThan(1000);
 
   const hand = await editor.place('left hand');
@@ -51,14 +49,14 @@ test('cells are divided by lines that go along with a drag, and by others once t
   await expect.poll(() => pieces(editor)).toBeGreaterThan(1000);
   expect(await line(editor)).not.toBe(before);
 
-  // Those of the solution before are asked for again.
+  // The borders of the earlier solution are requested again.
   await editor.solves(() => editor.button('Undo').click());
   await expect.poll(() => line(editor)).toBe(before);
   await overlay(editor, 'Cells');
   await expect(borders(editor)).toHaveCount(0);
 });
 
-test('coverage has a legend, and one heat map takes the place of the other', async ({ page }) => {
+test('coverage has a legend, and one heat map replaces the other', async ({ page }) => {
   const editor = await Editor.open(page);
   const plain = await editor.look(await editor.place('head'), 30);
   const legend = page.getByRole('img', { name: /moved by few handles/ });

@@ -1,4 +1,4 @@
-/** `<c2-warp play>` in somebody's article: people pose the handles that are there, and everything else is the page's. */
+/** `<c2-warp play>` in an article: readers pose the existing handles, and all other input belongs to the page. */
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Place, type Told } from './editor';
@@ -21,13 +21,13 @@ class Rig {
   static async open(page: Page): Promise<Rig> {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.goto('/article/');
-    // Adopted, as the policy that the page is served under refuses a style element.
+    // Adopted, since the policy of the page forbids style elements.
     await page.evaluate(() => {
       const column = new CSSStyleSheet();
       column.replaceSync('body { max-width: 600px; margin: 0 auto } c2-warp { width: 340px }');
       document.adoptedStyleSheets = [column];
       Object.assign(globalThis, { left: [] });
-      // Whatever nobody has prevented by now is the page's.
+      // Events that nobody has prevented by now belong to the page.
       for (const type of ['keydown', 'wheel', 'contextmenu', 'dragover', 'drop', 'paste', 'touchstart'])
         document.addEventListener(
           type,
@@ -84,7 +84,7 @@ class Rig {
 
 const scrolled = (page: Page) => page.evaluate(() => Math.round(scrollY));
 
-/** What the page has got of events since it was last asked. */
+/** Returns the events that reached the page since the last call. */
 const left = (page: Page) => page.evaluate(() => (Reflect.get(globalThis, 'left') as string[]).splice(0));
 
 const by = ({ x, y }: Place, dx: number, dy: number): Place => ({ x: x + dx, y: y + dy });
@@ -96,16 +96,14 @@ async function drag(page: Page, from: Place, to: Place): Promise<void> {
   await page.mouse.up();
 }
 
-/** Beside the figure: within the stage, where nothing is to be held. */
+/** A point on the stage beside the figure, without handles. */
 const beside = async (rig: Rig) => by(await rig.place('head'), 110, 0);
 
-/** Two frames: one to pose, one to be shown. */
+/** Waits two frames: one to pose, one to show. */
 const drawn = (page: Page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-test('a rig is the picture and its handles alone, as high as the picture, on the page itself', async ({
-  page,
-}) => {
+test('a rig shows picture and handles only, with the picture’s height', async ({ page }) => {
   const rig = await Rig.open(page);
   await expect(rig.element.getByRole('button')).toHaveCount(5);
   await expect(rig.element.locator('.top, .tools, .panel, .status, .draft-bar, .notice')).toHaveCount(0);
@@ -125,9 +123,7 @@ test('a rig is the picture and its handles alone, as high as the picture, on the
   await expect.poll(async () => (await page.locator('#second').boundingBox())?.height).toBe(200);
 });
 
-test('a hand is dragged, turned by its ring, nudged and taken back, and nothing else is', async ({
-  page,
-}) => {
+test('a hand can be dragged, turned, nudged and undone', async ({ page }) => {
   const rig = await Rig.open(page);
   const second = await new Rig(page, 'second').project();
   const hand = await rig.place('right hand');
@@ -136,7 +132,7 @@ test('a hand is dragged, turned by its ring, nudged and taken back, and nothing 
   expect(raised.y).toBeLessThan(450);
   await expect(rig.handle('right hand')).toBeFocused();
   await expect(rig.element.getByText('Drag a hand')).toBeHidden();
-  // No mark of where it was: that is for editors.
+  // No mark of the rest position: only the editor shows it.
   await expect(rig.element.locator('.rest')).toHaveCount(0);
 
   const now = await rig.place('right hand');
@@ -157,9 +153,7 @@ test('a hand is dragged, turned by its ring, nudged and taken back, and nothing 
   expect(await new Rig(page, 'second').project()).toBe(second);
 });
 
-test('what is dragged out of the rig comes into view again, and undone all is as large as before', async ({
-  page,
-}) => {
+test('a handle dragged out of view is fitted; undo restores the size', async ({ page }) => {
   const rig = await Rig.open(page);
   const [hand, foot] = [await rig.place('right hand'), await rig.place('left foot')];
   await drag(page, hand, by(hand, 150, -60));
@@ -170,7 +164,7 @@ test('what is dragged out of the rig comes into view again, and undone all is as
   await expect.poll(() => rig.place('left foot')).toEqual(foot);
 });
 
-test('the wheel scrolls the page, also with Ctrl, and the view stands still', async ({ page }) => {
+test('the wheel scrolls the page, also with Ctrl, and the view stays', async ({ page }) => {
   const rig = await Rig.open(page);
   const before = await scrolled(page);
   const [head, hand] = [await rig.place('head'), await rig.place('right hand')];
@@ -186,9 +180,7 @@ test('the wheel scrolls the page, also with Ctrl, and the view stands still', as
     .toBeCloseTo(hand.y + before, 0);
 });
 
-test('a press beside the handles lets go of them, a drag there is nothing, and the menu is the browser’s', async ({
-  page,
-}) => {
+test('a press beside the handles deselects; drag and menu are the page’s', async ({ page }) => {
   const rig = await Rig.open(page);
   const empty = await beside(rig);
   await rig.handle('head').click();
@@ -211,9 +203,7 @@ test('a press beside the handles lets go of them, a drag there is nothing, and t
   expect(await rig.project()).toBe(project);
 });
 
-test('a right click on a handle offers to reset it, and beside handles it is the page’s', async ({
-  page,
-}) => {
+test('a right click on a handle opens the menu; keys open none elsewhere', async ({ page }) => {
   const rig = await Rig.open(page);
   const at = await rig.place('right hand');
   await drag(page, at, by(at, 0, -20));
@@ -230,9 +220,7 @@ test('a right click on a handle offers to reset it, and beside handles it is the
   await expect(page.getByRole('menu')).toHaveCount(0);
 });
 
-test('nothing is placed, drawn, given corners, deleted or reordered, whatever the tool says', async ({
-  page,
-}) => {
+test('nothing is placed, drawn, deleted or reordered with any tool', async ({ page }) => {
   const rig = await Rig.open(page);
   await rig.set({ tool: 'point' });
   await rig.element.evaluate((element) => {
@@ -251,11 +239,11 @@ test('nothing is placed, drawn, given corners, deleted or reordered, whatever th
   await left(page);
   const keys = ['v', 'p', 'b', 'g', 'h', 'c', 'x', '[', ']', '0', '1', '+', '-', 'Delete', 'Backspace'];
   for (const key of keys) await page.keyboard.press(key);
-  // What browsers do by these is no matter of the test.
+  // Prevents the browser's own shortcuts during the test.
   await page.evaluate(() => addEventListener('keydown', (event) => event.preventDefault()));
   for (const key of ['o', 's', 'e', 'p']) await page.keyboard.press(`Control+${key}`);
   const pressed = (await left(page)).filter((type) => type === 'keydown');
-  // With that of Ctrl itself.
+  // Four combinations, each with the key of Ctrl itself.
   expect(pressed).toHaveLength(keys.length + 8);
   expect(await rig.project()).toBe(project);
 
@@ -275,9 +263,7 @@ test('nothing is placed, drawn, given corners, deleted or reordered, whatever th
   expect(await rig.project()).toBe(project);
 });
 
-test('by keys alone: Tab comes to the handles and goes on, and keys that move nothing scroll the page', async ({
-  page,
-}) => {
+test('Tab passes through the handles, and unused keys scroll the page', async ({ page }) => {
   const rig = await Rig.open(page);
   await page.evaluate(() => scrollTo(0, 0));
   await page.keyboard.press('Tab');
@@ -310,7 +296,7 @@ test('by keys alone: Tab comes to the handles and goes on, and keys that move no
     await page.keyboard.press(key);
     return scrolled(page);
   };
-  // Chromium at work on a picture now and then misses a scroll by a key so short.
+  // A busy Chromium sometimes misses a scroll by a short key press.
   await expect.poll(() => pressed('ArrowDown')).toBeGreaterThan(before);
   for (let k = 0; k < 5; k++) await page.keyboard.press('Tab');
   await expect(new Rig(page, 'second').handle('head')).toBeFocused();
@@ -321,12 +307,12 @@ test('by keys alone: Tab comes to the handles and goes on, and keys that move no
   await expect.poll(() => pressed('Shift+Space')).toBeLessThan(at - 100);
 });
 
-test('switched on and off in the midst of a drag, it takes that back and goes on', async ({ page }) => {
+test('switching play mode during a drag reverts the drag', async ({ page }) => {
   const rig = await Rig.open(page);
   const tools = rig.element.locator('.tools');
   await rig.set({ tool: 'point' });
   for (const play of [false, true, false]) {
-    // The last drag may have ended over a tool, whose tooltip would lie over the hand.
+    // The last drag may have ended over a tool, whose tooltip would cover the hand.
     await page.mouse.move(1, 1);
     const hand = await rig.place('left hand');
     await page.mouse.move(hand.x, hand.y);
@@ -341,7 +327,7 @@ test('switched on and off in the midst of a drag, it takes that back and goes on
     if (play) await expect(tools).toHaveCount(0);
     else await expect(tools).toBeVisible();
   }
-  // The tool that the page names is in hand again.
+  // The tool of the attribute is selected again.
   await expect(rig.element.getByRole('button', { name: 'Add a point handle' })).toHaveAttribute(
     'aria-pressed',
     'true',
@@ -349,7 +335,7 @@ test('switched on and off in the midst of a drag, it takes that back and goes on
   await expect(rig.element.getByRole('button', { name: 'Undo' }).first()).toBeDisabled();
 });
 
-test('what was shown and drawn in the editor is not there while it plays', async ({ page }) => {
+test('overlays and drafts of the editor are hidden in play mode', async ({ page }) => {
   const rig = await Rig.open(page);
   await rig.set({ play: false });
   await rig.element.evaluate((element: HTMLElement) => {
@@ -373,7 +359,7 @@ test('what was shown and drawn in the editor is not there while it plays', async
   expect(head.y).toBeCloseTo(y + 16 + 260 * scale, 0);
 });
 
-test('readonly, it is as an image that the page poses', async ({ page }) => {
+test('a readonly rig is an image that only the page poses', async ({ page }) => {
   const rig = await Rig.open(page);
   const label = page.getByRole('img', { name: 'Picture gingerbread.png' });
   await rig.element.evaluate((element) => {
@@ -405,7 +391,7 @@ test('readonly, it is as an image that the page poses', async ({ page }) => {
   await expect(rig.handles).toHaveCount(5);
 });
 
-test('another picture is opened by the page, and what goes wrong is said', async ({ page }) => {
+test('the page opens another picture, and errors are shown', async ({ page }) => {
   const rig = await Rig.open(page);
   const refused = await rig.element.evaluate((element) => {
     const project = { format: 'c2warp/1', image: { src: '', width: 5, height: 5 }, handles: [] } as const;
@@ -426,7 +412,7 @@ test('another picture is opened by the page, and what goes wrong is said', async
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-  /** Fingers on the glass: one step for each list of places. They rest before they are lifted, or they would throw the page. */
+  /** Sends touches, one step per list of positions. The fingers rest before the end, or the page would scroll on. */
   async function touch(session: CDPSession, steps: readonly (readonly Place[])[]): Promise<void> {
     for (const [index, touchPoints] of steps.entries()) {
       const type = index === 0 ? 'touchStart' : 'touchMove';
@@ -450,14 +436,14 @@ test.describe('by touch', () => {
     expect(await rig.project()).toBe(project);
     expect(await rig.selection()).toEqual(['head']);
 
-    // Nothing is touched before it has come to rest: the view follows what was dragged.
+    // Waits until the view stops: it follows the dragged handle.
     const { still } = rig;
     const at = await still(() => scrolled(page));
     await touch(fingers, upwards(await still(() => rig.place('right hand'))));
     await expect.poll(async () => (await rig.told('right hand')).y).toBeLessThan(350);
     expect(await scrolled(page)).toBe(at);
     expect(await rig.selection()).toEqual(['right-hand']);
-    // By its ring, where no button lies.
+    // Dragged by the ring, away from its buttons.
     const hand = await still(() => rig.place('right hand'));
     const turned = (await rig.told('right hand')).rotation;
     await touch(fingers, [[by(hand, -52, 0)], [by(hand, -40, 34)], [by(hand, -10, 52)], [by(hand, 0, 52)]]);
@@ -471,9 +457,7 @@ test.describe('by touch', () => {
     await expect.poll(() => rig.selection()).toEqual([]);
   });
 
-  test('a finger that stays on a handle offers to reset it, and leaves the page where it is', async ({
-    page,
-  }) => {
+  test('a long press on a handle opens the menu and does not scroll the page', async ({ page }) => {
     const rig = await Rig.open(page);
     const fingers = await page.context().newCDPSession(page);
     const at = await rig.still(() => rig.place('right hand'));
@@ -487,7 +471,7 @@ test.describe('by touch', () => {
     await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 50);
   });
 
-  test('two fingers are the page’s, and take back what one began', async ({ page }) => {
+  test('two fingers belong to the page, and revert the drag of the first', async ({ page }) => {
     const rig = await Rig.open(page);
     const fingers = await page.context().newCDPSession(page);
     const project = await rig.project();
@@ -504,7 +488,7 @@ test.describe('by touch', () => {
     expect(await page.evaluate(() => visualViewport?.scale)).toBe(1);
 
     const empty = await beside(rig);
-    // Chromium takes two fingers for a pinch that are some way apart.
+    // Chromium recognizes a pinch only if the fingers are some way apart.
     const [a, b] = [by(empty, 0, -60), by(empty, 0, 200)];
     await touch(fingers, [[a, b], ...[15, 30, 45, 60].map((d) => [by(a, 0, -d), by(b, 0, d)])]);
     await expect.poll(() => page.evaluate(() => visualViewport?.scale ?? 1)).toBeGreaterThan(1.2);

@@ -1,14 +1,14 @@
-/** The heat map of how far the selected handles reach: where it is hot and cold, and when there is none. */
+/** The heat map of the reach of selected handles: hot and cold areas, and its visibility. */
 import { decode } from 'fast-png';
 import { apart, Editor, type Place, SAME } from './editor';
 import { expect, test } from './fixtures';
 
-/** From a handle, within its ring. */
+/** A radius around a handle, inside its ring. */
 const RADIUS = 9;
 
 type Colour = readonly [red: number, green: number, blue: number];
 
-/** The mean colour around a place. */
+/** Returns the mean colour around a position. */
 async function colour(editor: Editor, at: Place): Promise<Colour> {
   const { data, channels } = decode(await editor.look(at, RADIUS));
   const mean = (channel: number) => {
@@ -19,7 +19,7 @@ async function colour(editor: Editor, at: Place): Promise<Colour> {
   return [mean(0), mean(1), mean(2)];
 }
 
-/** As the ramp is at its upper end, over a brown picture. */
+/** Whether a colour is like the upper end of the ramp, over a brown picture. */
 const isHot = ([red, green, blue]: Colour) => red > 190 && green > 180 && blue < 110;
 
 const reachBox = (editor: Editor) => editor.page.getByRole('checkbox', { name: 'Reach' });
@@ -35,9 +35,7 @@ const legend = (editor: Editor) => editor.page.getByRole('img', { name: /yellow 
 const NAMES = ['left hand', 'right hand', 'head', 'left foot', 'right foot'] as const;
 
 for (const mode of ['Rigid', 'Smooth'] as const) {
-  test(`${mode}: what is selected is hot, other handles are cold, and nothing is drawn where nothing is selected`, async ({
-    page,
-  }) => {
+  test(`${mode}: selected handles are hot, others cold; none without selection`, async ({ page }) => {
     const editor = await Editor.open(page);
     if (mode === 'Smooth') await editor.solves(() => editor.button('Smooth').click());
     const places = Object.fromEntries(
@@ -58,7 +56,7 @@ for (const mode of ['Rigid', 'Smooth'] as const) {
     expect(isHot(await colour(editor, places['left hand']))).toBe(true);
     for (const name of NAMES.slice(1)) expect(await changed(name), name).toBeLessThan(6);
 
-    // All that is selected moves together.
+    // The selected handles move together.
     await editor.handle('right foot').click({ modifiers: ['Shift'] });
     expect(isHot(await colour(editor, places['left hand']))).toBe(true);
     expect(isHot(await colour(editor, places['right foot']))).toBe(true);
@@ -70,7 +68,7 @@ for (const mode of ['Rigid', 'Smooth'] as const) {
   });
 }
 
-test('the reach goes along with a drag, and is that of the pose before it ends', async ({ page }) => {
+test('the reach follows a drag, and equals that of the final pose', async ({ page }) => {
   const editor = await Editor.open(page);
   await switchReach(editor);
   const [hand, head] = [await editor.place('right hand'), await editor.place('head')];
@@ -89,13 +87,13 @@ test('the reach goes along with a drag, and is that of the pose before it ends',
   );
   await page.keyboard.press('Control+z');
   await expect.poll(async () => apart(await editor.look(elbow, 40), settled)).toBeGreaterThan(5);
-  // The same again, without letting go.
+  // The same drag again, without the release.
   await raise();
   await expect.poll(async () => apart(await editor.look(elbow, 40), settled)).toBeLessThan(SAME);
   await page.mouse.up();
 });
 
-test('the original and a picture with the overlay off are without it', async ({ page }) => {
+test('the original view and a disabled overlay show no reach', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   const head = await editor.place('head');
@@ -115,7 +113,7 @@ test('the original and a picture with the overlay off are without it', async ({ 
   expect(apart(await editor.look(head, RADIUS), before)).toBeLessThan(SAME);
 });
 
-test('people who only look see the reach of what they choose, by keys alone', async ({ page }) => {
+test('a readonly editor shows the reach of handles selected by keys', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => element.toggleAttribute('readonly', true));
   await editor.button('Overlays').focus();
@@ -132,7 +130,7 @@ test('people who only look see the reach of what they choose, by keys alone', as
   expect(isHot(await colour(editor, await editor.place('head')))).toBe(true);
 });
 
-test('a handle that is just being placed has its reach once it is solved', async ({ page }) => {
+test('a handle being placed shows its reach after the solve', async ({ page }) => {
   const editor = await Editor.open(page);
   await switchReach(editor);
   const [left, right] = [await editor.place('left hand'), await editor.place('right hand')];

@@ -1,4 +1,4 @@
-/** A picture that bends rigidly: handles that turn by themselves, pinning them, and the other way to bend. */
+/** The rigid mode: automatic turns, pinned turns, and the switch to the smooth mode. */
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -13,10 +13,10 @@ const rotationInFile = (editor: Editor, id: string) =>
 
 const turn = async (editor: Editor) => Number(await editor.field('rotation').inputValue());
 
-test('a dragged hand turns by itself, and its field tells how far', async ({ page }) => {
+test('a dragged hand turns automatically, and its field shows the turn', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
-  // The arm points up now: against the clock.
+  // The arm points up now: the turn is counterclockwise.
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
   await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
@@ -28,7 +28,7 @@ test('a dragged hand turns by itself, and its field tells how far', async ({ pag
   await expect.poll(() => turn(editor)).toBeCloseTo(0, 1);
 });
 
-test('pinned, a hand keeps its turn wherever it goes, until it is freed', async ({ page }) => {
+test('a pinned hand keeps its turn until the automatic turn is back on', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
@@ -46,7 +46,7 @@ test('pinned, a hand keeps its turn wherever it goes, until it is freed', async 
   await expect.poll(() => turn(editor)).toBe(shown);
 });
 
-test('the ring takes an automatic turn on from where it is', async ({ page }) => {
+test('the ring continues from the automatic turn', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
@@ -57,7 +57,7 @@ test('the ring takes an automatic turn on from where it is', async ({ page }) =>
   await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'false');
 });
 
-test('another way to bend is one click and one undo step', async ({ page }) => {
+test('the bending mode changes with one click and one undo step', async ({ page }) => {
   const editor = await Editor.open(page);
   const settings = () =>
     page.locator('c2-warp').evaluate((element) => {
@@ -82,9 +82,7 @@ test('another way to bend is one click and one undo step', async ({ page }) => {
   await expect.poll(() => settings()).toEqual(['rigid', 200, 'smooth']);
 });
 
-test('how the picture bends is folded up while something is selected, and opens at a press or a key', async ({
-  page,
-}) => {
+test('bending settings collapse with a selection; press and key open them', async ({ page }) => {
   const editor = await Editor.open(page);
   const smooth = page.getByRole('button', { name: 'Smooth', exact: true });
   await expect(smooth).toBeVisible();
@@ -104,7 +102,7 @@ test('how the picture bends is folded up while something is selected, and opens 
   await expect(smooth).toBeVisible();
 });
 
-test('turns are kept rigid at a switch, as one step that solves nothing', async ({ page }) => {
+test('a switch keeps turns rigid, as one step without a solve', async ({ page }) => {
   const editor = await Editor.open(page);
   const project = () =>
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);

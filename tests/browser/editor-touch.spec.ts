@@ -1,4 +1,4 @@
-/** The editor under fingers, on a phone. */
+/** The editor by touch, on a phone. */
 import type { CDPSession, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Place } from './editor';
@@ -6,7 +6,7 @@ import { expect, test } from './fixtures';
 
 test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-/** Fingers on the glass: one step for each list of places. */
+/** Sends touches, one step per list of positions. */
 async function touch(session: CDPSession, steps: readonly (readonly Place[])[]): Promise<void> {
   for (const [index, touchPoints] of steps.entries()) {
     const type = index === 0 ? 'touchStart' : 'touchMove';
@@ -21,7 +21,7 @@ async function touch(session: CDPSession, steps: readonly (readonly Place[])[]):
 const fingers = (page: Page) => page.context().newCDPSession(page);
 const beside = ({ x, y }: Place, dx: number, dy: number): Place => ({ x: x + dx, y: y + dy });
 
-test('one finger drags a hand, and the sheet tells its numbers at a press', async ({ page }) => {
+test('one finger drags a hand, and the sheet shows numbers on request', async ({ page }) => {
   const editor = await Editor.open(page);
   const hand = await editor.place('right hand');
   await touch(await fingers(page), [[hand], [beside(hand, -10, -30)], [beside(hand, -20, -60)]]);
@@ -34,7 +34,7 @@ test('one finger drags a hand, and the sheet tells its numbers at a press', asyn
   await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
-test('two fingers navigate and never edit, even where the first lies on a handle', async ({ page }) => {
+test('two fingers navigate and never edit, even on a handle', async ({ page }) => {
   const editor = await Editor.open(page);
   const [hand, zoom] = [await editor.place('right hand'), await editor.zoom()];
   const second = beside(hand, -120, 40);
@@ -49,7 +49,7 @@ test('two fingers navigate and never edit, even where the first lies on a handle
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
-test('a second finger takes back a handle that the first has just placed', async ({ page }) => {
+test('a second finger removes a handle that the first just placed', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Add a point handle').tap();
   await expect(editor.button('Add a point handle')).toHaveAttribute('aria-pressed', 'true');
@@ -60,7 +60,7 @@ test('a second finger takes back a handle that the first has just placed', async
   await expect(editor.handles).toHaveCount(6);
 });
 
-test('the sheet keeps clear of what is selected, and out of the way of a drag', async ({ page }) => {
+test('the sheet does not cover the selection, and hides during a drag', async ({ page }) => {
   const editor = await Editor.open(page);
   const sheet = page.getByRole('region', { name: 'Properties' });
   const opaque = () => sheet.evaluate((element) => Number(getComputedStyle(element).opacity));
@@ -94,7 +94,7 @@ test('the sheet keeps clear of what is selected, and out of the way of a drag', 
   await expect.poll(opaque).toBe(1);
 });
 
-test('how the picture bends can be chosen while a handle is selected', async ({ page }) => {
+test('the bending mode can be changed while a handle is selected', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
   await editor.button('How the picture bends').tap();
@@ -106,7 +106,7 @@ test('how the picture bends can be chosen while a handle is selected', async ({ 
   await expect(page.getByRole('heading', { name: 'Left hand' })).toBeVisible();
 });
 
-test('a tap is for the stage alone, and not for what it brings up under the finger', async ({ page }) => {
+test('a tap on the stage does not click controls that appear under it', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.evaluate(() => {
     const clicks: string[] = [];
@@ -116,7 +116,7 @@ test('a tap is for the stage alone, and not for what it brings up under the fing
     });
   });
   const heard = () => page.evaluate(() => (Reflect.get(globalThis, 'clicks') as string[]).length);
-  /** The click of a tap comes some time after the finger has gone. */
+  /** Browsers send the click of a tap some time after the touch ends. */
   const zoomIn = async () => {
     const zoom = await editor.zoom();
     await editor.button('Zoom in').tap();
@@ -126,10 +126,10 @@ test('a tap is for the stage alone, and not for what it brings up under the fing
   await zoomIn();
   await zoomIn();
   const before = await heard();
-  // On a leg, where the bin will be.
+  // On a leg, where the delete button appears.
   await page.touchscreen.tap(353, 627);
   await expect(editor.handles).toHaveCount(6);
-  // Taps are answered in turn: one that is to click has done so after all that came before it.
+  // Taps are handled in order, so earlier clicks have arrived after this one.
   await zoomIn();
   expect(await heard()).toBe(before + 1);
 });
@@ -148,7 +148,7 @@ const small = async (page: Page): Promise<string[]> => {
   return found;
 };
 
-test('every control is a finger wide, and tools lie at the bottom', async ({ page }) => {
+test('every control is at least 44 px, and tools are at the bottom', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
   await editor.button('Numbers').tap();
@@ -158,9 +158,7 @@ test('every control is a finger wide, and tools lie at the bottom', async ({ pag
   expect(tools?.y).toBeGreaterThan(600);
 });
 
-test('on a phone held sideways every control is a finger wide too, and no field makes the browser zoom in', async ({
-  page,
-}) => {
+test('on a sideways phone controls are 44 px, and fields cause no zoom', async ({ page }) => {
   await page.setViewportSize({ width: 844, height: 390 });
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
@@ -169,9 +167,7 @@ test('on a phone held sideways every control is a finger wide too, and no field 
   await expect(editor.field('x')).toHaveCSS('font-size', '16px');
 });
 
-test('the sheet of a bar has its buttons in one row, the bin last, and room for every number', async ({
-  page,
-}) => {
+test('the sheet of a bar has one row of buttons, and room for all numbers', async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => {
@@ -195,7 +191,7 @@ test('the sheet of a bar has its buttons in one row, the bin last, and room for 
   }
 });
 
-test('the keyboard on the glass moves nothing, and leaves the numbers in sight', async ({ page }) => {
+test('the on-screen keyboard moves nothing and leaves the numbers visible', async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
   const editor = await Editor.open(page);
   await editor.handle('head').tap();
@@ -216,9 +212,7 @@ test('the keyboard on the glass moves nothing, and leaves the numbers in sight',
 });
 
 for (const width of [320, 390]) {
-  test(`at ${width} px the bar above has room for all its buttons, each as wide as the next`, async ({
-    page,
-  }) => {
+  test(`at ${width} px the toolbar fits all its buttons, with equal widths`, async ({ page }) => {
     await page.setViewportSize({ width, height: 640 });
     await Editor.open(page);
     const buttons = page.locator('c2-warp .top .button:visible');

@@ -1,4 +1,4 @@
-/** Opening and writing pictures: exact bytes, and a clear sentence for everything that is no whole picture. */
+/** Opening and writing pictures: exact bytes, and clear errors for invalid files. */
 import { expect, test } from './fixtures';
 
 test.beforeEach(async ({ page }) => {
@@ -7,23 +7,21 @@ test.beforeEach(async ({ page }) => {
 
 for (const [title, rounds] of [
   ['a PNG', false],
-  ['where bitmaps round colours, a PNG', true],
+  ['with bitmaps that round colours, a PNG', true],
 ] as const)
-  test(`${title} keeps its bytes, also under transparent pixels, through reading and writing`, async ({
-    page,
-  }) => {
+  test(`${title} keeps its bytes when read and written`, async ({ page }) => {
     const differing = await page.evaluate(async (rounds) => {
-      // As WebKit does: what is asked for as it is has been premultiplied.
+      // As in WebKit: bitmaps requested without premultiplying were premultiplied before.
       const create = globalThis.createImageBitmap.bind(globalThis);
       const premultiplied = (source: ImageBitmapSource) =>
         create(source, { premultiplyAlpha: 'premultiply' });
       if (rounds) Object.assign(globalThis, { createImageBitmap: premultiplied });
-      // Wider than one tile of the reader, and every value of every channel.
+      // Wider than one tile of the reader, with every value of every channel.
       const [width, height] = [2100, 3];
       const rgba = Uint8Array.from({ length: width * height * 4 }, (_, i) => (i * 7919) >> 3);
       const given = rgba.slice();
       const file = await harness.encodePng(width, height, given);
-      // Hundreds of megabytes are moved, not copied.
+      // Hundreds of megabytes must be transferred, not copied.
       if (given.length > 0) return -2;
       const picture = await harness.decodePicture(file);
       return picture.width === width && picture.height === height
@@ -37,7 +35,7 @@ for (const browser of ['a photograph', 'a photograph that the browser makes no b
   test(`${browser} is opened upright`, async ({ page }) => {
     const [width, height, decoded] = await page.evaluate(async (makes) => {
       let decoded = 0;
-      // As Firefox does with some EXIF data.
+      // As in Firefox with some EXIF data.
       const create = globalThis.createImageBitmap.bind(globalThis);
       const made = (source: ImageBitmapSource, options: ImageBitmapOptions) => {
         if (source instanceof Blob && !makes) return Promise.reject(new DOMException('not decoded'));
@@ -48,7 +46,7 @@ for (const browser of ['a photograph', 'a photograph that the browser makes no b
       const canvas = new OffscreenCanvas(40, 20);
       canvas.getContext('2d')?.fillRect(0, 0, 20, 20);
       const jpeg = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg' })).arrayBuffer());
-      // An EXIF segment that says: turned by 90°.
+      // An EXIF segment with the orientation: turned by 90°.
       const tiff = [
         0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0,
       ];
@@ -58,11 +56,11 @@ for (const browser of ['a photograph', 'a photograph that the browser makes no b
       return [picture.width, picture.height, decoded];
     }, browser === 'a photograph');
     expect([width, height]).toEqual([20, 40]);
-    // It has no alpha, so one bitmap is the shown one and the one whose bytes are read.
+    // A JPEG has no alpha, so one bitmap is both shown and read.
     expect(decoded).toBe(1);
   });
 
-test('a worker that fails to write a PNG goes, and the next one writes', async ({ page }) => {
+test('a PNG worker that fails is replaced', async ({ page }) => {
   const [message, ended, size] = await page.evaluate(async () => {
     let ended = 0;
     const { terminate } = Worker.prototype;
@@ -79,7 +77,7 @@ test('a worker that fails to write a PNG goes, and the next one writes', async (
   expect(size).toBeGreaterThan(50);
 });
 
-test('a picture whose pixels cannot be read is refused, and nothing of it stays open', async ({ page }) => {
+test('a picture with unreadable pixels is rejected, and its bitmaps closed', async ({ page }) => {
   const { message, open } = await page.evaluate(async () => {
     const opened: ImageBitmap[] = [];
     const create = globalThis.createImageBitmap.bind(globalThis) as (blob: Blob) => Promise<ImageBitmap>;
@@ -90,7 +88,7 @@ test('a picture whose pixels cannot be read is refused, and nothing of it stays 
         return bitmap;
       },
     });
-    // As browsers do that have too many contexts, or whose graphics driver fails.
+    // As in browsers with too many contexts or a failing graphics driver.
     const { getContext } = HTMLCanvasElement.prototype;
     Object.assign(HTMLCanvasElement.prototype, {
       getContext(this: HTMLCanvasElement, kind: 'webgl2') {
@@ -112,8 +110,12 @@ test('a picture whose pixels cannot be read is refused, and nothing of it stays 
 
 const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp][] = [
   ['an empty file', () => new Blob([]), /^The file is empty\.$/],
-  ['a text', () => new Blob(['hello, I am no picture']), /^The file is not a picture/],
-  ['a drawing', () => new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>']), /^SVG files have no pixels/],
+  ['a text file', () => new Blob(['hello, I am no picture']), /^The file is not a picture/],
+  [
+    'an SVG drawing',
+    () => new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>']),
+    /^SVG files have no pixels/,
+  ],
   [
     'a PNG cut short',
     async () => (await harness.drawnPicture()).slice(0, 2000),
@@ -145,7 +147,7 @@ const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp
 ];
 
 for (const [title, make, message] of REFUSED) {
-  test(`${title} is refused with one clear sentence`, async ({ page }) => {
+  test(`${title} is rejected with a clear message`, async ({ page }) => {
     const file = await page.evaluateHandle(make);
     const error = await file.evaluate((blob) =>
       harness.decodePicture(blob).then(

@@ -1,4 +1,4 @@
-/** The built element, as other people's pages and packages take it in. */
+/** The built element, as other pages and packages use it. */
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import type { C2Warp } from '../../web/src/element';
@@ -13,10 +13,10 @@ const {
   readFileSync(new URL('../../package.json', import.meta.url), 'utf8'),
 ).exports['.'];
 
-/** Where the server of the tests has what the package names. */
+/** Returns the URL of a file of the package on the test server. */
 const served = (file: string) => file.replace('./web/dist', '');
 
-test('one script and one tag are a working editor', async ({ page }) => {
+test('one script and one tag make a working editor', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.goto('/plain/');
   const editor = new Editor(page);
@@ -30,7 +30,7 @@ test('one script and one tag are a working editor', async ({ page }) => {
   expect(size).toBeGreaterThan(1000);
 });
 
-test('under the least policy it opens, bends and exports', async ({ page }) => {
+test('under the strictest policy it opens, poses and exports', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.addInitScript(() => {
     const violations: string[] = [];
@@ -78,9 +78,7 @@ test.describe('without a policy', () => {
   });
 });
 
-test('a file of the element that is missing is told of, also where a page is in its place', async ({
-  page,
-}) => {
+test('a missing file, or a page in its place, is reported', async ({ page }) => {
   const refused = async () => {
     await page.goto('/plain/');
     await expect(page.getByRole('alert')).toBeVisible();
@@ -96,7 +94,7 @@ test('a file of the element that is missing is told of, also where a page is in 
   expect(await refused()).toContain('/element/c2warp_bg.wasm is not there: a page is, in its place');
 });
 
-test('what a page downloads stays small', async ({ request }) => {
+test('the download of a page stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
   // Compressed, measured in November 2026: 91 and 404.
@@ -104,9 +102,7 @@ test('what a page downloads stays small', async ({ request }) => {
   expect(await kilobytes('c2warp_bg.wasm')).toBeLessThan(420);
 });
 
-test('the package names files that are built, and one that a server of any kind may import', async ({
-  request,
-}) => {
+test('the package’s entries exist, and servers of all kinds can import one', async ({ request }) => {
   expect((await request.get(served(String(ELEMENT)))).ok()).toBe(true);
   expect(Object.keys(SERVERS)).toEqual(['node', 'workerd', 'edge-light']);
   for (const file of new Set(Object.values(SERVERS))) {

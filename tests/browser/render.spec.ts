@@ -1,4 +1,4 @@
-/** The WebGL renderer alone, on meshes whose picture is known. */
+/** The WebGL renderer alone, on meshes with known results. */
 import { expect, test } from './fixtures';
 import { posedByFormula } from './formula';
 
@@ -6,7 +6,7 @@ test.beforeEach(async ({ page }) => {
   await page.goto('/harness/');
 });
 
-test('draws the picture as it is while nothing is solved', async ({ page }) => {
+test('draws the unwarped picture without a solution', async ({ page }) => {
   const differing = await page.evaluate(async () => {
     const { bitmap, rgba } = await harness.decodePicture(await harness.drawnPicture(64));
     const renderer = new harness.Renderer(document.createElement('canvas'));
@@ -20,13 +20,13 @@ test('draws the picture as it is while nothing is solved', async ({ page }) => {
   expect(differing).toBe(0);
 });
 
-test('blends motions by weight, and leaves vertices without weights at rest (eq. 1)', async ({ page }) => {
+test('blends motions by weight, and keeps vertices without weights (eq. 1)', async ({ page }) => {
   const corners = await page.evaluate(async () => {
     const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
     const { bitmap } = await harness.decodePicture(white);
     const renderer = new harness.Renderer(document.createElement('canvas'));
     renderer.setPicture(bitmap);
-    // Two triangles apart: the first blends a shift by (16, 0) at 1/4 with one by (0, 16) at 3/4, the second rests.
+    // Two separate triangles. The first blends a shift by (16, 0) at 1/4 with one by (0, 16) at 3/4; the second rests.
     renderer.setSolution({
       positions: new Float32Array([0, 0, 8, 0, 0, 8, 24, 24, 32, 24, 24, 32]),
       triangles: new Uint32Array([0, 1, 2, 3, 4, 5]),
@@ -45,9 +45,7 @@ test('blends motions by weight, and leaves vertices without weights at rest (eq.
   expect(corners).toEqual([0, 255, 0, 0, 255, 0]);
 });
 
-test('turns clockwise on screen by a positive angle, about the place where the site rests', async ({
-  page,
-}) => {
+test('turns clockwise for positive angles, about the site’s rest position', async ({ page }) => {
   const drawn = await page.evaluate(async () => {
     const rgba = new Uint8Array(16 * 16 * 4);
     // A red mark right of the centre.
@@ -99,7 +97,7 @@ test('leaves no seam between triangles', async ({ page }) => {
   expect(holes).toBe(0);
 });
 
-test('shows single pixels as squares above 400 %, or where a page asks for it', async ({ page }) => {
+test('draws pixels as squares above 400 %, or on request', async ({ page }) => {
   const { row, soft, pixelated } = await page.evaluate(async () => {
     const rgba = Uint8Array.from({ length: 64 }, (_, i) => (i % 4 === 3 || (i >> 2) % 2 ? 255 : 0));
     const { bitmap } = await harness.decodePicture(await harness.encodePng(4, 4, rgba));
@@ -120,7 +118,7 @@ test('shows single pixels as squares above 400 %, or where a page asks for it', 
   expect(soft).not.toEqual(pixelated);
 });
 
-test('draws the same again after the browser took the context away', async ({ page }) => {
+test('draws the same after a context loss', async ({ page }) => {
   const result = await page.evaluate(async () => {
     const { bitmap } = await harness.decodePicture(await harness.drawnPicture(64));
     const canvas = document.createElement('canvas');
@@ -142,7 +140,7 @@ test('draws the same again after the browser took the context away', async ({ pa
     const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve));
     control?.loseContext();
     await lost;
-    // The browser takes note of the wish to get it back only after the event.
+    // The browser allows a restore only after the event.
     await new Promise((resolve) => setTimeout(resolve, 50));
     const whileLost = renderer.lost;
     renderer.draw(view);
@@ -162,9 +160,7 @@ test('draws the same again after the browser took the context away', async ({ pa
   expect(result).toEqual({ whileLost: true, afterwards: false, blank: false, differing: 0 });
 });
 
-test('of many each is shown, in few contexts, also asleep and after the browser took the context away', async ({
-  page,
-}) => {
+test('many renderers share few contexts, and survive sleep and context loss', async ({ page }) => {
   const { contexts, drawn, asleep, woken, restored } = await page.evaluate(async () => {
     const contexts: WebGL2RenderingContext[] = [];
     const { getContext } = HTMLCanvasElement.prototype;
@@ -216,16 +212,14 @@ test('of many each is shown, in few contexts, also asleep and after the browser 
     return { contexts: contexts.length, drawn, asleep, woken, restored: shades() };
   });
   const each = Array.from({ length: 20 }, (_, shade) => shade);
-  // One of them reads pictures.
+  // One of the contexts reads pictures.
   expect(contexts).toBeLessThanOrEqual(6);
   for (const shown of [drawn, asleep, woken, restored]) expect(shown).toEqual(each);
 });
 
-test('draws a heat map from none to yellow, with a line at every tenth and a bold one at the half', async ({
-  page,
-}) => {
+test('draws a heat map with isolines at tenths and a bold one at one half', async ({ page }) => {
   const { row, beside, off, refused } = await page.evaluate(async () => {
-    // Grey on the left four fifths, nothing on the rest.
+    // Grey on the left four fifths, transparent on the rest.
     const rgba = Uint8Array.from(
       { length: 10 * 2 * 4 },
       (_, at) => ((at >> 2) % 10 < 8 ? [128, 128, 128, 255] : [0, 0, 0, 0])[at % 4] ?? 0,
@@ -269,7 +263,7 @@ test('draws a heat map from none to yellow, with a line at every tenth and a bol
   expect(green).toBeGreaterThan(200);
   expect(blue).toBeLessThan(120);
   expect(alpha).toBe(255);
-  /** How far apart the lightest and the darkest are around a place: a line is dark between pale edges. */
+  /** Returns the range of lightness around a position: a line is dark between pale edges. */
   const contrast = (tenth: number) => {
     const lights = [-4, -3, -2, -1, 0, 1, 2, 3].map((by) => light(32 * tenth + by));
     return Math.max(...lights) - Math.min(...lights);
@@ -284,8 +278,8 @@ test('draws a heat map from none to yellow, with a line at every tenth and a bol
 });
 
 for (const blend of ['linear', 'rigid'] as const) {
-  test(`places vertices at 6,000 px to a fiftieth of a pixel by the ${blend} blend`, async ({ page }) => {
-    // Turned and stretched from all corners of a large picture, in a view of 64 px that shows a hundredth of a pixel each.
+  test(`the ${blend} blend is exact to 0.02 px at 6,000 px`, async ({ page }) => {
+    // A large picture, turned and stretched from all corners. Each pixel of the 64 px view is a hundredth of a pixel.
     const motion = (x: number, y: number, angle: number) => {
       const [cos, sin, half] = [Math.cos(angle), Math.sin(angle), angle / 2];
       const linear = [1.1 * cos, 1.1 * sin, -0.9 * sin, 0.9 * cos];
@@ -334,7 +328,7 @@ for (const blend of ['linear', 'rigid'] as const) {
         py,
       },
     );
-    // Every pixel that is farther than two hundredths from both sides at the first corner is as it has to be.
+    // Pixels farther than two hundredths from both sides at the first corner must be exact.
     const side = (to: number, x: number, y: number) => {
       const [dx, dy] = [(posed[2 * to] ?? 0) - px, (posed[2 * to + 1] ?? 0) - py];
       return ((x - px) * dy - (y - py) * dx) / Math.hypot(dx, dy);

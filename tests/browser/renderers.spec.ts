@@ -1,4 +1,4 @@
-/** One picture, two renderers: the WebGL canvas and the solver's own rasteriser draw the same. */
+/** The WebGL canvas and the solver's rasteriser must draw the same picture. */
 import { decode } from 'fast-png';
 import type { Project } from '../../web/src/document/project';
 import { expect, test } from './fixtures';
@@ -14,7 +14,7 @@ function expectAgreement({ mean, close, opaque }: Difference): void {
   expect(close).toBeGreaterThanOrEqual(0.99);
 }
 
-test('the sample picture, bent and shown at half its size', async ({ page }, info) => {
+test('the posed sample picture, at half its size', async ({ page }, info) => {
   const { webgl, cpu } = await page.evaluate(async () => {
     const project: Project = await (await fetch('/samples/gingerbread.c2warp.json')).json();
     const file = await (await fetch('/samples/gingerbread.png')).blob();
@@ -56,7 +56,7 @@ for (const scale of [1, 0.4, 1.7]) {
   });
 }
 
-test('the rigid blend, of turns that are far apart and a stretch', async ({ page }, info) => {
+test('the rigid blend, with very different turns and a stretch', async ({ page }, info) => {
   const { webgl, cpu } = await page.evaluate(async () => {
     const file = await harness.drawnPicture();
     return harness.drawnTwice(
@@ -106,7 +106,7 @@ for (const [nearer, depths] of [
       [...depths] as const,
     );
     expectAgreement(await difference(webgl, cpu, info));
-    // Red of the left leg, blue of the right one, where they cross.
+    // At the crossing, the left leg is red and the right leg blue.
     const { data, width } = decode(Buffer.from(webgl, 'base64'));
     const at = 4 * (Math.round(155 * 1.5) * width + Math.round(128 * 1.5));
     const found = (data[at] ?? 0) > (data[at + 2] ?? 0) ? 'left' : 'right';
@@ -115,7 +115,7 @@ for (const [nearer, depths] of [
 }
 
 for (const held of [false, true]) {
-  test(`a part that rings are drawn around, ${held ? 'held at its boundary' : 'which leaves a gap'}`, async ({
+  test(`a lassoed part, ${held ? 'held at its boundary' : 'with a gap around it'}`, async ({
     page,
   }, info) => {
     const { webgl, cpu } = await page.evaluate(async (held) => {
