@@ -2,7 +2,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import { apart, Editor } from './editor';
+import { Editor, meanDifference } from './editor';
 import { expect, test } from './fixtures';
 
 /** Each step begins in the state that the one before left. */
@@ -41,10 +41,10 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   },
   'a notice is shown over a drawing': async (editor) => {
     await editor.button('Draw a bar').click();
-    const head = await editor.place('head');
+    const head = await editor.position('head');
     await editor.page.mouse.click(head.x, head.y + 40);
     const buffer = Buffer.from('{"format": "c2warp/9"}');
-    await editor.choose({ name: 'newer.c2warp.json', mimeType: 'application/json', buffer });
+    await editor.chooseFile({ name: 'newer.c2warp.json', mimeType: 'application/json', buffer });
     await expect(editor.notice).toBeVisible();
   },
   'the original is shown': async (editor) => {
@@ -218,14 +218,14 @@ test('the focus ring of the stage shows on a picture that fills it', async ({ pa
   await page.keyboard.press('1');
   for (let notch = 0; notch < 3; notch++) await page.keyboard.press('+');
   const edge = async () => {
-    await editor.drawn();
+    await editor.waitFrames();
     const box = await page.locator('c2-warp .stage').boundingBox();
     return page.screenshot({ clip: { x: 0, y: (box?.y ?? 0) + 300, width: 2, height: 100 } });
   };
   const before = await edge();
   await page.keyboard.press('Shift+Tab');
   await expect(page.locator('c2-warp .stage')).toBeFocused();
-  expect(apart(before, await edge())).toBeGreaterThan(20);
+  expect(meanDifference(before, await edge())).toBeGreaterThan(20);
 });
 
 test('the sheet of a small window does not cover a focused tool', async ({ page }) => {

@@ -8,8 +8,8 @@ test('a pose set by the page shows without a step, event or announcement', async
   await editor.dragHandle('head', { x: 10, y: -20 });
   await editor.button('Undo: move head').click();
   const spoken = page.locator('c2-warp .spoken[aria-live]');
-  const before = await editor.still(() => spoken.textContent());
-  const answers = await page.locator('c2-warp').evaluate((element) => {
+  const before = await editor.settled(() => spoken.textContent());
+  const results = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
     const heard: string[] = [];
     for (const type of ['input', 'change', 'selectionchange', 'historychange', 'error'])
@@ -28,7 +28,7 @@ test('a pose set by the page shows without a step, event or announcement', async
     warp.pose(handles);
     return { heard, places, posed: warp.project.handles.slice(1, 3).map(({ posed }) => posed) };
   });
-  expect(answers).toEqual({
+  expect(results).toEqual({
     heard: [],
     places: [
       [890, 500],
@@ -40,7 +40,7 @@ test('a pose set by the page shows without a step, event or announcement', async
       [890, 420],
     ],
   });
-  await expect.poll(() => editor.told('right hand')).toEqual({ x: 890, y: 420, rotation: 10 });
+  await expect.poll(() => editor.shownPose('right hand')).toEqual({ x: 890, y: 420, rotation: 10 });
   expect(await spoken.textContent()).toBe(before);
   await expect(editor.button('Undo')).toBeDisabled();
   await expect(editor.button('Redo: move head')).toBeEnabled();
@@ -80,7 +80,7 @@ test('an invalid pose is rejected and poses no handle', async ({ page }) => {
 
 test('a drag works and can be undone while the page poses all handles', async ({ page }) => {
   const editor = await Editor.open(page);
-  const head = await editor.place('head');
+  const head = await editor.position('head');
   const frames = async (from: number) => {
     for (let frame = from; frame < from + 5; frame++) {
       await page.locator('c2-warp').evaluate((element, frame) => {
@@ -89,7 +89,7 @@ test('a drag works and can be undone while the page poses all handles', async ({
           { id: 'right-hand', posed: [900, 500 - 10 * frame] },
         ]);
       }, frame);
-      await editor.drawn();
+      await editor.waitFrames();
     }
   };
   await page.mouse.move(head.x, head.y);
@@ -98,16 +98,16 @@ test('a drag works and can be undone while the page poses all handles', async ({
   await page.mouse.move(head.x + 10, head.y - 10);
   await frames(5);
   await page.mouse.move(head.x + 20, head.y - 20);
-  const held = await editor.still(() => editor.told('head'));
+  const held = await editor.settled(() => editor.shownPose('head'));
   expect(held.x).toBeGreaterThan(515);
   expect(held.y).toBeLessThan(257);
-  expect(await editor.told('right hand')).toMatchObject({ x: 900, y: 410 });
+  expect(await editor.shownPose('right hand')).toMatchObject({ x: 900, y: 410 });
   await page.mouse.up();
-  await expect.poll(() => editor.told('head')).toEqual(held);
-  expect(await editor.told('right hand')).toMatchObject({ x: 900, y: 410 });
+  await expect.poll(() => editor.shownPose('head')).toEqual(held);
+  expect(await editor.shownPose('right hand')).toMatchObject({ x: 900, y: 410 });
   await editor.button('Undo: move head').click();
-  await expect.poll(() => editor.told('head')).toMatchObject({ x: 512, y: 260 });
-  expect(await editor.told('right hand')).toMatchObject({ x: 900, y: 410 });
+  await expect.poll(() => editor.shownPose('head')).toMatchObject({ x: 512, y: 260 });
+  expect(await editor.shownPose('right hand')).toMatchObject({ x: 900, y: 410 });
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
@@ -117,7 +117,7 @@ test('window and picture coordinates convert both ways in a scaled editor', asyn
     await page.locator('c2-warp').evaluate((element, transform) => {
       Object.assign(element.style, { transform, transformOrigin: '20px 30px' });
     }, transform);
-    const hand = await editor.still(() => editor.place('right hand'));
+    const hand = await editor.settled(() => editor.position('right hand'));
     const { image, client } = await page.locator('c2-warp').evaluate((element, { x, y }) => {
       const warp = element as C2Warp;
       return { image: warp.clientToImage([x, y]), client: warp.imageToClient([900, 516]) };
@@ -153,8 +153,8 @@ test('an export has the pose at the time of the call', async ({ page }) => {
 
 test('an editor out of view draws its pose when it is back in view', async ({ page }) => {
   const editor = await Editor.open(page);
-  const hand = await editor.place('right hand');
-  const before = await editor.look(hand);
+  const hand = await editor.position('right hand');
+  const before = await editor.screenshot(hand);
   const shown = (top: string) =>
     page.locator('c2-warp').evaluate((element, top) => Object.assign(element.style, { top }), top);
   const drawn = (frames: number) =>
@@ -178,9 +178,9 @@ test('an editor out of view draws its pose when it is back in view', async ({ pa
     }, frames);
   await page.locator('c2-warp').evaluate((element) => Object.assign(element.style, { position: 'relative' }));
   await shown('3000px');
-  await editor.drawn();
+  await editor.waitFrames();
   expect(await drawn(10)).toBe(0);
   await shown('0px');
-  await expect.poll(async () => (await editor.look(hand)).equals(before)).toBe(false);
+  await expect.poll(async () => (await editor.screenshot(hand)).equals(before)).toBe(false);
   expect(await drawn(2)).toBeGreaterThan(0);
 });

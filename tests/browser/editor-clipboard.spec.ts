@@ -9,7 +9,7 @@ const clipped = (page: Page) => page.evaluate(() => navigator.clipboard.readText
 const clip = (page: Page, text: string) => page.evaluate((text) => navigator.clipboard.writeText(text), text);
 const copy = (page: Page) => page.keyboard.press('Control+c');
 const paste = (page: Page) => page.keyboard.press('Control+v');
-const posed = async (editor: Editor, id: string) => (await editor.inProject(id))?.posed;
+const posed = async (editor: Editor, id: string) => (await editor.projectHandle(id))?.posed;
 
 test('without a selection all handles are copied; a paste is one step', async ({ page }) => {
   const editor = await Editor.open(page);
@@ -41,7 +41,7 @@ test('the pose of one handle is pasted to it, or to the selected ones', async ({
   await paste(page);
   expect(await posed(editor, 'left-hand')).toEqual([x, y]);
 
-  const [head, foot] = [await editor.place('head'), await editor.place('left foot')];
+  const [head, foot] = [await editor.position('head'), await editor.position('left foot')];
   await page.mouse.click(head.x, head.y);
   await page.keyboard.down('Shift');
   await page.mouse.click(foot.x, foot.y);
@@ -57,7 +57,7 @@ test('the pose of one handle is pasted to it, or to the selected ones', async ({
   // A notice appears if the handle does not exist.
   await page.keyboard.press('Escape');
   await editor.handle('left hand').focus();
-  await editor.solves(() => page.keyboard.press('Delete'));
+  await editor.waitForSolve(() => page.keyboard.press('Delete'));
   await paste(page);
   await expect(page.getByText('There is no handle here for the pose of left hand.')).toBeVisible();
 });
@@ -83,7 +83,7 @@ test('an invalid pose is rejected, and other text is ignored', async ({ page }) 
     await clip(page, text);
     await paste(page);
   }
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(page.locator('c2-warp .notice')).toHaveCount(0);
   await clip(
     page,
@@ -140,7 +140,7 @@ test('on other pages the element uses the clipboard only while focused', async (
   await page.keyboard.press('Control+z');
   await page.getByText('words', { exact: true }).focus();
   await paste(page);
-  await editor.drawn();
+  await editor.waitFrames();
   expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
   await page.getByText('words', { exact: true }).selectText();
   await editor.handle('left hand').focus();
@@ -158,7 +158,7 @@ test('on other pages the element uses the clipboard only while focused', async (
   await page.keyboard.press('Control+z');
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
   await paste(page);
-  await editor.drawn();
+  await editor.waitFrames();
   expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
   await page.locator('c2-warp').evaluate((element) => element.removeAttribute('readonly'));
 

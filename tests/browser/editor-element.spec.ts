@@ -2,9 +2,9 @@
 import type { Page } from '@playwright/test';
 import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
-import { Answers } from './answers';
-import { apart, Editor } from './editor';
+import { Editor, meanDifference } from './editor';
 import { expect, test } from './fixtures';
+import { WorkerReplies } from './worker_replies';
 
 /** Returns the mean of red minus blue in a part of the drawing, in 255ths. */
 function warmth(png: Buffer): number {
@@ -48,7 +48,7 @@ test('only input and change bubble, as with form controls', async ({ page }) => 
 
 test('methods have the same effects as tools', async ({ page }) => {
   const editor = await Editor.open(page);
-  const answers = await page.locator('c2-warp').evaluate(async (element) => {
+  const results = await page.locator('c2-warp').evaluate(async (element) => {
     const warp = element as C2Warp;
     const id = warp.addHandle({ kind: 'point', rest: [512, 700], posed: [512, 700] });
     warp.updateHandle('head', { rotation: 20 });
@@ -73,7 +73,7 @@ test('methods have the same effects as tools', async ({ page }) => {
       left: warp.project.handles.length,
     };
   });
-  expect(answers).toEqual({
+  expect(results).toEqual({
     id: 'handle-1',
     handles: ['head', 'left-hand', 'right-hand', 'left-foot', 'right-foot', 'handle-1'],
     selection: ['head'],
@@ -82,7 +82,7 @@ test('methods have the same effects as tools', async ({ page }) => {
     grown: [true, 320],
     left: 5,
   });
-  await expect.poll(async () => (await editor.told('head')).rotation).toBe(0);
+  await expect.poll(async () => (await editor.shownPose('head')).rotation).toBe(0);
 });
 
 test('invalid handles throw at once and add no step', async ({ page }) => {
@@ -161,7 +161,7 @@ test('rejected input reaches the page as an error with a code', async ({ page })
 test('removal releases the context; reinsertion restores the document', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 10, y: -40 });
-  const told = await editor.still(() => editor.told('right hand'));
+  const told = await editor.settled(() => editor.shownPose('right hand'));
   const lost = await page.locator('c2-warp').evaluate(async (element) => {
     const canvas = element.shadowRoot?.querySelector('canvas');
     const context = canvas?.getContext('webgl2');
@@ -172,9 +172,9 @@ test('removal releases the context; reinsertion restores the document', async ({
   });
   expect(lost).toBe(true);
   await expect(editor.handles).toHaveCount(5);
-  await expect.poll(() => editor.told('right hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('right hand')).toEqual(told);
   await editor.button('Undo: move right hand').click();
-  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
 test('elements that are created and removed leave no resources', async ({ page }) => {
@@ -203,7 +203,7 @@ test('elements that are created and removed leave no resources', async ({ page }
 });
 
 test('removal while a picture opens closes both pictures', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   await page.addInitScript(() => {
     const opened: ImageBitmap[] = [];
     const create = globalThis.createImageBitmap.bind(globalThis) as (blob: Blob) => Promise<ImageBitmap>;
@@ -217,7 +217,7 @@ test('removal while a picture opens closes both pictures', async ({ page }) => {
     });
   });
   const editor = await Editor.open(page);
-  await answers.hold();
+  await replies.hold();
   const open = () =>
     page.evaluate(
       () => (Reflect.get(globalThis, 'opened') as ImageBitmap[]).filter(({ width }) => width > 0).length,
@@ -251,9 +251,9 @@ test('every element in view is drawn and posed, of many on a page', async ({ pag
     const warp = all.nth(at);
     await warp.scrollIntoViewIfNeeded();
     await expect(warp.locator('.solved')).toContainText('sample', { timeout: 60_000 });
-    const middle = await editor.middle(warp);
+    const middle = await editor.centre(warp);
     // The gingerbread is brown; without a context the area is grey.
-    await expect.poll(async () => warmth(await editor.look(middle, 4))).toBeGreaterThan(40);
+    await expect.poll(async () => warmth(await editor.screenshot(middle, 4))).toBeGreaterThan(40);
   }
   // All are in view at once, and one of the last is posed.
   await page.evaluate(() => {
@@ -263,17 +263,17 @@ test('every element in view is drawn and posed, of many on a page', async ({ pag
     }
   });
   const hand = all.nth(17).getByRole('button', { name: 'Handle right hand' });
-  const before = await editor.middle(hand);
+  const before = await editor.centre(hand);
   await page.mouse.move(before.x, before.y);
   await page.mouse.down();
   await page.mouse.move(before.x, before.y - 40, { steps: 4 });
   await page.mouse.up();
   for (const warp of await all.all()) {
-    const middle = await editor.middle(warp);
-    await expect.poll(async () => warmth(await editor.look(middle, 4))).toBeGreaterThan(40);
+    const middle = await editor.centre(warp);
+    await expect.poll(async () => warmth(await editor.screenshot(middle, 4))).toBeGreaterThan(40);
   }
   const raised = { x: before.x, y: before.y - 40 };
-  await expect.poll(async () => warmth(await editor.look(raised, 3))).toBeGreaterThan(40);
+  await expect.poll(async () => warmth(await editor.screenshot(raised, 3))).toBeGreaterThan(40);
 });
 
 test('a change listener can remove the element', async ({ page }) => {
@@ -303,10 +303,10 @@ test('the tool attribute applies after a move and when readonly ends', async ({ 
 test('a readonly editor pans and zooms, and changes nothing', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.locator('c2-warp').evaluate((element) => element.setAttribute('readonly', ''));
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await editor.dragHandle('right hand', { x: 20, y: -40 });
-  expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
-  await expect.poll(async () => (await editor.place('right hand')).y).toBeCloseTo(hand.y - 40, 0);
+  expect(await editor.settled(() => editor.shownPose('right hand'))).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(async () => (await editor.position('right hand')).y).toBeCloseTo(hand.y - 40, 0);
   await page.keyboard.press('Delete');
   await expect(editor.handles).toHaveCount(5);
 });
@@ -321,7 +321,7 @@ test('a rejected handle is named, and removed from document and history', async 
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Redo')).toBeDisabled();
   await editor.button('Undo: move right hand').click();
-  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
 test('of several changes by the page only rejected handles are reverted', async ({ page }) => {
@@ -358,34 +358,34 @@ test('of several changes by the page only rejected handles are reverted', async 
     'handles-too-close: heart,twin',
   ]);
   await expect(editor.handles).toHaveCount(6);
-  expect(await editor.inProject('head')).toMatchObject({ rest: [512, 260], posed: [512, 260] });
+  expect(await editor.projectHandle('head')).toMatchObject({ rest: [512, 260], posed: [512, 260] });
   await expect.poll(async () => (await editor.mapped(512, 600))?.length).toBe(2);
   await editor.button('Undo: change handle').click();
-  await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+  await expect.poll(() => editor.shownPose('left hand')).toMatchObject({ x: 124, y: 516 });
   await editor.button('Undo: add handle').click();
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
 test('reverting a rejected handle does not end the drag of another', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
-  await answers.hold();
+  await replies.hold();
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
   });
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await page.mouse.move(hand.x, hand.y);
   await page.mouse.down();
   await page.mouse.move(hand.x, hand.y - 20);
-  await answers.pass();
+  await replies.release();
   await expect(editor.notice).toContainText('stray');
   await page.mouse.move(hand.x, hand.y - 40);
   await page.mouse.up();
   await expect(editor.handles).toHaveCount(5);
-  await expect.poll(async () => (await editor.place('right hand')).y).toBeCloseTo(hand.y - 40, 0);
+  await expect.poll(async () => (await editor.position('right hand')).y).toBeCloseTo(hand.y - 40, 0);
   await editor.button('Undo: move right hand').click();
-  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
@@ -426,15 +426,15 @@ test('a drag is reverted when the editor becomes readonly or disabled', async ({
     element.addEventListener('change', () => Object.assign(globalThis, { changes: 1 }));
   });
   for (const attribute of ['readonly', 'disabled']) {
-    const { x, y } = await editor.place('right hand');
+    const { x, y } = await editor.position('right hand');
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x, y - 40, { steps: 3 });
-    await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(500);
+    await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(500);
     await warp.evaluate((element, name) => element.setAttribute(name, ''), attribute);
     await page.mouse.move(x, y - 80, { steps: 3 });
     await page.mouse.up();
-    expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
+    expect(await editor.settled(() => editor.shownPose('right hand'))).toMatchObject({ x: 900, y: 516 });
     await warp.evaluate((element, name) => element.removeAttribute(name), attribute);
   }
   expect(await page.evaluate(() => Reflect.get(globalThis, 'changes'))).toBe(0);
@@ -450,7 +450,7 @@ test('readonly discards a draft and a number being typed', async ({ page }) => {
   await page.keyboard.press('Enter');
   await flip(false);
   await expect(editor.field('x')).toHaveValue('512');
-  expect(await editor.told('head')).toMatchObject({ x: 512 });
+  expect(await editor.shownPose('head')).toMatchObject({ x: 512 });
 
   await page.keyboard.press('g');
   const at = await editor.fromImage('right hand', [900, 516]);
@@ -471,7 +471,7 @@ test('hiding the element reverts a drag and keeps the view', async ({ page }) =>
       (element as HTMLElement).style.display = display;
       return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     }, display);
-  const { x, y } = await editor.place('right hand');
+  const { x, y } = await editor.position('right hand');
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x, y - 40, { steps: 3 });
@@ -479,8 +479,8 @@ test('hiding the element reverts a drag and keeps the view', async ({ page }) =>
   await page.mouse.move(x, y - 80, { steps: 3 });
   await page.mouse.up();
   await show('');
-  expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
-  await expect.poll(() => editor.place('right hand')).toEqual({ x, y });
+  expect(await editor.settled(() => editor.shownPose('right hand'))).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(() => editor.position('right hand')).toEqual({ x, y });
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
 });
 
@@ -492,23 +492,23 @@ const ponder = (page: Page) =>
   });
 
 test('a drag does not wait for a solve', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   const goal = { x: hand.x, y: hand.y - 70 };
-  const before = await editor.look(goal);
-  await answers.hold();
+  const before = await editor.screenshot(goal);
+  await replies.hold();
   await ponder(page);
   await expect(page.getByRole('progressbar')).toBeVisible();
   await editor.dragHandle('right hand', { x: 0, y: -70 });
-  await expect.poll(async () => apart(before, await editor.look(goal))).toBeGreaterThan(10);
+  await expect.poll(async () => meanDifference(before, await editor.screenshot(goal))).toBeGreaterThan(10);
   await expect(page.getByRole('progressbar')).toBeVisible();
 });
 
 test('a long solve shows progress, and editors can cancel it', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
-  await answers.hold();
+  await replies.hold();
   await ponder(page);
   await expect(page.getByRole('progressbar')).toBeVisible();
   const readonly = (on: boolean) =>
@@ -523,25 +523,25 @@ test('a long solve shows progress, and editors can cancel it', async ({ page }) 
 });
 
 test('cancelling the solve of an undo reverts it and keeps the history', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
-  await editor.solves(async () => {
+  await editor.waitForSolve(async () => {
     await page.locator('c2-warp').evaluate((element) => {
       (element as C2Warp).addHandle({ kind: 'point', rest: [512, 700] });
     });
   });
-  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(6);
+  await expect.poll(async () => (await editor.storedWork()).handles?.length).toBe(6);
   // Only the present is solved then, so an undo needs another solve.
   await page.reload();
   await editor.ready();
   await expect(editor.handles).toHaveCount(6);
   const undo = editor.button('Undo: add handle');
-  await answers.hold();
+  await replies.hold();
   await undo.click();
   await expect(editor.handles).toHaveCount(5);
   await editor.button('Cancel').click();
   await expect(editor.handles).toHaveCount(6);
-  await answers.pass();
+  await replies.release();
   await undo.click();
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.solved).toContainText('sample');
@@ -552,9 +552,9 @@ test('cancelling the solve of an undo reverts it and keeps the history', async (
 });
 
 test('export progress shows until the end, also during solves', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
-  await answers.hold();
+  await replies.hold();
   const download = page.waitForEvent('download');
   await editor.button('Export a PNG at full size').click();
   await expect(editor.solved).toContainText('Exporting');
@@ -566,7 +566,7 @@ test('export progress shows until the end, also during solves', async ({ page })
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.solved).toContainText('Exporting');
   await expect(editor.button('Cancel')).toBeHidden();
-  await answers.pass();
+  await replies.release();
   await download;
   await expect(editor.solved).toContainText('sample');
 });
@@ -673,11 +673,11 @@ test('a disabled editor ignores keys', async ({ page }) => {
     (element as C2Warp).disabled = true;
     (element as C2Warp).focus();
   });
-  const before = await editor.place('head');
+  const before = await editor.position('head');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.down('o');
-  await editor.drawn();
-  expect(await editor.place('head')).toEqual(before);
+  await editor.waitFrames();
+  expect(await editor.position('head')).toEqual(before);
   await expect(page.locator('c2-warp .bare')).not.toBeAttached();
 });
 
@@ -685,7 +685,7 @@ test('pointer and keys reach no control of a disabled editor', async ({ page }) 
   const editor = await Editor.open(page);
   const warp = page.locator('c2-warp');
   const colours = editor.button('Dark colours');
-  const at = await editor.middle(colours);
+  const at = await editor.centre(colours);
   await colours.focus();
   await warp.evaluate((element) => element.setAttribute('disabled', ''));
   await page.keyboard.press('Enter');
@@ -744,7 +744,7 @@ test('the open work stays if the solver dies on another picture', async ({ page 
   });
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
+  const told = await editor.settled(() => editor.shownPose('left hand'));
   const code = await page.evaluate(async () => {
     const warp = document.querySelector('c2-warp') as C2Warp;
     const workers = Reflect.get(globalThis, 'workers') as Worker[];
@@ -761,7 +761,7 @@ test('the open work stays if the solver dies on another picture', async ({ page 
     return code;
   });
   expect(code).toBe('engine');
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await editor.button('Undo: move left hand').click();
-  await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+  await expect.poll(() => editor.shownPose('left hand')).toMatchObject({ x: 124, y: 516 });
 });

@@ -4,9 +4,9 @@ import type { Page } from '@playwright/test';
 import { decode, encode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
-import { Answers } from './answers';
-import { apart, bytes, Editor, SAME } from './editor';
+import { bytes, Editor, meanDifference, SAME } from './editor';
 import { expect, test } from './fixtures';
+import { WorkerReplies } from './worker_replies';
 
 /** Returns a small picture: an opaque disc, or a transparent one. */
 function disc(size: number, radius = size * 0.4): Buffer {
@@ -60,7 +60,7 @@ async function bring(
 test('a saved project opens exactly as it was', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 30, y: -50 });
-  const told = await editor.still(() => editor.told('right hand'));
+  const told = await editor.settled(() => editor.shownPose('right hand'));
   const saved = await editor.download('Save the project file');
   expect(saved.suggestedFilename()).toBe('gingerbread.c2warp.json');
   const text = (await bytes(saved)).toString();
@@ -70,9 +70,9 @@ test('a saved project opens exactly as it was', async ({ page }) => {
   });
 
   await editor.button('Reset all handles').click();
-  await editor.choose(project(text, 'gingerbread.c2warp.json'));
+  await editor.chooseFile(project(text, 'gingerbread.c2warp.json'));
   await expect(editor.button('Undo: open gingerbread.c2warp.json')).toBeEnabled();
-  await expect.poll(() => editor.told('right hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('right hand')).toEqual(told);
   expect((await bytes(await editor.download('Save the project file'))).toString()).toBe(text);
 });
 
@@ -84,7 +84,7 @@ test('a PNG export is warped, at full size, with alpha', async ({ page }) => {
   const { width, height, channels, data } = decode(await bytes(exported));
   expect([width, height, channels]).toEqual([1024, 1280, 4]);
   const alpha = (x: number, y: number) => data[(Math.round(y) * width + Math.round(x)) * 4 + 3];
-  const hand = await editor.still(() => editor.told('right hand'));
+  const hand = await editor.settled(() => editor.shownPose('right hand'));
   expect(alpha(hand.x, hand.y)).toBe(255);
   expect(alpha(900, 560)).toBe(0);
   expect(alpha(2, 2)).toBe(0);
@@ -106,7 +106,7 @@ function sprite(width: number, height: number): Buffer {
 
 test('pixel art keeps its colours in exports, unless switched off', async ({ page }) => {
   const editor = await Editor.open(page);
-  await editor.choose(png('sprite.png', sprite(40, 48)));
+  await editor.chooseFile(png('sprite.png', sprite(40, 48)));
   const pixelArt = editor.switch('Pixel art');
   await expect(pixelArt).toBeChecked();
   await page.locator('c2-warp').evaluate((element) => {
@@ -133,7 +133,7 @@ test('pixel art keeps its colours in exports, unless switched off', async ({ pag
 
   await pixelArt.uncheck();
   expect((await exported()).size).toBeGreaterThan(50);
-  await expect.poll(() => editor.kept()).toMatchObject({ pixelated: false, picture: 'sprite.png' });
+  await expect.poll(() => editor.storedWork()).toMatchObject({ pixelated: false, picture: 'sprite.png' });
   await page.reload();
   await expect(editor.handle('head')).toBeVisible();
   await expect(pixelArt).not.toBeChecked();
@@ -191,7 +191,7 @@ test('parts beyond the frame are shown, fitted, and reported as cut off', async 
   await editor.dragHandle('head', { x: 0, y: -170 });
   const top = page.locator('c2-warp .top');
   await page.keyboard.press('0');
-  const [head, bar] = [await editor.place('head'), await top.boundingBox()];
+  const [head, bar] = [await editor.position('head'), await top.boundingBox()];
   expect(head.y).toBeGreaterThan((bar?.y ?? 0) + (bar?.height ?? 0));
   expect(head.y).toBeLessThan(700);
   await editor.button('Reset all handles').click();
@@ -263,25 +263,25 @@ test('a soft shadow belongs to the picture', async ({ page }) => {
 
 test('a reload restores picture, pose and history', async ({ page }) => {
   const editor = await Editor.open(page);
-  await editor.choose(png('disc.png', disc(96)));
+  await editor.chooseFile(png('disc.png', disc(96)));
   await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
   await expect(editor.status).toContainText('96 × 96 px');
   await page.keyboard.press('p');
   await page.keyboard.press('Enter');
   await expect(editor.handles).toHaveCount(1);
   await page.keyboard.press('ArrowRight');
-  const told = await editor.still(() => editor.told('handle 1'));
+  const told = await editor.settled(() => editor.shownPose('handle 1'));
 
   const work = {
     picture: 'disc.png',
     step: 'Move handle 1',
     handles: [expect.objectContaining({ posed: [told.x, told.y] })],
   };
-  await expect.poll(() => editor.kept()).toMatchObject(work);
+  await expect.poll(() => editor.storedWork()).toMatchObject(work);
   await page.reload();
   await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
   await expect(editor.handles).toHaveCount(1);
-  await expect.poll(() => editor.told('handle 1')).toEqual(told);
+  await expect.poll(() => editor.shownPose('handle 1')).toEqual(told);
   await editor.button('Undo: move handle 1').click();
   await editor.button('Undo: add handle').click();
   await expect(editor.handles).toHaveCount(0);
@@ -302,7 +302,7 @@ test('full storage is reported once, and again after a success', async ({ page }
   const dismiss = editor.button('Dismiss');
   await full(true);
   // An opened picture without edits is no loss.
-  await editor.choose(png('disc.png', disc(96)));
+  await editor.chooseFile(png('disc.png', disc(96)));
   await expect(editor.status).toContainText('96 × 96 px');
   await page.keyboard.press('p');
   await expect(editor.notice).toBeHidden();
@@ -310,11 +310,11 @@ test('full storage is reported once, and again after a success', async ({ page }
   await expect(editor.notice).toContainText('Your work is not kept in this browser');
   await dismiss.click();
   await page.keyboard.press('ArrowRight');
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(editor.notice).toBeHidden();
   await full(false);
   await page.keyboard.press('ArrowRight');
-  await expect.poll(() => editor.kept()).toMatchObject({ picture: 'disc.png', step: 'Move handle 1' });
+  await expect.poll(() => editor.storedWork()).toMatchObject({ picture: 'disc.png', step: 'Move handle 1' });
   await full(true);
   await page.keyboard.press('ArrowRight');
   await expect(editor.notice).toContainText('Save the project before you leave');
@@ -334,57 +334,57 @@ const undecoded = (page: Page, times: number) =>
 test('stored work that fails to open is reported, and opens later', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
-  await expect.poll(() => editor.kept()).toMatchObject({ step: 'Move left hand' });
+  const told = await editor.settled(() => editor.shownPose('left hand'));
+  await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move left hand' });
   await undecoded(page, 1);
   await page.reload();
   await expect(editor.notice).toContainText('gingerbread.png: The picture is damaged');
   await editor.ready();
-  expect(await editor.told('left hand')).not.toEqual(told);
+  expect(await editor.shownPose('left hand')).not.toEqual(told);
   // The sample shown instead does not overwrite the stored work.
   await editor.handle('head').click();
-  expect(await editor.kept()).toMatchObject({ step: 'Move left hand' });
+  expect(await editor.storedWork()).toMatchObject({ step: 'Move left hand' });
   await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
   await editor.button('Back to gingerbread.png').click();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
 });
 
 test('a file dropped while work is being restored loses nothing', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
+  const told = await editor.settled(() => editor.shownPose('left hand'));
   const kept = { picture: 'gingerbread.png', step: 'Move left hand' };
-  await expect.poll(() => editor.kept()).toMatchObject(kept);
-  await answers.hold();
+  await expect.poll(() => editor.storedWork()).toMatchObject(kept);
+  await replies.hold();
   await page.reload();
   await expect(page.getByText('gingerbread.png', { exact: true })).toBeVisible();
   await bring(editor, 'drop', png('words.png', Buffer.from('these are words')));
   await expect(editor.notice).toContainText('words.png');
-  await answers.pass();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
-  expect(await editor.kept()).toMatchObject(kept);
+  await replies.release();
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
+  expect(await editor.storedWork()).toMatchObject(kept);
 
-  await answers.hold();
+  await replies.hold();
   await page.reload();
   await expect(page.getByText('gingerbread.png', { exact: true })).toBeVisible();
   await bring(editor, 'drop', png('disc.png', disc(96)));
   await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
-  await answers.pass();
+  await replies.release();
   await expect(editor.status).toContainText('96 × 96 px');
-  await expect.poll(() => editor.kept()).toMatchObject({ picture: 'disc.png' });
+  await expect.poll(() => editor.storedWork()).toMatchObject({ picture: 'disc.png' });
   // The offer to reopen survives a reload.
   await page.reload();
   await expect(editor.status).toContainText('96 × 96 px');
   await editor.button('Back to gingerbread.png').click();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
 });
 
 test('the fold guard stays on after a reload and a move', async ({ page }) => {
   const editor = await Editor.open(page);
   const guard = editor.switch('Stop at folds');
   const stays = async (as: boolean) => {
-    await expect.poll(() => editor.kept()).toMatchObject({ guarded: as });
+    await expect.poll(() => editor.storedWork()).toMatchObject({ guarded: as });
     await page.reload();
     await editor.ready();
     await expect(guard).toBeChecked({ checked: as });
@@ -405,23 +405,23 @@ test('the fold guard stays on after a reload and a move', async ({ page }) => {
 test('the last change of two tabs is restored completely', async ({ page, context }) => {
   const first = await Editor.open(page);
   await first.dragHandle('left hand', { x: 20, y: -40 });
-  await expect.poll(() => first.kept()).toMatchObject({ step: 'Move left hand' });
+  await expect.poll(() => first.storedWork()).toMatchObject({ step: 'Move left hand' });
   // The second tab opens the same work, and the first continues with another picture.
   const other = await context.newPage();
   const second = await Editor.open(other);
   await expect(second.button('Undo: move left hand')).toBeEnabled();
   await second.handle('head').click();
-  await expect.poll(() => second.kept()).toMatchObject({ selection: ['head'] });
-  await first.choose(png('disc.png', disc(96)));
+  await expect.poll(() => second.storedWork()).toMatchObject({ selection: ['head'] });
+  await first.chooseFile(png('disc.png', disc(96)));
   await expect(first.status).toContainText('96 × 96 px');
   await page.keyboard.press('p');
   await page.keyboard.press('Enter');
   // The selection is written last: this tab writes nothing after it.
   const work = { picture: 'disc.png', step: 'Add handle', selection: ['handle-1'] };
-  await expect.poll(() => first.kept()).toMatchObject(work);
+  await expect.poll(() => first.storedWork()).toMatchObject(work);
   await second.dragHandle('right hand', { x: -20, y: -40 });
   const later = { picture: 'gingerbread.png', step: 'Move right hand' };
-  await expect.poll(() => second.kept()).toMatchObject(later);
+  await expect.poll(() => second.storedWork()).toMatchObject(later);
   const told = page.getByText('Something was changed in another tab since');
   await expect(told).toBeVisible();
   for (const tab of [page, other]) {
@@ -433,11 +433,11 @@ test('the last change of two tabs is restored completely', async ({ page, contex
 });
 
 test('after a reload, reverting a rejected step keeps earlier work', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
-  await answers.hold();
+  const told = await editor.settled(() => editor.shownPose('left hand'));
+  await replies.hold();
   // Two bars that nearly touch need too many sites.
   await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
@@ -449,42 +449,42 @@ test('after a reload, reverting a rejected step keeps earlier work', async ({ pa
     warp.project = { ...project, handles: [...project.handles, ...close] };
   });
   await expect(page.getByRole('progressbar')).toBeVisible();
-  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(7);
+  await expect.poll(async () => (await editor.storedWork()).handles?.length).toBe(7);
   await page.reload();
   // Each bar counts three times: itself and its two corners.
   await expect(editor.handles).toHaveCount(11);
-  await answers.pass();
+  await replies.release();
   await expect(editor.notice).toContainText('more than 8192 sites', { timeout: 60_000 });
   await expect(editor.handles).toHaveCount(5);
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await expect(page.getByRole('progressbar')).toBeHidden();
 
   // The rejected step does not come back.
-  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(5);
+  await expect.poll(async () => (await editor.storedWork()).handles?.length).toBe(5);
   await page.reload();
   await editor.ready();
   await expect(editor.handles).toHaveCount(5);
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await expect(editor.notice).toBeHidden();
 });
 
 test('after a reload, reverting a rejected handle keeps later work', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
-  await answers.hold();
+  await replies.hold();
   await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
     warp.addHandle({ id: 'stray', kind: 'point', rest: [20, 20] });
     warp.addHandle({ id: 'heart', kind: 'point', rest: [512, 600] });
   });
-  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(7);
+  await expect.poll(async () => (await editor.storedWork()).handles?.length).toBe(7);
   await page.reload();
   await expect(editor.handles).toHaveCount(7);
-  await answers.pass();
+  await replies.release();
   await expect(editor.notice).toContainText('stray');
   await expect(editor.handles).toHaveCount(6);
   await expect(editor.handle('heart')).toBeVisible();
-  await expect.poll(async () => (await editor.kept()).handles?.length).toBe(6);
+  await expect.poll(async () => (await editor.storedWork()).handles?.length).toBe(6);
   await editor.button('Undo: add handle').click();
   await expect(editor.handles).toHaveCount(5);
   await expect(editor.button('Undo')).toBeDisabled();
@@ -494,14 +494,14 @@ for (const event of ['drop', 'paste'] as const) {
   test(`${event} opens a picture, and the earlier work can be reopened`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 20, y: -40 });
-    const told = await editor.still(() => editor.told('left hand'));
+    const told = await editor.settled(() => editor.shownPose('left hand'));
     await bring(editor, event, png('disc.png', disc(64)));
     await expect(page.getByText('disc.png', { exact: true })).toBeVisible();
     await expect(editor.handles).toHaveCount(0);
     await editor.button('Back to gingerbread.png').click();
     await expect(editor.handles).toHaveCount(5);
     // The automatic turn of the hand is known after the next solve.
-    await expect.poll(() => editor.told('left hand')).toEqual(told);
+    await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   });
 }
 
@@ -525,7 +525,7 @@ test('readonly and disabled editors do not reopen earlier work', async ({ page }
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   await bring(editor, 'drop', png('disc.png', disc(64)));
   const back = editor.button('Back to gingerbread.png');
-  const at = await editor.middle(back);
+  const at = await editor.centre(back);
   for (const attribute of ['readonly', 'disabled']) {
     await back.focus();
     await warp.evaluate((element, name) => element.setAttribute(name, ''), attribute);
@@ -542,28 +542,28 @@ test('readonly and disabled editors do not reopen earlier work', async ({ page }
 test('each of two edited pictures offers to reopen the other', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
+  const told = await editor.settled(() => editor.shownPose('left hand'));
   await bring(editor, 'drop', png('disc.png', disc(64)));
   await expect(editor.button('Back to gingerbread.png')).toBeVisible();
   await page.keyboard.press('p');
   await page.keyboard.press('Enter');
   await expect(editor.handle('handle 1')).toBeVisible();
   await editor.button('Back to gingerbread.png').click();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await expect(page.getByText('gingerbread.png is open.')).toBeVisible();
   await editor.button('Back to disc.png').click();
   await expect(editor.handles).toHaveCount(1);
   await editor.button('Undo: add handle').click();
   await expect(editor.handles).toHaveCount(0);
   await editor.button('Back to gingerbread.png').click();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await expect(editor.button(/^Back to/)).toBeHidden();
 });
 
 test('the offer to reopen survives unedited and rejected pictures', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
+  const told = await editor.settled(() => editor.shownPose('left hand'));
   for (const name of ['wrong.png', 'right.png']) {
     await bring(editor, 'drop', png(name, disc(64)));
     await expect(page.getByText(`${name} is open.`)).toBeVisible();
@@ -573,7 +573,7 @@ test('the offer to reopen survives unedited and rejected pictures', async ({ pag
   await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
   await expect(page.getByText('right.png is open.')).toBeVisible();
   await editor.button('Back to gingerbread.png').click();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
 });
 
 test('a rejected picture keeps the view and the draft', async ({ page }) => {
@@ -591,7 +591,7 @@ test('a rejected picture keeps the view and the draft', async ({ page }) => {
   expect(await editor.zoom()).toBe(fitted);
 
   await page.keyboard.press('g');
-  const { x, y } = await editor.middle(page.locator('c2-warp canvas'));
+  const { x, y } = await editor.centre(page.locator('c2-warp canvas'));
   for (const [right, down] of [
     [0, 0],
     [60, 0],
@@ -605,12 +605,12 @@ test('a rejected picture keeps the view and the draft', async ({ page }) => {
     page.locator('c2-warp .draft .corner').last(),
   ];
   await expect(corners).toHaveCount(3);
-  const [zoom, at] = [await editor.zoom(), await editor.middle(last)];
+  const [zoom, at] = [await editor.zoom(), await editor.centre(last)];
   expect(zoom).toBeGreaterThan(fitted);
   await refused();
   await expect(corners).toHaveCount(3);
   expect(await editor.zoom()).toBe(zoom);
-  expect(await editor.middle(last)).toEqual(at);
+  expect(await editor.centre(last)).toEqual(at);
   await page.keyboard.press('Enter');
   await expect(editor.button('Undo: add polygon')).toBeVisible();
 });
@@ -622,11 +622,11 @@ test('a moved element keeps reopen offer, draft, view and waiting project', asyn
     await expect(editor.solved).toContainText('sample');
   };
   await editor.dragHandle('left hand', { x: 20, y: -40 });
-  const told = await editor.still(() => editor.told('left hand'));
+  const told = await editor.settled(() => editor.shownPose('left hand'));
   await bring(editor, 'drop', png('disc.png', disc(64)));
   await expect(editor.solved).toContainText('64 × 64 px');
   await page.keyboard.press('g');
-  const { x, y } = await editor.middle(page.locator('c2-warp canvas'));
+  const { x, y } = await editor.centre(page.locator('c2-warp canvas'));
   const corners = page.locator('c2-warp .draft .corner');
   await page.mouse.click(x, y);
   await page.mouse.click(x + 30, y);
@@ -636,7 +636,7 @@ test('a moved element keeps reopen offer, draft, view and waiting project', asyn
   await expect(corners).toHaveCount(2);
   expect(await editor.zoom()).toBe(zoom);
   await editor.button('Back to gingerbread.png').click();
-  await expect.poll(() => editor.told('left hand')).toEqual(told);
+  await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   // A draft counts as work too.
   await editor.button('Back to disc.png').click();
   await expect(corners).toHaveCount(2);
@@ -645,7 +645,7 @@ test('a moved element keeps reopen offer, draft, view and waiting project', asyn
 
   const image = { src: 'other.png', width: 48, height: 48 };
   const handles = [{ id: 'middle', kind: 'point', rest: [24, 24], posed: [26, 24] }];
-  await editor.choose(project({ format: 'c2warp/1', image, handles }));
+  await editor.chooseFile(project({ format: 'c2warp/1', image, handles }));
   await expect(page.getByText('belongs to the picture other.png')).toBeVisible();
   await move();
   await bring(editor, 'drop', png('other.png', disc(48)));
@@ -668,7 +668,7 @@ test('a project without its picture asks for it, and opens with it', async ({ pa
     image: { src: 'disc.png', width: 64, height: 64 },
     handles: [{ id: 'middle', kind: 'point', rest: [32, 32], posed: [36, 30] }],
   };
-  await editor.choose(project(other));
+  await editor.chooseFile(project(other));
   await expect(page.getByText('belongs to the picture disc.png (64 × 64 px)')).toBeVisible();
   await expect(editor.handles).toHaveCount(5);
   // A wrong picture in between does not end the wait.
@@ -678,7 +678,7 @@ test('a project without its picture asks for it, and opens with it', async ({ pa
   const asked = page.waitForEvent('filechooser');
   await editor.button('Open picture').click();
   await (await asked).setFiles(png('disc.png', disc(64)));
-  await expect.poll(() => editor.told('middle')).toEqual({ x: 36, y: 30, rotation: 0 });
+  await expect.poll(() => editor.shownPose('middle')).toEqual({ x: 36, y: 30, rotation: 0 });
 });
 
 const sample = (handles: unknown[]) => ({
@@ -710,18 +710,20 @@ for (const [title, file, message] of REFUSED) {
   test(`${title} is rejected in a notice, and the work stays`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 20, y: -40 });
-    const told = await editor.still(() => editor.told('left hand'));
-    const hand = await editor.place('left hand');
-    const before = await editor.look(hand, 12);
-    await editor.choose(file);
+    const told = await editor.settled(() => editor.shownPose('left hand'));
+    const hand = await editor.position('left hand');
+    const before = await editor.screenshot(hand, 12);
+    await editor.chooseFile(file);
     await expect(editor.notice).toContainText(message);
     await expect(editor.handles).toHaveCount(5);
-    await expect.poll(() => editor.told('left hand')).toEqual(told);
-    await expect.poll(async () => apart(before, await editor.look(hand, 12))).toBeLessThan(SAME);
+    await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
+    await expect
+      .poll(async () => meanDifference(before, await editor.screenshot(hand, 12)))
+      .toBeLessThan(SAME);
     await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
     await expect(editor.notice).toBeHidden();
     await editor.button('Undo: move left hand').click();
-    await expect.poll(() => editor.told('left hand')).toMatchObject({ x: 124, y: 516 });
+    await expect.poll(() => editor.shownPose('left hand')).toMatchObject({ x: 124, y: 516 });
   });
 }
 
@@ -751,7 +753,7 @@ test('an empty editor has no original, and opens a picture by its button', async
   const open = page.getByRole('button', { name: 'Open a picture', exact: true });
   await page.locator('c2-warp .stage').focus();
   await page.keyboard.down('o');
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(page.getByText('Original', { exact: true })).toBeHidden();
   await page.keyboard.up('o');
   for (const press of [() => open.click(), () => open.press('Enter'), () => open.press('Space')]) {
@@ -767,7 +769,7 @@ test('an empty editor has no original, and opens a picture by its button', async
 
 test('an opened picture without edits is restored too', async ({ page }) => {
   const editor = await Editor.open(page);
-  await editor.choose(png('disc.png', disc(96)));
+  await editor.chooseFile(png('disc.png', disc(96)));
   await expect(editor.status).toContainText('96 × 96 px');
   await expect(page.locator('c2-warp .solved')).toContainText('sample');
   await expect

@@ -4,7 +4,7 @@ import { expect, test } from './fixtures';
 
 /** Drags the right hand toward the belly by a fraction of the way. */
 async function push(editor: Editor, share: number): Promise<void> {
-  const [hand, head] = [await editor.place('right hand'), await editor.place('head')];
+  const [hand, head] = [await editor.position('right hand'), await editor.position('head')];
   await editor.page.mouse.move(hand.x, hand.y);
   await editor.page.mouse.down();
   const goal = { x: head.x + (1 - share) * (hand.x - head.x), y: hand.y + share * 30 };
@@ -32,17 +32,17 @@ test('a warning counts the folds, and a press shows them', async ({ page }) => {
 test('the guard stops a drag at a fold, and releases it on the way back', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.switch('Stop at folds').click();
-  const rest = await editor.place('right hand');
+  const rest = await editor.position('right hand');
   await push(editor, 1);
   const stopped = page.getByRole('button', { name: 'Stopped at a fold' });
   await expect(stopped).toBeVisible();
-  const head = await editor.place('head');
-  const held = await editor.still(() => editor.place('right hand'));
+  const head = await editor.position('head');
+  const held = await editor.settled(() => editor.position('right hand'));
   expect(held.x).toBeGreaterThan(head.x + 20);
   expect(held.x).toBeLessThan(rest.x - 10);
   // The pointer is back at a position without folds: the handle follows it again.
   await page.mouse.move(rest.x - 8, rest.y + 2);
-  await expect.poll(async () => (await editor.place('right hand')).x).toBeCloseTo(rest.x - 8, 0);
+  await expect.poll(async () => (await editor.position('right hand')).x).toBeCloseTo(rest.x - 8, 0);
   await expect(stopped).toBeHidden();
   await page.mouse.move(head.x, rest.y + 30, { steps: 4 });
   await page.mouse.up();
@@ -51,7 +51,7 @@ test('the guard stops a drag at a fold, and releases it on the way back', async 
   // The drag is one step.
   await editor.button('Undo: move right hand').click();
   await expect(editor.button('Undo')).toBeDisabled();
-  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
 test('the guard is off by default, and stops numbers and keys too', async ({ page }) => {
@@ -61,12 +61,12 @@ test('the guard is off by default, and stops numbers and keys too', async ({ pag
   await editor.handle('right hand').click();
   await editor.field('x').fill('512');
   await editor.field('x').press('Enter');
-  await expect.poll(async () => (await editor.told('right hand')).x).toBeLessThan(890);
-  const { x } = await editor.still(() => editor.told('right hand'));
+  await expect.poll(async () => (await editor.shownPose('right hand')).x).toBeLessThan(890);
+  const { x } = await editor.settled(() => editor.shownPose('right hand'));
   expect(x).toBeGreaterThan(530);
   await editor.handle('right hand').focus();
   for (let step = 0; step < 8; step++) await page.keyboard.press('Shift+ArrowLeft');
-  const nudged = await editor.still(() => editor.told('right hand'));
+  const nudged = await editor.settled(() => editor.shownPose('right hand'));
   expect(nudged.x).toBeGreaterThan(x - 30);
   await expect(page.getByText('Stopped: more would fold the picture')).toBeAttached();
   // The guard does not limit undo.
@@ -77,7 +77,7 @@ test('the guard is off by default, and stops numbers and keys too', async ({ pag
 
 test('depth is set by number, buttons and keys, and undone', async ({ page }) => {
   const editor = await Editor.open(page);
-  const depth = async () => (await editor.inProject('right-hand'))?.depth ?? 0;
+  const depth = async () => (await editor.projectHandle('right-hand'))?.depth ?? 0;
   await editor.handle('right hand').click();
   await editor.button(/^Bring forward$/).click();
   await expect.poll(depth).toBe(1);
@@ -107,11 +107,11 @@ test('a picture with depths is solved and drawn', async ({ page }) => {
   await editor.handle('right hand').click();
   await editor.field('depth').fill('5');
   await editor.field('depth').press('Enter');
-  const [head, hand] = [await editor.place('head'), await editor.place('right hand')];
+  const [head, hand] = [await editor.position('head'), await editor.position('right hand')];
   await editor.dragHandle('right hand', { x: head.x - hand.x, y: head.y + 40 - hand.y });
   await page.keyboard.press('p');
-  await editor.solves(() => page.mouse.click(head.x, head.y + 180));
+  await editor.waitForSolve(() => page.mouse.click(head.x, head.y + 180));
   await expect(editor.handle('handle 1')).toBeVisible();
   await expect(editor.notice).toBeHidden();
-  expect((await editor.inProject('right-hand'))?.depth).toBe(5);
+  expect((await editor.projectHandle('right-hand'))?.depth).toBe(5);
 });

@@ -2,16 +2,16 @@
 import type { CDPSession, Page } from '@playwright/test';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
-import { Editor, type Place } from './editor';
+import { Editor, type Position } from './editor';
 import { expect, test } from './fixtures';
 
 /** The head and two cheeks, one with a set turn and one with an automatic turn, and a bar. */
 const GROUP = ['head', 'left-cheek', 'right-cheek', 'mouth'];
-const centre: Place = { x: 510, y: 318 };
+const centre: Position = { x: 510, y: 318 };
 
 async function opened(page: Page, selection = GROUP): Promise<Editor> {
   const editor = await Editor.open(page);
-  await editor.solves(() =>
+  await editor.waitForSolve(() =>
     page.locator('c2-warp').evaluate(async (element, selection) => {
       const warp = element as C2Warp;
       const events: string[] = [];
@@ -38,13 +38,13 @@ const select = (page: Page) =>
   }, GROUP);
 
 const events = (page: Page) => page.evaluate(() => (Reflect.get(globalThis, 'events') as string[]).splice(0));
-const knob = (editor: Editor) => editor.middle(editor.page.locator('c2-warp .ring circle.knob'));
-const grip = (editor: Editor) => editor.middle(editor.page.locator('c2-warp .ring rect.knob'));
+const knob = (editor: Editor) => editor.centre(editor.page.locator('c2-warp .ring circle.knob'));
+const grip = (editor: Editor) => editor.centre(editor.page.locator('c2-warp .ring rect.knob'));
 const handles = (editor: Editor) =>
   editor.page.locator('c2-warp').evaluate((element) => (element as C2Warp).project.handles);
 
 /** Returns the centre of the selection on the page. */
-const middle = async (editor: Editor): Promise<Place> => {
+const middle = async (editor: Editor): Promise<Position> => {
   const [x, y] = await editor.page
     .locator('c2-warp')
     .evaluate((element, { x, y }) => (element as C2Warp).imageToClient([x, y]) ?? [Number.NaN, 0], centre);
@@ -52,7 +52,7 @@ const middle = async (editor: Editor): Promise<Place> => {
 };
 
 /** Turns a point about a pivot by degrees, and scales its distance. */
-function around(pivot: Place, { x, y }: Place, degrees: number, growth = 1): Place {
+function around(pivot: Position, { x, y }: Position, degrees: number, growth = 1): Position {
   const [dx, dy, turn] = [x - pivot.x, y - pivot.y, (degrees * Math.PI) / 180];
   const [cos, sin] = [growth * Math.cos(turn), growth * Math.sin(turn)];
   return { x: pivot.x + cos * dx - sin * dy, y: pivot.y + sin * dx + cos * dy };
@@ -80,7 +80,7 @@ const field = (all: readonly Handle[], id: string) => all.find((handle) => handl
 /** The rounding to hundredths in x and y. */
 const ROUNDED = 0.01;
 
-async function lead(page: Page, from: Place, to: Place): Promise<void> {
+async function lead(page: Page, from: Position, to: Position): Promise<void> {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y, { steps: 6 });
@@ -148,7 +148,7 @@ test('the grip on the ring scales the selection, and the panel shows it', async 
 test('an Alt-drag of a selected handle turns the group', async ({ page }) => {
   const editor = await opened(page);
   const before = await handles(editor);
-  const [pivot, cheek] = [await middle(editor), await editor.place('right cheek')];
+  const [pivot, cheek] = [await middle(editor), await editor.position('right cheek')];
   await page.keyboard.down('Alt');
   await page.keyboard.down('Shift');
   await lead(page, cheek, around(pivot, cheek, 62, 3));
@@ -179,7 +179,7 @@ test('comma and full stop turn the group, and scale it with Alt', async ({ page 
 
 test('past half a turn the group keeps turning, in the harmonic mode too', async ({ page }) => {
   const editor = await opened(page, []);
-  await editor.solves(() => editor.button('Smooth').click());
+  await editor.waitForSolve(() => editor.button('Smooth').click());
   const places = [
     [512, 640],
     [250, 560],
@@ -234,7 +234,7 @@ test('the selection stays rigid where the guard stops a turn', async ({ page }) 
   for (const degrees of [60, 120, 160]) {
     const to = around(pivot, top, degrees);
     await page.mouse.move(to.x, to.y);
-    await editor.drawn();
+    await editor.waitFrames();
   }
   await expect(editor.button('Stopped at a fold')).toBeVisible();
   await page.mouse.up();
@@ -253,7 +253,7 @@ test('the group ring works in play mode', async ({ page }) => {
     (element as C2Warp).play = true;
     return (element as C2Warp).updateComplete;
   });
-  await editor.drawn();
+  await editor.waitFrames();
   const before = await handles(editor);
   const [pivot, top] = [await middle(editor), await knob(editor)];
   await page.keyboard.down('Shift');
@@ -266,9 +266,9 @@ test('the group ring works in play mode', async ({ page }) => {
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  const swipe = async (session: CDPSession, from: Place, to: Place) => {
+  const swipe = async (session: CDPSession, from: Position, to: Position) => {
     const half = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
-    const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Place[]) =>
+    const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Position[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
     await send('touchStart', [from]);
     await send('touchMove', [half]);
@@ -281,7 +281,7 @@ test.describe('on a phone', () => {
     // Sizes are for touch from here on.
     await editor.handle('left foot').tap();
     await select(page);
-    await editor.drawn();
+    await editor.waitFrames();
     const session = await page.context().newCDPSession(page);
     const before = await handles(editor);
     const pivot = await middle(editor);

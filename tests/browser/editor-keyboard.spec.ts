@@ -1,7 +1,7 @@
 /** The editor without a pointer, and its announcements to screen readers. */
 import type { Locator } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import { apart, Editor, SAME } from './editor';
+import { Editor, meanDifference, SAME } from './editor';
 import { expect, test } from './fixtures';
 
 test('Tab goes from handle to handle, and arrow keys move the focused one', async ({ page }) => {
@@ -12,13 +12,13 @@ test('Tab goes from handle to handle, and arrow keys move the focused one', asyn
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   for (const key of ['ArrowRight', 'Shift+ArrowUp', 'ArrowLeft', 'ArrowRight'])
     await page.keyboard.press(key);
-  const told = await editor.still(() => editor.told('left hand'));
+  const told = await editor.settled(() => editor.shownPose('left hand'));
   expect(told).toMatchObject({ x: 125, y: 506 });
   await expect(page.getByText(`left hand: x 125, y 506, rotation ${told.rotation} degree`)).toBeAttached();
 
   // Consecutive nudges are one step.
   await page.keyboard.press('Control+z');
-  await expect.poll(() => editor.told('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });
+  await expect.poll(() => editor.shownPose('left hand')).toEqual({ x: 124, y: 516, rotation: 0 });
   await expect(page.getByText('Undone: Move left hand')).toBeAttached();
 });
 
@@ -27,10 +27,10 @@ test('comma and full stop turn a handle', async ({ page }) => {
   await editor.handle('head').focus();
   await page.keyboard.press('.');
   await page.keyboard.press('Shift+Period');
-  await expect.poll(async () => (await editor.told('head')).rotation).toBe(16);
+  await expect.poll(async () => (await editor.shownPose('head')).rotation).toBe(16);
   await page.keyboard.press('Shift+Comma');
   await page.keyboard.press(',');
-  await expect.poll(async () => (await editor.told('head')).rotation).toBe(0);
+  await expect.poll(async () => (await editor.shownPose('head')).rotation).toBe(0);
 });
 
 test('a handle is placed, selected and deleted by keys', async ({ page }) => {
@@ -60,28 +60,28 @@ test('Control A selects all, and Escape deselects', async ({ page }) => {
 
 test('O shows the original while held', async ({ page }) => {
   const editor = await Editor.open(page);
-  const hand = await editor.place('right hand');
-  const before = await editor.look(hand, 16);
+  const hand = await editor.position('right hand');
+  const before = await editor.screenshot(hand, 16);
   await editor.dragHandle('right hand', { x: 0, y: -90 });
   let bent = before;
   const bend = async () => {
-    bent = await editor.look(hand, 16);
-    return apart(before, bent);
+    bent = await editor.screenshot(hand, 16);
+    return meanDifference(before, bent);
   };
   await expect.poll(bend).toBeGreaterThan(10);
   await page.keyboard.down('o');
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
-  await expect.poll(async () => apart(before, await editor.look(hand, 16))).toBeLessThan(SAME);
+  await expect.poll(async () => meanDifference(before, await editor.screenshot(hand, 16))).toBeLessThan(SAME);
   await page.keyboard.up('o');
-  await expect.poll(async () => apart(bent, await editor.look(hand, 16))).toBeLessThan(SAME);
+  await expect.poll(async () => meanDifference(bent, await editor.screenshot(hand, 16))).toBeLessThan(SAME);
 });
 
 test('W shows the posed picture alone while held', async ({ page }) => {
   const editor = await Editor.open(page);
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await editor.dragHandle('right hand', { x: 0, y: -90 });
   const at = { x: hand.x, y: hand.y - 90 };
-  const look = () => editor.still(() => editor.look(at, 40));
+  const look = () => editor.settled(() => editor.screenshot(at, 40));
   await editor.button('Overlays').click();
   for (const name of ['Mesh', 'Virtual handles', 'Reach']) await page.getByRole('checkbox', { name }).check();
   await page.keyboard.press('Escape');
@@ -90,9 +90,9 @@ test('W shows the posed picture alone while held', async ({ page }) => {
   await expect(editor.button(/without handles/)).toHaveAttribute('aria-pressed', 'true');
   await expect(page.locator('c2-warp .handles')).toHaveCSS('opacity', '0');
   const alone = await look();
-  expect(apart(alone, covered)).toBeGreaterThan(10);
+  expect(meanDifference(alone, covered)).toBeGreaterThan(10);
   await page.keyboard.up('w');
-  expect(apart(await look(), covered)).toBeLessThan(SAME);
+  expect(meanDifference(await look(), covered)).toBeLessThan(SAME);
   // Without overlays and selection, the posed picture looks the same and differs from the original.
   await editor.button('Overlays').click();
   for (const name of ['Mesh', 'Virtual handles', 'Reach'])
@@ -100,16 +100,16 @@ test('W shows the posed picture alone while held', async ({ page }) => {
   await page.keyboard.press('Escape');
   await page.keyboard.press('Escape');
   await page.keyboard.down('w');
-  expect(apart(await look(), alone)).toBeLessThan(SAME);
+  expect(meanDifference(await look(), alone)).toBeLessThan(SAME);
   await page.keyboard.down('o');
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
-  expect(apart(await look(), alone)).toBeGreaterThan(10);
+  expect(meanDifference(await look(), alone)).toBeGreaterThan(10);
   await page.keyboard.up('o');
 });
 
 test('over the original a press pans, and moves no hidden handle', async ({ page }) => {
   const editor = await Editor.open(page);
-  const [at, told] = [await editor.place('head'), await editor.told('head')];
+  const [at, told] = [await editor.position('head'), await editor.shownPose('head')];
   await editor.handle('head').focus();
   await page.keyboard.down('o');
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
@@ -118,8 +118,8 @@ test('over the original a press pans, and moves no hidden handle', async ({ page
   await page.mouse.dblclick(at.x + 50, at.y + 30);
   await page.keyboard.up('o');
   await expect(page.getByText('Original', { exact: true })).toBeHidden();
-  expect(await editor.place('head')).toEqual({ x: at.x + 50, y: at.y + 30 });
-  expect(await editor.told('head')).toEqual(told);
+  expect(await editor.position('head')).toEqual({ x: at.x + 50, y: at.y + 30 });
+  expect(await editor.shownPose('head')).toEqual(told);
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
   await editor.dragHandle('head', { x: 12, y: 0 });
   await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
@@ -133,21 +133,21 @@ test('0 fits, 1 shows actual size, and the wheel zooms at the pointer', async ({
   await page.keyboard.press('0');
   await expect.poll(() => editor.zoom()).toBe(fitted);
 
-  const hand = await editor.place('left hand');
+  const hand = await editor.position('left hand');
   await page.mouse.move(hand.x, hand.y);
   await page.keyboard.down('Control');
   await page.mouse.wheel(0, -120);
   await page.keyboard.up('Control');
   await expect.poll(() => editor.zoom()).toBeGreaterThan(fitted);
-  const after = await editor.still(() => editor.place('left hand'));
+  const after = await editor.settled(() => editor.position('left hand'));
   expect(Math.hypot(after.x - hand.x, after.y - hand.y)).toBeLessThan(1);
 
   await page.mouse.wheel(0, 50);
-  await expect.poll(async () => (await editor.place('left hand')).y).toBeCloseTo(after.y - 50, 0);
+  await expect.poll(async () => (await editor.position('left hand')).y).toBeCloseTo(after.y - 50, 0);
   await page.keyboard.down('Space');
   await editor.drag({ x: hand.x + 60, y: hand.y + 200 }, { x: 30, y: 50 });
   await page.keyboard.up('Space');
-  await expect.poll(async () => (await editor.place('left hand')).x).toBeCloseTo(after.x + 30, 0);
+  await expect.poll(async () => (await editor.position('left hand')).x).toBeCloseTo(after.x + 30, 0);
   await expect(editor.button('Undo')).toBeDisabled();
 });
 
@@ -157,10 +157,10 @@ test('document keys work from a number field and commit it first', async ({ page
   await editor.field('x').fill('530');
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
   expect(download.suggestedFilename()).toContain('.c2warp.json');
-  await expect.poll(() => editor.told('head')).toMatchObject({ x: 530 });
+  await expect.poll(() => editor.shownPose('head')).toMatchObject({ x: 530 });
   await editor.field('x').focus();
   await page.keyboard.press('Control+z');
-  await expect.poll(() => editor.told('head')).toMatchObject({ x: 512 });
+  await expect.poll(() => editor.shownPose('head')).toMatchObject({ x: 512 });
 });
 
 test('Escape reaches a dialog around the editor if nothing is to revert', async ({ page }) => {
@@ -241,7 +241,7 @@ test('a tooltip can be hovered; a press dismisses it without the button', async 
   await page.keyboard.press('ArrowUp');
   await reset.hover();
   await expect.poll(tipped(reset)).toBe(true);
-  const { x, y } = await editor.middle(reset);
+  const { x, y } = await editor.centre(reset);
   for (let below = 0; below <= 36; below += 4) {
     await page.mouse.move(x, y + below);
     expect(await tipped(reset)(), `${below} px below`).toBe(true);
@@ -258,7 +258,7 @@ test('a pressed button shows no tooltip until it is hovered again', async ({ pag
   const bar = editor.button('Draw a bar');
   await bar.hover();
   await expect.poll(tipped(bar)).toBe(true);
-  const { x, y } = await editor.middle(bar);
+  const { x, y } = await editor.centre(bar);
   await page.mouse.down();
   expect(await tipped(bar)()).toBe(false);
   await page.mouse.up();
@@ -323,7 +323,7 @@ test('an open menu hides the tooltip of its button', async ({ page }) => {
 test('Escape discards a draft before it dismisses a tooltip', async ({ page }) => {
   const editor = await Editor.open(page);
   await page.keyboard.press('b');
-  const head = await editor.place('head');
+  const head = await editor.position('head');
   await page.mouse.click(head.x, head.y + 40);
   const drawing = page.getByRole('group', { name: 'Drawing' });
   await expect(drawing).toBeVisible();
@@ -363,17 +363,17 @@ test('a press on a panel control leaves the focus on the picture', async ({ page
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   for (const name of ['Auto turn', /^Bring forward$/]) {
-    const before = await editor.still(() => editor.told('head'));
+    const before = await editor.settled(() => editor.shownPose('head'));
     await editor.button(name).click();
     await expect(editor.handle('head')).toBeFocused();
     await page.keyboard.press('ArrowRight');
-    await expect.poll(async () => (await editor.told('head')).x).toBe(before.x + 1);
+    await expect.poll(async () => (await editor.shownPose('head')).x).toBe(before.x + 1);
   }
   // A field is committed, and loses the focus too.
   await editor.field('x').fill('530');
   await editor.button(/^Bring forward$/).click();
   await page.keyboard.press('ArrowRight');
-  await expect.poll(async () => (await editor.told('head')).x).toBe(531);
+  await expect.poll(async () => (await editor.shownPose('head')).x).toBe(531);
 });
 
 test('after a press on a switch, Space still pans the picture', async ({ page }) => {
@@ -381,13 +381,13 @@ test('after a press on a switch, Space still pans the picture', async ({ page })
   const guard = editor.switch('Stop at folds');
   await guard.click();
   await expect(guard).toBeChecked();
-  const before = await editor.place('head');
+  const before = await editor.position('head');
   await page.keyboard.down('Space');
   await editor.drag({ x: before.x, y: before.y + 120 }, { x: 30, y: 20 });
   await page.keyboard.up('Space');
   await expect
     .poll(async () => {
-      const { x, y } = await editor.place('head');
+      const { x, y } = await editor.position('head');
       return [Math.round(x - before.x), Math.round(y - before.y)];
     })
     .toEqual([30, 20]);
@@ -402,7 +402,7 @@ test('a control focused by Tab keeps the focus until a pointer press', async ({ 
   await page.keyboard.press('Enter');
   await page.keyboard.press('Space');
   await expect(forward).toBeFocused();
-  await expect.poll(async () => (await editor.inProject('head'))?.depth).toBe(2);
+  await expect.poll(async () => (await editor.projectHandle('head'))?.depth).toBe(2);
   await forward.click();
   await expect(forward).not.toBeFocused();
 });
@@ -473,11 +473,11 @@ test('the original shows while its button is held, with any focus', async ({ pag
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   await editor.field('x').focus();
-  const { x, y } = await editor.middle(editor.button('Hold to compare with the original'));
+  const { x, y } = await editor.centre(editor.button('Hold to compare with the original'));
   await page.mouse.move(x, y);
   await page.mouse.down();
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(page.getByText('Original', { exact: true })).toBeVisible();
   await page.mouse.up();
   await expect(page.getByText('Original', { exact: true })).toBeHidden();
@@ -486,13 +486,13 @@ test('the original shows while its button is held, with any focus', async ({ pag
 test('play mode discards a number being typed', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
-  const told = await editor.told('head');
+  const told = await editor.shownPose('head');
   await editor.field('x').fill('222');
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).play = true;
   });
-  await expect.poll(() => editor.told('head')).toEqual(told);
-  expect((await editor.inProject('head'))?.posed).toEqual([told.x, told.y]);
+  await expect.poll(() => editor.shownPose('head')).toEqual(told);
+  expect((await editor.projectHandle('head'))?.posed).toEqual([told.x, told.y]);
 });
 
 test('a press into a field selects its number', async ({ page }) => {
@@ -501,7 +501,7 @@ test('a press into a field selects its number', async ({ page }) => {
   await editor.field('x').click();
   await page.keyboard.type('1,024');
   await page.keyboard.press('Enter');
-  await expect.poll(async () => (await editor.inProject('head'))?.posed[0]).toBe(1024);
+  await expect.poll(async () => (await editor.projectHandle('head'))?.posed[0]).toBe(1024);
   await editor.field('x').click();
   await page.keyboard.type('2000000');
   await page.keyboard.press('Enter');

@@ -1,11 +1,11 @@
 /** The lasso: its inside bends, and the rest of the picture stays. */
-import { apart, Editor, type Place } from './editor';
+import { Editor, meanDifference, type Position } from './editor';
 import { expect, test } from './fixtures';
 
 /** A ring around head and arms of the sample, image pixels. Only the head's handle lies inside. */
 const [CENTRE, RADIUS] = [[512, 400] as const, 340];
 
-function around(at: (x: number, y: number) => Place, corners = 24): readonly Place[] {
+function around(at: (x: number, y: number) => Position, corners = 24): readonly Position[] {
   return Array.from({ length: corners }, (_, k) => {
     const turn = (2 * Math.PI * k) / corners;
     return at(CENTRE[0] + RADIUS * Math.cos(turn), CENTRE[1] + RADIUS * Math.sin(turn));
@@ -13,7 +13,7 @@ function around(at: (x: number, y: number) => Place, corners = 24): readonly Pla
 }
 
 /** Draws with one press and drag. */
-async function draw({ page }: Editor, path: readonly Place[]): Promise<void> {
+async function draw({ page }: Editor, path: readonly Position[]): Promise<void> {
   const [first] = path;
   if (!first) return;
   await page.mouse.move(first.x, first.y);
@@ -33,11 +33,13 @@ test('only the inside of a lasso bends; undo restores the handles outside', asyn
   const at = await editor.fromImage('head', [512, 260]);
   // The picture is posed, which shows that the lasso is drawn on the original.
   await editor.dragHandle('head', { x: 30, y: 20 });
-  const bent = await editor.look(at(512, 260));
+  const bent = await editor.screenshot(at(512, 260));
   await page.keyboard.press('l');
   await expect(editor.button('Draw around what bends')).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.handle('head')).toBeHidden();
-  await expect.poll(async () => apart(bent, await editor.look(at(512, 260)))).toBeGreaterThan(3);
+  await expect
+    .poll(async () => meanDifference(bent, await editor.screenshot(at(512, 260))))
+    .toBeGreaterThan(3);
 
   await draw(editor, around(at));
   await expect(page.getByText('4 handles lay outside of the lasso, and are gone.')).toBeVisible();
@@ -51,11 +53,13 @@ test('only the inside of a lasso bends; undo restores the handles outside', asyn
 
   // The next step dismisses the lasso notice, which would cover the foot.
   await page.getByRole('button', { name: 'Dismiss' }).click();
-  const foot = await editor.look(at(312, 1126));
-  const neck = await editor.look(at(512, 500));
+  const foot = await editor.screenshot(at(312, 1126));
+  const neck = await editor.screenshot(at(512, 500));
   await editor.dragHandle('head', { x: 40, y: 30 });
-  await expect.poll(async () => apart(neck, await editor.look(at(512, 500)))).toBeGreaterThan(3);
-  expect(apart(foot, await editor.look(at(312, 1126)))).toBe(0);
+  await expect
+    .poll(async () => meanDifference(neck, await editor.screenshot(at(512, 500))))
+    .toBeGreaterThan(3);
+  expect(meanDifference(foot, await editor.screenshot(at(312, 1126)))).toBe(0);
 
   // The lasso tool shows the current lasso.
   await page.keyboard.press('l');
@@ -112,7 +116,8 @@ test('a lasso is drawn by keys, and its draft survives a reload', async ({ page 
   };
   await corner('ArrowUp', 3);
   await corner('ArrowRight', 3);
-  const kept = async () => (await editor.kept()).drawings?.map(({ kind, corners }) => [kind, corners.length]);
+  const kept = async () =>
+    (await editor.storedWork()).drawings?.map(({ kind, corners }) => [kind, corners.length]);
   await expect.poll(kept).toEqual([['lasso', 2]]);
   await page.reload();
   await expect(page.locator('c2-warp .draft')).toBeAttached();

@@ -52,7 +52,7 @@ test('Tab pans a handle into view beside the cards, without scrolling', async ({
   for (const name of ['left hand', 'right hand', 'left foot']) {
     await page.keyboard.press('Tab');
     await expect(editor.handle(name)).toBeFocused();
-    const at = await editor.still(() => editor.place(name));
+    const at = await editor.settled(() => editor.position(name));
     const frame = await box(stage);
     expect(at.x, name).toBeGreaterThan(frame.x);
     expect(at.x, name).toBeLessThan((await box(panel)).x);
@@ -137,7 +137,7 @@ for (const [width, height] of [
     expect((1280 * (await editor.zoom())) / (await box(stage)).height).toBeGreaterThan(0.65);
     const panel = page.getByRole('region', { name: 'Properties' });
     for (const name of ['left hand', 'head', 'left foot', 'right foot']) {
-      const { x, y } = await editor.place(name);
+      const { x, y } = await editor.position(name);
       const card = await box(tools);
       expect(x > card.right || y < card.y, name).toBe(true);
       await page.mouse.click(x, y);
@@ -160,12 +160,16 @@ test('draft bar and notices lie beside the cards', async ({ page }) => {
     expect(right).toBeLessThanOrEqual((await box(panel)).x);
   };
   await editor.button('Draw a polygon').click();
-  const head = await editor.place('head');
+  const head = await editor.position('head');
   await page.mouse.click(head.x, head.y + 40);
   await beside(page.getByRole('group', { name: 'Drawing' }));
   await page.keyboard.press('Escape');
   const name = `${'a-holiday-photograph-'.repeat(6)}7.c2warp.json`;
-  await editor.choose({ name, mimeType: 'application/json', buffer: Buffer.from('{"format": "c2warp/9"}') });
+  await editor.chooseFile({
+    name,
+    mimeType: 'application/json',
+    buffer: Buffer.from('{"format": "c2warp/9"}'),
+  });
   await expect(editor.notice).toContainText('….c2warp.json'.slice(1));
   await expect(editor.notice).toContainText('…');
   await beside(editor.notice);
@@ -252,7 +256,7 @@ test('a page overlay covers the bars and cards of the editor', async ({ page }) 
     document.body.append(header);
   });
   for (const name of ['Undo', 'Draw a bar', 'Fit']) {
-    const { x, y } = await editor.middle(editor.button(name));
+    const { x, y } = await editor.centre(editor.button(name));
     const over = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.localName, [x, y] as const);
     expect(over, name).toBe('header');
   }

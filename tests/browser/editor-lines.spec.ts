@@ -1,7 +1,8 @@
 /** Bars and polygons: drawing, bending, moving, turning, and rejection by the solver. */
-import { Answers } from './answers';
-import { apart, Editor, type Place } from './editor';
+
+import { Editor, meanDifference, type Position } from './editor';
 import { expect, test } from './fixtures';
+import { WorkerReplies } from './worker_replies';
 
 /** A line in the left leg of the sample, from below the foot's handle to the hip, image pixels. */
 const [ANKLE, HIP] = [
@@ -9,20 +10,20 @@ const [ANKLE, HIP] = [
   [430, 820],
 ] as const;
 
-async function clicks(editor: Editor, places: readonly Place[]): Promise<void> {
+async function clicks(editor: Editor, places: readonly Position[]): Promise<void> {
   for (const at of places) await editor.page.mouse.click(at.x, at.y);
 }
 
 /** Waits until the solution maps a handle's corner to its posed position. */
 const settles = (editor: Editor, rest: readonly [number, number], posed: readonly [number, number]) =>
-  expect.poll(() => editor.away(rest, posed)).toBeLessThan(1);
+  expect.poll(() => editor.mappedDistance(rest, posed)).toBeLessThan(1);
 
 /** Adds a bar in the left leg, and waits for the solution. */
-async function leg(editor: Editor): Promise<(x: number, y: number) => Place> {
+async function leg(editor: Editor): Promise<(x: number, y: number) => Position> {
   const at = await editor.fromImage('head', [512, 260]);
   await editor.page.keyboard.press('b');
   await clicks(editor, [at(...ANKLE), at(...HIP)]);
-  await editor.solves(() => editor.page.keyboard.press('Enter'));
+  await editor.waitForSolve(() => editor.page.keyboard.press('Enter'));
   await expect(editor.handle('bar 1')).toHaveAttribute('aria-pressed', 'true');
   return at;
 }
@@ -40,22 +41,22 @@ test('a bar is drawn by clicks and bent by one end, each undone alone', async ({
   await page.mouse.dblclick(second.x, second.y);
   await expect(page.getByRole('group', { name: 'Drawing' })).toBeHidden();
   await expect(editor.handle('bar 1')).toBeFocused();
-  expect(await editor.inProject('bar-1')).toMatchObject({ kind: 'bar', rotation: 'auto', scale: 1 });
+  expect(await editor.projectHandle('bar-1')).toMatchObject({ kind: 'bar', rotation: 'auto', scale: 1 });
 
   const goal = at(240, 980);
-  const before = await editor.look(goal);
-  const end = await editor.middle(editor.corner(1, 'bar 1'));
+  const before = await editor.screenshot(goal);
+  const end = await editor.centre(editor.corner(1, 'bar 1'));
   await editor.drag(end, { x: goal.x - end.x, y: goal.y - end.y });
-  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBeGreaterThan(10);
-  const bent = await editor.inProject('bar-1');
+  await expect.poll(async () => (await editor.shownPose('bar 1')).rotation).toBeGreaterThan(10);
+  const bent = await editor.projectHandle('bar-1');
   if (bent?.kind !== 'bar') throw new Error('a bar stays one');
   expect(bent.posed[1]).toEqual(bent.rest[1]);
   // The picture follows the corners.
   for (const k of [0, 1]) await settles(editor, bent.rest[k] ?? [0, 0], bent.posed[k] ?? [0, 0]);
-  await expect.poll(async () => apart(before, await editor.look(goal))).toBeGreaterThan(10);
+  await expect.poll(async () => meanDifference(before, await editor.screenshot(goal))).toBeGreaterThan(10);
 
   await editor.button('Undo: move a corner of bar 1').click();
-  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(0);
+  await expect.poll(async () => (await editor.shownPose('bar 1')).rotation).toBe(0);
   await editor.button('Undo: add bar').click();
   await expect(editor.handle('bar 1')).toBeHidden();
   await expect(editor.button('Undo')).toBeDisabled();
@@ -72,7 +73,7 @@ test('one drag draws a whole bar, with Shift in steps of 45°', async ({ page })
   await editor.drag(from, { x: to.x - from.x, y: to.y - from.y });
   await page.keyboard.up('Shift');
   await expect(editor.handle('bar 1')).toBeVisible();
-  const bar = await editor.inProject('bar-1');
+  const bar = await editor.projectHandle('bar-1');
   if (bar?.kind !== 'bar') throw new Error('a bar was drawn');
   expect(bar.posed).toHaveLength(2);
   expect(bar.posed[1]?.[1]).toBeCloseTo(bar.posed[0]?.[1] ?? 0, 1);
@@ -82,12 +83,13 @@ test('a double click adds a corner that bends the bar, or removes one', async ({
   const editor = await Editor.open(page);
   const at = await leg(editor);
   await page.keyboard.press('v');
-  const corners = () => editor.inProject('bar-1').then((bar) => (bar?.kind === 'bar' ? bar.posed.length : 0));
+  const corners = () =>
+    editor.projectHandle('bar-1').then((bar) => (bar?.kind === 'bar' ? bar.posed.length : 0));
   const [knee, bent] = [at(380, 930), at(340, 930)];
   await page.mouse.dblclick(knee.x, knee.y);
   await expect(editor.corner(2, 'bar 1')).toBeFocused();
   await editor.drag(knee, { x: bent.x - knee.x, y: 0 });
-  const bar = await editor.inProject('bar-1');
+  const bar = await editor.projectHandle('bar-1');
   if (bar?.kind !== 'bar' || bar.posed.length !== 3) throw new Error('the bar has a knee');
   for (const k of [0, 1, 2]) await settles(editor, bar.rest[k] ?? [0, 0], bar.posed[k] ?? [0, 0]);
   expect(bar.posed[1]?.[0]).toBeLessThan((bar.rest[1]?.[0] ?? 0) - 30);
@@ -132,7 +134,7 @@ test('a clicked corner shows its position and buttons in the panel', async ({ pa
   const [group, hip] = [page.getByRole('group', { name: 'Corner 2 of 2' }), at(...HIP)];
   await expect(group).toBeHidden();
   await page.mouse.click(hip.x, hip.y);
-  const before = await editor.inProject('bar-1');
+  const before = await editor.projectHandle('bar-1');
   if (before?.kind !== 'bar' || !before.posed[1]) throw new Error('a bar was drawn');
   const [x, y] = [
     group.getByRole('spinbutton', { name: 'X (' }),
@@ -143,7 +145,7 @@ test('a clicked corner shows its position and buttons in the panel', async ({ pa
   await y.focus();
   await page.keyboard.press('Shift+ArrowUp');
   await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
-  expect(await editor.inProject('bar-1')).toMatchObject({
+  expect(await editor.projectHandle('bar-1')).toMatchObject({
     posed: [before.posed[0], [450, before.posed[1][1] + 10]],
     rest: before.rest,
   });
@@ -164,7 +166,7 @@ test('a clicked corner shows its position and buttons in the panel', async ({ pa
 test('the draft line follows the pointer when the view moves', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Draw a bar').click();
-  const head = await editor.place('head');
+  const head = await editor.position('head');
   await page.mouse.click(head.x, head.y + 50);
   await page.mouse.move(head.x + 60, head.y + 40);
   const line = page.locator('c2-warp .draft .next');
@@ -204,8 +206,10 @@ test('a polygon closes on its first corner and moves the picture inside', async 
   const inside = at(480, 800);
   await editor.drag(inside, { x: 30, y: 20 });
   const [dx, dy] = [30, 20].map((by) => by / (at(1, 0).x - at(0, 0).x));
-  await expect.poll(async () => (await editor.told('polygon 1')).rotation).toBe(0);
-  await expect.poll(() => editor.away([512, 840], [512 + (dx ?? 0), 840 + (dy ?? 0)])).toBeLessThan(12);
+  await expect.poll(async () => (await editor.shownPose('polygon 1')).rotation).toBe(0);
+  await expect
+    .poll(() => editor.mappedDistance([512, 840], [512 + (dx ?? 0), 840 + (dy ?? 0)]))
+    .toBeLessThan(12);
   await expect(editor.button('Undo: move polygon 1')).toBeEnabled();
 });
 
@@ -214,7 +218,8 @@ test('a draft survives a reload and continues with its tool', async ({ page }) =
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
   await clicks(editor, [at(440, 700), at(570, 720)]);
-  const kept = async () => (await editor.kept()).drawings?.map(({ kind, corners }) => [kind, corners.length]);
+  const kept = async () =>
+    (await editor.storedWork()).drawings?.map(({ kind, corners }) => [kind, corners.length]);
   await expect.poll(kept).toEqual([['polygon', 2]]);
   await page.reload();
   await editor.ready();
@@ -222,8 +227,8 @@ test('a draft survives a reload and continues with its tool', async ({ page }) =
   await expect(corners).toHaveCount(2);
   await page.keyboard.press('g');
   await clicks(editor, [at(520, 800)]);
-  await editor.solves(() => page.keyboard.press('Enter'));
-  const polygon = await editor.inProject('polygon-1');
+  await editor.waitForSolve(() => page.keyboard.press('Enter'));
+  const polygon = await editor.projectHandle('polygon-1');
   expect(polygon?.kind === 'polygon' && polygon.posed).toHaveLength(3);
   // No draft is stored any more.
   await expect.poll(kept).toEqual([]);
@@ -252,7 +257,7 @@ test('redo restores only the corner that was undone', async ({ page }) => {
   await editor.dragHandle('left hand', { x: 20, y: -40 });
   await page.keyboard.press('Control+z');
   await expect(editor.button('Redo: move left hand')).toBeEnabled();
-  const told = await editor.told('left hand');
+  const told = await editor.shownPose('left hand');
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('g');
   await clicks(editor, [at(440, 780), at(584, 780), at(560, 900)]);
@@ -272,7 +277,7 @@ test('redo restores only the corner that was undone', async ({ page }) => {
   }
   await page.keyboard.press('Control+Shift+z');
   await expect(corners).toHaveCount(1);
-  expect(await editor.told('left hand')).toEqual(told);
+  expect(await editor.shownPose('left hand')).toEqual(told);
   await page.keyboard.press('Escape');
   await page.keyboard.press('Control+Shift+z');
   await expect(editor.button('Undo: move left hand')).toBeEnabled();
@@ -287,7 +292,7 @@ test('Enter finishes after a press on a button of the draft bar too', async ({ p
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(3);
   await page.keyboard.press('Enter');
   await expect(editor.handle('polygon 1')).toBeVisible();
-  expect((await editor.inProject('polygon-1'))?.kind).toBe('polygon');
+  expect((await editor.projectHandle('polygon-1'))?.kind).toBe('polygon');
 });
 
 test('a draft waits while another tool is selected', async ({ page }) => {
@@ -300,11 +305,11 @@ test('a draft waits while another tool is selected', async ({ page }) => {
   await page.keyboard.press('h');
   await expect(card).toBeHidden();
   await expect(corners).toHaveCount(3);
-  const before = await editor.middle(corners.first());
+  const before = await editor.centre(corners.first());
   await editor.drag(at(300, 400), { x: 30, y: 20 });
   await expect
     .poll(async () => {
-      const { x, y } = await editor.middle(corners.first());
+      const { x, y } = await editor.centre(corners.first());
       return [Math.round(x - before.x), Math.round(y - before.y)];
     })
     .toEqual([30, 20]);
@@ -330,20 +335,20 @@ test('keys draw a bar, move one end, turn it and delete it', async ({ page }) =>
   // Without an arrow key in between, Enter finishes.
   await page.keyboard.press('Enter');
   await expect(editor.handle('bar 1')).toBeFocused();
-  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(0);
+  await expect.poll(async () => (await editor.shownPose('bar 1')).rotation).toBe(0);
 
   await page.keyboard.press('Tab');
   await expect(editor.corner(1, 'bar 1')).toBeFocused();
-  const before = await editor.told('bar 1');
+  const before = await editor.shownPose('bar 1');
   for (let step = 0; step < 3; step++) await page.keyboard.press('Shift+ArrowRight');
-  await expect.poll(async () => (await editor.told('bar 1')).x).toBe(before.x + 15);
+  await expect.poll(async () => (await editor.shownPose('bar 1')).x).toBe(before.x + 15);
   await expect(editor.button('Undo: move a corner of bar 1')).toBeEnabled();
   await page.keyboard.press('Shift+Tab');
   await page.keyboard.press('Shift+ArrowLeft');
-  await expect.poll(async () => (await editor.told('bar 1')).x).toBe(before.x + 5);
-  const turned = await editor.still(() => editor.told('bar 1'));
+  await expect.poll(async () => (await editor.shownPose('bar 1')).x).toBe(before.x + 5);
+  const turned = await editor.settled(() => editor.shownPose('bar 1'));
   await page.keyboard.press('Shift+Period');
-  await expect.poll(async () => (await editor.told('bar 1')).rotation).toBe(turned.rotation + 15);
+  await expect.poll(async () => (await editor.shownPose('bar 1')).rotation).toBe(turned.rotation + 15);
   await page.keyboard.press('Delete');
   await expect(editor.handle('bar 1')).toBeHidden();
 });
@@ -351,15 +356,15 @@ test('keys draw a bar, move one end, turn it and delete it', async ({ page }) =>
 test('the panel moves, turns beyond half a turn, and resets a bar', async ({ page }) => {
   const editor = await Editor.open(page);
   await leg(editor);
-  const rest = await editor.inProject('bar-1');
+  const rest = await editor.projectHandle('bar-1');
   await editor.field('x').fill('360');
   await editor.field('x').press('Enter');
   await editor.field('rotation').fill('270');
   await editor.field('rotation').press('Enter');
-  await expect.poll(() => editor.told('bar 1')).toMatchObject({ x: 360, rotation: 270 });
+  await expect.poll(() => editor.shownPose('bar 1')).toMatchObject({ x: 360, rotation: 270 });
   await expect(editor.button('Auto turn')).toBeHidden();
   await editor.button('Reset to rest').click();
-  await expect.poll(() => editor.inProject('bar-1')).toEqual(rest);
+  await expect.poll(() => editor.projectHandle('bar-1')).toEqual(rest);
 });
 
 test('selection box, Shift-click and arrow keys work on bars and points', async ({ page }) => {
@@ -370,10 +375,10 @@ test('selection box, Shift-click and arrow keys work on bars and points', async 
   const [corner, opposite] = [at(250, 960), at(400, 1180)];
   await editor.drag(corner, { x: opposite.x - corner.x, y: opposite.y - corner.y });
   await expect(page.getByRole('heading', { name: '2 handles' })).toBeVisible();
-  const [bar, foot] = [await editor.told('bar 1'), await editor.told('left foot')];
+  const [bar, foot] = [await editor.shownPose('bar 1'), await editor.shownPose('left foot')];
   await page.keyboard.press('ArrowUp');
-  await expect.poll(async () => (await editor.told('bar 1')).y).toBe(bar.y - 1);
-  await expect.poll(async () => (await editor.told('left foot')).y).toBe(foot.y - 1);
+  await expect.poll(async () => (await editor.shownPose('bar 1')).y).toBe(bar.y - 1);
+  await expect.poll(async () => (await editor.shownPose('left foot')).y).toBe(foot.y - 1);
   await page.keyboard.down('Shift');
   const line = at(380, 930);
   await page.mouse.click(line.x, line.y);
@@ -400,17 +405,17 @@ test('a bar beside the picture is rejected, and its draft stays', async ({ page 
 });
 
 test('a rejected bar returns as a draft, and later changes stay', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   const editor = await Editor.open(page);
   const at = await editor.fromImage('head', [512, 260]);
-  await answers.hold();
+  await replies.hold();
   await page.keyboard.press('b');
   await clicks(editor, [at(60, 900), at(160, 1000)]);
   await page.keyboard.press('Enter');
   await page.keyboard.press('p');
   const heart = at(512, 600);
   await page.mouse.click(heart.x, heart.y);
-  await answers.pass();
+  await replies.release();
   await expect(editor.notice).toContainText('“bar 1” lies outside the shape');
   await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
   await expect(editor.handles).toHaveCount(6);
@@ -430,18 +435,18 @@ test('a switch holds the boundary, as one step', async ({ page }) => {
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
   await expect.poll(async () => (await held()).fix_boundary).toBe(true);
   await editor.dragHandle('right hand', { x: 0, y: -12 });
-  const told = await editor.still(() => editor.told('right hand'));
+  const told = await editor.settled(() => editor.shownPose('right hand'));
   const lift = 516 - told.y;
   expect(lift).toBeGreaterThan(10);
   // The hand moves, and its edge hardly moves.
-  await expect.poll(() => editor.away([900, 516], [told.x, told.y])).toBeLessThan(1);
-  await expect.poll(() => editor.away(rim, rim)).toBeLessThan(lift / 2);
+  await expect.poll(() => editor.mappedDistance([900, 516], [told.x, told.y])).toBeLessThan(1);
+  await expect.poll(() => editor.mappedDistance(rim, rim)).toBeLessThan(lift / 2);
 
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   await expect.poll(async () => (await held()).fix_boundary).toBe(false);
   await editor.dragHandle('right hand', { x: 0, y: -12 });
-  await expect.poll(() => editor.away(rim, rim)).toBeGreaterThan(lift / 2);
+  await expect.poll(() => editor.mappedDistance(rim, rim)).toBeGreaterThan(lift / 2);
 });
 
 test.describe('by touch', () => {
@@ -466,10 +471,10 @@ test.describe('by touch', () => {
     await expect(page.locator('c2-warp .draft .corner')).toHaveCount(2);
     await editor.button('Finish').tap();
     await expect(editor.handle('bar 1')).toBeVisible();
-    const end = await editor.middle(editor.corner(1, 'bar 1'));
+    const end = await editor.centre(editor.corner(1, 'bar 1'));
     expect((await editor.corner(1, 'bar 1').boundingBox())?.width).toBeGreaterThanOrEqual(44);
     const session = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: Place[]) =>
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: Position[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', end);
     await touch('touchMove', { x: end.x + 10, y: end.y - 10 });
@@ -488,9 +493,9 @@ test.describe('by touch', () => {
     await editor.button('Finish').tap();
     await expect(editor.handle('bar 1')).toBeVisible();
     await tapTool(editor, 'Select and move');
-    const knee = await editor.place('bar 1');
+    const knee = await editor.position('bar 1');
     const session = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: Place[]) =>
+    const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: Position[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints });
     // Sent without waiting: on a busy machine two taps would be too far apart.
     await Promise.all([

@@ -1,14 +1,14 @@
 /** The context menu: by right click, long press and keys. */
 import type { CDPSession, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import { Editor, type Place } from './editor';
+import { Editor, type Position } from './editor';
 import { expect, test } from './fixtures';
 
 const menu = (page: Page) => page.getByRole('menu');
 const entry = (page: Page, name: string) => page.getByRole('menuitem', { name, exact: true });
-const rightClick = (page: Page, { x, y }: Place) => page.mouse.click(x, y, { button: 'right' });
-const beside = ({ x, y }: Place, dx: number, dy: number): Place => ({ x: x + dx, y: y + dy });
-const posed = async (editor: Editor, id: string) => (await editor.inProject(id))?.posed;
+const rightClick = (page: Page, { x, y }: Position) => page.mouse.click(x, y, { button: 'right' });
+const beside = ({ x, y }: Position, dx: number, dy: number): Position => ({ x: x + dx, y: y + dy });
+const posed = async (editor: Editor, id: string) => (await editor.projectHandle(id))?.posed;
 const selection = (page: Page) =>
   page.locator('c2-warp').evaluate((element) => (element as C2Warp).selection.join(' '));
 const set = (page: Page, attribute: string) =>
@@ -20,7 +20,7 @@ async function leg(editor: Editor): Promise<void> {
     [330, 1040],
     [430, 820],
   ] as const;
-  await editor.solves(() =>
+  await editor.waitForSolve(() =>
     editor.page.locator('c2-warp').evaluate((element, rest) => {
       const warp = element as C2Warp;
       warp.addHandle({ kind: 'bar', id: 'leg', rest });
@@ -34,7 +34,7 @@ test('a right click selects a handle and lists its commands with keys', async ({
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
   await page.keyboard.press('Escape');
-  await rightClick(page, await editor.place('left hand'));
+  await rightClick(page, await editor.position('left hand'));
   await expect(menu(page)).toHaveAccessibleName('left hand');
   expect(await selection(page)).toBe('left-hand');
   await expect(entry(page, 'Mirror to the other side')).toHaveText(/Mirror to the other side\s+M/);
@@ -47,14 +47,14 @@ test('a right click selects a handle and lists its commands with keys', async ({
 
   // On one of several selected handles, the menu applies to all of them.
   await page.keyboard.press('Control+a');
-  await rightClick(page, await editor.place('right hand'));
+  await rightClick(page, await editor.position('right hand'));
   await expect(menu(page)).toHaveAccessibleName('5 handles');
   await entry(page, 'Reset').click();
   expect(await posed(editor, 'left-hand')).toEqual([124, 516]);
   expect(await posed(editor, 'right-hand')).toEqual([900, 516]);
 
   // Commands that cannot run are listed and do nothing.
-  await rightClick(page, await editor.place('right hand'));
+  await rightClick(page, await editor.position('right hand'));
   await expect(entry(page, 'Reset')).toBeDisabled();
   await entry(page, 'Reset').click({ force: true });
   await expect(menu(page)).toBeVisible();
@@ -83,10 +83,10 @@ test('on the picture it adds a point; a press outside only closes it', async ({ 
   await rightClick(page, at(300, 100));
   await expect(entry(page, 'Add a point here')).toBeDisabled();
   await rightClick(page, at(512, 700));
-  await editor.solves(() => entry(page, 'Add a point here').click());
+  await editor.waitForSolve(() => entry(page, 'Add a point here').click());
   await expect(editor.handles).toHaveCount(6);
   await expect(editor.handle('handle 1')).toBeFocused();
-  const told = await editor.told('handle 1');
+  const told = await editor.shownPose('handle 1');
   expect(Math.hypot(told.x - 512, told.y - 700)).toBeLessThan(2);
   await expect(editor.button('Select and move')).toHaveAttribute('aria-pressed', 'true');
 });
@@ -98,14 +98,14 @@ test('corners are added at the pressed point of a line, and deleted', async ({ p
   // A fifth of the way; a key would add one in the middle.
   await rightClick(page, at(410, 864));
   await expect(entry(page, 'Delete the corner')).toHaveCount(0);
-  await editor.solves(() => entry(page, 'Add a corner').click());
+  await editor.waitForSolve(() => entry(page, 'Add a corner').click());
   await expect(editor.corner(2, 'leg')).toBeFocused();
   const corner = (await posed(editor, 'leg'))?.[1] as readonly [number, number];
   expect(Math.hypot(corner[0] - 410, corner[1] - 864)).toBeLessThan(3);
   await page.keyboard.press('Escape');
   await rightClick(page, at(...corner));
   await expect(menu(page)).toHaveAccessibleName('Corner 2 of leg');
-  await editor.solves(() => entry(page, 'Delete the corner').click());
+  await editor.waitForSolve(() => entry(page, 'Delete the corner').click());
   await rightClick(page, at(430, 820));
   await expect(menu(page)).toHaveAccessibleName('Corner 2 of leg');
   await expect(entry(page, 'Delete the corner')).toBeDisabled();
@@ -170,11 +170,11 @@ test('Shift opens the browser’s menu; a drag and a draft continue', async ({ p
     );
   });
   const prevented = () => page.evaluate(() => Reflect.get(globalThis, 'prevented'));
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await page.keyboard.down('Shift');
   await rightClick(page, hand);
   await page.keyboard.up('Shift');
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(menu(page)).toHaveCount(0);
   expect(await prevented()).toEqual([false]);
 
@@ -186,12 +186,12 @@ test('Shift opens the browser’s menu; a drag and a draft continue', async ({ p
   await page.mouse.move(hand.x, hand.y - 60);
   await page.mouse.up();
   await expect(menu(page)).toHaveCount(0);
-  expect((await editor.told('right hand')).y).toBeLessThan(400);
+  expect((await editor.shownPose('right hand')).y).toBeLessThan(400);
 
   await page.keyboard.press('g');
   await page.mouse.click(hand.x - 200, hand.y + 100);
   await rightClick(page, beside(hand, -160, 120));
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(menu(page)).toHaveCount(0);
   await expect(page.getByRole('group', { name: 'Drawing' })).toBeVisible();
   expect(await prevented()).toEqual([false, true, true]);
@@ -201,7 +201,7 @@ test('on a corner of one of several selected handles it applies to all', async (
   const editor = await Editor.open(page);
   await leg(editor);
   await page.keyboard.press('Control+a');
-  await rightClick(page, await editor.middle(editor.corner(1, 'leg')));
+  await rightClick(page, await editor.centre(editor.corner(1, 'leg')));
   await expect(menu(page)).toHaveAccessibleName('6 handles');
   await page.keyboard.press('Escape');
   const before = await posed(editor, 'head');
@@ -211,7 +211,7 @@ test('on a corner of one of several selected handles it applies to all', async (
 
 test('it does not open during a drag or with the lasso tool', async ({ page }) => {
   const editor = await Editor.open(page);
-  const head = await editor.place('head');
+  const head = await editor.position('head');
   await page.mouse.move(head.x, head.y);
   await page.mouse.down();
   await page.mouse.move(head.x + 20, head.y, { steps: 3 });
@@ -230,7 +230,7 @@ test('it does not open during a drag or with the lasso tool', async ({ page }) =
 
 test('it closes when the page removes its handle', async ({ page }) => {
   const editor = await Editor.open(page);
-  await rightClick(page, await editor.place('head'));
+  await rightClick(page, await editor.position('head'));
   await expect(menu(page)).toHaveAccessibleName('head');
   await page.locator('c2-warp').evaluate((element) => (element as C2Warp).removeHandle('head'));
   await expect(menu(page)).toHaveCount(0);
@@ -239,7 +239,7 @@ test('it closes when the page removes its handle', async ({ page }) => {
 test('a Ctrl click is a right click on a Mac, and begins no drag', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.button('Add a point handle').click();
-  const belly = beside(await editor.place('head'), 0, 200);
+  const belly = beside(await editor.position('head'), 0, 200);
   await page.keyboard.down('Control');
   await page.mouse.move(belly.x, belly.y);
   await page.mouse.down();
@@ -266,7 +266,7 @@ test('a press elsewhere on the page closes it, as does scrolling', async ({ page
     document.body.prepend(words);
     document.body.style.paddingBottom = '2000px';
   });
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await rightClick(page, hand);
   await expect(menu(page)).toBeVisible();
   await page.getByText('words', { exact: true }).click();
@@ -277,13 +277,13 @@ test('a press elsewhere on the page closes it, as does scrolling', async ({ page
   await expect(menu(page)).toHaveCount(0);
   // The menu extends beyond a lower editor, and stays within the window.
   await page.setViewportSize({ width: 900, height: 320 });
-  await rightClick(page, await editor.still(() => editor.place('right hand')));
+  await rightClick(page, await editor.settled(() => editor.position('right hand')));
   await expect(menu(page)).toBeInViewport({ ratio: 1 });
 });
 
 test('a readonly editor has no menu, and an open one closes', async ({ page }) => {
   const editor = await Editor.open(page);
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await rightClick(page, hand);
   await expect(menu(page)).toBeVisible();
   await set(page, 'disabled');
@@ -293,7 +293,7 @@ test('a readonly editor has no menu, and an open one closes', async ({ page }) =
   await rightClick(page, hand);
   await editor.handle('right hand').focus();
   await page.keyboard.press('ContextMenu');
-  await editor.drawn();
+  await editor.waitFrames();
   await expect(menu(page)).toHaveCount(0);
 });
 
@@ -304,7 +304,7 @@ test.describe('with the clipboard', () => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 30, y: -80 });
     const moved = await posed(editor, 'left-hand');
-    await rightClick(page, await editor.place('left hand'));
+    await rightClick(page, await editor.position('left hand'));
     await entry(page, 'Copy the pose').click();
     const clipped = await page.evaluate(() => navigator.clipboard.readText());
     expect(clipped).toContain('c2warp-pose/1');
@@ -312,11 +312,11 @@ test.describe('with the clipboard', () => {
     await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
     await page.reload();
     await editor.ready();
-    await rightClick(page, await editor.place('left hand'));
+    await rightClick(page, await editor.position('left hand'));
     await entry(page, 'Paste a pose').click();
     await expect.poll(() => posed(editor, 'left-hand')).toEqual(moved);
     await page.evaluate(() => navigator.clipboard.writeText('hello'));
-    await rightClick(page, await editor.place('left hand'));
+    await rightClick(page, await editor.position('left hand'));
     await entry(page, 'Paste a pose').click();
     await expect(page.getByText('There is no pose on the clipboard')).toBeVisible();
   });
@@ -330,17 +330,17 @@ test('without clipboard access the menu pastes only poses of this page', async (
   });
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
-  await rightClick(page, await editor.place('left hand'));
+  await rightClick(page, await editor.position('left hand'));
   await entry(page, 'Paste a pose').click();
   await expect(page.getByText('press Ctrl + V to paste')).toBeVisible();
-  await rightClick(page, await editor.place('left hand'));
+  await rightClick(page, await editor.position('left hand'));
   await entry(page, 'Copy the pose').click();
   await expect(page.getByText('can be pasted on this page alone')).toBeVisible();
   await page.keyboard.press('r');
   await expect.poll(() => posed(editor, 'left-hand')).toEqual([124, 516]);
   // Something else may have been copied meanwhile. The browser refuses to read it.
   await page.evaluate(() => window.dispatchEvent(new Event('blur')));
-  await rightClick(page, await editor.place('left hand'));
+  await rightClick(page, await editor.position('left hand'));
   await entry(page, 'Paste a pose').click();
   await expect.poll(() => posed(editor, 'left-hand')).toEqual(moved);
 });
@@ -348,7 +348,7 @@ test('without clipboard access the menu pastes only poses of this page', async (
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
-  const send = (session: CDPSession, type: 'Start' | 'Move' | 'End', touchPoints: readonly Place[] = []) =>
+  const send = (session: CDPSession, type: 'Start' | 'Move' | 'End', touchPoints: readonly Position[] = []) =>
     session.send('Input.dispatchTouchEvent', {
       type: `touch${type}`,
       touchPoints: touchPoints.map((at, id) => ({ ...at, id })),
@@ -359,17 +359,17 @@ test.describe('by touch', () => {
   test('a long press opens it, a tap chooses, and nothing is dragged', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
-    const hand = await editor.place('right hand');
+    const hand = await editor.position('right hand');
     await send(session, 'Start', [hand]);
     await expect(menu(page)).toHaveAccessibleName('right hand');
     await send(session, 'Move', [beside(hand, 3, -3)]);
     await send(session, 'End');
     await expect(menu(page)).toBeVisible();
-    expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
+    expect(await editor.settled(() => editor.shownPose('right hand'))).toMatchObject({ x: 900, y: 516 });
     const box = await entry(page, 'Delete').boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
     // A tap outside closes the menu and keeps the selection.
-    const head = await editor.place('head');
+    const head = await editor.position('head');
     await page.touchscreen.tap(head.x, head.y - 60);
     await expect(menu(page)).toHaveCount(0);
     expect(await selection(page)).toBe('right-hand');
@@ -386,33 +386,33 @@ test.describe('by touch', () => {
   test('a long press that then moves drags, and closes the menu', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
-    const hand = await editor.place('right hand');
+    const hand = await editor.position('right hand');
     await send(session, 'Start', [hand]);
     await expect(menu(page)).toBeVisible();
     await send(session, 'Move', [beside(hand, 0, -30)]);
     await expect(menu(page)).toHaveCount(0);
     await send(session, 'Move', [beside(hand, 0, -60)]);
     await send(session, 'End');
-    const at = await editor.place('right hand');
+    const at = await editor.position('right hand');
     expect(Math.hypot(at.x - hand.x, at.y - (hand.y - 60))).toBeLessThan(1);
     await editor.button('Undo').tap();
-    expect(await editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+    expect(await editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
     await expect(editor.button('Undo')).toBeDisabled();
 
     await set(page, 'play');
-    const again = await editor.place('right hand');
+    const again = await editor.position('right hand');
     await send(session, 'Start', [again]);
     await expect(menu(page)).toBeVisible();
     await send(session, 'Move', [beside(again, -30, -40)]);
     await send(session, 'End');
     await expect(menu(page)).toHaveCount(0);
-    await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(480);
+    await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(480);
   });
 
   test('a long press that places a handle continues as a drag', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
-    const head = await editor.place('head');
+    const head = await editor.position('head');
     await editor.button('Add a point handle').tap();
     await send(session, 'Start', [beside(head, 0, 140)]);
     await stay(page);
@@ -431,10 +431,10 @@ test.describe('by touch', () => {
   test('a moving finger drags at once, and two fingers navigate', async ({ page }) => {
     const editor = await Editor.open(page);
     const session = await page.context().newCDPSession(page);
-    const [hand, foot] = [await editor.place('right hand'), await editor.place('left foot')];
+    const [hand, foot] = [await editor.position('right hand'), await editor.position('left foot')];
     await send(session, 'Start', [hand]);
     await send(session, 'Move', [beside(hand, -5, -30)]);
-    await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(480);
+    await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(480);
     await stay(page);
     await expect(menu(page)).toHaveCount(0);
     await send(session, 'End');
@@ -463,7 +463,7 @@ test.describe('in a small window', () => {
       { x: right - 3, y: stage.y + 3 },
       { x: 3, y: bottom - 3 },
       { x: right - 3, y: bottom - 3 },
-      await editor.place('right hand'),
+      await editor.position('right hand'),
     ]) {
       await rightClick(page, place);
       await expect(menu(page)).toBeVisible();

@@ -3,9 +3,9 @@
 import type { Page, Route } from '@playwright/test';
 import { encode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
-import { Answers } from './answers';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
+import { WorkerReplies } from './worker_replies';
 
 const SIDES = { '/slow.png': 40, '/fast.png': 48 } as const;
 
@@ -34,7 +34,7 @@ class SlowPicture {
     this.#answered.push(answered);
   }
 
-  /** Answers all requests, and waits longer than it takes to open the picture. */
+  /** WorkerReplies all requests, and waits longer than it takes to open the picture. */
   async comes(): Promise<void> {
     this.#come();
     await Promise.all(this.#answered);
@@ -141,7 +141,7 @@ test('the stage shows that it is opening while the solver loads', async ({ page 
   await expect(page.getByText('Opening…')).toBeHidden();
 });
 
-/** Answers requests for files with an HTML page, like a captive portal, until the returned function is called. */
+/** WorkerReplies requests for files with an HTML page, like a captive portal, until the returned function is called. */
 async function captive(page: Page, files: string): Promise<() => Promise<void>> {
   await page.route(files, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html>' }));
   return () => page.unroute(files);
@@ -167,8 +167,8 @@ for (const [what, files] of [
   test(`while ${what} fails to load, stored work shows and edits stay`, async ({ page }) => {
     const editor = await Editor.open(page);
     await editor.dragHandle('left hand', { x: 0, y: -40 });
-    await expect.poll(async () => (await editor.kept()).step).toBe('Move left hand');
-    const first = await editor.told('left hand');
+    await expect.poll(async () => (await editor.storedWork()).step).toBe('Move left hand');
+    const first = await editor.shownPose('left hand');
     const free = await captive(page, files);
     await page.reload();
     await expect(editor.notice).toContainText('The solver');
@@ -179,18 +179,18 @@ for (const [what, files] of [
     );
     await editor.dragHandle('right hand', { x: 0, y: -40 });
     await failed;
-    const second = await editor.told('right hand');
+    const second = await editor.shownPose('right hand');
     await free();
     await editor.button('Try again').click();
     await editor.ready();
     await expect(editor.notice).toBeHidden();
-    expect([(await editor.told('left hand')).y, (await editor.told('right hand')).y]).toEqual([
+    expect([(await editor.shownPose('left hand')).y, (await editor.shownPose('right hand')).y]).toEqual([
       first.y,
       second.y,
     ]);
     await page.reload();
     await editor.ready();
-    expect((await editor.told('right hand')).y).toBe(second.y);
+    expect((await editor.shownPose('right hand')).y).toBe(second.y);
   });
 }
 
@@ -227,11 +227,12 @@ test('a picture without handles shows a hint; own pictures get the point tool', 
   const pressed = (tool: string) => expect(editor.button(tool)).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByText('take the point tool, and click the picture')).toBeVisible();
   await pressed('Select and move');
-  const bring = async () => editor.choose({ name: 'mine.png', mimeType: 'image/png', buffer: square(40) });
+  const bring = async () =>
+    editor.chooseFile({ name: 'mine.png', mimeType: 'image/png', buffer: square(40) });
   await bring();
   await expect(page.getByText('Click the picture where you want to hold it')).toBeVisible();
   await pressed('Add a point handle');
-  const middle = await editor.middle(page.locator('c2-warp canvas'));
+  const middle = await editor.centre(page.locator('c2-warp canvas'));
   await page.mouse.click(middle.x - 80, middle.y);
   await expect(editor.handles).toHaveCount(1);
   await page.keyboard.press('Escape');
@@ -244,18 +245,18 @@ test('a picture without handles shows a hint; own pictures get the point tool', 
 });
 
 test('a new picture is fitted during its solve, whatever the last size', async ({ page }) => {
-  const answers = await Answers.of(page);
+  const replies = await WorkerReplies.intercept(page);
   await open(page, `<c2-warp src="/samples/gingerbread.png"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
   const editor = new Editor(page);
   expect(await editor.zoom()).toBeLessThan(1);
-  await answers.hold();
+  await replies.hold();
   await warp(page).evaluate((element) => element.setAttribute('src', '/fast.png'));
   await expect.poll(() => picture(page)).toBe('fast.png');
-  await editor.drawn();
+  await editor.waitFrames();
   const zoom = await editor.zoom();
   expect(zoom).toBeGreaterThan(8);
-  await answers.pass();
+  await replies.release();
   await expect(editor.solved).toContainText('48 × 48 px');
   expect(await editor.zoom()).toBe(zoom);
 });
@@ -528,17 +529,17 @@ test('a selection set by the page ends a drag and keeps its result', async ({ pa
   const editor = new Editor(page);
   await open(page, `<c2-warp src="/fast.png" project="/project.json"></c2-warp>`);
   await expect.poll(() => heard(page)).toContain('load');
-  const at = await editor.place('middle');
+  const at = await editor.position('middle');
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
   await page.mouse.move(at.x + 60, at.y, { steps: 4 });
-  const told = await editor.still(() => editor.told('middle'));
+  const told = await editor.settled(() => editor.shownPose('middle'));
   await warp(page).evaluate((element) => {
     (element as C2Warp).selection = [];
   });
   await page.mouse.move(at.x + 90, at.y);
   await page.mouse.up();
-  expect(await editor.told('middle')).toEqual(told);
+  expect(await editor.shownPose('middle')).toEqual(told);
   expect(await warp(page).evaluate((element) => (element as C2Warp).selection)).toEqual([]);
   await expect(editor.button('Undo: move middle')).toBeEnabled();
 });
@@ -565,7 +566,7 @@ test('an autosave key set later stores the open work from then on', async ({ pag
     (element as C2Warp).updateHandle('middle', { posed: [20, 20] });
   });
   const work = { picture: 'fast.png', handles: [expect.objectContaining({ posed: [20, 20] })] };
-  await expect.poll(() => new Editor(page).kept('late')).toMatchObject(work);
+  await expect.poll(() => new Editor(page).storedWork('late')).toMatchObject(work);
   await page.evaluate(() => {
     document.querySelector('c2-warp')?.remove();
     const other = document.createElement('c2-warp');

@@ -27,20 +27,20 @@ test('cell borders follow a drag, and change with another handle', async ({ page
   // Each of a hundred cells has at least some twenty pieces.
   expect(count).toBeGreaterThan(1000);
 
-  const hand = await editor.place('left hand');
+  const hand = await editor.position('left hand');
   await page.mouse.move(hand.x, hand.y);
   await page.mouse.down();
   await page.mouse.move(hand.x + 20, hand.y - 60, { steps: 4 });
-  await editor.drawn();
+  await editor.waitFrames();
   const dragged = await line(editor);
   expect(dragged).not.toBe(before);
   expect(await pieces(editor)).toBe(count);
   await page.keyboard.press('Escape');
   await page.mouse.up();
-  await editor.drawn();
+  await editor.waitFrames();
   expect(await line(editor)).toBe(before);
 
-  await editor.solves(async () => {
+  await editor.waitForSolve(async () => {
     await page.keyboard.press('p');
     const at = await editor.fromImage('head', [512, 260]);
     const { x, y } = at(512, 640);
@@ -50,7 +50,7 @@ test('cell borders follow a drag, and change with another handle', async ({ page
   expect(await line(editor)).not.toBe(before);
 
   // The borders of the earlier solution are requested again.
-  await editor.solves(() => editor.button('Undo').click());
+  await editor.waitForSolve(() => editor.button('Undo').click());
   await expect.poll(() => line(editor)).toBe(before);
   await overlay(editor, 'Cells');
   await expect(borders(editor)).toHaveCount(0);
@@ -58,12 +58,12 @@ test('cell borders follow a drag, and change with another handle', async ({ page
 
 test('coverage has a legend, and one heat map replaces the other', async ({ page }) => {
   const editor = await Editor.open(page);
-  const plain = await editor.look(await editor.place('head'), 30);
+  const plain = await editor.screenshot(await editor.position('head'), 30);
   const legend = page.getByRole('img', { name: /moved by few handles/ });
   await overlay(editor, 'Coverage');
   await expect(legend).toBeVisible();
-  await editor.drawn();
-  expect(Buffer.compare(await editor.look(await editor.place('head'), 30), plain)).not.toBe(0);
+  await editor.waitFrames();
+  expect(Buffer.compare(await editor.screenshot(await editor.position('head'), 30), plain)).not.toBe(0);
 
   await editor.handle('head').click();
   await overlay(editor, 'Reach');

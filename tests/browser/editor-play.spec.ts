@@ -1,18 +1,18 @@
 /** `<c2-warp play>` in an article: readers pose the existing handles, and all other input belongs to the page. */
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import { Editor, type Place, type Told } from './editor';
+import { Editor, type Position, type ShownPose } from './editor';
 import { expect, test } from './fixtures';
 
 /** One of the two rigs of the article. */
 class Rig {
   readonly element: Locator;
   readonly stage: Locator;
-  readonly still: Editor['still'];
+  readonly settled: Editor['settled'];
 
   constructor(page: Page, id: 'first' | 'second' = 'first') {
     const editor = new Editor(page);
-    this.still = (ask) => editor.still(ask);
+    this.settled = (ask) => editor.settled(ask);
     this.element = page.locator(`#${id}`);
     this.stage = this.element.locator('.stage');
   }
@@ -54,13 +54,13 @@ class Rig {
     return this.element.getByRole('group', { name: 'Handles' }).getByRole('button');
   }
 
-  async told(name: string): Promise<Told> {
+  async shownPose(name: string): Promise<ShownPose> {
     const label = (await this.handle(name).getAttribute('aria-label')) ?? '';
     const number = (word: string) => Number(label.match(new RegExp(`${word} (-?[\\d.]+)`))?.[1]);
     return { x: number('x'), y: number('y'), rotation: number('rotation') };
   }
 
-  async place(name: string): Promise<Place> {
+  async position(name: string): Promise<Position> {
     const box = await this.handle(name).boundingBox();
     if (!box) throw new Error(`${name} is not shown`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -87,9 +87,9 @@ const scrolled = (page: Page) => page.evaluate(() => Math.round(scrollY));
 /** Returns the events that reached the page since the last call. */
 const left = (page: Page) => page.evaluate(() => (Reflect.get(globalThis, 'left') as string[]).splice(0));
 
-const by = ({ x, y }: Place, dx: number, dy: number): Place => ({ x: x + dx, y: y + dy });
+const by = ({ x, y }: Position, dx: number, dy: number): Position => ({ x: x + dx, y: y + dy });
 
-async function drag(page: Page, from: Place, to: Place): Promise<void> {
+async function drag(page: Page, from: Position, to: Position): Promise<void> {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y, { steps: 4 });
@@ -97,7 +97,7 @@ async function drag(page: Page, from: Place, to: Place): Promise<void> {
 }
 
 /** A point on the stage beside the figure, without handles. */
-const beside = async (rig: Rig) => by(await rig.place('head'), 110, 0);
+const beside = async (rig: Rig) => by(await rig.position('head'), 110, 0);
 
 /** Waits two frames: one to pose, one to show. */
 const drawn = (page: Page) =>
@@ -126,48 +126,51 @@ test('a rig shows picture and handles only, with the picture’s height', async 
 test('a hand can be dragged, turned, nudged and undone', async ({ page }) => {
   const rig = await Rig.open(page);
   const second = await new Rig(page, 'second').project();
-  const hand = await rig.place('right hand');
+  const hand = await rig.position('right hand');
   await drag(page, hand, by(hand, -10, -40));
-  const raised = await rig.told('right hand');
+  const raised = await rig.shownPose('right hand');
   expect(raised.y).toBeLessThan(450);
   await expect(rig.handle('right hand')).toBeFocused();
   await expect(rig.element.getByText('Drag a hand')).toBeHidden();
   // No mark of the rest position: only the editor shows it.
   await expect(rig.element.locator('.rest')).toHaveCount(0);
 
-  const now = await rig.place('right hand');
+  const now = await rig.position('right hand');
   await drag(page, by(now, 0, 40), by(now, -40, 0));
-  const turned = await rig.told('right hand');
+  const turned = await rig.shownPose('right hand');
   expect(Math.abs(turned.rotation - raised.rotation)).toBeGreaterThan(60);
 
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Shift+.');
-  expect(await rig.told('right hand')).toMatchObject({ x: turned.x - 1, rotation: turned.rotation + 15 });
+  expect(await rig.shownPose('right hand')).toMatchObject({
+    x: turned.x - 1,
+    rotation: turned.rotation + 15,
+  });
   for (let k = 0; k < 4; k++) await page.keyboard.press('ControlOrMeta+z');
-  expect(await rig.told('right hand')).toEqual({ x: 900, y: 516, rotation: 0 });
+  expect(await rig.shownPose('right hand')).toEqual({ x: 900, y: 516, rotation: 0 });
   await page.keyboard.press('ControlOrMeta+Shift+z');
-  expect(await rig.told('right hand')).toEqual(raised);
+  expect(await rig.shownPose('right hand')).toEqual(raised);
   await rig.handle('right hand').click();
   await page.keyboard.press('r');
-  expect(await rig.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  expect(await rig.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
   expect(await new Rig(page, 'second').project()).toBe(second);
 });
 
 test('a handle dragged out of view is fitted; undo restores the size', async ({ page }) => {
   const rig = await Rig.open(page);
-  const [hand, foot] = [await rig.place('right hand'), await rig.place('left foot')];
+  const [hand, foot] = [await rig.position('right hand'), await rig.position('left foot')];
   await drag(page, hand, by(hand, 150, -60));
   const box = await rig.element.boundingBox();
   const right = (box?.x ?? 0) + (box?.width ?? 0);
-  await expect.poll(async () => (await rig.place('right hand')).x).toBeLessThan(right - 10);
+  await expect.poll(async () => (await rig.position('right hand')).x).toBeLessThan(right - 10);
   await page.keyboard.press('ControlOrMeta+z');
-  await expect.poll(() => rig.place('left foot')).toEqual(foot);
+  await expect.poll(() => rig.position('left foot')).toEqual(foot);
 });
 
 test('the wheel scrolls the page, also with Ctrl, and the view stays', async ({ page }) => {
   const rig = await Rig.open(page);
   const before = await scrolled(page);
-  const [head, hand] = [await rig.place('head'), await rig.place('right hand')];
+  const [head, hand] = [await rig.position('head'), await rig.position('right hand')];
   await page.mouse.move(head.x, head.y);
   await page.mouse.wheel(0, 120);
   await expect.poll(() => scrolled(page)).toBe(before + 120);
@@ -176,7 +179,7 @@ test('the wheel scrolls the page, also with Ctrl, and the view stays', async ({ 
   await page.keyboard.up('Control');
   expect((await left(page)).filter((type) => type === 'wheel')).toHaveLength(2);
   await expect
-    .poll(async () => (await rig.place('right hand')).y + (await scrolled(page)))
+    .poll(async () => (await rig.position('right hand')).y + (await scrolled(page)))
     .toBeCloseTo(hand.y + before, 0);
 });
 
@@ -191,7 +194,7 @@ test('a press beside the handles deselects; drag and menu are the page’s', asy
   expect(await rig.selection()).toEqual(['head']);
   await page.mouse.click(empty.x, empty.y);
   await expect.poll(() => rig.selection()).toEqual([]);
-  const hand = await rig.place('right hand');
+  const hand = await rig.position('right hand');
   await left(page);
   await page.mouse.click(empty.x, empty.y, { button: 'right' });
   expect(await left(page)).toContain('contextmenu');
@@ -199,21 +202,21 @@ test('a press beside the handles deselects; drag and menu are the page’s', asy
   await page.mouse.down({ button: 'middle' });
   await page.mouse.move(empty.x, empty.y + 20);
   await page.mouse.up({ button: 'middle' });
-  expect(await rig.place('right hand')).toEqual(hand);
+  expect(await rig.position('right hand')).toEqual(hand);
   expect(await rig.project()).toBe(project);
 });
 
 test('a right click on a handle opens the menu; keys open none elsewhere', async ({ page }) => {
   const rig = await Rig.open(page);
-  const at = await rig.place('right hand');
+  const at = await rig.position('right hand');
   await drag(page, at, by(at, 0, -20));
-  await expect.poll(async () => (await rig.told('right hand')).y).toBeLessThan(516);
-  const hand = await rig.place('right hand');
+  await expect.poll(async () => (await rig.shownPose('right hand')).y).toBeLessThan(516);
+  const hand = await rig.position('right hand');
   await left(page);
   await page.mouse.click(hand.x, hand.y, { button: 'right' });
   await expect(page.getByRole('menuitem')).toHaveText([/Reset\s+R/, /Reset all/, /Undo/, /Redo/]);
   await page.getByRole('menuitem', { name: 'Reset', exact: true }).click();
-  await expect.poll(async () => (await rig.told('right hand')).y).toBe(516);
+  await expect.poll(async () => (await rig.shownPose('right hand')).y).toBe(516);
   expect(await left(page)).not.toContain('contextmenu');
   await rig.stage.focus();
   await page.keyboard.press('Shift+F10');
@@ -232,7 +235,7 @@ test('nothing is placed, drawn, deleted or reordered with any tool', async ({ pa
   });
   await expect(rig.handle('belt')).toBeAttached();
   const project = await rig.project();
-  const belly = await rig.place('belt');
+  const belly = await rig.position('belt');
   await page.mouse.dblclick(belly.x - 12, belly.y);
   await page.mouse.click(belly.x, belly.y - 60);
   await rig.handle('head').click();
@@ -270,7 +273,7 @@ test('Tab passes through the handles, and unused keys scroll the page', async ({
   await expect(rig.handle('head')).toBeFocused();
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Shift+ArrowDown');
-  expect(await rig.told('head')).toMatchObject({ x: 513, y: 270 });
+  expect(await rig.shownPose('head')).toMatchObject({ x: 513, y: 270 });
   const [before, ring] = [await scrolled(page), rig.element.locator('.ring')];
   await page.keyboard.press('Space');
   await expect(ring).toHaveCount(0);
@@ -278,7 +281,7 @@ test('Tab passes through the handles, and unused keys scroll the page', async ({
   await expect(ring).toHaveCount(1);
   await page.keyboard.press('ControlOrMeta+z');
   await page.keyboard.press('ControlOrMeta+z');
-  expect(await rig.told('head')).toMatchObject({ x: 512, y: 260 });
+  expect(await rig.shownPose('head')).toMatchObject({ x: 512, y: 260 });
   await page.keyboard.press('ControlOrMeta+a');
   expect(await rig.selection()).toHaveLength(5);
   await page.keyboard.down('o');
@@ -314,16 +317,16 @@ test('switching play mode during a drag reverts the drag', async ({ page }) => {
   for (const play of [false, true, false]) {
     // The last drag may have ended over a tool, whose tooltip would cover the hand.
     await page.mouse.move(1, 1);
-    const hand = await rig.place('left hand');
+    const hand = await rig.position('left hand');
     await page.mouse.move(hand.x, hand.y);
     await page.mouse.down();
     await page.mouse.move(hand.x, hand.y - 30, { steps: 3 });
-    await expect.poll(async () => (await rig.told('left hand')).y).toBeLessThan(500);
+    await expect.poll(async () => (await rig.shownPose('left hand')).y).toBeLessThan(500);
     await rig.set({ play });
     await page.mouse.move(hand.x, hand.y - 60, { steps: 3 });
     await page.mouse.up();
     await drawn(page);
-    expect(await rig.told('left hand')).toMatchObject({ x: 124, y: 516 });
+    expect(await rig.shownPose('left hand')).toMatchObject({ x: 124, y: 516 });
     if (play) await expect(tools).toHaveCount(0);
     else await expect(tools).toBeVisible();
   }
@@ -343,7 +346,7 @@ test('overlays and drafts of the editor are hidden in play mode', async ({ page 
     element.style.height = '560px';
   });
   await rig.element.scrollIntoViewIfNeeded();
-  const belly = by(await rig.place('head'), 0, 120);
+  const belly = by(await rig.position('head'), 0, 120);
   await page.mouse.move(belly.x, belly.y);
   await page.mouse.wheel(0, 60);
   await rig.handle('head').click();
@@ -354,7 +357,7 @@ test('overlays and drafts of the editor are hidden in play mode', async ({ page 
   await expect(rig.element.locator('.draft, .draft-bar, .hint:not(.bubble)')).toHaveCount(0);
   const { x, y, width, height } = (await rig.element.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
   const scale = (height - 32) / 1280;
-  const head = await rig.place('head');
+  const head = await rig.position('head');
   expect(head.x).toBeCloseTo(x + width / 2, 0);
   expect(head.y).toBeCloseTo(y + 16 + 260 * scale, 0);
 });
@@ -413,7 +416,7 @@ test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
   /** Sends touches, one step per list of positions. The fingers rest before the end, or the page would scroll on. */
-  async function touch(session: CDPSession, steps: readonly (readonly Place[])[]): Promise<void> {
+  async function touch(session: CDPSession, steps: readonly (readonly Position[])[]): Promise<void> {
     for (const [index, touchPoints] of steps.entries()) {
       const type = index === 0 ? 'touchStart' : 'touchMove';
       const points = touchPoints.map((at, id) => ({ ...at, id }));
@@ -423,7 +426,7 @@ test.describe('by touch', () => {
     await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
   }
 
-  const upwards = (from: Place) => [0, -20, -40, -60, -80, -100].map((dy) => [by(from, 0, dy)]);
+  const upwards = (from: Position) => [0, -20, -40, -60, -80, -100].map((dy) => [by(from, 0, dy)]);
 
   test('a finger beside the handles scrolls the page, one on a handle drags it', async ({ page }) => {
     const rig = await Rig.open(page);
@@ -437,22 +440,22 @@ test.describe('by touch', () => {
     expect(await rig.selection()).toEqual(['head']);
 
     // Waits until the view stops: it follows the dragged handle.
-    const { still } = rig;
-    const at = await still(() => scrolled(page));
-    await touch(fingers, upwards(await still(() => rig.place('right hand'))));
-    await expect.poll(async () => (await rig.told('right hand')).y).toBeLessThan(350);
+    const { settled } = rig;
+    const at = await settled(() => scrolled(page));
+    await touch(fingers, upwards(await settled(() => rig.position('right hand'))));
+    await expect.poll(async () => (await rig.shownPose('right hand')).y).toBeLessThan(350);
     expect(await scrolled(page)).toBe(at);
     expect(await rig.selection()).toEqual(['right-hand']);
     // Dragged by the ring, away from its buttons.
-    const hand = await still(() => rig.place('right hand'));
-    const turned = (await rig.told('right hand')).rotation;
+    const hand = await settled(() => rig.position('right hand'));
+    const turned = (await rig.shownPose('right hand')).rotation;
     await touch(fingers, [[by(hand, -52, 0)], [by(hand, -40, 34)], [by(hand, -10, 52)], [by(hand, 0, 52)]]);
     await expect
-      .poll(async () => Math.abs((await rig.told('right hand')).rotation - turned))
+      .poll(async () => Math.abs((await rig.shownPose('right hand')).rotation - turned))
       .toBeGreaterThan(40);
     expect(await scrolled(page)).toBe(at);
 
-    const empty = await still(() => beside(rig));
+    const empty = await settled(() => beside(rig));
     await page.touchscreen.tap(empty.x, empty.y);
     await expect.poll(() => rig.selection()).toEqual([]);
   });
@@ -460,7 +463,7 @@ test.describe('by touch', () => {
   test('a long press on a handle opens the menu and does not scroll the page', async ({ page }) => {
     const rig = await Rig.open(page);
     const fingers = await page.context().newCDPSession(page);
-    const at = await rig.still(() => rig.place('right hand'));
+    const at = await rig.settled(() => rig.position('right hand'));
     await fingers.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [at] });
     await expect(page.getByRole('menu')).toHaveAccessibleName('right hand');
     await fingers.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
@@ -475,7 +478,7 @@ test.describe('by touch', () => {
     const rig = await Rig.open(page);
     const fingers = await page.context().newCDPSession(page);
     const project = await rig.project();
-    const hand = await rig.place('right hand');
+    const hand = await rig.position('right hand');
     const second = by(hand, -120, 100);
     await touch(fingers, [
       [hand],

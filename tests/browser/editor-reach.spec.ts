@@ -1,6 +1,6 @@
 /** The heat map of the reach of selected handles: hot and cold areas, and its visibility. */
 import { decode } from 'fast-png';
-import { apart, Editor, type Place, SAME } from './editor';
+import { Editor, meanDifference, type Position, SAME } from './editor';
 import { expect, test } from './fixtures';
 
 /** A radius around a handle, inside its ring. */
@@ -9,8 +9,8 @@ const RADIUS = 9;
 type Colour = readonly [red: number, green: number, blue: number];
 
 /** Returns the mean colour around a position. */
-async function colour(editor: Editor, at: Place): Promise<Colour> {
-  const { data, channels } = decode(await editor.look(at, RADIUS));
+async function colour(editor: Editor, at: Position): Promise<Colour> {
+  const { data, channels } = decode(await editor.screenshot(at, RADIUS));
   const mean = (channel: number) => {
     let sum = 0;
     for (let pixel = channel; pixel < data.length; pixel += channels) sum += data[pixel] ?? 0;
@@ -37,14 +37,14 @@ const NAMES = ['left hand', 'right hand', 'head', 'left foot', 'right foot'] as 
 for (const mode of ['Rigid', 'Smooth'] as const) {
   test(`${mode}: selected handles are hot, others cold; none without selection`, async ({ page }) => {
     const editor = await Editor.open(page);
-    if (mode === 'Smooth') await editor.solves(() => editor.button('Smooth').click());
+    if (mode === 'Smooth') await editor.waitForSolve(() => editor.button('Smooth').click());
     const places = Object.fromEntries(
-      await Promise.all(NAMES.map(async (name) => [name, await editor.place(name)] as const)),
-    ) as Record<(typeof NAMES)[number], Place>;
+      await Promise.all(NAMES.map(async (name) => [name, await editor.position(name)] as const)),
+    ) as Record<(typeof NAMES)[number], Position>;
     const before = new Map<string, Buffer>();
-    for (const name of NAMES) before.set(name, await editor.look(places[name], RADIUS));
+    for (const name of NAMES) before.set(name, await editor.screenshot(places[name], RADIUS));
     const changed = async (name: (typeof NAMES)[number]) =>
-      apart(await editor.look(places[name], RADIUS), before.get(name) ?? Buffer.alloc(0));
+      meanDifference(await editor.screenshot(places[name], RADIUS), before.get(name) ?? Buffer.alloc(0));
 
     await switchReach(editor);
     await expect(page.getByText('Select a handle to see its reach')).toBeVisible();
@@ -71,7 +71,7 @@ for (const mode of ['Rigid', 'Smooth'] as const) {
 test('the reach follows a drag, and equals that of the final pose', async ({ page }) => {
   const editor = await Editor.open(page);
   await switchReach(editor);
-  const [hand, head] = [await editor.place('right hand'), await editor.place('head')];
+  const [hand, head] = [await editor.position('right hand'), await editor.position('head')];
   const elbow = { x: (hand.x + head.x) / 2, y: hand.y };
   const raise = async () => {
     await page.mouse.move(hand.x, hand.y);
@@ -79,25 +79,29 @@ test('the reach follows a drag, and equals that of the final pose', async ({ pag
     await page.mouse.move(hand.x - 60, hand.y - 110, { steps: 4 });
   };
   await raise();
-  expect(isHot(await colour(editor, await editor.place('right hand')))).toBe(true);
+  expect(isHot(await colour(editor, await editor.position('right hand')))).toBe(true);
   await page.mouse.up();
   const settled = Buffer.from(
-    await editor.still(async () => (await editor.look(elbow, 40)).toString('base64')),
+    await editor.settled(async () => (await editor.screenshot(elbow, 40)).toString('base64')),
     'base64',
   );
   await page.keyboard.press('Control+z');
-  await expect.poll(async () => apart(await editor.look(elbow, 40), settled)).toBeGreaterThan(5);
+  await expect
+    .poll(async () => meanDifference(await editor.screenshot(elbow, 40), settled))
+    .toBeGreaterThan(5);
   // The same drag again, without the release.
   await raise();
-  await expect.poll(async () => apart(await editor.look(elbow, 40), settled)).toBeLessThan(SAME);
+  await expect
+    .poll(async () => meanDifference(await editor.screenshot(elbow, 40), settled))
+    .toBeLessThan(SAME);
   await page.mouse.up();
 });
 
 test('the original view and a disabled overlay show no reach', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
-  const head = await editor.place('head');
-  const before = await editor.look(head, RADIUS);
+  const head = await editor.position('head');
+  const before = await editor.screenshot(head, RADIUS);
   await switchReach(editor);
   expect(isHot(await colour(editor, head))).toBe(true);
   await editor.handle('head').focus();
@@ -110,7 +114,7 @@ test('the original view and a disabled overlay show no reach', async ({ page }) 
   expect(isHot(await colour(editor, head))).toBe(true);
   await switchReach(editor);
   await expect(legend(editor)).toBeHidden();
-  expect(apart(await editor.look(head, RADIUS), before)).toBeLessThan(SAME);
+  expect(meanDifference(await editor.screenshot(head, RADIUS), before)).toBeLessThan(SAME);
 });
 
 test('a readonly editor shows the reach of handles selected by keys', async ({ page }) => {
@@ -127,16 +131,16 @@ test('a readonly editor shows the reach of handles selected by keys', async ({ p
   await page.keyboard.press('Escape');
   await page.getByRole('region', { name: 'Properties' }).getByRole('button', { name: 'Head' }).press('Enter');
   await expect(legend(editor)).toBeVisible();
-  expect(isHot(await colour(editor, await editor.place('head')))).toBe(true);
+  expect(isHot(await colour(editor, await editor.position('head')))).toBe(true);
 });
 
 test('a handle being placed shows its reach after the solve', async ({ page }) => {
   const editor = await Editor.open(page);
   await switchReach(editor);
-  const [left, right] = [await editor.place('left hand'), await editor.place('right hand')];
+  const [left, right] = [await editor.position('left hand'), await editor.position('right hand')];
   const belly = { x: (left.x + right.x) / 2, y: left.y + 120 };
   await page.keyboard.press('p');
-  await editor.solves(() => page.mouse.click(belly.x, belly.y));
+  await editor.waitForSolve(() => page.mouse.click(belly.x, belly.y));
   await expect.poll(async () => isHot(await colour(editor, belly))).toBe(true);
   await page.keyboard.press('Control+z');
   await expect(editor.handle('handle 1')).toBeHidden();

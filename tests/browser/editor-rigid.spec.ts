@@ -20,8 +20,8 @@ test('a dragged hand turns automatically, and its field shows the turn', async (
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
   await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'true');
-  const shown = await editor.still(() => turn(editor));
-  await expect.poll(async () => (await editor.told('right hand')).rotation).toBe(Math.round(shown));
+  const shown = await editor.settled(() => turn(editor));
+  await expect.poll(async () => (await editor.shownPose('right hand')).rotation).toBe(Math.round(shown));
 
   await editor.button('Reset to rest').click();
   await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
@@ -32,7 +32,7 @@ test('a pinned hand keeps its turn until the automatic turn is back on', async (
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  const shown = await editor.still(() => turn(editor));
+  const shown = await editor.settled(() => turn(editor));
   const toggle = editor.button('Auto turn');
   await toggle.click();
   await expect(toggle).toHaveAttribute('aria-pressed', 'false');
@@ -50,8 +50,8 @@ test('the ring continues from the automatic turn', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: -60, y: -110 });
   await expect.poll(() => turn(editor)).toBeLessThan(-15);
-  const shown = await editor.still(() => turn(editor));
-  const hand = await editor.still(() => editor.place('right hand'));
+  const shown = await editor.settled(() => turn(editor));
+  const hand = await editor.settled(() => editor.position('right hand'));
   await editor.drag({ x: hand.x + 40, y: hand.y }, { x: -40, y: 40 });
   await expect.poll(async () => Math.abs((await turn(editor)) - (shown + 90))).toBeLessThan(2);
   await expect(editor.button('Auto turn')).toHaveAttribute('aria-pressed', 'false');
@@ -78,7 +78,7 @@ test('the bending mode changes with one click and one undo step', async ({ page 
   await expect(editor.button('Undo')).toBeDisabled();
   await expect.poll(() => settings()).toEqual(['rigid', 100, 'smooth']);
 
-  await editor.solves(() => page.getByRole('button', { name: 'Fine', exact: true }).click());
+  await editor.waitForSolve(() => page.getByRole('button', { name: 'Fine', exact: true }).click());
   await expect.poll(() => settings()).toEqual(['rigid', 200, 'smooth']);
 });
 

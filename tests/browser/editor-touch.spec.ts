@@ -1,13 +1,13 @@
 /** The editor by touch, on a phone. */
 import type { CDPSession, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
-import { Editor, type Place } from './editor';
+import { Editor, type Position } from './editor';
 import { expect, test } from './fixtures';
 
 test.use({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
 
 /** Sends touches, one step per list of positions. */
-async function touch(session: CDPSession, steps: readonly (readonly Place[])[]): Promise<void> {
+async function touch(session: CDPSession, steps: readonly (readonly Position[])[]): Promise<void> {
   for (const [index, touchPoints] of steps.entries()) {
     const type = index === 0 ? 'touchStart' : 'touchMove';
     await session.send('Input.dispatchTouchEvent', {
@@ -19,24 +19,24 @@ async function touch(session: CDPSession, steps: readonly (readonly Place[])[]):
 }
 
 const fingers = (page: Page) => page.context().newCDPSession(page);
-const beside = ({ x, y }: Place, dx: number, dy: number): Place => ({ x: x + dx, y: y + dy });
+const beside = ({ x, y }: Position, dx: number, dy: number): Position => ({ x: x + dx, y: y + dy });
 
 test('one finger drags a hand, and the sheet shows numbers on request', async ({ page }) => {
   const editor = await Editor.open(page);
-  const hand = await editor.place('right hand');
+  const hand = await editor.position('right hand');
   await touch(await fingers(page), [[hand], [beside(hand, -10, -30)], [beside(hand, -20, -60)]]);
-  await expect.poll(async () => (await editor.told('right hand')).y).toBeLessThan(420);
+  await expect.poll(async () => (await editor.shownPose('right hand')).y).toBeLessThan(420);
   await expect(page.getByRole('heading', { name: 'Right hand' })).toBeVisible();
   await expect(editor.field('y')).toBeHidden();
   await editor.button('Numbers').tap();
   await expect(editor.field('y')).toBeVisible();
   await editor.button('Undo').tap();
-  await expect.poll(() => editor.told('right hand')).toMatchObject({ x: 900, y: 516 });
+  await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
 test('two fingers navigate and never edit, even on a handle', async ({ page }) => {
   const editor = await Editor.open(page);
-  const [hand, zoom] = [await editor.place('right hand'), await editor.zoom()];
+  const [hand, zoom] = [await editor.position('right hand'), await editor.zoom()];
   const second = beside(hand, -120, 40);
   await touch(await fingers(page), [
     [hand],
@@ -44,7 +44,7 @@ test('two fingers navigate and never edit, even on a handle', async ({ page }) =
     [beside(hand, 4, -20), second],
     [beside(hand, 14, -40), beside(second, -40, 60)],
   ]);
-  expect(await editor.still(() => editor.told('right hand'))).toMatchObject({ x: 900, y: 516 });
+  expect(await editor.settled(() => editor.shownPose('right hand'))).toMatchObject({ x: 900, y: 516 });
   await expect.poll(() => editor.zoom()).toBeGreaterThan(zoom * 1.2);
   await expect(editor.button('Undo')).toBeDisabled();
 });
@@ -53,7 +53,7 @@ test('a second finger removes a handle that the first just placed', async ({ pag
   const editor = await Editor.open(page);
   await editor.button('Add a point handle').tap();
   await expect(editor.button('Add a point handle')).toHaveAttribute('aria-pressed', 'true');
-  const belly = beside(await editor.place('head'), 0, 140);
+  const belly = beside(await editor.position('head'), 0, 140);
   await touch(await fingers(page), [[belly], [belly, beside(belly, 60, 60)], [belly, beside(belly, 80, 90)]]);
   await expect(editor.handles).toHaveCount(5);
   await touch(await fingers(page), [[belly]]);
@@ -65,7 +65,7 @@ test('the sheet does not cover the selection, and hides during a drag', async ({
   const sheet = page.getByRole('region', { name: 'Properties' });
   const opaque = () => sheet.evaluate((element) => Number(getComputedStyle(element).opacity));
   const covers = async (name: string) => {
-    const [handle, box] = [await editor.place(name), await sheet.boundingBox()];
+    const [handle, box] = [await editor.position(name), await sheet.boundingBox()];
     return box !== null && handle.y + 20 > box.y && handle.y - 20 < box.y + box.height;
   };
   await editor.handle('head').tap();
@@ -83,7 +83,7 @@ test('the sheet does not cover the selection, and hides during a drag', async ({
   await expect(editor.field('depth')).toBeVisible();
   await expect.poll(() => covers('left foot')).toBe(false);
   const session = await fingers(page);
-  const foot = await editor.place('left foot');
+  const foot = await editor.position('left foot');
   await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [foot] });
   await session.send('Input.dispatchTouchEvent', {
     type: 'touchMove',
@@ -181,7 +181,7 @@ test('the sheet of a bar has one row of buttons, and room for all numbers', asyn
   await editor.button('Numbers').tap();
   await expect(editor.field('depth')).toBeVisible();
   const places = await Promise.all(
-    ['Add a corner', 'Numbers', 'Reset to rest', 'Delete'].map((name) => editor.middle(editor.button(name))),
+    ['Add a corner', 'Numbers', 'Reset to rest', 'Delete'].map((name) => editor.centre(editor.button(name))),
   );
   expect(new Set(places.map(({ y }) => Math.round(y))).size).toBe(1);
   expect(places.map(({ x }) => x)).toEqual(places.map(({ x }) => x).sort((a, b) => a - b));
@@ -200,14 +200,14 @@ test('the on-screen keyboard moves nothing and leaves the numbers visible', asyn
   await editor.field('depth').tap();
   await expect(editor.field('depth')).toBeFocused();
   await page.setViewportSize({ width: 360, height: 370 });
-  await editor.drawn();
+  await editor.waitFrames();
   for (const name of ['x', 'depth'] as const) await expect(editor.field(name)).toBeInViewport({ ratio: 1 });
   expect(await editor.zoom()).toBe(zoom);
-  const before = await editor.still(() => editor.place('head'));
+  const before = await editor.settled(() => editor.position('head'));
   await page.keyboard.press('Escape');
   await page.setViewportSize({ width: 360, height: 740 });
-  await editor.drawn();
-  await expect.poll(() => editor.place('head')).toEqual(before);
+  await editor.waitFrames();
+  await expect.poll(() => editor.position('head')).toEqual(before);
   expect(await editor.zoom()).toBe(zoom);
 });
 

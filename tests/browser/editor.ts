@@ -1,40 +1,40 @@
-/** The editor as a person meets it: what the browser tests do on the page, through pointers, keys and labels alone. */
+/** The editor as its users see it: browser tests act through pointers, keys and labels. */
 
 import { type Download, expect, type Locator, type Page } from '@playwright/test';
 import { decode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
 
-export interface Place {
+export interface Position {
   readonly x: number;
   readonly y: number;
 }
 
-/** A handle as its label tells it, image pixels and degrees. */
-export interface Told extends Place {
+/** The pose in the label of a handle: image pixels and degrees. */
+export interface ShownPose extends Position {
   readonly rotation: number;
 }
 
-/** What the browser keeps of what is open, as a reload would bring it back. */
-export interface KeptWork {
-  /** Its name. */
+/** The work that the browser has stored, and a reload restores. */
+export interface StoredWork {
+  /** The name of the picture. */
   readonly picture: string;
-  /** What undo would take back. */
+  /** The label of the step that undo reverts. */
   readonly step: string | null;
   readonly handles: readonly Handle[];
   readonly selection: readonly string[];
-  /** Whether the guard against folds is on. */
+  /** Whether the fold guard is on. */
   readonly guarded: boolean;
-  /** Whether it is drawn as pixel art. */
+  /** Whether the picture is drawn as pixel art. */
   readonly pixelated: boolean;
-  /** Bars and polygons that are not finished. */
+  /** Unfinished drafts. */
   readonly drawings: readonly { readonly kind: string; readonly corners: readonly unknown[] }[];
 }
 
 export class Editor {
   readonly page: Page;
   readonly status: Locator;
-  /** What the status line tells of the solution, or of the solve under way. */
+  /** The part of the status line about the solution or the running solve. */
   readonly solved: Locator;
   readonly notice: Locator;
 
@@ -45,7 +45,7 @@ export class Editor {
     this.notice = page.getByRole('alert');
   }
 
-  /** The sample, solved and ready to drag. */
+  /** Opens the sample, and waits until it is solved. */
   static async open(page: Page): Promise<Editor> {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.goto('/');
@@ -59,15 +59,15 @@ export class Editor {
     await expect(this.solved).toContainText('sample');
   }
 
-  /** Carries out what asks for another solve, and waits for that one: with another handle or density it tells of other numbers. */
-  async solves(step: () => Promise<void>): Promise<void> {
+  /** Runs a step that needs another solve, and waits until the status line shows other numbers. */
+  async waitForSolve(step: () => Promise<void>): Promise<void> {
     const before = await this.solved.textContent();
     await step();
-    const anew = async () => {
-      const told = await this.solved.textContent();
-      return told !== before && /sample/.test(told ?? '');
+    const isOther = async () => {
+      const text = await this.solved.textContent();
+      return text !== before && /sample/.test(text ?? '');
     };
-    await expect.poll(anew, 'another solution').toBe(true);
+    await expect.poll(isOther, 'another solution').toBe(true);
   }
 
   handle(name: string): Locator {
@@ -86,13 +86,13 @@ export class Editor {
     return this.page.getByRole('spinbutton', { name: `${name === 'rotation' ? 'turn' : name} (` });
   }
 
-  async told(name: string): Promise<Told> {
+  async shownPose(name: string): Promise<ShownPose> {
     const label = (await this.handle(name).getAttribute('aria-label')) ?? '';
     const number = (word: string) => Number(label.match(new RegExp(`${word} (-?[\\d.]+)`))?.[1]);
     return { x: number('x'), y: number('y'), rotation: number('rotation') };
   }
 
-  /** A corner of a bar or polygon, counted from 1. */
+  /** A corner of a bar or polygon. Numbers start at 1. */
   corner(number: number, name: string): Locator {
     return this.page.getByRole('button', { name: `Corner ${number} of ${name}, ` });
   }
@@ -101,55 +101,58 @@ export class Editor {
     return this.page.getByRole('switch', { name });
   }
 
-  /** Where a handle is on the page, CSS pixels. */
-  place(name: string): Promise<Place> {
-    return this.middle(this.handle(name));
+  /** Returns the position of a handle on the page, CSS pixels. */
+  position(name: string): Promise<Position> {
+    return this.centre(this.handle(name));
   }
 
-  /** The middle of what is shown, CSS pixels of the page. */
-  async middle(shown: Locator): Promise<Place> {
+  /** Returns the centre of a visible element, CSS pixels of the page. */
+  async centre(shown: Locator): Promise<Position> {
     const box = await shown.boundingBox();
-    if (!box) throw new Error(`${shown} is not shown`);
+    if (!box) throw new Error(`${shown} is not visible`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   }
 
-  /** Where the picture's places are on the page, seen from a handle that rests at a known one. */
-  async fromImage(name: string, rest: readonly [number, number]): Promise<(x: number, y: number) => Place> {
-    const [at, scale] = [await this.place(name), await this.scale()];
+  /** Returns the map from image to page, by a handle at a known rest position. */
+  async fromImage(
+    name: string,
+    rest: readonly [number, number],
+  ): Promise<(x: number, y: number) => Position> {
+    const [at, scale] = [await this.position(name), await this.scale()];
     return (x, y) => ({ x: at.x + (x - rest[0]) * scale, y: at.y + (y - rest[1]) * scale });
   }
 
-  /** CSS pixels per image pixel, exactly: from two handles of the sample, which has nothing moved yet. */
+  /** Returns the exact CSS pixels per image pixel, by two unmoved handles of the sample. */
   async scale(): Promise<number> {
-    const [left, right] = [await this.place('left hand'), await this.place('right hand')];
+    const [left, right] = [await this.position('left hand'), await this.position('right hand')];
     return (right.x - left.x) / (900 - 124);
   }
 
-  /** Where a point of the original goes. */
+  /** Returns the posed position of a point of the original. */
   mapped(x: number, y: number): Promise<readonly [number, number] | null> {
     return this.page
       .locator('c2-warp')
       .evaluate((element, point) => (element as C2Warp).mapPoint(point), [x, y] as const);
   }
 
-  /** How far a point of the original is from a place of the bent picture, image pixels. */
-  async away(from: readonly [number, number], to: readonly [number, number]): Promise<number> {
+  /** Returns the distance of a point's posed position from a goal, image pixels. */
+  async mappedDistance(from: readonly [number, number], to: readonly [number, number]): Promise<number> {
     const [x, y] = (await this.mapped(...from)) ?? [Number.POSITIVE_INFINITY, 0];
     return Math.hypot(x - to[0], y - to[1]);
   }
 
-  /** One handle of the project as the page has it. */
-  inProject(id: string): Promise<Handle | undefined> {
+  /** Returns a handle of the project. */
+  projectHandle(id: string): Promise<Handle | undefined> {
     return this.page
       .locator('c2-warp')
       .evaluate((element, id) => (element as C2Warp).project.handles.find((handle) => handle.id === id), id);
   }
 
-  /** What is kept under this key now; empty where nothing is. Nothing on the page tells when something has been written. */
-  kept(key = 'editor'): Promise<Partial<KeptWork>> {
-    return this.page.evaluate(async (key): Promise<Partial<KeptWork>> => {
+  /** Returns the work stored under a key, or `{}`. The page does not signal writes, so tests must poll. */
+  storedWork(key = 'editor'): Promise<Partial<StoredWork>> {
+    return this.page.evaluate(async (key): Promise<Partial<StoredWork>> => {
       const opening = indexedDB.open('c2warp');
-      // The database is the editor's to make: an empty one that is made here would be in its way.
+      // The editor must create the database: an empty one would lack its store.
       opening.onupgradeneeded = () => opening.transaction?.abort();
       const answer = <T>(request: IDBRequest<T>) =>
         new Promise<T | null>((done) => {
@@ -180,19 +183,19 @@ export class Editor {
     }, key);
   }
 
-  /** CSS pixels per image pixel. */
+  /** Returns the displayed zoom: CSS pixels per image pixel. */
   async zoom(): Promise<number> {
     return (
       Number.parseFloat((await this.page.getByRole('status', { name: 'Zoom' }).textContent()) ?? '') / 100
     );
   }
 
-  /** What a question is answered once the page answers it alike for two frames: for what later answers are compared with. */
-  async still<T>(ask: () => Promise<T>): Promise<T> {
+  /** Asks until two consecutive answers, two frames apart, are equal. Returns the answer. */
+  async settled<T>(ask: () => Promise<T>): Promise<T> {
     let before = await ask();
     await expect
       .poll(async () => {
-        await this.drawn();
+        await this.waitFrames();
         const [last, now] = [before, await ask()];
         before = now;
         return JSON.stringify(now) === JSON.stringify(last);
@@ -201,14 +204,14 @@ export class Editor {
     return before;
   }
 
-  /** Two frames: one to pose, one to be shown. */
-  async drawn(): Promise<void> {
+  /** Waits two frames: one to pose, one to show. */
+  async waitFrames(): Promise<void> {
     await this.page.evaluate(
       () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
     );
   }
 
-  async drag(from: Place, by: Place): Promise<void> {
+  async drag(from: Position, by: Position): Promise<void> {
     const { mouse } = this.page;
     await mouse.move(from.x, from.y);
     await mouse.down();
@@ -217,15 +220,15 @@ export class Editor {
     await mouse.up();
   }
 
-  async dragHandle(name: string, by: Place): Promise<void> {
-    await this.drag(await this.place(name), by);
+  async dragHandle(name: string, by: Position): Promise<void> {
+    await this.drag(await this.position(name), by);
   }
 
-  /** A piece of what is drawn around a place, without anything that floats over the picture. */
-  async look(at: Place, radius = 24): Promise<Buffer> {
-    await this.drawn();
+  /** Takes a screenshot around a position, without the handles. */
+  async screenshot(at: Position, radius = 24): Promise<Buffer> {
+    await this.waitFrames();
     const clip = { x: at.x - radius, y: at.y - radius, width: 2 * radius, height: 2 * radius };
-    // Adopted, as the policy that the page is served under refuses a style element.
+    // Adopted, since the policy of the page forbids style elements.
     await this.page.evaluate(() => {
       const bare = new CSSStyleSheet();
       bare.replaceSync('c2-warp::part(handle) { opacity: 0 }');
@@ -238,11 +241,11 @@ export class Editor {
     return picture;
   }
 
-  /** Chooses files for the next question that `ask` leads to. */
-  async choose(files: string | { name: string; mimeType: string; buffer: Buffer }): Promise<void> {
-    const asked = this.page.waitForEvent('filechooser');
+  /** Presses the button to open files, and chooses these. */
+  async chooseFile(files: string | { name: string; mimeType: string; buffer: Buffer }): Promise<void> {
+    const chooser = this.page.waitForEvent('filechooser');
     await this.button('Open a picture or a project').click();
-    await (await asked).setFiles(files);
+    await (await chooser).setFiles(files);
   }
 
   async download(name: string): Promise<Download> {
@@ -252,20 +255,20 @@ export class Editor {
   }
 }
 
-/** The bytes of a download. */
+/** Returns the bytes of a download. */
 export async function bytes(download: Download): Promise<Buffer> {
   const chunks: Buffer[] = [];
   for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk));
   return Buffer.concat(chunks);
 }
 
-/** How far two pieces of what is drawn are apart: the mean over all channels, in 255ths. */
-export function apart(a: Buffer, b: Buffer): number {
+/** Returns the mean difference of two screenshots over all channels, in 255ths. */
+export function meanDifference(a: Buffer, b: Buffer): number {
   const [left, right] = [decode(a).data, decode(b).data];
   let sum = 0;
   for (let at = 0; at < left.length; at++) sum += Math.abs((left[at] ?? 0) - (right[at] ?? 0));
   return sum / left.length;
 }
 
-/** Pieces closer than this show the same: compositing may round differently. */
+/** Screenshots closer than this are equal: compositing can round differently. */
 export const SAME = 0.5;

@@ -1,10 +1,10 @@
-/** What every browser test starts from. */
+/** The base of all browser tests. */
 import { test as base, expect } from '@playwright/test';
 
 export { expect };
 
 export const test = base.extend<{ strict: undefined }>({
-  /** A test fails on any error that the page reports, and files go through up- and download, which it can watch. */
+  /** Fails the test on any error of the page. Disables file pickers, so that tests can watch uploads and downloads. */
   strict: [
     async ({ page }, use) => {
       const errors: string[] = [];

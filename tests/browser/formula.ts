@@ -7,7 +7,7 @@ const add = ([a, b]: Complex, [c, d]: Complex): Complex => [a + c, b + d];
 const scaled = (k: number, [x, y]: Complex): Complex => [k * x, k * y];
 const times = ([a, b]: Complex, [c, d]: Complex): Complex => [a * c - b * d, a * d + b * c];
 
-/** Vertices × 2: the posed places. Every vertex must have sites. */
+/** Returns vertices × 2: the posed positions. Every vertex must have sites. */
 export function posedByFormula(skin: Skin, motions: Float32Array, blend: Blend): readonly number[] {
   return Array.from({ length: skin.offsets.length - 1 }, (_, vertex) => {
     const p: Complex = [skin.positions[2 * vertex] ?? 0, skin.positions[2 * vertex + 1] ?? 0];

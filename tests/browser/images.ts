@@ -1,12 +1,12 @@
-/** Comparing drawn pictures, with the pictures themselves at hand where they differ. */
+/** Compares pictures, and attaches them to the test's report. */
 import type { TestInfo } from '@playwright/test';
 import { decode, encode } from 'fast-png';
 import pixelmatch from 'pixelmatch';
 
-/** How far two pictures are apart, in 255ths, over the pixels that are opaque in both. */
+/** The difference of two pictures in 255ths, over the pixels that are opaque in both. */
 export interface Difference {
   readonly mean: number;
-  /** Share of pixels within 8/255 in every channel. */
+  /** Fraction of pixels within 8/255 in every channel. */
   readonly close: number;
   readonly opaque: number;
 }
@@ -16,7 +16,7 @@ export async function difference(actual: string, expected: string, info: TestInf
   const [a, b] = [decode(Buffer.from(actual, 'base64')), decode(Buffer.from(expected, 'base64'))];
   const { width, height } = a;
   if (width !== b.width || height !== b.height) {
-    throw new Error(`${width} × ${height} px against ${b.width} × ${b.height} px`);
+    throw new Error(`Expected ${b.width} × ${b.height} px, found ${width} × ${height} px.`);
   }
   const marked = new Uint8Array(width * height * 4);
   pixelmatch(a.data as Uint8Array, b.data as Uint8Array, marked, width, height, { threshold: 8 / 255 });

@@ -1,7 +1,7 @@
 import { defineConfig } from '@playwright/test';
 import { CHROMIUM_ARGS, findChromium } from '../../web/scripts/chromium.mjs';
 
-// One port for all the processes of a run, and another for a run beside it.
+// All processes of a run share a port. Concurrent runs have different ports.
 process.env.PORT ??= String(20_000 + (process.pid % 20_000));
 const origin = `http://localhost:${process.env.PORT}`;
 
@@ -12,7 +12,7 @@ export default defineConfig({
   outputDir: '../../test-results',
   fullyParallel: true,
   workers: 2,
-  // Graphics run on the processor, which a machine may have little of: what is waited for may come late, never wrongly.
+  // Graphics run on the CPU, so slow machines need long timeouts.
   timeout: 120_000,
   expect: { timeout: 20_000 },
   reporter: 'list',

@@ -1,9 +1,8 @@
 /**
- * Serves what the browser tests look at, as it would be deployed: the built editor at /, the harness at /harness/, the element for other
- * people's pages at /element/, and such pages at /plain/, /strict/ and /article/.
+ * Serves the pages of the browser tests, built in memory so that concurrent runs do not disturb each other.
  *
- * Built in memory, so that two runs side by side do not disturb each other; served under the strictest Content Security
- * Policy that the program promises to work with.
+ * The editor is at /, the harness at /harness/ and the element at /element/. Pages that embed the element are at
+ * /plain/, /strict/ and /article/. All have the strictest Content Security Policy that the program supports.
  */
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -44,7 +43,7 @@ createServer(async (request, response) => {
   const headers = {
     'Content-Type': TYPES[extname(name)] ?? 'application/octet-stream',
     'Content-Security-Policy': POLICY,
-    // Pages of other origins may take the element from here.
+    // Pages of other origins can load the element from here.
     'Access-Control-Allow-Origin': '*',
   };
   response.writeHead(200, headers).end(content);

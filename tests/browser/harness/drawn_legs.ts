@@ -1,8 +1,8 @@
-/** A hip with two legs, red on the left and blue on the right, striped, with soft edges. */
+/** Draws a hip with two striped legs, red on the left and blue on the right, with soft edges. */
 export async function drawnLegs(): Promise<Blob> {
   const canvas = new OffscreenCanvas(256, 256);
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('this browser has no 2D canvas');
+  if (!context) throw new Error('This browser has no 2D canvas.');
   const legs = new Path2D();
   legs.roundRect(45, 25, 166, 60, 16);
   legs.roundRect(45, 40, 60, 195, 16);

@@ -1,8 +1,8 @@
-/** A picture for tests: two islands, one with holes, soft edges, and colours that change from pixel to pixel. */
+/** Draws a test picture: two islands, one with holes, soft edges, and a colour gradient. */
 export async function drawnPicture(size = 256): Promise<Blob> {
   const canvas = new OffscreenCanvas(size, size);
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('this browser has no 2D canvas');
+  if (!context) throw new Error('This browser has no 2D canvas.');
   context.scale(size / 256, size / 256);
   const gradient = context.createLinearGradient(0, 0, 256, 256);
   for (let stop = 0; stop <= 8; stop++) gradient.addColorStop(stop / 8, `hsl(${stop * 45} 70% 55%)`);

@@ -1,4 +1,4 @@
-/** A page that hands the parts under the editor to the browser tests. */
+/** The harness page: gives the browser tests access to the modules below the editor. */
 import { Engine } from '../../../web/src/compute/engine';
 import { decodePicture } from '../../../web/src/io/decode';
 import { encodePng } from '../../../web/src/io/encode';

@@ -1,4 +1,4 @@
-/** Pictures drawn with and without the graphics card, for comparison. */
+/** Draws pictures by WebGL and by the solver, for comparison. */
 import { Engine } from '../../../web/src/compute/engine';
 import type { Project } from '../../../web/src/document/project';
 import { decodePicture } from '../../../web/src/io/decode';
@@ -6,7 +6,7 @@ import { encodePng } from '../../../web/src/io/encode';
 import { Renderer } from '../../../web/src/render/renderer';
 import { drawnPicture } from './drawn_picture';
 
-/** One project drawn by WebGL and by the solver's own rasteriser, as PNG in base64, both in straight alpha. */
+/** Draws a project by WebGL and by the solver's rasteriser. Returns PNG files in base64, in straight alpha. */
 export async function drawnTwice(project: Project, file: Blob, scale: number) {
   const picture = await decodePicture(file);
   const engine = await Engine.start();
@@ -44,7 +44,7 @@ function base64(blob: Blob): Promise<string> {
   });
 }
 
-/** An engine that knows the drawn picture. */
+/** Returns an engine with the test picture. */
 export async function startedEngine(): Promise<Engine> {
   const picture = await decodePicture(await drawnPicture());
   const engine = await Engine.start();

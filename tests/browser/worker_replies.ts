@@ -1,24 +1,24 @@
 /**
- * What the solver's worker answers, in the hands of a test: while it is held back a solve lasts, on a fast machine as on a
- * slow one, and also over a reload.
+ * Holds back the replies of the solver's worker, so that a test controls how long a solve takes. The state survives a
+ * reload of the page.
  */
 import type { Page } from '@playwright/test';
 
-export class Answers {
+export class WorkerReplies {
   readonly #page: Page;
 
   private constructor(page: Page) {
     this.#page = page;
   }
 
-  /** To be called before the page is opened. */
-  static async of(page: Page): Promise<Answers> {
+  /** Must be called before the page is opened. */
+  static async intercept(page: Page): Promise<WorkerReplies> {
     await page.addInitScript(() => {
       const held = () => sessionStorage.getItem('answers') === 'held';
       globalThis.Worker = class extends Worker {
         constructor(url: string | URL, options?: WorkerOptions) {
           super(url, options);
-          // Heard before the page hears it. Progress goes through.
+          // This listener runs before those of the page. Progress messages pass.
           this.addEventListener('message', (event) => {
             const { data } = event;
             if (!held() || data.kind === 'progress') return;
@@ -29,15 +29,15 @@ export class Answers {
         }
       };
     });
-    return new Answers(page);
+    return new WorkerReplies(page);
   }
 
   async hold(): Promise<void> {
     await this.#page.evaluate(() => sessionStorage.setItem('answers', 'held'));
   }
 
-  /** What has come meanwhile, and what comes. */
-  async pass(): Promise<void> {
+  /** Delivers the held replies, and all later ones at once. */
+  async release(): Promise<void> {
     await this.#page.evaluate(() => {
       sessionStorage.removeItem('answers');
       dispatchEvent(new Event('answers-pass'));
