@@ -1,13 +1,13 @@
 /**
- * How the picture bends: the settings that belong together, as one choice.
+ * The two modes of bending, each a choice of several settings.
  *
- * Rigid needs many virtual sites to bend between, and supports wide enough to be smooth. Harmonic is the method of the
- * paper. `Project::bent_rigidly` in wasm/core/src/project has the same settings.
+ * Rigid needs many virtual sites, and supports wide enough to be smooth. Harmonic is the method of the paper.
+ * `Project::bent_rigidly` in wasm/core/src/project has the same settings.
  */
 import type { Blend } from '../geometry/skin';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
-/** Virtual sites to request: how finely a rigid picture can bend. */
+/** Virtual sites to request. More of them bend a rigid picture more finely. */
 export const DETAILS = { coarse: 30, medium: 100, fine: 200 } as const;
 
 export type Detail = keyof typeof DETAILS;
@@ -30,9 +30,9 @@ export const withBlend = (project: Project, blend: Blend): Project => ({
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
 /**
- * The project in another mode. Unturned points take that mode's resting rotation; the others keep their turn.
+ * Returns the project in another mode. Unturned points take that mode's resting rotation. The others keep their turn.
  *
- * @param last what was last in that mode: its detail comes back, and points that were unturned in it are as they were.
+ * @param last the last project in that mode. Its detail and the rotations of its unturned points are restored.
  */
 export function withMode(project: Project, mode: PoseMode, last: Project | null = null): Project {
   const { support, density, rotation } = SETTINGS[mode];
@@ -48,7 +48,7 @@ export function withMode(project: Project, mode: PoseMode, last: Project | null 
   };
 }
 
-/** The detail of a project; null where its density is none of {@link DETAILS}. */
+/** The detail of a project, or `null` if its density is not in {@link DETAILS}. */
 export const detailOf = (project: Project): Detail | null =>
   (Object.keys(DETAILS) as Detail[]).find((name) => DETAILS[name] === project.pose?.density) ?? null;
 

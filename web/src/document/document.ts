@@ -1,4 +1,4 @@
-/** The edited document: the project, and which of its handles are selected. */
+/** The edited document: the project and the selection. */
 import { DETAILS } from './bending';
 import { domainOf } from './domain';
 import type { Handle, ImageRef, Project } from './project';
@@ -12,8 +12,8 @@ export interface Document {
 export const openDocument = (project: Project): Document => ({ project, selection: [] });
 
 /**
- * A project without handles for a newly opened picture, with the editor's choices written out. The picture bends
- * rigidly, so that dragged parts keep their shape and distant parts stay.
+ * Returns a project without handles for a newly opened picture. The editor's defaults are explicit in it. The picture
+ * bends rigidly, so that dragged parts keep their shape and distant parts stay.
  *
  * @param threshold the alpha threshold of a picture with transparency, `null` for an opaque picture.
  */
@@ -28,7 +28,7 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   handles: [],
 });
 
-/** Whether two documents have equal projects; the selection does not count. */
+/** Whether two documents have equal projects. The selection does not count. */
 export const isSameWork = (a: Document, b: Document): boolean =>
   a.project === b.project || JSON.stringify(a.project) === JSON.stringify(b.project);
 

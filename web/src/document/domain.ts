@@ -1,25 +1,31 @@
-/** The part of the picture that bends: all of it, its opaque part, or what the person has drawn rings around. */
+/** The domain, the part of the picture that bends: all of it, its opaque part, or the inside of drawn rings. */
 import { isInside } from '../geometry/polyline';
 import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing, touches } from '../geometry/ring';
 import type { Vec } from '../geometry/vec';
 import { corners, isClosed, isLine, roundedVec } from './handle';
 import type { Domain, Handle, Project } from './project';
 
-/** Rings smaller than this were not meant: square pixels. */
+/** Smaller rings are accidental. Square pixels. */
 const LEAST_AREA = 16;
 
-/** The domain of a picture by itself. @param threshold of its alpha; `null` for an opaque picture. */
+/**
+ * The domain of a picture without drawn rings.
+ *
+ * @param threshold the alpha threshold, `null` for an opaque picture.
+ */
 export const domainOf = (threshold: number | null): Domain =>
   threshold === null ? { kind: 'image' } : { kind: 'alpha', threshold };
 
-/** The rings that the person has drawn; none where the picture decides. */
+/** The drawn rings; empty if the picture determines the domain. */
 export const ringsOf = ({ domain }: Project): readonly Ring[] =>
   domain?.kind === 'polygon' ? domain.rings : [];
 
 /**
- * The project with the domain inside a ring drawn by hand, or with a hole there if it lies inside of what bends, and
- * whether it has been cut; null if the ring holds nothing of the picture. Rings elsewhere stay, and those that it meets
- * give way to it. Handles outside are left out.
+ * Adds the inside of a drawn ring to the domain, or cuts it out as a hole. Returns `null` if the ring contains nothing
+ * of the picture.
+ *
+ * A hole must lie inside the domain. Otherwise the ring is added, and `cut` is false. The new ring replaces the rings
+ * that it meets; the others stay. Handles outside the domain are removed.
  */
 export function withLasso(
   project: Project,
@@ -36,7 +42,7 @@ export function withLasso(
   return { project: { ...project, domain: { kind: 'polygon', rings }, handles }, cut: holed !== null };
 }
 
-/** Null where the ring does not lie within what is there. */
+/** Returns the rings with the hole, or `null` if it is not inside the domain. */
 function withHole(rings: readonly Ring[], hole: Ring): readonly Ring[] | null {
   const left = rings.filter((ring) => !isWithin(ring, hole));
   const fits = hole.every((p) => isInsideOf(left, p)) && !left.some((ring) => touches(hole, true, ring));
@@ -53,7 +59,7 @@ function elsewhere(rings: readonly Ring[], ring: Ring): readonly Ring[] {
 const isInsideOf = (rings: readonly Ring[], p: Vec): boolean =>
   rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
 
-/** Whether some of the handle rests inside. */
+/** Whether a part of the handle rests inside the rings. */
 const isOn = (rings: readonly Ring[], handle: Handle): boolean => {
   const rest = corners(handle, 'rest');
   const closed = isClosed(handle.kind);

@@ -1,4 +1,4 @@
-/** Changes of a document, each a pure function from the document before to the document after. */
+/** Edits of a document: pure functions that return the changed document. */
 import type { LinePlace } from '../geometry/polyline';
 import type { Vec } from '../geometry/vec';
 import { restingRotation } from './bending';
@@ -23,7 +23,7 @@ const withHandles = (document: Document, handles: readonly Handle[]): Document =
   project: { ...document.project, handles },
 });
 
-/** The document with `change` applied to every handle named. */
+/** Applies `change` to the handles with these ids. */
 export const changeHandles = (
   document: Document,
   ids: readonly string[],
@@ -34,7 +34,7 @@ export const changeHandles = (
     document.project.handles.map((handle) => (ids.includes(handle.id) ? change(handle) : handle)),
   );
 
-/** The document with these handles in place of those with the same ids. */
+/** Replaces the handles with the same ids. Other ids are ignored. */
 export function putHandles(document: Document, handles: readonly Handle[]): Document {
   const put = new Map(handles.map((handle) => [handle.id, handle]));
   return withHandles(
@@ -45,15 +45,15 @@ export function putHandles(document: Document, handles: readonly Handle[]): Docu
 
 export interface Pasted {
   readonly document: Document;
-  /** Copied handles that no handle is posed like. */
+  /** Copied handles without a counterpart in the document. */
   readonly unmatched: readonly Handle[];
 }
 
 /**
- * The document with handles posed like the copied ones of the same id and kind, or the selected ones like the only one
- * copied, if they are of its kind. Handles keep their rest places: a pose is how far they are from there.
+ * Poses handles like the copied ones of the same id and kind. A single copied handle poses all selected handles of its
+ * kind, if there are any. Rest positions stay: a pose is relative to them.
  *
- * @throws RangeError where that leads a handle to numbers that the solver cannot pose.
+ * @throws RangeError if the solver cannot pose a result.
  */
 export function pastePose(document: Document, copied: readonly Handle[]): Pasted {
   const [only, ...others] = copied;
@@ -100,7 +100,7 @@ export const turnHandles = (
   degrees: (handle: Handle) => number,
 ): Document => changeHandles(document, ids, (handle) => turnedTo(handle, degrees(handle)));
 
-/** Moves one corner of a handle; the handle's turn continues from `before` (degrees). */
+/** Moves one corner of a handle. The handle's turn continues from `before`, in degrees. */
 export const putCorner = (
   document: Document,
   id: string,
@@ -121,7 +121,7 @@ export const removeCorner = (document: Document, id: string, index: number): Doc
 export const raiseHandles = (document: Document, ids: readonly string[], by: number): Document =>
   changeHandles(document, ids, (handle) => atDepth(handle, depthOf(handle) + by));
 
-/** Sets whether the boundary of the warped area stays where it is. */
+/** Fixes or frees the boundary of the domain. */
 export const holdBoundary = (document: Document, held: boolean): Document => ({
   ...document,
   project: { ...document.project, fix_boundary: held },
@@ -130,13 +130,13 @@ export const holdBoundary = (document: Document, held: boolean): Document => ({
 export const resetHandles = (document: Document, ids: readonly string[]): Document =>
   changeHandles(document, ids, (handle) => atRest(handle, restingRotation(document.project)));
 
-/** The selection, without repeats and without ids that name no handle. */
+/** Selects handles. Repeated and unknown ids are ignored. */
 export function selectHandles(document: Document, ids: readonly string[]): Document {
   const known = new Set(document.project.handles.map((handle) => handle.id));
   return { ...document, selection: [...new Set(ids)].filter((id) => known.has(id)) };
 }
 
-/** A free id such as "bar-2". Numbers start after the count of ids with this word, so that ids are rarely reused. */
+/** Returns an unused id such as "bar-2". Numbers start after the count of ids with this word: reuse is rare. */
 export function freeId(project: Project, word = 'handle'): string {
   const taken = new Set(project.handles.map((handle) => handle.id));
   let number = project.handles.filter(({ id }) => id.startsWith(`${word}-`)).length + 1;

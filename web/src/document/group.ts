@@ -1,6 +1,7 @@
 /**
- * Several handles as one thing, turned and scaled about the centre of their posed places. Turning and scaling leave that
- * centre where it is, so that steps in a row have it in common.
+ * The group transform: turns and scales several handles about the centre of their posed anchors.
+ *
+ * The centre is a fixed point of the transform, so that consecutive transforms share it.
  */
 import { bestTurn, centre } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
@@ -9,14 +10,14 @@ import { changeHandles } from './edits';
 import { anchor, corners, rotationOf, SCALES, scaleOf, turnedAbout } from './handle';
 import type { Handle } from './project';
 
-/** How far what is selected in a document is turned as one, in degrees, and scaled. */
+/** The turn in degrees and the scale of the handles selected in `origin`. */
 export interface GroupTransform {
   readonly origin: Document;
   readonly turn: number;
   readonly scale: number;
 }
 
-/** A document, and how what is selected in it is turned and scaled as one, if it is. */
+/** A document, and the group transform that it results from, if any. */
 export interface PosedDocument {
   readonly document: Document;
   readonly transform?: GroupTransform;
@@ -26,8 +27,9 @@ export const groupCentre = (handles: readonly Handle[]): Vec =>
   centre(handles.map((handle) => anchor(handle)));
 
 /**
- * How far their places are turned from rest as a whole, in degrees: like the corners of a polygon. Where all are in one
- * place their corners tell it, or the first of them.
+ * Returns the turn of the anchors from rest in degrees, as for the corners of a polygon.
+ *
+ * If all anchors coincide, the corners determine the turn, or else the first handle.
  */
 export function groupTurn(handles: readonly Handle[]): number {
   const [first] = handles;
@@ -40,15 +42,15 @@ export function groupTurn(handles: readonly Handle[]): number {
   return found ?? (first ? rotationOf(first) : 0);
 }
 
-/** The distance from the centre to the farthest posed corner. */
+/** Returns the distance from the centre to the farthest posed corner. */
 export function groupSpan(handles: readonly Handle[]): number {
   const pivot = groupCentre(handles);
   return Math.max(...handles.flatMap((handle) => corners(handle)).map((corner) => distance(pivot, corner)));
 }
 
 /**
- * Turns what is selected as one, by degrees, and scales it as far as no handle's scale leaves {@link SCALES}. Automatic
- * rotations stay automatic.
+ * Turns the selected handles by degrees, and scales them. The scale is limited so that those of all handles stay in
+ * {@link SCALES}. Automatic rotations stay automatic.
  */
 export function transformGroup(document: Document, turn: number, scale = 1): Document {
   const selected = selectedHandles(document);
@@ -59,13 +61,13 @@ export function transformGroup(document: Document, turn: number, scale = 1): Doc
   return changeHandles(document, document.selection, (handle) => turnedAbout(handle, pivot, turn, allowed));
 }
 
-/** {@link transformGroup}, with how: for a guard, which lets it go a part of the way. */
+/** Returns the result of {@link transformGroup} with the transform, which the fold guard can shorten. */
 export const posedGroup = (origin: Document, turn: number, scale: number): PosedDocument => ({
   document: transformGroup(origin, turn, scale),
   transform: { origin, turn, scale },
 });
 
-/** A part of the way from one pose to another, of the same origin. */
+/** Interpolates two transforms of the same origin. */
 export function interpolatedTransform(
   from: GroupTransform,
   to: GroupTransform,

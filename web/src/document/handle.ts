@@ -1,4 +1,4 @@
-/** One handle: reading it, and the pure changes that a person makes to it. */
+/** Properties of one handle, and pure edits of it. */
 import {
   bestTurn,
   centre,
@@ -16,13 +16,13 @@ export type Turns = ReadonlyMap<string, number>;
 
 const NO_TURNS: Turns = new Map();
 
-/** Numbers from here on are refused, and not rounded: hundredths mean nothing, and drawing them would overflow. */
+/** Larger numbers are rejected, without rounding: hundredths mean nothing, and drawing them would overflow. */
 const BEYOND = 1e12;
 
 /** Rounds to hundredths of a pixel or degree, as the file stores and the panel shows them. */
 const rounded = (value: number): number =>
   Math.abs(value) < BEYOND ? Math.round(value * 100) / 100 || 0 : value;
-/** Finer than hundredths, which small steps of a small scale would be lost in. */
+/** Finer than hundredths, which would lose small steps of a small scale. */
 const roundedScale = (scale: number): number => Math.round(scale * 1e4) / 1e4;
 const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 
@@ -30,24 +30,26 @@ const roundedVec = (p: Vec): Vec => [rounded(p[0]), rounded(p[1])];
 export const corners = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonly Vec[] =>
   handle.kind === 'point' ? [handle[of]] : handle[of];
 
-/** Where a handle is grabbed: the mean of its corners. */
+/** The point by which a handle is dragged: the mean of its corners. */
 export const anchor = (handle: Handle, of: 'rest' | 'posed' = 'posed'): Vec => centre(corners(handle, of));
 
-/** Whether the last corner leads back to the first; that of a point, which is both, too. */
+/** Whether an edge connects the last corner to the first. A point counts as closed. */
 export const isClosed = (kind: Handle['kind'] | 'lasso'): boolean => kind !== 'bar';
 
-/** The handle's edges; those of a point are one, from its place to itself. */
+/** The handle's edges. A point has one edge, of length 0. */
 export const edges = (handle: Handle, of: 'rest' | 'posed' = 'posed'): readonly (readonly [Vec, Vec])[] =>
   edgesOf(corners(handle, of), isClosed(handle.kind));
 
 export const isLine = (handle: Handle): handle is LineHandle => handle.kind !== 'point';
 
-/** Whether a point is turned by its surroundings. Bars and polygons are turned by their corners. */
+/** Whether the turn of a point follows from the pose of the others. Bars and polygons turn with their corners. */
 export const isAutomatic = (handle: Handle): boolean => !isLine(handle) && handle.rotation === 'auto';
 
 /**
- * The handle's rotation in degrees. A bar or polygon is turned as its corners are, with the whole turns that bring the
- * angle nearest to its own `rotation`. An automatic point's rotation is its entry in `turns`.
+ * The handle's rotation in degrees.
+ *
+ * For a bar or polygon, the turn of its corners, with the whole turns that bring it nearest to its own `rotation`. For
+ * an automatic point, its entry in `turns`.
  */
 export function rotationOf(handle: Handle, turns = NO_TURNS): number {
   const given = typeof handle.rotation === 'number' ? handle.rotation : 0;
@@ -73,21 +75,23 @@ export const SCALES = { least: 0.01, most: 100 } as const;
 /** The handle's name for screen readers and messages: its id as words. */
 export const nameOf = ({ id }: Pick<Handle, 'id'>): string => id.replace(/[-_]+/g, ' ').trim() || id;
 
-/** The handle with every posed corner passed through `place`. */
+/** Applies `place` to every posed corner. */
 const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
   isLine(handle) ? { ...handle, posed: handle.posed.map(place) } : { ...handle, posed: place(handle.posed) };
 
 export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => roundedVec(add(p, by)));
 
-/** Where a corner goes that is turned by degrees and scaled about a pivot. */
+/** Returns the map that turns a corner by degrees and scales it about a pivot. */
 const around =
   (pivot: Vec, turn: number, scale: number) =>
   (corner: Vec): Vec =>
     roundedVec(add(pivot, rotated(scaled(subtract(corner, pivot), scale), turn)));
 
 /**
- * The handle turned about its anchor to a rotation in degrees. Whole turns are kept: half a turn more and half a turn less
- * look alike at the handle itself, but not between it and what is turned otherwise.
+ * Turns the handle about its anchor to a rotation in degrees.
+ *
+ * Whole turns are kept. Half a turn more and half a turn less look alike at the handle, but not between it and handles
+ * with other turns.
  */
 export function turnedTo(handle: Handle, degrees: number): Handle {
   if (!isLine(handle)) return { ...handle, rotation: rounded(degrees) };
@@ -95,7 +99,7 @@ export function turnedTo(handle: Handle, degrees: number): Handle {
   return { ...replaced(handle, around(anchor(handle), turn, 1)), rotation: rounded(degrees) };
 }
 
-/** The handle turned by degrees and scaled about a pivot, as part of what is there: an automatic rotation stays so. */
+/** Turns the handle by degrees and scales it about a pivot. An automatic rotation stays automatic. */
 export function turnedAbout(handle: Handle, pivot: Vec, turn: number, scale: number): Handle {
   return {
     ...replaced(handle, around(pivot, turn, scale)),
@@ -105,8 +109,8 @@ export function turnedAbout(handle: Handle, pivot: Vec, turn: number, scale: num
 }
 
 /**
- * The handle with one corner moved. Its turn continues from `before` (degrees), so that leading a corner around the
- * others by more than half a turn does not flip the picture.
+ * Moves one corner of the handle. Its turn continues from `before`, in degrees: a corner that goes around the others by
+ * more than half a turn does not flip the picture.
  */
 export function cornerPut(
   handle: LineHandle,
@@ -128,7 +132,7 @@ export const CORNERS_NEEDED: Readonly<Record<LineHandle['kind'] | 'lasso', numbe
   lasso: 3,
 };
 
-/** The handle with a corner added at the same fraction of an edge, at rest and posed: the edge stays straight. */
+/** Adds a corner at the same fraction of an edge, at rest and posed. The edge stays straight. */
 export function cornerAdded(handle: LineHandle, { edge, fraction }: LinePlace): LineHandle {
   const divided = (corners: readonly Vec[]): readonly Vec[] => {
     const ends = edgesOf(corners, isClosed(handle.kind))[edge];
@@ -138,7 +142,7 @@ export function cornerAdded(handle: LineHandle, { edge, fraction }: LinePlace): 
   return { ...handle, rest: divided(handle.rest), posed: divided(handle.posed) };
 }
 
-/** The handle without one of its corners. */
+/** Removes one corner of the handle. */
 export function cornerRemoved(handle: LineHandle, index: number): LineHandle {
   const without = (corners: readonly Vec[]) => corners.filter((_, k) => k !== index);
   return { ...handle, rest: without(handle.rest), posed: without(handle.posed) };
@@ -149,7 +153,7 @@ const KINDS: readonly string[] = ['point', 'bar', 'polygon'];
 
 /**
  * Returns the handle if the solver can pose it.
- * @throws RangeError that names the handle and says what is wrong with it.
+ * @throws RangeError with the handle, the invalid key and the expected value.
  */
 export function checkedHandle(handle: Handle): Handle {
   const { id, rotation = 0, scale = 1, depth = 0 } = handle;
@@ -177,14 +181,14 @@ export function checkedHandle(handle: Handle): Handle {
   return handle;
 }
 
-/** The handle with an automatic rotation: turned by its surroundings. */
+/** Makes the rotation automatic. */
 export const withAutoRotation = (handle: Handle): Handle => ({ ...handle, rotation: 'auto' });
 
-/** The handle at a scale. A bar's or polygon's corners are scaled about its anchor, so that it grows in length too. */
+/** Sets the scale of the handle. The corners of a bar or polygon are scaled about its anchor. */
 export function scaledTo(handle: Handle, scale: number): Handle {
   const grown = { ...handle, scale: rounded(scale) };
   if (!isLine(handle)) return grown;
-  // From the scale as it is kept: the next one starts there.
+  // From the rounded scale, since the next change starts from it.
   return replaced(grown, around(anchor(handle), 0, grown.scale / scaleOf(handle)));
 }
 
@@ -193,15 +197,17 @@ export const atDepth = (handle: Handle, depth: number): Handle => ({
   depth: rounded(Math.min(DEPTHS.most, Math.max(DEPTHS.least, depth))),
 });
 
-/** The handle at its rest place, with a scale of 1; a point takes `rotation`. */
+/** Returns the handle in its rest pose, with a scale of 1. A point takes `rotation`. */
 export const atRest = (handle: Handle, rotation: Rotation): Handle =>
   isLine(handle)
     ? { ...handle, posed: handle.rest, rotation: 'auto', scale: 1 }
     : { ...handle, posed: handle.rest, rotation, scale: 1 };
 
 /**
- * The handle moved from its rest place as `like`, of the same kind, is from its own: by as much, turned and scaled about
- * its own middle, bent at the same places. It takes the depth, too.
+ * Poses the handle like another one of the same kind, relative to their rest poses.
+ *
+ * It is moved by the same vector, turned and scaled about its own middle, and bent at the corresponding positions. It
+ * takes the depth of `like`.
  */
 export function posedLike(handle: Handle, like: Handle): Handle {
   const { rotation, scale, depth } = like;
@@ -217,7 +223,7 @@ export function posedLike(handle: Handle, like: Handle): Handle {
 
 const restMiddle = (handle: Handle): Vec => lineCentroid(corners(handle, 'rest'), isClosed(handle.kind));
 
-/** Where a place at rest goes with the nearest place of a handle. */
+/** Returns the posed position of a rest position that is fixed to the nearest part of a handle. */
 function followed(handle: Handle, at: Vec): Vec {
   const { edge, fraction } = nearestPlace(corners(handle, 'rest'), isClosed(handle.kind), at);
   const [from, to] = [edges(handle, 'rest')[edge], edges(handle)[edge]];
@@ -226,13 +232,13 @@ function followed(handle: Handle, at: Vec): Vec {
   return add(lerp(...to, fraction), rotated(beside, rotationOf(handle)));
 }
 
-/** Whether every corner is at its rest place; rotation and scale do not count. */
+/** Whether every corner is at its rest position. Rotation and scale do not count. */
 export function isInPlace(handle: Handle): boolean {
   const rest = corners(handle, 'rest');
   return corners(handle).every((p, k) => p[0] === rest[k]?.[0] && p[1] === rest[k]?.[1]);
 }
 
-/** Whether nothing is moved, turned or scaled. An automatic rotation of a point does not count. */
+/** Whether the handle is not moved, turned or scaled. An automatic rotation of a point does not count. */
 export const isAtRest = (handle: Handle): boolean =>
   isInPlace(handle) && rotationOf(handle) === 0 && scaleOf(handle) === 1;
 

@@ -1,15 +1,15 @@
 /**
- * Poses of handles as one flat array: how a pose reaches the solver in every frame.
+ * Poses of handles as one flat array, which the solver receives in every frame.
  *
- * For each handle: the number n of its corners (1 for a point), the rotation in degrees (NaN: automatic), the scale, the
- * depth, then n × 2 coordinates. The first handles are those of a solution, in its order.
+ * Layout of a handle: corner count n (1 for a point), rotation in degrees (NaN if automatic), scale, depth, then n × 2
+ * coordinates. The handles of the solution come first, in its order.
  */
 import type { Vec } from '../geometry/vec';
 import { corners, depthOf, isLine, scaleOf } from './handle';
 import type { Handle, Project } from './project';
 import { followedHandles } from './solved';
 
-/** Numbers of a handle before its corners. */
+/** Count of numbers before the corners of a handle. */
 const HEAD = 4;
 
 /** The pose of one handle. */
@@ -20,7 +20,7 @@ export interface HandlePose {
   readonly scale: number;
 }
 
-/** The handles of the solved project, posed as in another project if it has them. */
+/** Returns the poses of the solved project's handles, taken from `project` if it has them. */
 export const projectPoses = (solved: Project, project: Project): Float64Array =>
   handlePoses(followedHandles(solved, project));
 
@@ -40,7 +40,7 @@ export function handlePoses(handles: readonly Handle[]): Float64Array {
   return numbers;
 }
 
-/** The poses in an array of this layout. */
+/** Reads the poses of an array of this layout. */
 export function readPoses(numbers: Float64Array): readonly HandlePose[] {
   const poses: HandlePose[] = [];
   let at = 0;
@@ -57,7 +57,7 @@ export function readPoses(numbers: Float64Array): readonly HandlePose[] {
   return poses;
 }
 
-/** The handle in another pose: itself if nothing changes. Keys that do not change are not written. */
+/** Poses the handle. Returns `handle` itself if nothing changes. Writes only the keys that change. */
 export function withPose(handle: Handle, { posed, rotation, scale }: HandlePose): Handle {
   const isTurned = !Number.isNaN(rotation) && rotation !== rotationNumber(handle);
   const isScaled = scale !== scaleOf(handle);

@@ -1,4 +1,4 @@
-/** Mirroring handles over the upright axis of what bends: their counterparts on the other side are posed as they are. */
+/** Mirrors the poses of handles to their counterparts on the other side of the domain's vertical axis. */
 import type { Box } from '../geometry/box';
 import { distanceToLine } from '../geometry/polyline';
 import { midpoint, type Vec } from '../geometry/vec';
@@ -8,23 +8,24 @@ import { corners, edges, isClosed, isLine, posedLike, rounded, roundedVec } from
 import type { Handle, Project } from './project';
 
 /**
- * How far a handle may rest from another's mirror image and still be its counterpart: a share of the larger side of what
- * bends. Two that were placed by eye differ by less.
+ * The largest distance between the rest positions of a counterpart and of the mirror image, as a fraction of the
+ * domain's larger side. Handles that are placed by eye differ by less.
  */
 const NEAR = 1 / 32;
 
 export interface Mirrored {
   readonly document: Document;
-  /** Handles that are left out, as nothing bends on their other side. */
+  /** Handles whose mirror images lie outside the domain. */
   readonly unmatched: readonly Handle[];
 }
 
 /**
- * The document with the counterparts of the selected handles posed as their mirror images, and selected. A counterpart
- * that is missing is added. Handles on the axis are their own counterparts, so that mirroring all flips the whole pose.
+ * Poses the counterparts of the selected handles as mirror images, and selects them. Missing counterparts are added.
  *
- * @param bounds of what bends, at rest. The axis is its middle.
- * @param bends whether a place of the original is part of what bends.
+ * A handle on the axis is its own counterpart, so that mirroring all handles flips the whole pose.
+ *
+ * @param bounds the bounds of the domain at rest. The axis is in the middle.
+ * @param bends whether a point of the original is in the domain.
  */
 export function mirrorHandles(
   document: Document,
@@ -40,7 +41,7 @@ export function mirrorHandles(
   for (const handle of selectedHandles(document)) {
     const image = mirrorImage(handle, axis);
     const other = opposite(handle);
-    // Of two beside one another only the nearer one is the counterpart of a third.
+    // Counterparts are mutual: of two neighbours, only the nearer one has the third as its counterpart.
     if (other && opposite(other) === handle) {
       next = putHandles(next, [posedLike(other, image)]);
       ids.push(other.id);
@@ -70,7 +71,7 @@ function nearest(handles: readonly Handle[], image: Handle, within: number): Han
   return best;
 }
 
-/** How far two handles rest apart: the farthest that a corner of one is from the other. */
+/** Returns the distance of two handles at rest: the largest distance of a corner to the other handle. */
 function apart(a: Handle, b: Handle): number {
   if (a.kind !== b.kind) return Number.POSITIVE_INFINITY;
   const [p, q] = [corners(a, 'rest'), corners(b, 'rest')];
@@ -81,7 +82,7 @@ function apart(a: Handle, b: Handle): number {
   );
 }
 
-/** "right-hand" for "left-hand", where no handle is called so. */
+/** Returns "right-hand" for "left-hand" if that id is free, or else another free id. */
 function idOpposite(project: Project, { id, kind }: Handle): string {
   const opposite = id.replace(/(?<![a-z])(left|right)(?![a-z])/, (side) =>
     side === 'left' ? 'right' : 'left',

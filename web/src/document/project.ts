@@ -1,5 +1,5 @@
 /**
- * The project file as the editor holds it: the format's own types, with every handle's pose written out.
+ * The project of the editor: the types of the file format, in which every handle has a pose.
  *
  * Coordinates are image pixels, angles degrees.
  */
@@ -7,7 +7,7 @@ import type * as file from './generated/project';
 
 export type { Domain, ImageRef, PoseMode, Rotation } from './generated/project';
 
-/** A project as a file or a page may give it. */
+/** A project from a file or a page. Handles may lack a pose. */
 export type ProjectFile = file.Project;
 export type HandleFile = file.Handle;
 
@@ -24,9 +24,9 @@ export interface Project extends Omit<ProjectFile, 'handles'> {
   readonly handles: readonly Handle[];
 }
 
-/** The handle with its pose written out, which is the rest pose where the file has none. */
+/** Returns the handle with a pose: the rest pose if the file has none. */
 export const posedHandle = (handle: HandleFile): Handle =>
   ({ ...handle, posed: handle.posed ?? handle.rest }) as Handle;
 
-/** A deep copy: a page may change it without changing a step of the history. */
+/** Returns a deep copy, which a page can change without changing the history. */
 export const deepCopy = <T>(data: T): T => JSON.parse(JSON.stringify(data));

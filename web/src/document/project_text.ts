@@ -1,6 +1,4 @@
-/**
- * The text of a project file, or of a pose: one line per key and per handle, so that diffs by line are readable.
- */
+/** Writes a project or a pose as text, with one line per key and per handle, so that diffs are readable. */
 import type { Handle, Project } from './project';
 
 export interface Pose {
@@ -20,7 +18,7 @@ function valueText(value: unknown): string {
   return `[\n${value.map((item) => `    ${lineText(item)}`).join(',\n')}\n  ]`;
 }
 
-/** A value in one line, with a space after commas and colons. */
+/** Returns a value in one line, with a space after commas and colons. */
 function lineText(value: unknown): string {
   if (Array.isArray(value)) return `[${value.map(lineText).join(', ')}]`;
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);

@@ -1,8 +1,7 @@
 /**
- * Repairs a history when the solver refuses its present: the change to blame is reverted, and later changes stay.
+ * Repairs a history after the solver rejects its present: the offending change is reverted, and later changes stay.
  *
- * Where the solver names handles, one of them at a time is reverted to what it was before; the rest may then be refused
- * for another.
+ * If the solver names handles, one of them is reverted at a time. The solver may then reject another one.
  */
 import { type Document, handleById } from './document';
 import { selectHandles } from './edits';
@@ -11,11 +10,12 @@ import type { Handle, Project } from './project';
 import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
 
 /**
- * The handle to blame: of those named and not solved before, the last to change. Null if it cannot be determined, if the
- * handle was so from the beginning, or if it came with a step that replaced the project: such a step is undone whole.
+ * Returns the handle to revert: among those named and not solved before, the last one to change.
  *
- * @param accepted the project solved last. Without it, handles older than the present settings are not blamed: the
- *   settings may be what made them wrong.
+ * Returns `null` if no step changed such a handle alone. A step that replaced the project is undone as a whole.
+ *
+ * @param accepted the last solved project. Without it, handles older than the present settings are not reverted: the
+ *   settings can be the cause.
  */
 export function handleToRevert(
   { values, at }: Timeline<Document>,
@@ -37,26 +37,26 @@ export function handleToRevert(
   return null;
 }
 
-/** Whether a step leaves settings and all handles but one as they were for a solution; it may add more. */
+/** Whether a step keeps the settings and all handles but one, except for poses. It can add handles. */
 const keepsOthers = (before: Project, after: Project, id: string): boolean =>
   settingsKey(before) === settingsKey(after) &&
   before.handles.every((handle) => handle.id === id || solvesWith(after, handle));
 
-/** The values with the handle reverted wherever, without a break around the present, it is what it is now. */
+/** Reverts the handle in the present and in all values around it that have it unchanged. */
 export function withHandleReverted({ values, at }: Timeline<Document>, handle: Handle): readonly Document[] {
   const otherwise = ({ project }: Document) => !solvesWith(project, handle);
   const first = values.findLastIndex((document, k) => k < at && otherwise(document)) + 1;
   const next = values.findIndex((document, k) => k > at && otherwise(document));
   let before = values[first - 1];
   return values.map((document, k) => {
-    // The value at `next` is included: it may now equal the one before it.
+    // Includes the value at `next`, which may now equal the one before it.
     if (k < first || (next >= 0 && k > next)) return document;
     before = revertHandle(document, handle, before);
     return before;
   });
 }
 
-/** The document with a handle reverted to `before`, or removed if new; `before` itself where nothing else differs. */
+/** Reverts a handle to `before`, or removes it if it is new. Returns `before` itself if nothing else differs. */
 export function revertHandle(document: Document, handle: Handle, before: Document | undefined): Document {
   const back = before && handleById(before, handle.id);
   const handles = document.project.handles.flatMap((other) =>
@@ -68,8 +68,8 @@ export function revertHandle(document: Document, handle: Handle, before: Documen
 }
 
 /**
- * The values with each one that needs the solution of this key replaced by the last one before it that does not, or
- * else by the first that does not.
+ * Replaces each value that needs the solution of this key. The last value before it that needs another solution takes
+ * its place, or else the first such value.
  */
 export function withSolutionReverted({ values }: Timeline<Document>, key: string): readonly Document[] {
   const stands = ({ project }: Document) => solveKey(project) !== key;

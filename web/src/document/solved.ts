@@ -1,16 +1,16 @@
 /**
- * What a solution depends on, and how a newer pose is applied to an older solution.
+ * The inputs of a solution, and the application of a newer pose to an older solution.
  *
- * Posing never needs a new solve, nor does a change of blend; placing or removing handles and the other settings do.
+ * Changes of the pose or the blend need no new solve. Other settings do, and so do handles that are placed or removed.
  * While a newer solve runs, the picture follows the handles of the last solution.
  */
 import type { Handle, Project } from './project';
 
-/** A key that two projects share exactly when one solution serves both. */
+/** Two projects have the same key if and only if they have the same solution. */
 export const solveKey = (project: Project): string =>
   `${settingsKey(project)} ${project.handles.map(handleKey).join(' ')}`;
 
-/** The part of {@link solveKey} that depends on no handle. */
+/** The part of {@link solveKey} that is independent of the handles. */
 export function settingsKey({ handles: _, pose, ...settings }: Project): string {
   const { blend: __, ...bending } = pose ?? {};
   return JSON.stringify([settings, bending]);
@@ -24,7 +24,7 @@ export const solvesAlike = (a: Handle, b: Handle): boolean => handleKey(a) === h
 
 const handleKey = ({ id, kind, rest }: Handle): string => JSON.stringify([id, kind, rest]);
 
-/** For each handle of `solved` that of `current`; the solved one if `current` lacks it or has it with other corners. */
+/** Replaces the handles of `solved` by those of `current` with the same id, kind and number of corners. */
 export function followedHandles(solved: Project, current: Project): readonly Handle[] {
   const now = new Map(current.handles.map((handle) => [handle.id, handle]));
   return solved.handles.map((handle) => {

@@ -1,7 +1,7 @@
 /**
- * The ways between two poses that the fold guard searches, as flat arrays for the solver.
+ * The paths between two poses that the fold guard searches, as flat arrays for the solver.
  *
- * Each way covers the handles of the solution, and then those that are not solved yet: all of them stop together.
+ * Each has the handles of the solution, then those that are not solved yet: all of them stop together.
  */
 import type { Vec } from '../geometry/vec';
 import { groupCentre } from './group';
@@ -10,22 +10,22 @@ import { handlePoses, readPoses, withPose } from './handle_poses';
 import type { Handle, Project } from './project';
 import { followedHandles, hasSameForm } from './solved';
 
-/** Every handle on a way of its own. */
+/** A path on which each handle moves by itself. */
 export interface HandleWay {
   readonly from: Float64Array;
   readonly to: Float64Array;
   /** Handles × 3: the turn at the start and at the end, in degrees, and 1 if the rotation is a number, else 0. */
   readonly turns: Float64Array;
-  /** The wanted project with the poses of an array of this layout. */
+  /** Returns the wanted project with the poses of an array of this layout. */
   apply(poses: Float64Array): Project;
 }
 
-/** Handles that turn and scale together; the others are at the end of their way. */
+/** A path on which handles turn and scale together. The others are at its end already. */
 export interface GroupWay {
   readonly to: Float64Array;
   /** Indices of the handles that turn and scale. */
   readonly members: Uint32Array;
-  /** Poses and rotations of these before anything was turned or scaled. */
+  /** Poses and rotations of the members before the transform. */
   readonly origins: Float64Array;
   readonly rotations: Float64Array;
   readonly pivot: Vec;
@@ -79,7 +79,7 @@ export function groupWay(
   };
 }
 
-/** The handles of the solution as the project poses them, then the project's other handles. */
+/** Returns the handles of the solution in the project's pose, then the project's other handles. */
 function wayHandles(solved: Project, project: Project): readonly Handle[] {
   const followed = followedHandles(solved, project);
   const ids = new Set(followed.map(({ id }) => id));
@@ -95,7 +95,7 @@ function counterparts({ handles }: Project): (handle: Handle) => Handle | undefi
   };
 }
 
-/** The project with poses of the handles `ends`, each written to the handle in `bases`. */
+/** Returns the project with the poses of the handles `ends`, each written to the handle in `bases`. */
 function applied(
   project: Project,
   ends: readonly Handle[],
