@@ -1,4 +1,4 @@
-/** Dragging a box over empty space selects the handles inside; with Shift, in addition to the selection before. */
+/** Dragging a box over empty space selects the handles inside. Shift adds them to the selection. */
 
 import { anchor, corners } from '../document/handle';
 import type { Project } from '../document/project';

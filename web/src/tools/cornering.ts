@@ -14,7 +14,7 @@ export const cornering = (origin: Document, id: string, index: number, from: Vec
   if (!handle || !start || !isLine(handle)) return rest;
   const { posed } = handle;
   const neighbour = posed[index - 1] ?? posed[index + 1] ?? start;
-  /** Each move passes its turn on, so that full turns are counted. */
+  /** The state after a move. It has the turn so far, so that full turns count. */
   const after = (turn: number): State => ({
     holds: true,
     move: (press) => {

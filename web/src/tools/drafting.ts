@@ -1,10 +1,10 @@
 /**
- * Drawing a bar, a polygon or a lasso: every press sets a corner, which follows the pointer until the release. That of a
- * lasso leaves corners on its way.
+ * Drawing a bar, a polygon or a lasso: every press sets a corner, which follows the pointer until the release. The
+ * corner of a lasso leaves others along its path.
  *
- * A press on the last corner finishes the drawing (so does a double click), and a press on the first corner of a
- * polygon or lasso. One press, drag and release draws a whole bar or lasso. Shift snaps to steps of 45°. Cancelling a
- * press removes only what it has set.
+ * A press on the last corner finishes the drawing, and so does a double click. A press on the first corner finishes a
+ * polygon or lasso. One press, drag and release draws a whole bar or lasso. Shift snaps to steps of 45°. A cancelled
+ * press removes only its own corners.
  */
 import { addHandle, freeId } from '../document/edits';
 import { CORNERS_NEEDED, isClosed, isLine, rounded, roundedVec } from '../document/handle';
@@ -15,22 +15,22 @@ import { type Draft, type Outcome, outcome, type Press, type State, type ToolCon
 
 export type LineKind = LineHandle['kind'];
 
-/** Distance between the corners that a lasso leaves on its way, in lengths of a click's slop. */
+/** The distance between the corners along the path of a lasso, in multiples of `Grips.slop`. */
 const SPACING = 2;
 
-/** Direction step with Shift, degrees. */
+/** The step of directions with Shift, degrees. */
 export const STEP_DEGREES = 45;
 
 export const isDrawable = ({ kind, corners }: Draft): boolean => corners.length >= CORNERS_NEEDED[kind];
 
-/** The state between two presses of a drawing. `rest` is the tool without one. */
+/** The state between two presses of a drawing. `rest` is the state of the tool without a drawing. */
 export function drafting(draft: Draft, rest: State): State {
   const { corners, taken } = draft;
   const state: State = {
     draft,
     down: (press, context) => {
       if (finishes(draft, press.at, context)) return outcome(finishing(draft, rest));
-      // Still on the last corner, with too few corners to finish.
+      // On the last corner, but there are too few corners to finish.
       if (onLast(draft, press.at, context)) return outcome(state);
       return outcome(setting(draft, press, drawn(draft, press, context), rest));
     },
@@ -47,7 +47,7 @@ export function drafting(draft: Draft, rest: State): State {
   return state;
 }
 
-/** Redo of the corner that was taken back last, even if the drawing has no other corner. */
+/** Redoes the corner that was undone last, even if the drawing has no other corner. */
 function lengthening(draft: Draft, rest: State): Pick<State, 'again'> {
   const [last] = draft.taken.slice(-1);
   if (!last) return {};
@@ -75,7 +75,7 @@ export function begun(
 export const resumed = (draft: Draft, rest: State): State =>
   drafting({ ...draft, next: null, finishing: false }, rest);
 
-/** The new corner follows the pointer until the release. The first corner stays, and a drag from it adds others. */
+/** The state during a press. The new corner follows the pointer. A drag from the first corner adds others. */
 const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   const first = draft.corners.length === 0;
   const anchored: Draft = first ? { ...draft, corners: [at] } : draft;
@@ -106,7 +106,7 @@ const setting = (draft: Draft, from: Press, at: Vec, rest: State): State => {
   return held(first ? [at] : [...draft.corners, at]);
 };
 
-/** A press that finishes the drawing: on release, so that a second finger can still cancel it. */
+/** The state during a press that finishes the drawing on release. A second finger can still cancel it. */
 const finishing = (draft: Draft, rest: State): State => ({
   draft,
   up: (_, context) => finished(draft, context, rest),
@@ -139,7 +139,10 @@ function finished(draft: Draft, context: ToolContext, rest: State): Outcome {
   );
 }
 
-/** The handle of a drawing, with the mean scale of the picture under its corners, so that the picture does not jump. */
+/**
+ * Returns the handle of a drawing. It has the mean scale of the picture under its corners, so that the picture does not
+ * jump.
+ */
 export function lineHandle(
   project: Project,
   { kind, corners }: { readonly kind: LineKind; readonly corners: readonly Vec[] },
@@ -155,7 +158,7 @@ export function lineHandle(
   return { id: freeId(project, kind), kind, rest, posed, rotation: 'auto', scale: rounded(meanScale) || 1 };
 }
 
-/** The rest place of another handle's corner that is posed exactly here, so that joined corners also meet at rest. */
+/** Returns the rest position of a corner that is posed at `at`, so that joined corners also meet at rest. */
 function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
   for (const { rest, posed } of handles) {
     const index = posed.findIndex((corner) => corner[0] === at[0] && corner[1] === at[1]);
@@ -165,8 +168,8 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
 }
 
 /**
- * Where the next corner goes: with Shift on a step of direction, else onto another handle's corner within reach, else
- * under the pointer.
+ * Returns the position of the next corner. Shift snaps its direction. Otherwise it snaps to another handle's corner in
+ * reach, or else follows the pointer.
  */
 function drawn({ kind, corners }: Draft, press: Press, context: ToolContext): Vec {
   const last = corners.at(-1);

@@ -1,6 +1,6 @@
 /**
- * The ring around several selected handles, by which they are turned and scaled as one. It is wide enough to hold them
- * all, as far as there is room in the view.
+ * The ring around several selected handles, which turns and scales them together. It encloses all of them if the view
+ * has room.
  */
 import { type Document, selectedHandles } from '../document/document';
 import { groupCentre, groupSpan, groupTurn } from '../document/group';
@@ -10,16 +10,16 @@ import type { Grips } from './state';
 export interface GroupRing {
   readonly pivot: Vec;
   readonly radius: number;
-  /** Degrees; the knob stands at the top when this is 0. */
+  /** Degrees. At 0, the knob is at the top. */
   readonly turn: number;
   readonly knob: Vec;
-  /** What scales. */
+  /** Position of the grip, which scales. */
   readonly grip: Vec;
-  /** How far the ring lies beyond the farthest corner; at most half its radius. */
+  /** Distance of the ring from the farthest corner inside; at most half its radius. */
   readonly clearance: number;
 }
 
-/** From the knob to the grip, clockwise: at the lower right when nothing is turned. */
+/** The angle from the knob to the grip, clockwise. Unturned, the grip is at the lower right. */
 export const GRIP_DEGREES = 135;
 
 /** Null unless several handles are selected. */

@@ -1,4 +1,4 @@
-/** The hand tool (H): pans, whatever lies under the pointer. */
+/** The hand tool (H): every press pans. */
 import { panning } from './panning';
 import { outcome, type State } from './state';
 

@@ -1,4 +1,4 @@
-/** Hit testing of a press: a handle, one of its corners, the ring of what is selected or the grip on it, or nothing. */
+/** Hit testing: finds the handle, corner, ring or grip under a press. */
 
 import { anchor, isClosed, isLine } from '../document/handle';
 import type { Handle } from '../document/project';
@@ -11,7 +11,7 @@ export type Hit =
   | { readonly part: 'handle' | 'ring' | 'grip'; readonly id: string }
   | { readonly part: 'corner'; readonly id: string; readonly index: number };
 
-/** How much larger than the band of a ring the hit areas of its knob and grip are: 45 px across for a finger. */
+/** Radius of the hit areas of knob and grip, in multiples of `Grips.band`: 45 px across for a finger. */
 const KNOB = 1.25;
 
 /** A candidate, and its distance from the press, image pixels. */
@@ -21,10 +21,10 @@ interface Reach {
 }
 
 /**
- * The nearest point or corner within reach, or knob or grip on the ring of several; else the nearest ring; else the nearest line;
- * else the polygon around the press. This order keeps a handle within another's ring reachable.
+ * Returns the first hit in this order: points, corners and the knob and grip of a group ring; rings; lines; insides of
+ * polygons. In a group of this order, the nearest wins. So a handle inside another handle's ring stays reachable.
  *
- * @param bodies whether the inside of a polygon counts; not for tools that place something, possibly inside one.
+ * @param bodies whether the inside of a polygon counts. Tools that place handles ignore it.
  */
 export function hit(
   { document, grips }: Pick<ToolContext, 'document' | 'grips'>,
@@ -61,7 +61,7 @@ export function hit(
 const within = (most: number, reaches: readonly Reach[]): readonly Reach[] =>
   reaches.filter(({ away }) => away <= most);
 
-/** "<=": of two at the same distance the later one wins, since it is drawn on top. */
+/** Of two at the same distance, the later one wins, since it is drawn on top. */
 function nearest(reaches: readonly Reach[]): Hit | null {
   let [best, least]: [Hit | null, number] = [null, Number.POSITIVE_INFINITY];
   for (const { hit, away } of reaches) if (away <= least) [best, least] = [hit, away];
@@ -82,13 +82,13 @@ const ring = (id: string, middle: Vec, radius: number, at: Vec): Reach => ({
   away: Math.abs(distance(middle, at) - radius),
 });
 
-/** What stands on the ring around several handles, by the id of the first of them. */
+/** The knob and the grip of a group ring. Their hits have the id of the first handle. */
 const groupMarks = ({ knob, grip }: GroupRing, id: string, at: Vec): readonly Reach[] => [
   { hit: { part: 'ring', id }, away: distance(knob, at) },
   { hit: { part: 'grip', id }, away: distance(grip, at) },
 ];
 
-/** The line itself or, while selected, also the mark at its middle, which may lie off the line. */
+/** The line. While selected, also the mark at its middle, which can lie off the line. */
 const line = (handle: Handle, at: Vec, selected: boolean): Reach => ({
   hit: { part: 'handle', id: handle.id },
   away: isLine(handle)

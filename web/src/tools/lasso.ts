@@ -1,6 +1,6 @@
 /**
- * The lasso tool (L): draws around what bends, on the original. A drag draws freely, presses set corners. With Alt at
- * the beginning it cuts a hole.
+ * The lasso tool (L): draws a ring around a part of the original, which becomes the domain. A drag draws freely, and
+ * presses set corners. Alt at the first press cuts a hole.
  */
 import { begun } from './drafting';
 import type { State } from './state';

@@ -1,6 +1,6 @@
 /**
- * The bar tool (B) and the polygon tool (G): presses on the picture draw. A press on a point handle, or on anything
- * selected, works as with the select tool, but a click on a ring draws.
+ * The bar tool (B) and the polygon tool (G): presses on the picture draw. Presses on point handles and selected handles
+ * work as with the select tool, but a click on a ring draws.
  */
 import { handleById } from '../document/document';
 import { begun, type LineKind } from './drafting';

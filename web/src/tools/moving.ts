@@ -1,4 +1,4 @@
-/** Dragging handles: all selected handles move by the same vector. Shift snaps its direction to steps of 45°. */
+/** Dragging handles: all of them move by the same vector. Shift snaps its direction to steps of 45°. */
 
 import type { Document } from '../document/document';
 import { moveHandles } from '../document/edits';
@@ -7,7 +7,7 @@ import { subtract, type Vec } from '../geometry/vec';
 import { STEP_DEGREES } from './drafting';
 import { outcome, type State } from './state';
 
-/** @param origin the document at the start of the drag; every move starts from it, so that rounding never adds up. */
+/** @param origin the document at the start of the drag. Moves start from it, so that rounding errors do not add up. */
 export const moving = (origin: Document, ids: readonly string[], from: Vec, rest: State): State => {
   const state: State = {
     holds: true,

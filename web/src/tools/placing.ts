@@ -1,7 +1,4 @@
-/**
- * Placing a point handle: it appears when the pointer goes down, and can be dragged before the release. Both together
- * are one undo step.
- */
+/** Placing a point handle: a press adds it, and a drag moves it. Both together are one undo step. */
 
 import { restingRotation } from '../document/bending';
 import { addHandle, freeId } from '../document/edits';
@@ -13,9 +10,10 @@ import { moving } from './moving';
 import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
 
 /**
- * A handle at a place of the posed picture, with the motion that the picture has there, so that the picture does not
- * jump. An automatic rotation follows from the pose. Where the picture is turned over, the nearest scale can be 0, which
- * no handle has.
+ * Returns a handle with the rotation and scale of the posed picture at its position, so that the picture does not jump.
+ *
+ * An automatic rotation follows from the pose. Where the picture is flipped, the nearest scale can be 0. It becomes 1,
+ * since handles have positive scales.
  */
 export function pointHandle(project: Project, placement: Placement): PointHandle {
   const { rest, rotation, scale } = placement;
@@ -23,7 +21,7 @@ export function pointHandle(project: Project, placement: Placement): PointHandle
   return {
     id: freeId(project),
     kind: 'point',
-    // From there, so that what is not bent rests where it is: a half of a hundredth is rounded up or down by a hair.
+    // Relative to the rounded `posed`, so that both are equal in an unbent picture in spite of rounding.
     rest: roundedVec(add(posed, subtract(rest, placement.posed))),
     posed,
     rotation: restingRotation(project) === 'auto' ? 'auto' : rounded(rotation),

@@ -1,5 +1,6 @@
 /**
- * The point tool (P): a press on the picture places a handle. On a handle, and for drags of a ring, as the select tool.
+ * The point tool (P): a press on the picture places a handle. Presses on handles and drags of a ring work as with the
+ * select tool.
  */
 import { hit } from './hit';
 import { placed } from './placing';

@@ -1,8 +1,9 @@
 /**
- * Pressing a handle or a ring, before it is known whether this is a click or a drag.
+ * Pressing a handle or a ring, which becomes a click or a drag.
  *
- * A click selects (Shift: adds or removes). A drag moves or, on the ring or with Alt, turns; on the grip of several it
- * scales; on a corner it moves only that corner. A click on a ring or its grip applies to what lies beneath.
+ * A click selects; with Shift it adds or removes. A drag moves the handles. On the ring or with Alt it turns them, on
+ * the grip it scales them, and on a corner it moves only the corner. A click on a ring or grip applies to the object
+ * below.
  */
 
 import { handleById } from '../document/document';
@@ -19,9 +20,9 @@ import { turning } from './turning';
 type Down = NonNullable<State['down']>;
 
 /**
- * Starts a press on `target`: selects an unselected handle at once; everything else waits for the release.
+ * Starts a press on `target`. An unselected handle is selected at once. Everything else waits for the release.
  *
- * @param beneath handles a click on a ring, as if there were no rings; selects unless given.
+ * @param beneath handles a click on a ring, as if there were no rings. By default it selects.
  */
 export function pressed(
   target: Hit,
@@ -47,7 +48,7 @@ const selecting =
     return outcome(rest, { type: 'select', ids: [...more, target.id] });
   };
 
-/** The outcome of a press that is released at once. */
+/** Returns the outcome of a press that is released at once. */
 function atOnce(down: Down, press: Press, context: ToolContext): Outcome {
   const begun = down(press, context);
   const ended = begun.next.up?.(press, context);
@@ -80,7 +81,7 @@ const pressing = (target: Hit, from: Press, already: boolean, rest: State, benea
   return state;
 };
 
-/** Starts a drag: opens an undo step and carries out the first move. */
+/** Starts a drag: opens an undo step and applies the first move. */
 function dragged(target: Hit, from: Press, press: Press, context: ToolContext, rest: State): Outcome {
   const { document } = context;
   const handle = handleById(document, target.id);
@@ -91,7 +92,7 @@ function dragged(target: Hit, from: Press, press: Press, context: ToolContext, r
   const ring = groupRing(document, context.grips);
   const pivot = ring?.pivot ?? anchor(handle);
   const aside = target.part === 'ring' || (ring && distance(pivot, from.at) > context.grips.handle);
-  // A press on the pivot has no direction yet: turns start from the first point of the drag.
+  // A press on the pivot has no direction, so turns start from the first point of the drag.
   const hold = aside ? from.at : press.at;
   const [verb, next] =
     target.part === 'grip' && ring

@@ -1,6 +1,6 @@
 /**
- * Scaling several handles as one by the grip on their ring. The farthest of them goes with the pointer. Shift snaps to
- * tenths.
+ * Scaling several handles together by the grip on their ring. The farthest handle moves as far as the pointer. Shift
+ * snaps to tenths.
  */
 import type { Document } from '../document/document';
 import { posedGroup } from '../document/group';

@@ -1,8 +1,8 @@
 /**
  * The interface of tools: a tool is a state that takes presses and returns the next state and effects.
  *
- * States are values without DOM or clock; each file named with a gerund holds one. `machine.ts` holds the current
- * state, and the editor carries out the effects.
+ * States are values without DOM or clock. Each file whose name is a gerund has one. The effects are carried out by the
+ * editor.
  */
 
 import type { Document } from '../document/document';
@@ -15,55 +15,58 @@ import type { Vec } from '../geometry/vec';
 
 /** A pointer at one moment. */
 export interface Press {
-  /** In image pixels of the posed picture. */
+  /** Position in the posed picture, image pixels. */
   readonly at: Vec;
-  /** The same place in CSS pixels of the stage. */
+  /** The same position in CSS pixels of the stage. */
   readonly stage: Vec;
   readonly shift: boolean;
   readonly alt: boolean;
 }
 
-/** A press by keys at a place, image pixels. */
+/** A press by keys at a position, image pixels. */
 export const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
 
-/** Sizes of the hit areas, image pixels: they depend on the zoom and on finger or mouse. */
+/** Sizes of the hit areas, image pixels. They depend on the zoom and on the kind of pointer. */
 export interface Grips {
   /** Radius of the hit area around a point handle or a corner. */
   readonly handle: number;
-  /** How far beside its line a bar or polygon can be pressed, and beside the picture a handle placed on it. */
+  /** Half the width of the hit area of a line. A handle is placed on the picture up to this distance from it. */
   readonly line: number;
   /** Radius of the rotation ring, and half the width of its hit area. */
   readonly ring: number;
   readonly band: number;
-  /** How far the pointer may move before a click becomes a drag. */
+  /** Distance that the pointer moves before a click becomes a drag. */
   readonly slop: number;
-  /** The part of the picture's plane that is in view and that no card covers. */
+  /** The visible part of the plane: in view and not covered by a card. */
   readonly view: Box;
 }
 
-/** The editor's state as seen by tools. */
+/** The editor's state for tools. */
 export interface ToolContext {
   readonly document: Document;
   readonly grips: Grips;
   readonly turns: Turns;
-  /** Where on the picture a point handle goes: there or, close beside what bends, the nearest place on it; else null. */
+  /**
+   * Returns the placement of a point handle: at the point or, close to the domain, at the nearest point of it.
+   * Otherwise `null`.
+   */
   place(at: Vec): Placement | null;
-  /** What lies at a point; beside the picture as if its nearest part continued there. */
+  /** Returns the part of the picture at a point. Outside, the nearest part is extended. */
   placeNear(at: Vec): LocatedPoint;
 }
 
 /** A bar, a polygon or a lasso that is being drawn. */
 export interface Draft {
   readonly kind: keyof typeof CORNERS_NEEDED;
-  /** Corners on the posed picture, those of a lasso on the original: image pixels. */
+  /** Corners on the posed picture, or on the original for a lasso, image pixels. */
   readonly corners: readonly Vec[];
-  /** Corners to redo, the next one last; emptied when another corner is set. */
+  /** Corners to redo, the next one last. A new corner clears them. */
   readonly taken: readonly Vec[];
-  /** Where a press would set the next corner. */
+  /** Position of the corner that a press would set. */
   readonly next: Vec | null;
-  /** A press there would finish the drawing. */
+  /** Whether a press would finish the drawing. */
   readonly finishing: boolean;
-  /** Of a lasso: it cuts a hole. */
+  /** Whether a lasso cuts a hole. */
   readonly hole?: boolean;
 }
 
@@ -76,11 +79,11 @@ export type Effect =
   | { readonly type: 'box'; readonly box: Box | null }
   | { readonly type: 'pan'; readonly by: Vec }
   | { readonly type: 'miss' }
-  /** A corner was set or taken back. */
+  /** A corner was set or undone. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }
   /** A lasso was closed. */
   | { readonly type: 'lassoed'; readonly ring: readonly Vec[]; readonly hole: boolean }
-  /** The drawing of the handle just committed, to be resumed if the solver refuses the handle. */
+  /** The drawing of the new handle, which is resumed if the solver rejects the handle. */
   | { readonly type: 'drawn'; readonly draft: Draft; readonly handle: LineHandle };
 
 export interface Outcome {
@@ -88,23 +91,23 @@ export interface Outcome {
   readonly effects: readonly Effect[];
 }
 
-/** A state implements only the inputs that it handles; any other leaves it unchanged. */
+/** A state implements only the inputs that it handles. Others leave it unchanged. */
 export interface State {
   /** The current drawing. A state with a draft lasts from press to press. */
   readonly draft?: Draft;
-  /** The press has the selected handles in hand. */
+  /** The press holds the selected handles. */
   readonly holds?: true;
   down?(press: Press, context: ToolContext): Outcome;
   move?(press: Press, context: ToolContext): Outcome;
   up?(press: Press, context: ToolContext): Outcome;
   cancel?(): Outcome;
-  /** The pointer moves without a press; null: it has left. */
+  /** The pointer moves without a press. `null` if it has left. */
   hover?(press: Press | null, context: ToolContext): Outcome;
   /** Finishes the drawing. */
   finish?(context: ToolContext): Outcome;
-  /** Takes back the last corner. */
+  /** Undoes the last corner. */
   back?(): Outcome;
-  /** Redoes the corner that was taken back last; present only if there is one. */
+  /** Redoes the corner that was undone last. Present only if there is one. */
   again?(): Outcome;
 }
 

@@ -1,7 +1,8 @@
 /**
- * Turning by the ring or an Alt-drag. A handle turns about its own centre: an automatic one starts from its current turn,
- * and its rotation is then pinned. Several turn as one about theirs. Shift snaps to 15°. Full turns count: twice around
- * is two turns.
+ * Turning by the ring or an Alt-drag. One handle turns about its own centre. An automatic rotation starts from its
+ * current value, and is then fixed. Several handles turn together about their common centre.
+ *
+ * Shift snaps to 15°. Full turns count: twice around is two turns.
  */
 
 import { turnHandles } from '../document/edits';
