@@ -22,19 +22,19 @@ const project = (...handles: readonly Handle[]): Project => ({
 });
 const drawn = (from: Project, ring: readonly Vec[], hole = false): Project => {
   const after = withLasso(from, ring, hole);
-  if (!after) throw new Error('nothing in it');
+  if (!after) throw new Error('the ring is empty');
   return after.project;
 };
 const ids = ({ handles }: Project) => handles.map(({ id }) => id);
 
 describe('a lasso', () => {
-  it('makes the inside of its ring bend, and nothing else', () => {
+  it('replaces the domain by the inside of its ring', () => {
     const after = drawn(project(point('in', 60, 60), point('out', 5, 5)), square(50, 50, 100));
     expect(after.domain).toEqual({ kind: 'polygon', rings: [square(50, 50, 100)] });
     expect(ids(after)).toEqual(['in']);
     expect(ringsOf(project())).toEqual([]);
   });
-  it('keeps to the picture, and to hundredths of a pixel', () => {
+  it('is clipped to the picture and rounded to hundredths of a pixel', () => {
     const [ring] = ringsOf(drawn(project(), square(-50, -50, 100.1234)));
     expect(ring).toHaveLength(4);
     expect(ring).toEqual(
@@ -44,16 +44,16 @@ describe('a lasso', () => {
       ]),
     );
   });
-  it('is nothing beside the picture, or where it holds next to none', () => {
+  it('is rejected outside the picture and if it is too small', () => {
     expect(withLasso(project(), square(500, 0, 90), false)).toBeNull();
     expect(withLasso(project(), square(50, 50, 3), false)).toBeNull();
     expect(withLasso(project(), [[10, 10]], false)).toBeNull();
   });
-  it('leaves out corners on one spot', () => {
+  it('drops repeated corners', () => {
     const [ring] = ringsOf(drawn(project(), [[50, 50], [50, 50.02], ...square(50, 50, 90), [50, 50.04]]));
     expect(ring).toHaveLength(4);
   });
-  it('keeps bars that lead through it', () => {
+  it('keeps bars that cross it', () => {
     const line = [
       [20, 100],
       [300, 100],
@@ -66,10 +66,10 @@ describe('a lasso', () => {
 
 describe('a second lasso', () => {
   const first = drawn(project(), square(50, 50, 100));
-  it('elsewhere is another part', () => {
+  it('elsewhere adds an island', () => {
     expect(ringsOf(drawn(first, square(200, 50, 80)))).toHaveLength(2);
   });
-  it('takes the place of what it crosses, holds or lies in', () => {
+  it('replaces rings that it crosses, contains or lies in', () => {
     for (const [left, side] of [
       [100, 100],
       [30, 200],
@@ -78,7 +78,7 @@ describe('a second lasso', () => {
       expect(ringsOf(drawn(first, square(left, left, side)))).toHaveLength(1);
     }
   });
-  it('cuts a hole, on demand, where it lies within', () => {
+  it('cuts a hole if it lies inside the domain', () => {
     const holed = drawn(first, square(70, 70, 40), true);
     expect(ringsOf(holed)).toHaveLength(2);
     const after = drawn(
@@ -87,12 +87,12 @@ describe('a second lasso', () => {
       true,
     );
     expect(ids(after)).toEqual(['in']);
-    // A hole around a hole takes its place; one that sticks out is none.
+    // A hole replaces the holes inside it. A ring that crosses the boundary cuts no hole.
     expect(ringsOf(drawn(holed, square(60, 60, 80), true))).toHaveLength(2);
     expect(ringsOf(drawn(holed, square(60, 60, 200), true))).toHaveLength(1);
     const cut = (side: number) => withLasso(holed, square(60, 60, side), true)?.cut;
     expect([cut(80), cut(200)]).toEqual([true, false]);
-    // What it takes the place of goes with its holes.
+    // A replaced ring is removed with its holes.
     expect(ringsOf(drawn(holed, square(120, 120, 90)))).toHaveLength(1);
   });
 });

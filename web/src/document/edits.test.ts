@@ -28,13 +28,13 @@ const empty = openDocument(newProject(image, 0.5));
 const two: Document = addHandle(addHandle(empty, handle('left-hand')), handle('b', 5));
 
 describe('edits', () => {
-  it('puts handles in place of those with their ids, and adds none', () => {
+  it('replaces handles with the same ids and adds none', () => {
     const put = putHandles(two, [handle('b', 7), handle('c')]);
     expect(put.project.handles).toEqual([handle('left-hand'), handle('b', 7)]);
     expect(put.selection).toEqual(two.selection);
   });
 
-  it('moves, turns and resets', () => {
+  it('moves, turns and resets handles', () => {
     const moved = moveHandles(two, ['b'], [1.004, 2]);
     expect(moved.project.handles[1]?.posed).toEqual([6, 2]);
     expect(moved.project.handles[0]).toBe(two.project.handles[0]);
@@ -43,20 +43,20 @@ describe('edits', () => {
     expect(resetHandles(turned, ['b']).project.handles.every(isAtRest)).toBe(true);
   });
 
-  it('resets to a free turn where the picture bends rigidly, to none where it does not', () => {
+  it('resets points to automatic rotation in rigid mode, to 0 in harmonic mode', () => {
     const rotation = (document: Document) => resetHandles(document, ['b']).project.handles[1]?.rotation;
     const turned = turnHandles(two, ['b'], () => 20);
     expect(rotation(turned)).toBe('auto');
     expect(rotation({ ...turned, project: withMode(turned.project, 'harmonic') })).toBe(0);
   });
 
-  it('selects what it adds and forgets what it removes', () => {
+  it('selects added handles and deselects removed ones', () => {
     expect(two.selection).toEqual(['b']);
     expect(removeHandles(two, ['b']).selection).toEqual([]);
     expect(selectHandles(two, ['b', 'b', 'gone']).selection).toEqual(['b']);
   });
 
-  it('finds free ids and reads ids as names', () => {
+  it('returns free ids, and names for ids', () => {
     expect(freeId(two.project)).toBe('handle-1');
     expect(freeId(addHandle(empty, handle('handle-2')).project)).toBe('handle-3');
     expect(nameOf(handle('left-hand'))).toBe('left hand');
@@ -68,7 +68,7 @@ describe('bars and polygons', () => {
   const held = addHandle(empty, bar);
   const arm = (document: Document) => document.project.handles[0] as BarHandle;
 
-  it('get a corner as far along at rest as posed, and lose it again', () => {
+  it('get a corner at the same fraction at rest and posed, and lose it', () => {
     const pulled = putCorner(held, 'arm', 1, [0, 40]);
     const divided = addCorner(pulled, 'arm', { edge: 0, fraction: 0.25 });
     expect(arm(divided)).toMatchObject({
@@ -87,7 +87,7 @@ describe('bars and polygons', () => {
     expect(removeCorner(divided, 'arm', 1)).toEqual(pulled);
   });
 
-  it('are scaled about their middle, along themselves as across', () => {
+  it('are scaled about their middle in length too', () => {
     const twice = changeHandles(held, ['arm'], (handle) => scaledTo(handle, 2));
     expect(arm(twice)).toMatchObject({
       scale: 2,
@@ -101,7 +101,7 @@ describe('bars and polygons', () => {
     );
   });
 
-  it('come back from a scale of more digits than are kept', () => {
+  it('return exactly from a scale that was rounded', () => {
     const scaled = (document: Document, by: number) =>
       changeHandles(document, ['arm'], (handle) => scaledTo(handle, by));
     expect(arm(scaled(scaled(held, 1.504), 1)).posed).toEqual(bar.posed);
@@ -114,7 +114,7 @@ describe('bars and polygons', () => {
     });
   });
 
-  it('may have the corner on the edge that closes them', () => {
+  it('can get a corner on the closing edge', () => {
     const around = [
       [0, 0],
       [8, 0],
@@ -125,7 +125,7 @@ describe('bars and polygons', () => {
     expect(divided?.posed).toEqual([...around, [0, 4]]);
   });
 
-  it('turn about their middle by any number of turns, and come back to rest', () => {
+  it('turn about their middle by several turns, and reset to rest', () => {
     const turned = turnHandles(held, ['arm'], () => 450);
     expect(arm(turned)).toMatchObject({ rotation: 450 });
     expect(arm(turned).posed).toEqual([
@@ -136,7 +136,7 @@ describe('bars and polygons', () => {
     expect(arm(resetHandles(turned, ['arm']))).toEqual({ ...bar, scale: 1 });
   });
 
-  it('are turned as their corners are, on from where they were', () => {
+  it('turn with their corners, past half a turn', () => {
     const half = putCorner(held, 'arm', 1, [-10, 0.01]);
     expect(arm(half).rotation).toBe('auto');
     const more = putCorner(half, 'arm', 1, [-10, -5], rotationOf(arm(half)));
@@ -144,7 +144,7 @@ describe('bars and polygons', () => {
     expect(withMode(held.project, 'harmonic').handles[0]?.rotation).toBe('auto');
   });
 
-  it('get names of their own', () => {
+  it('get ids of their kind', () => {
     expect(freeId(held.project, 'polygon')).toBe('polygon-1');
   });
 });
@@ -157,15 +157,15 @@ describe('depth and boundary', () => {
     expect(holdBoundary(two, true).project.fix_boundary).toBe(true);
   });
 
-  it('depth is of the pose, the boundary of the solution', () => {
+  it('depth needs no new solution, a fixed boundary does', () => {
     const key = solveKey(two.project);
     expect(solveKey(raiseHandles(two, ['b'], 1).project)).toBe(key);
     expect(solveKey(holdBoundary(two, true).project)).not.toBe(key);
   });
 });
 
-describe('what a solution depends on', () => {
-  it('is the rest, not the pose', () => {
+describe('a solution', () => {
+  it('depends on rest positions and settings, not on the pose', () => {
     const key = solveKey(two.project);
     expect(solveKey(moveHandles(two, ['b'], [1, 1]).project)).toBe(key);
     expect(solveKey(removeHandles(two, ['b']).project)).not.toBe(key);
@@ -174,7 +174,7 @@ describe('what a solution depends on', () => {
     expect(solveKey({ ...two.project, pose: { ...two.project.pose, density: 7 } })).not.toBe(key);
   });
 
-  it('lets an older solution follow the handles it knows', () => {
+  it('of an older project follows the handles that it has', () => {
     const newer = addHandle(moveHandles(removeHandles(two, ['left-hand']), ['b'], [0, 3]), handle('c', 7));
     const followed = followedHandles(two.project, newer.project);
     expect(followed.map((h) => [h.id, h.posed])).toEqual([

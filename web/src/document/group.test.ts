@@ -30,10 +30,10 @@ const before = selectHandles(
 );
 const pivot: Vec = [12.5, 10];
 
-describe('several handles as one', () => {
-  it('turn about the centre of their places, which stays', () => {
+describe('the group transform', () => {
+  it('turns handles about their centre, which stays', () => {
     const after = selectedHandles(transformGroup(before, 90));
-    // A quarter clockwise takes (x, y) from the centre to (−y, x).
+    // A quarter turn clockwise maps (x, y), relative to the centre, to (−y, x).
     expect(after.map((handle) => anchor(handle))).toEqual([
       [22.5, -12.5],
       [2.5, 7.5],
@@ -45,15 +45,15 @@ describe('several handles as one', () => {
     expect(groupSpan(after)).toBeCloseTo(groupSpan(handles));
   });
 
-  it('add the turn to rotations that are set, whole turns too, and leave those that are not', () => {
+  it('adds the turn to numeric rotations and keeps automatic ones', () => {
     const after = selectedHandles(transformGroup(transformGroup(before, 200), 200));
-    // Rounded corners tell the angle, to some hundredths of a degree.
+    // Corners are rounded, so their angle is exact to some hundredths of a degree.
     const turned = expect.closeTo(400, 1);
     expect(after.map(({ rotation }) => rotation)).toEqual([570, 'auto', turned, turned]);
     expect(after.map(scaleOf)).toEqual([1, 1, 1, 1]);
   });
 
-  it('grow about that centre, each handle’s scale with its place, and are not turned', () => {
+  it('scales positions and handles about the centre, without a turn', () => {
     const larger = changeHandles(before, ['set'], (handle) => ({ ...handle, scale: 0.5 }));
     const after = selectedHandles(transformGroup(larger, 0, 2));
     expect(after.map((handle) => anchor(handle))).toEqual([
@@ -67,16 +67,16 @@ describe('several handles as one', () => {
     expect(groupCentre(after)).toEqual(pivot);
   });
 
-  it('grow no further than the scale of each of them may', () => {
+  it('keeps the scales of all handles in range', () => {
     const large = changeHandles(before, ['free'], (handle) => ({ ...handle, scale: 50 }));
     expect(selectedHandles(transformGroup(large, 0, 9)).map(scaleOf)).toEqual([2, 100, 2, 2]);
     expect(selectedHandles(transformGroup(large, 0, -3)).map(scaleOf)).toEqual([0.01, 0.5, 0.01, 0.01]);
-    // What a page has made larger than a person may stays as it is.
+    // A scale beyond the range, which a page can set, stays.
     const huge = changeHandles(before, ['free'], (handle) => ({ ...handle, scale: 1000 }));
     expect(transformGroup(huge, 0, 2).project).toEqual(huge.project);
   });
 
-  it('lose no small step of a small scale to rounding', () => {
+  it('keeps small steps of a small scale in spite of rounding', () => {
     let small = transformGroup(before, 0, 0.1);
     for (let step = 0; step < 10; step++) small = transformGroup(small, 0, 1.01);
     expect(selectedHandles(small).map(scaleOf)).toEqual(
@@ -84,14 +84,14 @@ describe('several handles as one', () => {
     );
   });
 
-  it('are as one turned by what their places tell, whatever each is turned', () => {
+  it('has the turn of the anchors, not of the handles', () => {
     const own = changeHandles(before, all, (handle) => turnedTo(handle, 30));
     expect(groupTurn(selectedHandles(own))).toBeCloseTo(0);
     const apart = changeHandles(transformGroup(own, 40), ['free'], withAutoRotation);
     expect(groupTurn(selectedHandles(apart))).toBeCloseTo(40, 1);
   });
 
-  it('are turned as their corners are where their places are one, or as the first of them', () => {
+  it('has the turn of the corners, or of the first handle, if anchors coincide', () => {
     const [middle, other] = [point('middle', [40, 20]), point('other', [40, 20], 25)];
     const turned = (...handles: readonly Handle[]) =>
       groupTurn(handles.map((handle) => turnedAbout(handle, [40, 20], 45, 1)));

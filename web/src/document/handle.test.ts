@@ -6,8 +6,8 @@ import { deepCopy, type Handle, posedHandle } from './project';
 const head = { id: 'head', kind: 'point', rest: [3, 4], posed: [5, 6] } as const;
 const refusal = (change: object) => () => checkedHandle({ ...head, ...change } as Handle);
 
-describe('a handle that is checked', () => {
-  it('is itself where the solver can pose it', () => {
+describe('checkedHandle', () => {
+  it('returns a valid handle', () => {
     expect(checkedHandle(head)).toBe(head);
     expect(checkedHandle(straightBar(10))).toEqual(straightBar(10));
     expect(checkedHandle({ ...head, rotation: 'auto', scale: 2, depth: -3 })).toBeTruthy();
@@ -24,18 +24,18 @@ describe('a handle that is checked', () => {
     [{ scale: null }, 'scale: expected a number above 0'],
     [{ depth: 1e300 }, 'depth: expected a number'],
     [{ colour: 'red' }, 'colour: unknown key'],
-  ])('is refused with its name and key: %o', (change, message) => {
+  ])('rejects a handle with its id and the key: %o', (change, message) => {
     expect(refusal(change)).toThrow(RangeError);
     expect(refusal(change)).toThrow(message);
   });
 });
 
-describe('what a page gives', () => {
-  it('is at rest where it says nothing of a pose', () => {
+describe('data from a page', () => {
+  it('is at rest without a pose', () => {
     expect(posedHandle({ id: 'head', kind: 'point', rest: [3, 4] })).toMatchObject({ posed: [3, 4] });
   });
 
-  it('is shared with nobody once it is copied', () => {
+  it('is independent of its deep copy', () => {
     const given = { place: [1, 2] };
     const copy = deepCopy(given);
     given.place[0] = 7;

@@ -6,7 +6,7 @@ import { posedLike } from './handle';
 import { mirrorHandles } from './mirror';
 import type { BarHandle, Handle, PointHandle } from './project';
 
-/** All of a picture of 400 × 800: the axis is at 200, counterparts are less than 25 px off. */
+/** The whole of a 400 × 800 picture: the axis is at 200, counterparts are less than 25 px away. */
 const bounds = { min: [0, 0], max: [400, 800] } as const;
 const isOn = ([x, y]: Vec) => x >= 0 && x <= 400 && y >= 0 && y <= 800;
 
@@ -36,8 +36,8 @@ const mirror = (handles: readonly Handle[], ...selection: readonly string[]) =>
 
 const left = point('left-hand', [50, 300], { posed: [80, 200], rotation: 30, scale: 2, depth: 1 });
 
-describe('a handle that is mirrored', () => {
-  it('poses its counterpart, which is selected, and stays as it is', () => {
+describe('mirroring a handle', () => {
+  it('poses and selects the counterpart, and keeps the handle', () => {
     const { document, unmatched: out } = mirror([left, point('right-hand', [350, 300])], 'left-hand');
     const image = { posed: [320, 200], rotation: -30, scale: 2, depth: 1 };
     expect(document.project.handles).toEqual([left, { ...point('right-hand', [350, 300]), ...image }]);
@@ -45,12 +45,12 @@ describe('a handle that is mirrored', () => {
     expect(out).toEqual([]);
   });
 
-  it('moves a counterpart that rests a little elsewhere by as much, and leaves its rest place', () => {
+  it('moves a nearby counterpart by the same vector, and keeps its rest position', () => {
     const [, right] = mirror([left, point('right-hand', [360, 310])], 'left-hand').document.project.handles;
     expect(right).toMatchObject({ rest: [360, 310], posed: [330, 210] });
   });
 
-  it('adds a counterpart where there is none, with the name of the other side or a free one', () => {
+  it('adds a missing counterpart, with the id of the other side or a free one', () => {
     const far = point('right-hand', [350, 340]);
     const one = mirror([left], 'left-hand').document;
     const image = { rest: [350, 300], posed: [320, 200], rotation: -30, scale: 2, depth: 1 };
@@ -62,7 +62,7 @@ describe('a handle that is mirrored', () => {
     expect(bright.selection).toEqual(['handle-1']);
   });
 
-  it('takes the nearest of its kind, and none that is nearer to the image of another', () => {
+  it('poses the nearest handle of the kind if it is a mutual counterpart', () => {
     const arm = bar('arm', [
       [350, 300],
       [350, 310],
@@ -74,7 +74,7 @@ describe('a handle that is mirrored', () => {
     expect(document.project.handles.at(-1)?.rest).toEqual([350, 312]);
   });
 
-  it('is left out where nothing bends on its other side', () => {
+  it('leaves out handles whose mirror images are outside the domain', () => {
     const handles = [left, point('hat', [-40, 20])];
     const { document, unmatched: out } = mirror(handles, 'left-hand', 'hat');
     expect(out.map(({ id }) => id)).toEqual(['hat']);
@@ -82,7 +82,7 @@ describe('a handle that is mirrored', () => {
     expect(mirror(handles, 'hat').document).toEqual(holding(handles, ['hat']));
   });
 
-  it('is flipped where it stands on the axis, as all are that are mirrored together', () => {
+  it('flips a handle on the axis, and the whole pose if all are selected', () => {
     const head = point('head', [204, 100], { posed: [260, 120], rotation: -20 });
     const right = point('right-hand', [350, 300], { posed: [350, 500] });
     const all = ['head', 'left-hand', 'right-hand'];
@@ -96,7 +96,7 @@ describe('a handle that is mirrored', () => {
   });
 });
 
-describe('a bar that is mirrored', () => {
+describe('mirroring a bar', () => {
   const upper = [
     [50, 300],
     [100, 300],
@@ -127,7 +127,7 @@ describe('a bar that is mirrored', () => {
     });
   });
 
-  it('bends a counterpart that was drawn from the other end, with fewer corners', () => {
+  it('bends a counterpart with reversed and fewer corners', () => {
     const right = bar('bar-1', [
       [250, 300],
       [350, 300],
@@ -140,7 +140,7 @@ describe('a bar that is mirrored', () => {
     });
   });
 
-  it('poses a counterpart on its image wherever that has its corners', () => {
+  it('poses a counterpart with other corners on the mirror image', () => {
     const right = bar('bar-1', [
       [350, 300],
       [270, 300],
@@ -159,7 +159,7 @@ describe('a bar that is mirrored', () => {
     ]);
   });
 
-  it('turns a counterpart about its own middle, by whole turns too', () => {
+  it('turns a counterpart about its own middle, with whole turns', () => {
     const turned = bar(
       'left-arm',
       [
@@ -188,7 +188,7 @@ describe('a bar that is mirrored', () => {
   });
 });
 
-it('a polygon is posed like one that is drawn from another corner', () => {
+it('a polygon is posed like one that starts at another corner', () => {
   const square = (x: number, y: number, size = 50): readonly Vec[] => [
     [x, y],
     [x + size, y],
@@ -206,7 +206,7 @@ it('a polygon is posed like one that is drawn from another corner', () => {
   ]);
 });
 
-it('a bar elsewhere is moved, turned and scaled as another is', () => {
+it('a bar is moved, turned and scaled like another one elsewhere', () => {
   const like = bar(
     'a',
     [

@@ -17,7 +17,7 @@ const head = point('head', 5, { posed: [7, 9], rotation: 'auto', scale: 2, depth
 const image = { src: '', width: 100, height: 100 };
 
 describe('the text of a pose', () => {
-  it('is read as it was written, with a handle a line', () => {
+  it('round-trips, with one line per handle', () => {
     const text = poseText([head, straightBar(10)]);
     expect(text).toMatch(
       /^\{\n {2}"format": "c2warp-pose\/1",\n {2}"handles": \[\n {4}\{"id": "head", .*\},\n/,
@@ -26,7 +26,7 @@ describe('the text of a pose', () => {
     expect(parsePose(JSON.stringify(JSON.parse(text)))).toEqual([head, straightBar(10)]);
   });
 
-  it('may leave out what is at rest', () => {
+  it('can omit the pose of handles at rest', () => {
     const text = '{"handles": [{"id": "a", "kind": "point", "rest": [1, 2]}], "format": "c2warp-pose/1"}';
     expect(parsePose(text)).toEqual([{ id: 'a', kind: 'point', rest: [1, 2], posed: [1, 2] }]);
   });
@@ -37,7 +37,7 @@ describe('the text of a pose', () => {
     '{"format": "other"}',
     'see {"format": "c2warp-pose/1"}',
     projectText(newProject(image, null)),
-  ])('is told from other texts: %s', (text) => {
+  ])('differs from other texts: %s', (text) => {
     expect(parsePose(text)).toBeNull();
   });
 
@@ -49,13 +49,13 @@ describe('the text of a pose', () => {
     ['{"format": "c2warp-pose/1", "handles": [null]}', 'id: expected a name'],
     [poseText([head]).replace('point', 'circle'), 'handle "head", kind: expected'],
     [poseText([head]).replace('[7, 9]', '[7]'), 'handle "head", posed: expected'],
-  ])('is refused with what is wrong: %s', (text, message) => {
+  ])('is rejected with the reason: %s', (text, message) => {
     expect(() => parsePose(text)).toThrow(RangeError);
     expect(() => parsePose(text)).toThrow(message);
   });
 });
 
-describe('a pose that is pasted', () => {
+describe('pasting a pose', () => {
   const pasted = (handles: readonly Handle[], selection: readonly string[], copied: readonly Handle[]) => {
     const document = openDocument({ ...newProject(image, null), handles });
     const { document: after, unmatched } = pastePose(selectHandles(document, selection), copied);
@@ -63,13 +63,13 @@ describe('a pose that is pasted', () => {
     return { handles: after.project.handles, left: unmatched.map(({ id }) => id) };
   };
 
-  it('moves the handle of its id as far from where that rests', () => {
+  it('moves the handle of the same id by the same vector from rest', () => {
     const { handles, left } = pasted([point('head', 6), point('hand', 50)], [], [head]);
     expect(handles).toEqual([{ ...head, rest: [6, 0], posed: [8, 9] }, point('hand', 50)]);
     expect(left).toEqual([]);
   });
 
-  it('leaves out what has no handle of its id and kind', () => {
+  it('returns copied handles without a handle of the same id and kind', () => {
     const before = [{ ...straightBar(10), id: 'head' }, point('hand', 50)];
     const { handles, left } = pasted(
       before,
@@ -80,14 +80,14 @@ describe('a pose that is pasted', () => {
     expect(left).toEqual(['head', 'x']);
   });
 
-  it('of one handle is for the selected ones of its kind', () => {
+  it('of one handle poses the selected handles of its kind', () => {
     const before = [point('head', 5), point('hand', 50), straightBar(10)];
     const { handles } = pasted(before, ['hand', 'arm'], [head]);
     expect(handles).toEqual([before[0], { ...head, id: 'hand', rest: [50, 0], posed: [52, 9] }, before[2]]);
     expect(pasted(before, ['arm'], [head]).handles).toEqual([head, ...before.slice(1)]);
   });
 
-  it('is refused where it leads beyond what a project can hold', () => {
+  it('throws if the result is out of range', () => {
     const far = point('head', -9e11, { posed: [9e11, 0] });
     for (const selection of [[], ['head']])
       expect(() => pasted([point('head', 5)], selection, [far])).toThrow(
@@ -95,7 +95,7 @@ describe('a pose that is pasted', () => {
       );
   });
 
-  it('bends a bar that has got another corner since', () => {
+  it('bends a bar with more corners than the copied one', () => {
     const bent = straightBar(10);
     const copied = {
       ...bent,

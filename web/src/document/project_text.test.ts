@@ -3,7 +3,7 @@ import { newProject } from './document';
 import { projectText } from './project_text';
 
 describe('projectText', () => {
-  it('is the project, laid out with a handle a line', () => {
+  it('writes one line per handle', () => {
     const project = {
       ...newProject({ src: 'a "b".png', width: 2, height: 3 }, 0.5),
       handles: [

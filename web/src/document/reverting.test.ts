@@ -42,27 +42,27 @@ const told = ({ project }: Document) =>
 const all = (history: History<Document>) => history.timeline.values.map(told);
 
 describe('handleToRevert', () => {
-  it('is the handle that is not solved yet', () => {
+  it('returns the handle that is not solved yet', () => {
     const history = done(add('a'), add('b'), add('good', 5));
     const [, a, b] = history.timeline.values as [Document, Document, Document];
     expect(blamed(history, ['a', 'b'], a)).toBe('b');
     expect(blamed(history, ['b', 'a'], removeHandles(b, ['a']))).toBe('a');
   });
 
-  it('is the last one that was changed, where several are not solved', () => {
+  it('returns the last changed handle if several are not solved', () => {
     expect(blamed(done(add('a'), add('b'), move('a')), ['a', 'b'], empty)).toBe('b');
     expect(blamed(done(add('a', 5), add('b'), put('a', 0)), ['a', 'b'])).toBe('a');
     const both: Step = (document) => add('b')(add('a')(document));
     expect(blamed(done(both), ['a', 'b'], empty)).toBe('b');
   });
 
-  it('is none that was solved, as of settings', () => {
+  it('returns no handle that was solved, if only settings changed', () => {
     const history = done(add('a'), hold);
     expect(blamed(history, ['a'], history.timeline.values[1])).toBeNull();
     expect(blamed(history, [], empty)).toBeNull();
   });
 
-  it('is none of another project: that comes and goes whole', () => {
+  it('returns no handle of a step that replaced the project', () => {
     const other: Step = () => add('a', 3)(add('bad')(empty));
     expect(blamed(done(add('a'), other), ['bad'], add('a')(empty))).toBeNull();
     expect(blamed(done(add('a'), other, move('bad')), ['bad'], add('a')(empty))).toBeNull();
@@ -70,7 +70,7 @@ describe('handleToRevert', () => {
     expect(blamed(done(add('a'), settings), ['bad'], add('a')(empty))).toBeNull();
   });
 
-  it('is not told of what is just opened, where settings are newer, or there is nothing before', () => {
+  it('returns null after opening, and for handles older than the settings', () => {
     expect(blamed(done(add('a'), hold), ['a'])).toBeNull();
     expect(blamed(done(hold, add('a'), move('a')), ['a'])).toBe('a');
     expect(blamed(new History(add('a')(empty)), ['a'])).toBeNull();
@@ -84,37 +84,37 @@ describe('withHandleReverted', () => {
     return history;
   };
 
-  it('takes away the handle alone, and the steps that were about it', () => {
+  it('removes the handle and the steps that changed only it', () => {
     const history = back(done(add('bad'), add('good'), move('bad'), move('good')), 'bad');
     expect(all(history)).toEqual(['', 'good0', 'good0!']);
     expect(history.present.selection).toEqual(['good']);
   });
 
-  it('puts it back as it was just before, moved and all', () => {
+  it('restores the handle before the rejected change, with its pose', () => {
     const history = back(done(add('a'), move('a'), put('a', 9), add('b')), 'a');
     expect(all(history)).toEqual(['', 'a0', 'a0!', 'a0! b0']);
   });
 
-  it('mends what can be redone, and forgets a deletion of what is not there', () => {
+  it('reverts redo steps too, and drops the removal of a missing handle', () => {
     const history = done(add('bad'), add('good'), remove('bad'), move('good'));
     for (let k = 0; k < 3; k++) history.undo();
     expect(all(back(history, 'bad'))).toEqual(['', 'good0', 'good0!']);
     expect(told(history.present)).toBe('');
   });
 
-  it('leaves an older handle of that name and place, which had been solved', () => {
+  it('keeps an older, solved handle with the same id and rest position', () => {
     const history = back(done(add('a'), remove('a'), hold, add('a')), 'a');
     expect(all(history)).toEqual(['', 'a0', '', '']);
   });
 });
 
 describe('revertHandle', () => {
-  it('gives the very document before, where nothing else is new', () => {
+  it('returns the earlier document itself if nothing else differs', () => {
     const before = add('a')(empty);
     expect(revertHandle(add('bad')(before), point('bad'), before)).toBe(before);
   });
 
-  it('leaves what is not as it was refused', () => {
+  it('keeps a handle that differs from the rejected one', () => {
     const moved = add('a', 5)(empty);
     expect(told(revertHandle(moved, point('a', 4), empty))).toBe('a5');
   });
@@ -126,20 +126,20 @@ describe('withSolutionReverted', () => {
     return history;
   };
 
-  it('goes back to what needs another, and forgets what needed this one', () => {
+  it('returns to the last value with another solution, and drops later ones', () => {
     const history = withdrawn(done(add('a'), hold, move('a')));
     expect(all(history)).toEqual(['', 'a0']);
     expect(history.present.project.fix_boundary).toBe(false);
   });
 
-  it('goes on to what can be redone, where there is nothing before', () => {
+  it('moves on to the first redo step if there is no earlier value', () => {
     const history = done(add('a'), add('b'));
     history.undo();
     history.undo();
     expect(all(withdrawn(history))).toEqual(['a0', 'a0 b0']);
   });
 
-  it('changes nothing where nothing needs another', () => {
+  it('changes nothing if all values need the rejected solution', () => {
     const history = done();
     expect(history.mend(withSolutionReverted(history.timeline, solveKey(empty.project)))).toBe(false);
   });

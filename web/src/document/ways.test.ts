@@ -13,8 +13,8 @@ const holding = (...handles: readonly Handle[]): Project => ({
   handles,
 });
 
-describe('poses as an array', () => {
-  it('hold corners, rotation, scale and depth of each handle', () => {
+describe('the array of poses', () => {
+  it('has the corners, rotation, scale and depth of each handle', () => {
     const bar = { ...straightBar(10), scale: 2, depth: 1 };
     expect([...handlePoses([point('a', 3, { rotation: 'auto' }), bar])]).toEqual([
       ...[1, Number.NaN, 1, 0, 3, 0],
@@ -24,7 +24,7 @@ describe('poses as an array', () => {
   });
 });
 
-describe('the way of handles', () => {
+describe('the path of handles', () => {
   const solved = holding(point('a', 0), point('b', 0));
 
   it('has the solved handles first, then those that are not solved yet', () => {
@@ -35,7 +35,7 @@ describe('the way of handles', () => {
     expect(x(way.to)).toEqual([0, 5, 7]);
   });
 
-  it('has the turns of bars by their corners, and those of automatic points as found', () => {
+  it('has the turns of bars by their corners, and of automatic points as given', () => {
     const bar = straightBar(10);
     const from = holding(bar, point('a', 0, { rotation: 'auto' }));
     const to = holding(turnedTo(bar, 90), point('a', 0, { rotation: 40 }));
@@ -49,14 +49,14 @@ describe('the way of handles', () => {
     expect(way.apply(way.to)).toEqual(to);
     expect(way.apply(way.to).handles[0]).toBe(to.handles[0]);
     const poses = way.to.slice();
-    // The x of `b`, which is the second of three points.
+    // The x of `b`, the second of three points.
     poses[6 + 4] = 3;
     expect(way.apply(poses).handles).toEqual([point('new', 7), point('b', 3)]);
   });
 });
 
-describe('the way of a group', () => {
-  it('has its members before they turned, and scales that keep theirs in range', () => {
+describe('the path of a group', () => {
+  it('has the members before the transform, and the range of the scale', () => {
     const origin = holding(point('a', 0, { scale: 50 }), point('b', 10), point('c', 99));
     const to = holding(point('a', 10), point('b', 0), point('c', 98));
     const way = groupWay(origin, origin, ['a', 'b'], to);
