@@ -1,4 +1,4 @@
-/** A pose as text, for the clipboard: handles in the words of the project file. */
+/** A pose as text for the clipboard: handles as in the project file. */
 import { checkedHandle } from './handle';
 import { type Handle, posedHandle } from './project';
 import { projectText } from './project_text';
@@ -7,12 +7,12 @@ const FORMAT = 'c2warp-pose/1';
 /** Also of a text that is cut off. */
 const SAYS_SO = /^\s*\{.*"format"\s*:\s*"c2warp-pose\//s;
 
-/** Rest places go along: a pose is how far handles are from there. */
+/** Writes a pose. It contains the rest positions, since a pose is relative to them. */
 export const poseText = (handles: readonly Handle[]): string => projectText({ format: FORMAT, handles });
 
 /**
- * The handles of a pose, or null where a text does not say that it is one.
- * @throws RangeError that names what is wrong with a pose.
+ * Returns the handles of a pose, or `null` if a text does not say that it is one.
+ * @throws RangeError with the reason if the pose is invalid.
  */
 export function parsePose(text: string): readonly Handle[] | null {
   if (!SAYS_SO.test(text)) return null;
