@@ -1,11 +1,12 @@
 //! The figures of a solve, for `c2warp inspect --json` and for tests.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::{bone::OutsidePart, stage::StageTimes};
 
 /// The figures of `c2warp inspect --json`, without the times.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct Report {
     /// Samples of the domain.
@@ -46,7 +47,7 @@ pub struct Report {
 }
 
 /// The object of `c2warp inspect --json`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Inspection {
     /// The figures of the solve.
     #[serde(flatten)]

@@ -1,9 +1,11 @@
 //! The stages of a solve by name, and the time that each takes.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A stage of the solve. Between two stages a caller may decide to solve a newer project instead.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, JsonSchema)]
+#[schemars(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Stage {
     /// The outline, from the picture's alpha or the project's rings, and the handles in it.
@@ -30,16 +32,16 @@ impl Stage {
 }
 
 /// Milliseconds spent in each stage, and on a pose. The crate has no clock, so the caller measures them.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct StageTimes {
-    /// [`Stage::Domain`].
+    /// Time of the stage `domain`.
     pub domain: f64,
-    /// [`Stage::Sampling`].
+    /// Time of the stage `sampling`.
     pub sampling: f64,
-    /// [`Stage::Regions`].
+    /// Time of the stage `regions`.
     pub regions: f64,
-    /// [`Stage::Weights`].
+    /// Time of the stage `weights`.
     pub weights: f64,
     /// A pose: the motions of the sites.
     pub pose: f64,
@@ -55,5 +57,21 @@ impl StageTimes {
             Stage::Weights => &mut self.weights,
         };
         *time += ms;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use schemars::generate::SchemaSettings;
+
+    use super::Stage;
+
+    #[test]
+    fn schema_names_stages_as_reports_do() {
+        let schema = SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<Stage>();
+        let schema = schema.as_value().to_string();
+        for stage in [Stage::Domain, Stage::Sampling, Stage::Regions, Stage::Weights] {
+            assert!(schema.contains(&format!("\"{}\"", stage.name())), "{schema}");
+        }
     }
 }

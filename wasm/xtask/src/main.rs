@@ -30,7 +30,7 @@ enum Command {
         #[arg(long, default_value = bindgen::OUTPUT)]
         out: PathBuf,
     },
-    /// Writes the project file's schema and TypeScript types into web/src/document/generated
+    /// Writes the types and constants that the page shares with the solver into web/src/*/generated
     Schema {
         /// Writes nothing, and fails where the files are out of date
         #[arg(long)]

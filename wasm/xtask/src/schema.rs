@@ -1,51 +1,121 @@
-//! `xtask schema`: the project file's format, as the solver defines it, for others to read: a JSON schema for
-//! editors and validators, and TypeScript types for the page.
+//! `xtask schema`: the types and constants of the solver that others read.
 //!
-//! Both are committed, so that the page builds without Rust; `--check` tells when they no longer say what the
-//! solver does.
+//! A JSON schema of the project file for editors and validators, and TypeScript for the page: the project, the report
+//! of a solve, its stages, codes of errors, limits and settings. The files are committed, so that the page type-checks
+//! without Rust. `--check` fails if they are out of date.
 
+use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use c2warp::project::Project;
-use schemars::generate::SchemaSettings;
+use c2warp::{
+    Error, Inspection, Stage, limits,
+    project::{Handle, ImageRef, Project},
+};
+use schemars::{JsonSchema, generate::SchemaSettings};
+use serde_json::Value;
 
-use crate::typescript;
+use crate::typescript::{self, HEADER, Unknown};
 
-const OUTPUT: &str = "web/src/document/generated";
-
-/// Why the types were not written, or are not in order.
+/// Why the files were not written, or are out of date.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum SchemaError {
     #[error("could not write {path}: {reason}")]
     Write { path: PathBuf, reason: io::Error },
-    #[error("{path} is out of date: run `cargo run -p xtask -- schema` and commit what it writes")]
+    #[error("{path} is out of date: run `cargo run -p xtask -- schema` and commit the files that it writes")]
     OutOfDate { path: PathBuf },
     #[error(transparent)]
-    TypeScript(#[from] typescript::Unknown),
+    TypeScript(#[from] Unknown),
 }
 
-/// Writes `project.schema.json` and `project.ts`, or only compares what stands there.
+/// Writes all files, or only compares them.
 pub(crate) fn write(root: &Path, check: bool) -> Result<(), SchemaError> {
-    // Of a file, that is to say, in which much may be left out.
-    let schema = SchemaSettings::draft2020_12().for_deserialize().into_generator().into_root_schema_for::<Project>();
-    let json = serde_json::to_string_pretty(&schema).expect("a schema is JSON already") + "\n";
-    let types = typescript::declarations(schema.as_value())?;
-
-    let folder = root.join(OUTPUT);
-    for (name, text) in [("project.schema.json", json), ("project.ts", types)] {
-        let path = folder.join(name);
+    // For reading: a file may leave out many keys.
+    let project = SchemaSettings::draft2020_12().for_deserialize().into_generator().into_root_schema_for::<Project>();
+    let json = serde_json::to_string_pretty(&project).expect("a schema is JSON already") + "\n";
+    let files = [
+        ("web/src/document/generated/project.schema.json", json),
+        ("web/src/document/generated/project.ts", typescript::declarations(project.as_value())?),
+        ("web/src/document/generated/settings.ts", settings()),
+        ("web/src/compute/generated/report.ts", report()?),
+        ("web/src/io/generated/limits.ts", picture_limits()),
+    ];
+    for (path, text) in files {
+        let path = Path::new(path);
         if check {
-            // A checkout on Windows may have other line ends.
-            if fs::read_to_string(&path).ok().map(|found| found.replace("\r\n", "\n")) != Some(text) {
-                return Err(SchemaError::OutOfDate { path: Path::new(OUTPUT).join(name) });
-            }
+            check_file(root, path, &text)?;
         } else {
-            fs::create_dir_all(&folder)
-                .and_then(|()| fs::write(&path, text))
-                .map_err(|reason| SchemaError::Write { path, reason })?;
+            write_file(&root.join(path), &text)?;
         }
     }
     Ok(())
+}
+
+fn check_file(root: &Path, path: &Path, text: &str) -> Result<(), SchemaError> {
+    // A checkout on Windows may have other line ends.
+    let found = fs::read_to_string(root.join(path)).ok().map(|found| found.replace("\r\n", "\n"));
+    if found.as_deref() == Some(text) { Ok(()) } else { Err(SchemaError::OutOfDate { path: path.into() }) }
+}
+
+fn write_file(path: &Path, text: &str) -> Result<(), SchemaError> {
+    let folder = path.parent().expect("every file is in a folder");
+    fs::create_dir_all(folder)
+        .and_then(|()| fs::write(path, text))
+        .map_err(|reason| SchemaError::Write { path: path.into(), reason })
+}
+
+/// The report of a solve, its stages, and the codes of errors.
+fn report() -> Result<String, Unknown> {
+    let mut text = typescript::declarations(&output_schema::<Inspection>())?;
+    typescript::declare(&mut text, "Stage", &output_schema::<Stage>())?;
+    let codes: Vec<String> = Error::CODES.into_iter().map(|code| format!("  | '{code}'")).collect();
+    write!(text, "\n/** The code of a refused input. */\nexport type ErrorCode =\n{};\n", codes.join("\n"))
+        .expect("writing to memory does not fail");
+    Ok(text)
+}
+
+fn output_schema<T: JsonSchema>() -> Value {
+    SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>().into()
+}
+
+fn picture_limits() -> String {
+    let constants = [
+        ("Least width and height of a picture, in pixels.", "MIN_SIDE", u64::from(limits::MIN_SIDE)),
+        ("Greatest width and height of a picture, in pixels.", "MAX_SIDE", u64::from(limits::MAX_SIDE)),
+        ("Greatest number of pixels of a picture.", "MAX_PIXELS", limits::MAX_PIXELS),
+    ];
+    constants.into_iter().fold(HEADER.to_owned(), |text, (comment, name, value)| {
+        text + &format!("\n/** {comment} */\nexport const {name} = {value};\n")
+    })
+}
+
+/// The settings of the editor and the defaults of the format, which are the paper's.
+fn settings() -> String {
+    let paper = Project::new(ImageRef::new("", 2, 2)).with_handles([Handle::point("point", [1.0, 1.0])]);
+    let editor = paper.clone().with_editor_settings();
+    let all = [
+        ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
+        ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
+    ];
+    all.into_iter().fold(HEADER.to_owned(), |text, (comment, name, project)| {
+        let json: Value = serde_json::from_str(&project.to_json()).expect("a project is JSON");
+        let settings = [
+            ("mode", &json["pose"]["mode"]),
+            ("support", &json["weighting"]["support"]),
+            ("density", &json["pose"]["density"]),
+            ("rotation", &json["handles"][0]["rotation"]),
+        ];
+        let lines = settings.map(|(key, value)| format!("  {key}: {},\n", literal(value))).concat();
+        text + &format!("\n/** {comment} */\nexport const {name} = {{\n{lines}}} as const;\n")
+    })
+}
+
+/// The TypeScript literal of a text or number.
+fn literal(value: &Value) -> String {
+    match value {
+        Value::String(text) => format!("'{text}'"),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), |number| number.to_string()),
+        other => other.to_string(),
+    }
 }

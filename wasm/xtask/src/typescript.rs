@@ -10,6 +10,9 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value};
 
+/// The first line of every generated file.
+pub(crate) const HEADER: &str = "// Generated from the Rust types by `cargo run -p xtask -- schema`. Do not edit.\n";
+
 type Object = Map<String, Value>;
 
 /// A part of a schema that has no translation here.
@@ -19,7 +22,7 @@ pub(crate) struct Unknown(String);
 
 /// Declarations of the schema's own type and of every type it names.
 pub(crate) fn declarations(schema: &Value) -> Result<String, Unknown> {
-    let mut text = String::from("// Generated from the Rust types by `cargo run -p xtask -- schema`. Do not edit.\n");
+    let mut text = String::from(HEADER);
     let title = schema["title"].as_str().ok_or_else(|| unknown(schema))?;
     declare(&mut text, title, schema)?;
     for (name, definition) in schema["$defs"].as_object().into_iter().flatten() {
@@ -28,7 +31,8 @@ pub(crate) fn declarations(schema: &Value) -> Result<String, Unknown> {
     Ok(text)
 }
 
-fn declare(text: &mut String, name: &str, schema: &Value) -> Result<(), Unknown> {
+/// Appends the declaration of one type.
+pub(crate) fn declare(text: &mut String, name: &str, schema: &Value) -> Result<(), Unknown> {
     let object = schema.as_object().ok_or_else(|| unknown(schema))?;
     match (choices(object), object.get("properties")) {
         (Some(choices), _) if choices.iter().all(|choice| kind(choice).is_some()) => {

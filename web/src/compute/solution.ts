@@ -1,4 +1,8 @@
 /** The result of a solve: flat arrays for drawing and for the overlays, and a report of what the solver did. */
+import type { Inspection as Report, Stage } from './generated/report';
+
+export type { Report, Stage };
+
 export interface SolutionData {
   /** Vertices × 2: rest places, image pixels; first the samples, then the vertices of the skirt. */
   readonly positions: Float32Array<ArrayBuffer>;
@@ -32,38 +36,6 @@ export interface CellBorders {
   /** Pieces × 2 ends × 3: barycentric coordinates in the triangle. */
   readonly barycentric: Float32Array<ArrayBuffer>;
 }
-
-/** What the solver did; the keys of `c2warp inspect --json`. */
-export interface Report {
-  readonly samples: number;
-  readonly islands: number;
-  readonly holes: number;
-  readonly point_handles: number;
-  readonly bar_handles: number;
-  readonly polygon_handles: number;
-  readonly real_sites: number;
-  readonly virtual_sites: number;
-  readonly cover_mean: number;
-  readonly cover_max: number;
-  readonly min_phi_sum: number;
-  readonly folded_triangles: number;
-  /** Parts of bars and polygons that lie outside the domain, or on its held boundary, and move nothing. */
-  readonly outside?: readonly OutsidePart[];
-  /** Equal for two solves whose weights are all equal bit for bit, and only for those. */
-  readonly weights_hash: string;
-  readonly ms: Readonly<Record<string, number>>;
-}
-
-export interface OutsidePart {
-  /** Id of the handle. */
-  readonly handle: string;
-  /** Both ends of the part that lies outside, at rest. */
-  readonly from: readonly [x: number, y: number];
-  readonly to: readonly [x: number, y: number];
-}
-
-/** The stages of a solve, in order. */
-export type Stage = 'domain' | 'sampling' | 'regions' | 'weights';
 
 /** A picture in straight alpha: rows from the top, RGBA, a byte each. */
 export interface Pixels {

@@ -2,22 +2,23 @@
  * The two modes of bending, each a choice of several settings.
  *
  * Rigid needs many virtual sites, and supports wide enough to be smooth. Harmonic is the method of the paper.
- * `Project::bent_rigidly` in wasm/core/src/project has the same settings.
+ * The solver defines both.
  */
 import type { Blend } from '../geometry/skin';
+import { EDITOR_SETTINGS, PAPER_SETTINGS } from './generated/settings';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
 /** Virtual sites to request. More of them bend a rigid picture more finely. */
-export const DETAILS = { coarse: 30, medium: 100, fine: 200 } as const;
+export const DETAILS = { coarse: 30, medium: EDITOR_SETTINGS.density, fine: 200 } as const;
 
 export type Detail = keyof typeof DETAILS;
 
 const SETTINGS = {
-  rigid: { support: 'smooth', density: DETAILS.medium, rotation: 'auto' },
-  harmonic: { support: 'paper', density: 0, rotation: 0 },
+  [EDITOR_SETTINGS.mode]: EDITOR_SETTINGS,
+  [PAPER_SETTINGS.mode]: PAPER_SETTINGS,
 } as const satisfies Record<PoseMode, object>;
 
-export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? 'harmonic';
+export const modeOf = (project: Project): PoseMode => project.pose?.mode ?? PAPER_SETTINGS.mode;
 
 export const blendOf = (project: Project): Blend => project.pose?.blend ?? 'linear';
 

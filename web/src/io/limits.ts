@@ -1,9 +1,6 @@
-/** Limits on the size of pictures. The solver has the same limits. */
+/** Limits on the size of pictures: those of the solver. */
+import { MAX_PIXELS, MAX_SIDE, MIN_SIDE } from './generated/limits';
 import { PictureError } from './picture_error';
-
-export const MIN_SIDE = 2;
-export const MAX_SIDE = 16_384;
-export const MAX_PIXELS = 100_000_000;
 
 /** @throws PictureError if the size is out of bounds. */
 export function checkSize(width: number, height: number): void {

@@ -1,6 +1,7 @@
 //! The line of a bar or polygon at rest, and its parts outside the domain (section V-D).
 
 use glam::DVec2;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The corners of a bar or polygon, with a straight segment from each to the next.
@@ -33,13 +34,15 @@ impl Polyline {
 }
 
 /// A part of a bar or polygon that lies outside the domain, or on its held boundary. It moves nothing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct OutsidePart {
     /// Id of the handle.
     pub handle: String,
     /// Start of the part at rest, in image pixels.
+    #[schemars(with = "(f64, f64)")]
     pub from: DVec2,
     /// End of the part at rest, in image pixels.
+    #[schemars(with = "(f64, f64)")]
     pub to: DVec2,
 }

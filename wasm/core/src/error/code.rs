@@ -3,6 +3,31 @@
 use super::Error;
 
 impl Error {
+    /// All codes that [`code`](Self::code) returns.
+    pub const CODES: [&'static str; 21] = [
+        "project",
+        "picture",
+        "picture-mismatch",
+        "scale",
+        "canvas",
+        "nothing-opaque",
+        "domain",
+        "handle-outside",
+        "handles-too-close",
+        "bar-too-short",
+        "bars-overlap",
+        "on-held-boundary",
+        "too-many-handles",
+        "too-many-corners",
+        "too-many-sites",
+        "unsupported",
+        "pose",
+        "point-outside",
+        "mesh",
+        "cloud",
+        "poser",
+    ];
+
     /// A stable name for programs, in kebab case.
     ///
     /// | code | refused input |
@@ -102,6 +127,8 @@ impl Error {
 mod tests {
     use std::collections::BTreeSet;
 
+    use super::Error;
+
     #[test]
     fn table_of_codes_is_complete() {
         let this = include_str!("code.rs");
@@ -111,6 +138,7 @@ mod tests {
         let rows = this.lines().filter_map(|line| line.trim().strip_prefix("/// | `")?.split('`').next());
         let listed: BTreeSet<&str> = rows.collect();
         assert_eq!(codes, listed);
+        assert_eq!(codes, Error::CODES.into_iter().collect());
         assert!(codes.contains("pose"));
     }
 }

@@ -134,7 +134,6 @@ impl Project {
     /// [`Rotation::Auto`].
     #[must_use]
     pub fn with_editor_settings(mut self) -> Self {
-        // Keep in sync with `web/src/document/bending.ts`.
         self.weighting.support = Support::Smooth;
         self.pose = PoseSpec { mode: PoseMode::Rigid, density: 100, ..self.pose };
         for handle in &mut self.handles {
