@@ -1,6 +1,7 @@
 /**
- * `node web/scripts/answers.mjs`: runs `npm start`, waits until the address that it prints answers with the editor's page, and
- * ends it. Fails if the program ends first, or after 30 minutes: the first start compiles the solver.
+ * `node web/scripts/answers.mjs`: runs `npm start`, waits for the editor's page at its address, and ends it.
+ *
+ * Fails if the program ends first, or after 30 minutes. The first start compiles the solver.
  */
 import { spawn } from 'node:child_process';
 import { ROOT } from './steps.mjs';

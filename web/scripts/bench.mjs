@@ -1,8 +1,8 @@
 /**
- * `npm run bench`: the time of solving, natively and in Chromium's WebAssembly, in the form of the paper's tables. The
- * crate `c2warp-bench` defines the cases and measures them.
+ * `npm run bench`: times of the solver, natively and in Chromium's WebAssembly, in the form of the paper's tables.
  *
- * Fails if something does not build or run, never because of a time.
+ * The crate `c2warp-bench` defines the cases and measures them. The run fails if a part does not build or run, never
+ * because of a time.
  */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
@@ -14,10 +14,10 @@ import { heading, main, ROOT, step } from './steps.mjs';
 const OUTPUT = 'tests/output/bench';
 const MODULE = ['c2warp.js', 'c2warp_bg.wasm'];
 
-/** Rounds of native and WebAssembly runs in turn: what slows the machine for a while slows both. */
+/** Rounds of native and WebAssembly runs in turn: a machine that is slow for a while slows both. */
 const ROUNDS = 2;
 
-/** Never requested over a network: the page's files are routed. On localhost, a page may be cross-origin isolated. */
+/** No network request is made: the page's files are routed. A page on localhost may be cross-origin isolated. */
 const ORIGIN = 'http://localhost';
 
 const cargo = (/** @type {string} */ binary, /** @type {string[]} */ args) => [
@@ -38,15 +38,15 @@ await main(async () => {
     'Build (native)',
     'cargo',
     ['build', '--release', '--package', 'c2warp-bench'],
-    'The benchmark does not build; the reason stands above.',
+    'The benchmark does not build. The reason is above.',
   );
   await step(
     'Build (WebAssembly)',
     'cargo',
     ['run', '--package', 'xtask', '--', 'bindgen', '--package', 'c2warp-bench', '--out', OUTPUT],
-    'The benchmark does not build; the reason stands above.',
+    'The benchmark does not build. The reason is above.',
   );
-  const failed = 'The benchmark failed; the reason stands above.';
+  const failed = 'The benchmark failed. The reason is above.';
   const native = join(output, 'native.json');
   const wasm = join(output, 'wasm.json');
   /** @type {unknown[]} */
@@ -68,7 +68,8 @@ await main(async () => {
   console.log(
     `\n${cpus().length} × ${cpu?.model.trim() ?? 'unknown'}, load ${load.toFixed(1)} at the start.`,
   );
-  if (load > cpus().length / 2) console.log('Other programs were running: times are longer and less sure.');
+  if (load > cpus().length / 2)
+    console.log('Other programs were running: times are longer and less certain.');
 });
 
 /**

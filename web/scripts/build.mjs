@@ -19,6 +19,6 @@ function vite(title, config) {
     title,
     process.execPath,
     [toolPath('vite'), 'build', '--config', config],
-    'It does not build; the reason stands above.',
+    'It does not build. The reason is above.',
   );
 }

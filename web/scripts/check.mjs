@@ -7,5 +7,5 @@ await main(async () => {
   await prepare();
   await prepareRustLints();
   const { failed } = await runChecks();
-  if (failed.length > 0) throw new StepError(`Failed: ${failed.join(', ')}. The reasons stand above.`);
+  if (failed.length > 0) throw new StepError(`Failed: ${failed.join(', ')}. The reasons are above.`);
 });

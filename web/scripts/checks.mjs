@@ -1,4 +1,4 @@
-/** The checks of `npm run check`: formats, lints, types and imports of both languages, and files generated from Rust. */
+/** The checks of `npm run check`: formats, lints, types and imports, in both languages, and generated files. */
 import { heading, run, toolPath } from './steps.mjs';
 
 /** @type {[title: string, program: string, args: string[]][]} */

@@ -1,6 +1,6 @@
 /**
- * A Chromium for the browser tests: the one that CHROMIUM names, one in PATH, or, on Debian and its derivatives and
- * with the permission to install, one from apt.
+ * A Chromium for the browser tests: the one named by the variable CHROMIUM, or one in PATH. On Debian and its
+ * derivatives, it is installed by apt if that is permitted.
  */
 import { accessSync, constants, existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
@@ -10,8 +10,8 @@ const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-s
 const MAC = '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome';
 
 /**
- * WebGL2 on the CPU, so that machines without a GPU can test, and every machine draws alike. The sandbox is off, since
- * it does not work as root, as in containers.
+ * WebGL2 on the CPU: machines without a GPU can test, and every machine draws alike. The sandbox is off because it does
+ * not work as root, for example in containers.
  */
 export const CHROMIUM_ARGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 

@@ -1,8 +1,7 @@
 /**
- * `node web/scripts/cycles.mjs`: fails if files or folders of the core (wasm/core/src) or of the page (web/src) import one
- * another in a circle.
+ * `node web/scripts/cycles.mjs`: fails if files or folders of the core or of the page import one another in a circle.
  *
- * Within each folder, its files and its folders are the nodes of a graph. A folder imports whatever a file in it imports. The
+ * The files and folders within each folder are the nodes of a graph. A folder has the imports of all its files. The
  * `mod.rs` of a folder is no node in it: it may use its children, and they may use its items.
  */
 import { readFileSync } from 'node:fs';
@@ -12,7 +11,7 @@ import { rustImports } from './rust_imports.mjs';
 import { scriptImports } from './script_imports.mjs';
 import { main, ROOT, StepError } from './steps.mjs';
 
-/** @typedef {Map<string, string>} Sources The text of each file by its path, with slashes, relative to the source folder. */
+/** @typedef {Map<string, string>} Sources The text of each file by its path in the source folder, with slashes. */
 /** @typedef {Map<string, Set<string>>} Graph For each file the files that it imports. */
 
 /** The face of a folder to others. */
@@ -149,6 +148,6 @@ if (process.argv[1] && import.meta.filename === process.argv[1]) {
       }
     }
     if (count > 0)
-      throw new StepError(`${count} cycles of imports. Move what both need to a file that imports neither.`);
+      throw new StepError(`${count} cycles of imports. Move the shared part to a file that imports neither.`);
   });
 }

@@ -1,4 +1,4 @@
-/** The type declarations of the built element: of all that the compiler writes, those reachable from the element. */
+/** The type declarations of the built element: those of the compiler's output that the element reaches. */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT, step, toolPath } from './steps.mjs';
@@ -12,11 +12,11 @@ export async function writeDeclarations(folder) {
     'Types of the element',
     process.execPath,
     [toolPath('tsc'), '--project', 'web/tsconfig.element.json'],
-    'The types do not compile; the reason stands above.',
+    'The types do not compile. The reason is above.',
   );
   rmSync(join(ROOT, folder), { recursive: true, force: true });
   for (const name of reachable('element')) {
-    // With file endings, which every kind of module resolution accepts.
+    // Every kind of module resolution accepts paths with file endings.
     const text = readFileSync(join(ROOT, WRITTEN, `${name}.d.ts`), 'utf8').replace(RELATIVE, '$1$2.js');
     const file = join(ROOT, folder, `${name}.d.ts`);
     mkdirSync(dirname(file), { recursive: true });

@@ -1,7 +1,7 @@
 /**
- * Rasterises the sample pictures that the project draws itself: every SVG in `web/public/samples` becomes a PNG of the
- * same name, at its own size and with its alpha, drawn by the system's Chromium. Run it after editing an SVG:
- * `node web/scripts/draw-samples.mjs`.
+ * `node web/scripts/draw-samples.mjs`: draws every SVG in `web/public/samples` as a PNG of the same name.
+ *
+ * Chromium draws it at its own size and with its alpha. Run the script after you edit an SVG.
  */
 import { readdir, readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';

@@ -1,6 +1,6 @@
 /**
- * The licences of what a build holds: of the npm packages whose modules were bundled, workers' included, and of the crates that
- * the solver is linked from. They ask for their text to go along with every copy.
+ * The licences of a build's parts: the npm packages bundled in the page and in its workers, and the crates linked into
+ * the solver. They require that their text accompanies every copy.
  */
 import { execFile } from 'node:child_process';
 import { readdir, readFile } from 'node:fs/promises';
@@ -16,7 +16,7 @@ const SOLVER = 'c2warp-bind';
 const TARGET = 'wasm32-unknown-unknown';
 
 /**
- * Plugins for a build and for its workers, which write `LICENSES.md` beside the files.
+ * Plugins for a build and for its workers. They write `LICENSES.md` beside the files.
  * @returns {{ plugins: Plugin[], worker: () => Plugin[] }}
  */
 export function licences() {
@@ -74,7 +74,7 @@ async function npmPackage(folder) {
 }
 
 /**
- * The crates that the solver is linked from, without those that only run while it is built.
+ * The crates linked into the solver, without those that only run while it is built.
  * @returns {Promise<Package[]>}
  */
 async function crates() {
@@ -110,7 +110,7 @@ async function crates() {
 /** @param {Package} one */
 async function chapter({ name, version, license, folder }) {
   const files = (await readdir(folder)).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
-  // Of several to choose from one is enough.
+  // One of several alternatives suffices.
   const mit = files.find((file) => /mit/i.test(file));
   const chosen = mit && /\bMIT\b/.test(license) ? [mit] : files;
   const texts = await Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));

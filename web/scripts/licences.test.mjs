@@ -4,11 +4,11 @@ import { licencesOf } from './licences.mjs';
 import { ROOT } from './steps.mjs';
 
 describe('the licences of a build', () => {
-  it('are those of what was bundled and of what the solver is linked from, with their texts', async () => {
+  it('are those of bundled packages and linked crates, with their texts', async () => {
     const text = await licencesOf([join(ROOT, 'node_modules/lit')]);
     const names = [...text.matchAll(/^## (\S+) /gm)].map(([, name]) => name);
     expect(names).toEqual(expect.arrayContaining(['glam', 'lit', 'serde_json', 'spade', 'wasm-bindgen']));
-    // Of the command, of tests, of the build, and macros.
+    // Used by the command, by tests and by the build; macros.
     for (const other of ['clap', 'image', 'proptest', 'vite', 'serde_derive', 'c2warp']) {
       expect(names).not.toContain(other);
     }

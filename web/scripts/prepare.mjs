@@ -1,6 +1,6 @@
 /**
- * Prepares a machine with rustup, Node and npm for building the editor: checks what is there, installs what is missing,
- * builds the solver. Every part is skipped if its work is already done.
+ * Prepares a machine with rustup, Node and npm: checks versions, installs missing parts, and builds the solver.
+ * Finished parts are skipped.
  */
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { homedir } from 'node:os';
@@ -18,7 +18,7 @@ export async function prepare() {
     'Solver (Rust → WebAssembly)',
     'cargo',
     ['run', '--package', 'xtask', '--', 'bindgen'],
-    'The solver does not build; the reason stands above.',
+    'The solver does not build. The reason is above.',
   );
 }
 
@@ -89,7 +89,7 @@ function checkRustVersion(version) {
   }
 }
 
-/** npm writes node_modules/.package-lock.json last: the file shows whether an installation is complete, and its age. */
+/** npm writes node_modules/.package-lock.json last: its age is that of a complete installation. */
 async function prepareNpm() {
   const installed = join(ROOT, 'node_modules/.package-lock.json');
   const lock = join(ROOT, 'package-lock.json');

@@ -5,8 +5,8 @@
  *     node web/scripts/prose.mjs --summary [PATHS…]   prints the summary alone
  *     node web/scripts/prose.mjs --limits             fails if the whole tree exceeds `LIMITS`
  *
- * For comparison, `src/` of linebender/kurbo 0.13.1 has 21,417 words. 4 lines of its comments are longer than 120
- * columns, and 5.3 % of its sentences are longer than 25 words. Per 1,000 words it has 0.4 "what" and 2.1 "which".
+ * For comparison, the folder `src` of linebender/kurbo 0.13.1 has 21,417 words of comments. There are 4 lines longer
+ * than 120 columns. 5.3 % of the sentences have more than 25 words. Per 1,000 words it has 0.4 "what", 2.1 "which".
  */
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
@@ -15,14 +15,14 @@ import { main, ROOT, StepError } from './steps.mjs';
 
 /** @typedef {import('./prose_text.mjs').Line} Line */
 /** @typedef {{ file: string, line: number, message: string }} Finding */
-/** @typedef {{ words: number, sentences: number, long: number, lines: number, names: number, what: number, which: number }} Sums */
+/** @typedef {Record<'words' | 'sentences' | 'long' | 'lines' | 'names' | 'what' | 'which', number>} Sums */
 
 /** Columns of a line, words of a sentence, characters of a test's name. */
 const LONGEST = { line: 120, sentence: 25, name: 80 };
 
 /**
- * The most that `npm run check` accepts for the whole tree. Lines and names are counted. Long sentences are a percentage
- * of all sentences. The words "what" and "which" are per 1,000 words.
+ * The limits of `npm run check` for the whole tree. Long lines and names are counted. Long sentences are a percentage
+ * of all sentences, "what" and "which" are per 1,000 words.
  */
 export const LIMITS = { lines: 0, names: 0, long: 100, what: 100, which: 100 };
 
@@ -56,7 +56,7 @@ export function sentences(paragraph) {
 const wordsOf = (text) => text.match(/[\p{L}\p{N}][\p{L}\p{N}'’²-]*/gu) ?? [];
 
 /**
- * @param {string} file The name, whose ending tells the language.
+ * @param {string} file Its ending selects the language.
  * @param {string} text
  * @returns {{ findings: Finding[], sums: Sums } | undefined} `undefined` for files without prose.
  */

@@ -1,6 +1,7 @@
 /**
- * The prose of a file: paragraphs of its comments or of its Markdown, and names of its tests. Code, tables, addresses and
- * the marks of comments, lists and links are left out. A code span becomes one word.
+ * The prose of a file: paragraphs of its comments or of its Markdown, and names of its tests.
+ *
+ * Code, tables, addresses and the marks of comments, lists and links are left out. A code span becomes one word.
  */
 import { rustSpans, scriptSpans } from './spans.mjs';
 
@@ -19,7 +20,7 @@ const RUST_TEST = /#\[test\]\s*(?:#\[[^\]]*\]\s*)*fn\s+(\w+)/g;
 const SCRIPT_TEST = /(?:\b(?:it|test|describe)(?:\.\w+)*|\))\(\s*$/;
 
 /**
- * @param {string} file The name, whose ending tells the language.
+ * @param {string} file Its ending selects the language.
  * @param {string} text
  * @returns {Prose | undefined} `undefined` for files of other languages.
  */

@@ -1,10 +1,10 @@
 /**
- * `npm run quality`: how exact distances are, beside the geodesic, how often weights have a second maximum, and how well
- * pictures bend on standard poses, in every mode and by two other methods for comparison. Prints tables and writes a sheet of
- * pictures for each pose. The crate `c2warp-quality` defines and measures them.
+ * `npm run quality`: errors of distances, second maxima of weights, and the quality of standard poses by every mode and
+ * by two other methods.
  *
- * `npm run quality -- NAME` runs only what has a name that contains NAME: poses, `distances` or `maxima`. Fails if something
- * does not build or run, never because of a figure.
+ * Prints tables and writes a sheet of pictures for each pose. The crate `c2warp-quality` measures. `npm run quality --
+ * NAME` runs the parts with NAME in their name: poses, `distances` or `maxima`. The run fails if a part does not build
+ * or run, never because of a figure.
  */
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -18,17 +18,12 @@ await main(async () => {
   const names = process.argv.slice(2);
   await prepare();
   if (names.length === 0) rmSync(join(ROOT, OUTPUT), { recursive: true, force: true });
-  await step(
-    'Build',
-    'cargo',
-    ['build', ...CRATE],
-    'The comparison does not build; the reason stands above.',
-  );
+  await step('Build', 'cargo', ['build', ...CRATE], 'The comparison does not build. The reason is above.');
   await step(
     'Distances, weights and poses',
     'cargo',
     ['run', '--quiet', ...CRATE, '--', OUTPUT, ...names],
-    'The comparison failed; the reason stands above.',
+    'The comparison failed. The reason is above.',
   );
-  console.log(`\nSheets for eyes are in ${OUTPUT}.`);
+  console.log(`\nSheets of pictures are in ${OUTPUT}.`);
 });

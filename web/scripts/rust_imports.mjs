@@ -1,6 +1,8 @@
 /**
- * The imports between files of a Rust crate. An import leads to the file that defines the item, through re-exports. A
- * `mod.rs` or `lib.rs` does not depend on children that it merely re-exports. Unit tests at the end of a file do not count.
+ * The imports between files of a Rust crate.
+ *
+ * An import leads through re-exports to the file that defines the item. A `mod.rs` or `lib.rs` does not depend on
+ * children that it only re-exports. Unit tests at the end of a file do not count.
  *
  * Known limits: globs lead to the module itself, and macros are not followed.
  */
@@ -99,7 +101,7 @@ function branches(list) {
 }
 
 /**
- * The module that defines what a path leads to; `undefined` for other crates and for names of the file itself.
+ * The module that defines the item of a path; `undefined` for other crates and for names of the file itself.
  * @param {Map<string, Module>} modules
  * @param {Module} from
  * @param {string[]} path

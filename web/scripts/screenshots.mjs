@@ -1,5 +1,5 @@
 /**
- * `npm run screenshots`: the pictures in the README. The running editor with the sample bent by its handles, and one pose by
+ * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, and one pose by
  * the methods that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
@@ -42,7 +42,7 @@ await main(async () => {
     'Methods',
     'cargo',
     ['run', '--quiet', '--release', ...drawing],
-    'The methods were not drawn; the reason stands above.',
+    'The methods were not drawn. The reason is above.',
   );
 });
 

@@ -1,6 +1,6 @@
 /**
- * Comments and strings of source text, for the scripts that measure prose and imports. A scanner, not a parser: it knows
- * where comments, strings and regular expressions begin and end, in Rust and in TypeScript.
+ * Comments and strings of Rust and TypeScript, for the scripts that measure prose and imports. A scanner, not a parser:
+ * it finds the ends of comments, strings and regular expressions.
  */
 
 /** @typedef {{ kind: 'comment' | 'string', start: number, end: number }} Span The offsets of a comment or a string. */

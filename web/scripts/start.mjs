@@ -13,7 +13,7 @@ await main(async () => {
   }
   await prepare();
   heading('Editor');
-  // Lit as it is in what is built: otherwise it warns of itself.
+  // As in a build. In development mode, Lit prints a warning.
   process.env.NODE_ENV ??= 'production';
   // Imported only here: it may have just been installed.
   const { createServer: createVite } = await import('vite');

@@ -1,6 +1,6 @@
 /**
- * Steps of a command line job: each prints its title and the output of its programs; a failed step ends the job with
- * one line that says what to do. Uses nothing that npm would have to install first.
+ * Steps of a command line job. Each prints its title and the output of its programs. A failed step ends the job with
+ * one line of advice. This file uses no npm packages, because it also installs them.
  */
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -27,7 +27,7 @@ const TOOLS = {
  */
 export const toolPath = (name) => join(ROOT, 'node_modules', TOOLS[name]);
 
-/** A step that failed; the message says what to do about it. */
+/** A failed step, with advice as its message. */
 export class StepError extends Error {}
 
 /** @typedef {{ code: number, output: string }} Ended A program's exit code, and the end of its output. */
@@ -64,7 +64,7 @@ export function run(program, args, { env = {} } = {}) {
  * @param {string} title The name of the step.
  * @param {string} program
  * @param {string[]} args
- * @param {string} hint What to do if the program fails for another reason than a missing network.
+ * @param {string} hint Advice for failures other than a missing network.
  */
 export async function step(title, program, args, hint) {
   heading(title);

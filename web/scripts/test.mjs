@@ -1,6 +1,7 @@
 /**
- * `npm test`: prepares the machine, then runs the checks, the native tests, the TypeScript unit tests and the browser
- * tests, all of them even after failures, and ends with one line that sums up.
+ * `npm test`: prepares the machine, then runs the checks, the native tests, the unit tests and the browser tests.
+ *
+ * All of them run, even after failures. The last line sums up.
  */
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';

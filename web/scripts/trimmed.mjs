@@ -1,25 +1,24 @@
 /**
- * Style sheets and shaders without their comments and indentation, and markup without its indentation: they are texts
- * inside of scripts, where minifiers leave everything as it is. The glue of WebAssembly without what holds classes that the
- * page does not use.
+ * Removes comments and indentation from style sheets and shaders, and indentation from markup. Minifiers leave these
+ * alone, because they are strings in scripts. Also lets bundlers drop unused classes of the WebAssembly glue.
  */
 
-/** A style sheet in a template; expressions in it hold no template of their own. */
+/** A style sheet in a template. Its expressions contain no templates. */
 const SHEET = /\bcss`[^`]*`/g;
 
 /** @param {string} code a script with style sheets */
 export const trimmedSheets = (code) =>
   code.replaceAll(SHEET, (sheet) => sheet.replaceAll(/\s*\/\*.*?\*\//gs, '').replaceAll(/\n\s+/g, '\n'));
 
-/** @param {string} code a script whose templates are markup, where a newline is as good as more space */
+/** @param {string} code a script whose templates are markup, in which a newline equals any space */
 export const trimmedMarkup = (code) => code.replaceAll(/\n\s+/g, '\n');
 
 /** @param {string} shader */
 export const trimmedShader = (shader) => shader.replaceAll(/\n\s*\/\/.*/g, '').replaceAll(/\n\s+/g, '\n');
 
 /**
- * @param {string} glue by wasm-bindgen: bundlers leave out a class of it that nothing uses only where nothing else names the
- * class, and where its registry does nothing
+ * Removes the code by which unused classes count as used.
+ * @param {string} glue by wasm-bindgen
  */
 export const trimmedGlue = (glue) =>
   glue

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { trimmedGlue, trimmedMarkup, trimmedShader, trimmedSheets } from './trimmed.mjs';
 
 describe('trimmed', () => {
-  it('takes comments and indentation out of style sheets alone', () => {
+  it('removes comments and indentation of style sheets alone', () => {
     const code = `/** Stays. */
 const sheet = css\`
   /* Goes,
@@ -23,18 +23,18 @@ top: \${TOP}px;
   const indented = 1;`);
   });
 
-  it('takes indentation out of markup, and keeps its words apart', () => {
+  it('removes indentation of markup, and keeps its words apart', () => {
     const code = "const words = html`<p>\n    Two\n    <b>words</b>\n  </p>`;\n  const a = ' b ';";
     expect(trimmedMarkup(code)).toBe("const words = html`<p>\nTwo\n<b>words</b>\n</p>`;\nconst a = ' b ';");
   });
 
-  it('takes whole lines of comment and indentation out of shaders', () => {
+  it('removes lines of comment and indentation of shaders', () => {
     const shader =
       '#version 300 es\n// What it is.\nvoid main() {\n  // Why.\n  colour = vec4(1.0) / 2.0;\n}\n';
     expect(trimmedShader(shader)).toBe('#version 300 es\nvoid main() {\ncolour = vec4(1.0) / 2.0;\n}\n');
   });
 
-  it('lets go of classes of the glue that nothing uses', () => {
+  it('lets bundlers drop unused classes of the glue', () => {
     const glue = `class A {
     free() {}
 }
