@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { History } from './history';
+import { TestHistory } from './fixtures';
 
-const state = (history: History<number>) => [history.present, history.undoLabel, history.redoLabel];
+const state = (history: TestHistory<number>) => [history.present, history.undoLabel, history.redoLabel];
 
-describe('History', () => {
+describe('the history', () => {
   it('makes one step of a drag', () => {
-    const history = new History(0);
+    const history = new TestHistory(0);
     history.begin('Move');
     for (const value of [1, 2, 3]) history.update(value);
     expect(history.commit()).toBe(true);
@@ -15,8 +15,8 @@ describe('History', () => {
     expect(state(history)).toEqual([3, 'Move', null]);
   });
 
-  it('bails out to the mark', () => {
-    const history = new History(0);
+  it('returns to the start of a drag on bail', () => {
+    const history = new TestHistory(0);
     history.step('Add', 1);
     history.begin('Move');
     history.update(2);
@@ -24,8 +24,8 @@ describe('History', () => {
     expect(state(history)).toEqual([1, 'Add', null]);
   });
 
-  it('amends the present without a step, and the mark of the open step with it', () => {
-    const history = new History({ at: 0, led: 0 }, (a, b) => a.at === b.at && a.led === b.led);
+  it('amends the present and the start of the open step without a step', () => {
+    const history = new TestHistory({ at: 0, led: 0 }, (a, b) => a.at === b.at && a.led === b.led);
     const lead = (led: number) => history.amend((value) => ({ ...value, led }));
     history.step('Move', { at: 1, led: 0 });
     history.undo();
@@ -47,14 +47,14 @@ describe('History', () => {
   });
 
   it('does not count a drag that changed nothing', () => {
-    const history = new History(0);
+    const history = new TestHistory(0);
     history.begin('Move');
     expect(history.commit()).toBe(false);
     expect(history.undoLabel).toBeNull();
   });
 
-  it('takes what is equal for no change, and keeps the future', () => {
-    const history = new History({ at: 0 }, (a, b) => a.at === b.at);
+  it('keeps the future on a step to an equal value', () => {
+    const history = new TestHistory({ at: 0 }, (a, b) => a.at === b.at);
     history.step('Move', { at: 1 });
     history.undo();
     history.begin('Move');
@@ -64,8 +64,8 @@ describe('History', () => {
     expect([history.undoLabel, history.redoLabel]).toEqual([null, 'Move']);
   });
 
-  it('leaves a drag in hand alone that a step would change nothing of', () => {
-    const history = new History(0);
+  it('leaves an open step alone when a step changes nothing', () => {
+    const history = new TestHistory(0);
     history.begin('Move');
     history.update(1);
     history.step('Set', 1);
@@ -73,10 +73,10 @@ describe('History', () => {
     expect(state(history)).toEqual([0, null, null]);
   });
 
-  it('joins steps of one key until it settles', () => {
-    const history = new History(0);
+  it('merges steps of one key until merging ends', () => {
+    const history = new TestHistory(0);
     for (const value of [1, 2, 3]) history.step('Nudge', value, 'nudge head');
-    history.settle();
+    history.endMerging();
     history.step('Nudge', 4, 'nudge head');
     history.undo();
     expect(history.present).toBe(3);
@@ -85,25 +85,27 @@ describe('History', () => {
   });
 
   it('takes back an open step first', () => {
-    const history = new History(0);
+    const history = new TestHistory(0);
     history.step('Add', 1);
     history.begin('Move');
     history.update(2);
-    expect(history.undo()).toBe('Move');
+    expect(history.undoLabel).toBe('Move');
+    history.undo();
     expect(history.present).toBe(1);
   });
 
   it('forgets the future on a new step', () => {
-    const history = new History(0);
+    const history = new TestHistory(0);
     history.step('Add', 1);
     history.undo();
     history.step('Add', 2);
-    expect(history.redo()).toBeNull();
+    expect(history.redoLabel).toBeNull();
+    history.redo();
     expect(history.present).toBe(2);
   });
 
-  it('tells all values in the order of time', () => {
-    const history = new History(0);
+  it('lists all values from the oldest to the newest', () => {
+    const history = new TestHistory(0);
     for (const value of [1, 2, 3]) history.step('Add', value);
     history.undo();
     history.undo();
@@ -113,8 +115,8 @@ describe('History', () => {
     expect(history.timeline).toEqual({ values: [0, 1, 9, 2, 3], at: 2 });
   });
 
-  it('forgets a merged step that has come back to where it began', () => {
-    const history = new History(0);
+  it('drops a merged step that is back where it began', () => {
+    const history = new TestHistory(0);
     history.step('Add', 1);
     history.step('Move', 2, 'nudge');
     history.step('Move', 1, 'nudge');
@@ -125,32 +127,32 @@ describe('History', () => {
     expect(state(history)).toEqual([1, 'Add', 'Move']);
   });
 
-  it('is mended throughout, and forgets the steps that change nothing any more', () => {
-    const history = new History(0);
+  it('revises all values and drops steps that change nothing', () => {
+    const history = new TestHistory(0);
     for (const value of [1, 2, 3, 4]) history.step(`Set ${value}`, value);
     history.undo();
     history.undo();
-    expect(history.mend([0, 10, 10, 30, 30])).toBe(true);
+    expect(history.revise([0, 10, 10, 30, 30])).toBe(true);
     expect(history.timeline).toEqual({ values: [0, 10, 30], at: 1 });
     expect(state(history)).toEqual([10, 'Set 1', 'Set 3']);
-    expect(history.mend(history.timeline.values)).toBe(false);
+    expect(history.revise(history.timeline.values)).toBe(false);
   });
 
-  it('forgets the steps between values that are equal and not the same', () => {
-    const history = new History<{ readonly x: number }>({ x: 0 }, (a, b) => a.x === b.x);
+  it('drops steps between equal values that are different objects', () => {
+    const history = new TestHistory<{ readonly x: number }>({ x: 0 }, (a, b) => a.x === b.x);
     history.step('Add', { x: 1 });
     history.step('Delete', { x: 0 });
     history.undo();
-    history.mend(history.timeline.values.map((value) => (value.x === 1 ? { x: 0 } : value)));
+    history.revise(history.timeline.values.map((value) => (value.x === 1 ? { x: 0 } : value)));
     expect([history.present.x, history.undoLabel, history.redoLabel]).toEqual([0, null, null]);
   });
 
-  it('is mended under an open step, which goes on', () => {
-    const history = new History(0);
+  it('keeps the open step open when values are revised', () => {
+    const history = new TestHistory(0);
     history.step('Add', 1);
     history.begin('Move');
     history.update(2);
-    history.mend([0, 0, 20]);
+    history.revise([0, 0, 20]);
     expect(state(history)).toEqual([20, 'Move', null]);
     history.update(30);
     expect(history.commit()).toBe(true);
@@ -158,12 +160,12 @@ describe('History', () => {
     expect(state(history)).toEqual([0, null, 'Move']);
   });
 
-  it('comes back from its record, without the drag in hand', () => {
-    const history = new History(0);
+  it('restores its record without the open step', () => {
+    const history = new TestHistory(0);
     history.step('Add', 1);
     history.begin('Move');
     history.update(2);
-    const copy = new History(0);
+    const copy = new TestHistory(0);
     copy.restore(history.record());
     expect(copy.present).toBe(1);
     copy.undo();

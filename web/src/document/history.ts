@@ -1,23 +1,31 @@
 /**
- * Undo and redo by marks.
+ * Undo and redo as immutable data.
  *
  * A drag opens a step with `begin`, replaces the present any number of times with `update`, and ends with `commit`
- * (one undo step, or none if it ended where it began) or `bail` (back to the mark). Immediate changes use `step`;
- * consecutive steps with the same key merge into one, until `settle`. Values are immutable: a state costs only what it
- * does not share with its neighbours. Holds at most `LIMIT` steps.
+ * (one undo step, or none if nothing changed) or `bail` (back to the start). An immediate change is a `step`.
+ * Consecutive steps with the same key merge until `endMerging`. A history holds at most `MAX_STEPS` steps.
+ *
+ * Functions that may drop a step without a change take `same`, the equality of two values.
  */
 export interface Step<T> {
-  /** What was done, as people read it: "Move head". */
+  /** The name of the step for people: "Move head". */
   readonly label: string;
   /** In the past, the value before the step; in the future, the value after it. */
   readonly value: T;
 }
 
-/** A history as plain data, for storage. */
+/** The part of a history that is stored. */
 export interface HistoryRecord<T> {
   readonly past: readonly Step<T>[];
   readonly present: T;
   readonly future: readonly Step<T>[];
+}
+
+export interface History<T> extends HistoryRecord<T> {
+  /** The step that a drag has opened. */
+  readonly open: Step<T> | null;
+  /** The next step with this key merges into the last one. */
+  readonly mergeKey: string | null;
 }
 
 /** All values from the oldest to the newest, and the index of the present. */
@@ -26,165 +34,144 @@ export interface Timeline<T> {
   readonly at: number;
 }
 
-const LIMIT = 500;
-
-/** Whether two values are equal, so that going from one to the other is no step. */
 export type Equality<T> = (a: T, b: T) => boolean;
 
-export class History<T> {
-  readonly #equal: Equality<T>;
-  #past: readonly Step<T>[] = [];
-  #present: T;
-  #future: readonly Step<T>[] = [];
-  #open: Step<T> | null = null;
-  #key: string | null = null;
+const MAX_STEPS = 500;
 
-  constructor(present: T, equal: Equality<T> = Object.is) {
-    this.#equal = equal;
-    this.#present = present;
-  }
+export const historyOf = <T>({ past, present, future }: HistoryRecord<T>): History<T> => ({
+  past,
+  present,
+  future,
+  open: null,
+  mergeKey: null,
+});
 
-  /** Replaces everything by another history. */
-  restore({ past, present, future }: HistoryRecord<T>): void {
-    [this.#past, this.#present, this.#future] = [past, present, future];
-    this.#open = null;
-    this.#key = null;
-  }
+/** The label of the step that `undo` takes back, or null. */
+export const undoLabel = <T>({ open, past }: History<T>): string | null =>
+  (open ?? past.at(-1))?.label ?? null;
 
-  get present(): T {
-    return this.#present;
-  }
+/** The label of the step that `redo` brings back, or null. */
+export const redoLabel = <T>({ future }: History<T>): string | null => future.at(-1)?.label ?? null;
 
-  /** The label of the step that undo would take back, or null. */
-  get undoLabel(): string | null {
-    return (this.#open ?? this.#past.at(-1))?.label ?? null;
-  }
+/** Opens a step. Commits an open step first. */
+export const begin = <T>(history: History<T>, label: string, same: Equality<T>): History<T> => ({
+  ...commit(history, same),
+  open: { label, value: history.present },
+});
 
-  get redoLabel(): string | null {
-    return this.#future.at(-1)?.label ?? null;
-  }
+/** Replaces the present within an open step, or without an undo step (a selection). */
+export const update = <T>(history: History<T>, present: T): History<T> => ({ ...history, present });
 
-  /** Opens a step; an open one is committed first. */
-  begin(label: string): void {
-    this.commit();
-    this.#open = { label, value: this.#present };
-  }
+/** Changes the present without a step, as if it had been so before the open step began. */
+export const amend = <T>(history: History<T>, change: (value: T) => T): History<T> => ({
+  ...history,
+  present: change(history.present),
+  open: history.open && { ...history.open, value: change(history.open.value) },
+});
 
-  /** Replaces the present, within an open step or as a change without undo (a selection). */
-  update(value: T): void {
-    this.#present = value;
-  }
-
-  /** Changes the present without a step, as if it had been so when the open step began. */
-  amend(change: (value: T) => T): void {
-    this.#present = change(this.#present);
-    this.#open = this.#open && { ...this.#open, value: change(this.#open.value) };
-  }
-
-  /** Ends the open step. Returns whether it changed anything. */
-  commit(): boolean {
-    const open = this.#open;
-    this.#open = null;
-    if (!open || this.#equal(open.value, this.#present)) return false;
-    this.#push(open, null);
-    return true;
-  }
-
-  /** Back to the mark, as if the open step had never begun. */
-  bail(): void {
-    if (!this.#open) return;
-    this.#present = this.#open.value;
-    this.#open = null;
-  }
-
-  /** Makes a whole step; with the key of the previous step, merges into that. Returns whether it changed anything. */
-  step(label: string, value: T, key: string | null = null): boolean {
-    if (this.#equal(value, this.#present)) return false;
-    this.commit();
-    const joins = key !== null && key === this.#key;
-    const before = { label, value: this.#present };
-    this.#present = value;
-    if (joins) this.#join();
-    else this.#push(before, key);
-    return true;
-  }
-
-  /** Keeps the next step from merging, whatever its key. */
-  settle(): void {
-    this.#key = null;
-  }
-
-  /** Takes back the open step, or else the last one. Returns its label, or null. */
-  undo(): string | null {
-    if (this.#open) {
-      const { label } = this.#open;
-      this.bail();
-      return label;
-    }
-    const step = this.#past.at(-1);
-    if (!step) return null;
-    this.#past = this.#past.slice(0, -1);
-    this.#future = [...this.#future, { label: step.label, value: this.#present }];
-    this.#present = step.value;
-    this.#key = null;
-    return step.label;
-  }
-
-  redo(): string | null {
-    this.bail();
-    const step = this.#future.at(-1);
-    if (!step) return null;
-    this.#future = this.#future.slice(0, -1);
-    this.#past = [...this.#past, { label: step.label, value: this.#present }];
-    this.#present = step.value;
-    this.#key = null;
-    return step.label;
-  }
-
-  get timeline(): Timeline<T> {
-    const before = [...this.#past, ...(this.#open ? [this.#open] : [])];
-    const values = [...before, { value: this.#present }, ...this.#future.toReversed()].map(
-      ({ value }) => value,
-    );
-    return { values, at: before.length };
-  }
-
-  /**
-   * Replaces the values of the timeline by as many others, and drops every step that no longer changes anything. An
-   * open step stays open. Returns whether the present changed.
-   */
-  mend(values: readonly T[]): boolean {
-    const [before, { at }] = [this.#present, this.timeline];
-    const step = ({ label }: Step<T>, k: number): Step<T> => ({ label, value: values[k] as T });
-    const last = values.length - 1;
-    const changes = (a: T, b: T | undefined) => b === undefined || !this.#equal(a, b);
-    this.#past = this.#past.map(step).filter(({ value }, k) => changes(value, values[k + 1]));
-    this.#open = this.#open && step(this.#open, at - 1);
-    this.#present = values[at] as T;
-    this.#future = this.#future
-      .map((redone, j) => step(redone, last - j))
-      .filter(({ value }, j) => changes(value, values[last - j - 1]));
-    this.#key = null;
-    return this.#present !== before;
-  }
-
-  record(): HistoryRecord<T> {
-    const present = this.#open ? this.#open.value : this.#present;
-    return { past: this.#past, present, future: this.#future };
-  }
-
-  /** Makes the present part of the last step, and drops that step if it has come back to where it began. */
-  #join(): void {
-    this.#future = [];
-    const last = this.#past.at(-1);
-    if (!last || !this.#equal(last.value, this.#present)) return;
-    this.#past = this.#past.slice(0, -1);
-    this.#key = null;
-  }
-
-  #push(step: Step<T>, key: string | null): void {
-    this.#past = [...this.#past, step].slice(-LIMIT);
-    this.#future = [];
-    this.#key = key;
-  }
+/** Ends the open step. `past` is unchanged if the step changed nothing. */
+export function commit<T>(history: History<T>, same: Equality<T>): History<T> {
+  const { open } = history;
+  if (!open) return history;
+  const ended = { ...history, open: null };
+  return same(open.value, history.present) ? ended : pushed(ended, open, null);
 }
+
+/** Returns to the start of the open step. */
+export const bail = <T>(history: History<T>): History<T> =>
+  history.open ? { ...history, present: history.open.value, open: null } : history;
+
+/** Makes a whole step; with the key of the last step, merges into that. Returns `history` itself without a change. */
+export function step<T>(
+  history: History<T>,
+  label: string,
+  value: T,
+  same: Equality<T>,
+  key: string | null = null,
+): History<T> {
+  if (same(value, history.present)) return history;
+  const before = commit(history, same);
+  const next = { ...before, present: value };
+  const merges = key !== null && key === before.mergeKey;
+  return merges ? merged(next, same) : pushed(next, { label, value: before.present }, key);
+}
+
+/** Keeps the next step from merging. */
+export const endMerging = <T>(history: History<T>): History<T> =>
+  history.mergeKey === null ? history : { ...history, mergeKey: null };
+
+/** Takes back the open step, or else the last one. */
+export function undo<T>(history: History<T>): History<T> {
+  if (history.open) return bail(history);
+  const last = history.past.at(-1);
+  if (!last) return history;
+  return {
+    past: history.past.slice(0, -1),
+    present: last.value,
+    future: [...history.future, { label: last.label, value: history.present }],
+    open: null,
+    mergeKey: null,
+  };
+}
+
+/** Takes back the open step, and brings back the step undone last. */
+export function redo<T>(history: History<T>): History<T> {
+  const before = bail(history);
+  const next = before.future.at(-1);
+  if (!next) return before;
+  return {
+    past: [...before.past, { label: next.label, value: before.present }],
+    present: next.value,
+    future: before.future.slice(0, -1),
+    open: null,
+    mergeKey: null,
+  };
+}
+
+export function timeline<T>({ past, open, present, future }: History<T>): Timeline<T> {
+  const before = [...past, ...(open ? [open] : [])].map(({ value }) => value);
+  const after = future.toReversed().map(({ value }) => value);
+  return { values: [...before, present, ...after], at: before.length };
+}
+
+/**
+ * Replaces the values of the timeline by as many others, and drops each step that no longer changes anything. An open
+ * step stays open.
+ */
+export function revise<T>(history: History<T>, values: readonly T[], same: Equality<T>): History<T> {
+  const { at } = timeline(history);
+  const last = values.length - 1;
+  const revised = ({ label }: Step<T>, k: number): Step<T> => ({ label, value: values[k] as T });
+  const changes = (a: T, b: T | undefined) => b === undefined || !same(a, b);
+  return {
+    past: history.past.map(revised).filter(({ value }, k) => changes(value, values[k + 1])),
+    open: history.open && revised(history.open, at - 1),
+    present: values[at] as T,
+    future: history.future
+      .map((redone, j) => revised(redone, last - j))
+      .filter(({ value }, j) => changes(value, values[last - j - 1])),
+    mergeKey: null,
+  };
+}
+
+/** The history as it is stored: without the open step. */
+export const recordOf = <T>({ past, open, present, future }: History<T>): HistoryRecord<T> => ({
+  past,
+  present: open ? open.value : present,
+  future,
+});
+
+/** Makes the present part of the last step. Drops that step if the value is back where the step began. */
+function merged<T>(history: History<T>, same: Equality<T>): History<T> {
+  const last = history.past.at(-1);
+  const joined = { ...history, future: [] };
+  if (!last || !same(last.value, history.present)) return joined;
+  return { ...joined, past: history.past.slice(0, -1), mergeKey: null };
+}
+
+const pushed = <T>(history: History<T>, step: Step<T>, mergeKey: string | null): History<T> => ({
+  ...history,
+  past: [...history.past, step].slice(-MAX_STEPS),
+  future: [],
+  mergeKey,
+});

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Document, newProject, openDocument } from './document';
 import { addHandle, changeHandles, holdBoundary, moveHandles, removeHandles } from './edits';
-import { History } from './history';
+import { TestHistory } from './fixtures';
 import type { Handle, PointHandle } from './project';
 import { handleToRevert, revertHandle, withHandleReverted, withSolutionReverted } from './reverting';
 import { solveKey } from './solved';
@@ -28,18 +28,18 @@ const remove =
     removeHandles(document, [id]);
 const hold: Step = (document) => holdBoundary(document, true);
 
-const done = (...steps: readonly Step[]): History<Document> => {
-  const history = new History(empty);
+const done = (...steps: readonly Step[]): TestHistory<Document> => {
+  const history = new TestHistory(empty);
   for (const step of steps) history.step('Step', step(history.present));
   return history;
 };
-const blamed = (history: History<Document>, named: readonly string[], accepted: Document | null = null) =>
+const blamed = (history: TestHistory<Document>, named: readonly string[], accepted: Document | null = null) =>
   handleToRevert(history.timeline, named, accepted?.project ?? null)?.id ?? null;
 const told = ({ project }: Document) =>
   project.handles
     .map(({ id, rest, posed }: Handle) => `${id}${rest[0]}${String(posed) === String(rest) ? '' : '!'}`)
     .join(' ');
-const all = (history: History<Document>) => history.timeline.values.map(told);
+const all = (history: TestHistory<Document>) => history.timeline.values.map(told);
 
 describe('handleToRevert', () => {
   it('returns the handle that is not solved yet', () => {
@@ -73,14 +73,14 @@ describe('handleToRevert', () => {
   it('returns null after opening, and for handles older than the settings', () => {
     expect(blamed(done(add('a'), hold), ['a'])).toBeNull();
     expect(blamed(done(hold, add('a'), move('a')), ['a'])).toBe('a');
-    expect(blamed(new History(add('a')(empty)), ['a'])).toBeNull();
+    expect(blamed(new TestHistory(add('a')(empty)), ['a'])).toBeNull();
   });
 });
 
 describe('withHandleReverted', () => {
-  const back = (history: History<Document>, id: string) => {
+  const back = (history: TestHistory<Document>, id: string) => {
     const handle = history.present.project.handles.find((other) => other.id === id) as Handle;
-    history.mend(withHandleReverted(history.timeline, handle));
+    history.revise(withHandleReverted(history.timeline, handle));
     return history;
   };
 
@@ -121,8 +121,8 @@ describe('revertHandle', () => {
 });
 
 describe('withSolutionReverted', () => {
-  const withdrawn = (history: History<Document>) => {
-    history.mend(withSolutionReverted(history.timeline, solveKey(history.present.project)));
+  const withdrawn = (history: TestHistory<Document>) => {
+    history.revise(withSolutionReverted(history.timeline, solveKey(history.present.project)));
     return history;
   };
 
@@ -141,6 +141,6 @@ describe('withSolutionReverted', () => {
 
   it('changes nothing if all values need the rejected solution', () => {
     const history = done();
-    expect(history.mend(withSolutionReverted(history.timeline, solveKey(empty.project)))).toBe(false);
+    expect(history.revise(withSolutionReverted(history.timeline, solveKey(empty.project)))).toBe(false);
   });
 });

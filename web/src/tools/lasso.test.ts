@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { newProject, openDocument } from '../document/document';
 import type { Vec } from '../geometry/vec';
-import { ToolMachine } from './machine';
+import { TestTools } from './fixtures';
 import type { Effect, Press, ToolContext } from './state';
 
 const scene: ToolContext = {
@@ -20,7 +20,7 @@ const press = (at: Vec, keys: Partial<Press> = {}): Press => ({
 });
 
 describe('the lasso', () => {
-  let machine: ToolMachine;
+  let machine: TestTools;
   let effects: readonly Effect[];
   const lassoed = () => effects.find((effect) => effect.type === 'lassoed');
   const act = (done: readonly Effect[]) => {
@@ -38,7 +38,7 @@ describe('the lasso', () => {
   };
 
   beforeEach(() => {
-    machine = new ToolMachine();
+    machine = new TestTools();
     machine.choose('lasso');
     effects = [];
   });

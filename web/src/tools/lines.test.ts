@@ -5,7 +5,8 @@ import { straightBar } from '../document/fixtures';
 import { anchor, corners, rotationOf } from '../document/handle';
 import type { BarHandle } from '../document/project';
 import type { Vec } from '../geometry/vec';
-import { ToolMachine, type ToolName } from './machine';
+import { TestTools } from './fixtures';
+import type { ToolName } from './machine';
 import type { Draft, Effect, Press, ToolContext } from './state';
 
 const arm = straightBar(100);
@@ -13,7 +14,7 @@ const image = { src: 'a.png', width: 400, height: 400 };
 
 /** The picture is shown 1000 px to the right of where it rests, everywhere. */
 class Bench {
-  readonly machine = new ToolMachine();
+  readonly machine = new TestTools();
   document: Document = selectHandles(addHandle(openDocument(newProject(image, 0.5)), arm), []);
   drafted: (Draft | null)[] = [];
   drawn: Draft | null = null;

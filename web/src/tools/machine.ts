@@ -1,4 +1,8 @@
-/** The tools by name, and the machine that holds the current tool and the state of each. */
+/**
+ * The tools by name, and the transitions of the current one.
+ *
+ * `Tools` is a value. Each transition returns the next value and the effects of the press, which the editor reduces.
+ */
 import { CORNERS_NEEDED } from '../document/handle';
 import { resumed } from './drafting';
 import { hand } from './hand';
@@ -14,171 +18,154 @@ export type ToolName = keyof typeof TOOLS;
 
 const NAMES = Object.keys(TOOLS) as ToolName[];
 
-/** Unfinished drawings, one of each tool at most. */
+/** Unfinished drawings, at most one of each tool. */
 export type Drawings = readonly Draft[];
 
 export const isToolName = (name: unknown): name is ToolName =>
   typeof name === 'string' && Object.hasOwn(TOOLS, name);
 
-/** Whether a tool draws something from press to press. */
+/** Whether a tool draws a line from press to press. */
 export const draws = (tool: ToolName): tool is Draft['kind'] => tool in CORNERS_NEEDED;
 
 /** Whether a tool places something on the picture. */
 export const places = (tool: ToolName): boolean => tool !== 'select' && tool !== 'hand';
 
-export class ToolMachine {
-  #tool: ToolName = 'select';
+export interface Tools {
+  readonly tool: ToolName;
   /** The states between presses: each tool itself, or its drawing, which waits while another tool is selected. */
-  readonly #resting: Record<ToolName, State> = { ...TOOLS };
-  #state: State = select;
-
-  get tool(): ToolName {
-    return this.#tool;
-  }
-
-  /** Whether a press is in progress, between `down` and `up` or `cancel`. */
-  get busy(): boolean {
-    return this.#state !== this.#resting[this.#tool];
-  }
-
-  /** Whether a press has the selected handles in hand. */
-  get holds(): boolean {
-    return this.#state.holds === true;
-  }
-
-  /** The current tool's drawing, including the corner that is being set. */
-  get draft(): Draft | null {
-    return this.#state.draft ?? this.#resting[this.#tool].draft ?? null;
-  }
-
-  /** Unfinished drawings of the other tools. */
-  get waiting(): readonly Draft[] {
-    return this.drawings.filter(({ kind }) => kind !== this.#tool);
-  }
-
-  /** All unfinished drawings, for `restore`, without the current press. */
-  get drawings(): Drawings {
-    return NAMES.flatMap((name) => this.#resting[name].draft ?? []);
-  }
-
-  /** Selects another tool and cancels the current press; a drawing waits. */
-  choose(tool: ToolName): readonly Effect[] {
-    const effects = this.cancel();
-    if (tool === this.#tool) return effects;
-    const { draft } = this;
-    this.#settle(draft ? resumed(draft, TOOLS[this.#tool]) : TOOLS[this.#tool]);
-    this.#tool = tool;
-    this.#settle(this.#resting[tool]);
-    return effects;
-  }
-
-  /** Starts a press. `once` handles it instead of the current tool: a space-drag pans with every tool. */
-  down(press: Press, scene: ToolContext, once: State = this.#state): readonly Effect[] {
-    return this.#take(once.down?.(press, scene));
-  }
-
-  move(press: Press, scene: ToolContext): readonly Effect[] {
-    return this.#take(this.#state.move?.(press, scene));
-  }
-
-  up(press: Press, scene: ToolContext): readonly Effect[] {
-    const effects = this.#take(this.#state.up?.(press, scene));
-    this.#rest();
-    return effects;
-  }
-
-  /** Cancels the current press, as if it had not happened. */
-  cancel(): readonly Effect[] {
-    if (!this.busy) return [];
-    const effects = this.#take(this.#state.cancel?.());
-    this.#rest();
-    return effects;
-  }
-
-  /** Cancels the current press and the current tool's drawing. */
-  bail(): readonly Effect[] {
-    const effects = this.cancel();
-    if (!this.draft) return effects;
-    this.#settle(TOOLS[this.#tool]);
-    return [...effects, { type: 'drafted', draft: null }];
-  }
-
-  /** Cancels the current press and the drawings of all tools. */
-  clear(): readonly Effect[] {
-    const waiting = this.waiting.length > 0 && !this.draft;
-    const effects = this.bail();
-    Object.assign(this.#resting, TOOLS);
-    return waiting ? [...effects, { type: 'drafted', draft: null }] : effects;
-  }
-
-  /** Cancels the current press and replaces all drawings. */
-  restore(drawings: Drawings = []): readonly Effect[] {
-    const effects = this.cancel();
-    Object.assign(this.#resting, TOOLS);
-    for (const draft of drawings) this.#resting[draft.kind] = resumed(draft, TOOLS[draft.kind]);
-    this.#state = this.#resting[this.#tool];
-    return effects;
-  }
-
-  /** The pointer moves without a press, or leaves (null). */
-  hover(press: Press | null, scene: ToolContext): void {
-    if (this.busy) return;
-    const result = this.#state.hover?.(press, scene);
-    if (result) this.#settle(result.next);
-  }
-
-  /** Finishes the drawing. */
-  finish(scene: ToolContext): readonly Effect[] {
-    return this.#between(this.#resting[this.#tool].finish?.(scene));
-  }
-
-  /** Takes back the last corner. */
-  back(): readonly Effect[] {
-    return this.#between(this.#resting[this.#tool].back?.());
-  }
-
-  /** Whether there are corners to redo. */
-  get takenBack(): boolean {
-    return this.#resting[this.#tool].again !== undefined;
-  }
-
-  /** Redoes the corner that was taken back last. */
-  again(): readonly Effect[] {
-    return this.#between(this.#resting[this.#tool].again?.());
-  }
-
-  /** Drops the corners to redo if no drawing is left: undo or redo has gone on to other steps. */
-  forget(): void {
-    if (!this.draft && !this.busy) this.#settle(TOOLS[this.#tool]);
-  }
-
-  /** Resumes a drawing with its tool, unless another drawing or press has begun since. */
-  resume(draft: Draft): void {
-    if (this.draft || this.busy || this.#resting[draft.kind].draft) return;
-    this.#tool = draft.kind;
-    this.#settle(resumed(draft, TOOLS[this.#tool]));
-  }
-
-  #between(result: Outcome | undefined): readonly Effect[] {
-    if (this.busy || !result) return [];
-    this.#settle(result.next);
-    return result.effects;
-  }
-
-  #settle(state: State): void {
-    this.#resting[this.#tool] = state;
-    this.#state = state;
-  }
-
-  /** Returns to the state between presses: a drawing continues, everything else is over. */
-  #rest(): void {
-    const lasts = this.#state === TOOLS[this.#tool] || this.#state.draft !== undefined;
-    this.#settle(lasts ? this.#state : this.#resting[this.#tool]);
-  }
-
-  #take(result: Outcome | undefined): readonly Effect[] {
-    if (!result) return [];
-    this.#state = result.next;
-    return result.effects;
-  }
+  readonly resting: Readonly<Record<ToolName, State>>;
+  readonly current: State;
 }
+
+export interface ToolsOutcome {
+  readonly tools: Tools;
+  readonly effects: readonly Effect[];
+}
+
+export const initialTools: Tools = { tool: 'select', resting: TOOLS, current: select };
+
+/** Whether a press is in progress, between `pressDown` and `pressUp` or `cancelPress`. */
+export const isPressing = ({ tool, resting, current }: Tools): boolean => current !== resting[tool];
+
+/** Whether a press holds the selected handles. */
+export const holdsHandles = ({ current }: Tools): boolean => current.holds === true;
+
+/** The current tool's drawing, including the corner that is being set. */
+export const draftOf = ({ tool, resting, current }: Tools): Draft | null =>
+  current.draft ?? resting[tool].draft ?? null;
+
+/** All unfinished drawings, for `restoreDrawings`, without the current press. */
+export const drawingsOf = ({ resting }: Tools): Drawings =>
+  NAMES.flatMap((name) => resting[name].draft ?? []);
+
+/** Unfinished drawings of the other tools. */
+export const waitingDrafts = (tools: Tools): Drawings =>
+  drawingsOf(tools).filter(({ kind }) => kind !== tools.tool);
+
+/** Whether there are corners to redo. */
+export const hasTakenCorners = ({ tool, resting }: Tools): boolean => resting[tool].again !== undefined;
+
+/** Selects another tool and cancels the current press. A drawing waits. */
+export function chooseTool(before: Tools, tool: ToolName): ToolsOutcome {
+  const { tools, effects } = cancelPress(before);
+  if (tool === tools.tool) return { tools, effects };
+  const draft = draftOf(tools);
+  const own = TOOLS[tools.tool];
+  const left = between(tools, draft ? resumed(draft, own) : own);
+  return { tools: { ...left, tool, current: left.resting[tool] }, effects };
+}
+
+/** Starts a press. `once` handles it instead of the current tool: a space-drag pans with every tool. */
+export const pressDown = (
+  tools: Tools,
+  press: Press,
+  context: ToolContext,
+  once = tools.current,
+): ToolsOutcome => taken(tools, once.down?.(press, context));
+
+export const pressMove = (tools: Tools, press: Press, context: ToolContext): ToolsOutcome =>
+  taken(tools, tools.current.move?.(press, context));
+
+export const pressUp = (tools: Tools, press: Press, context: ToolContext): ToolsOutcome =>
+  rested(taken(tools, tools.current.up?.(press, context)));
+
+/** Cancels the current press, as if it had not happened. */
+export const cancelPress = (tools: Tools): ToolsOutcome =>
+  isPressing(tools) ? rested(taken(tools, tools.current.cancel?.())) : { tools, effects: [] };
+
+/** Cancels the current press and the current tool's drawing. */
+export function bailOut(before: Tools): ToolsOutcome {
+  const { tools, effects } = cancelPress(before);
+  if (!draftOf(tools)) return { tools, effects };
+  return {
+    tools: between(tools, TOOLS[tools.tool]),
+    effects: [...effects, { type: 'drafted', draft: null }],
+  };
+}
+
+/** Cancels the current press and the drawings of all tools. */
+export function cancelAll(before: Tools): ToolsOutcome {
+  const waiting = waitingDrafts(before).length > 0 && !draftOf(before);
+  const { tools, effects } = bailOut(before);
+  const { tool } = tools;
+  const cleared: Tools = { tool, resting: TOOLS, current: TOOLS[tool] };
+  return { tools: cleared, effects: waiting ? [...effects, { type: 'drafted', draft: null }] : effects };
+}
+
+/** Cancels the current press and replaces all drawings. */
+export function restoreDrawings(before: Tools, drawings: Drawings = []): ToolsOutcome {
+  const { tools, effects } = cancelPress(before);
+  const restored = drawings.map((draft) => [draft.kind, resumed(draft, TOOLS[draft.kind])]);
+  const resting: Tools['resting'] = { ...TOOLS, ...Object.fromEntries(restored) };
+  return { tools: { tool: tools.tool, resting, current: resting[tools.tool] }, effects };
+}
+
+/** Moves the pointer without a press; null when it leaves. */
+export function hover(tools: Tools, press: Press | null, context: ToolContext): Tools {
+  const result = isPressing(tools) ? undefined : tools.current.hover?.(press, context);
+  return result ? between(tools, result.next) : tools;
+}
+
+/** Finishes the drawing. */
+export const finishDrawing = (tools: Tools, context: ToolContext): ToolsOutcome =>
+  betweenPresses(tools, () => tools.resting[tools.tool].finish?.(context));
+
+/** Takes back the last corner. */
+export const takeBackCorner = (tools: Tools): ToolsOutcome =>
+  betweenPresses(tools, () => tools.resting[tools.tool].back?.());
+
+/** Redoes the corner that was taken back last. */
+export const redoCorner = (tools: Tools): ToolsOutcome =>
+  betweenPresses(tools, () => tools.resting[tools.tool].again?.());
+
+/** Drops the corners to redo if no drawing is left. */
+export const forgetTakenCorners = (tools: Tools): Tools =>
+  draftOf(tools) || isPressing(tools) || !hasTakenCorners(tools) ? tools : between(tools, TOOLS[tools.tool]);
+
+/** Resumes a drawing with its tool, unless another drawing or press has begun since. */
+export function resumeDrawing(tools: Tools, draft: Draft): Tools {
+  if (draftOf(tools) || isPressing(tools) || tools.resting[draft.kind].draft) return tools;
+  return between({ ...tools, tool: draft.kind }, resumed(draft, TOOLS[draft.kind]));
+}
+
+function betweenPresses(tools: Tools, ask: () => Outcome | undefined): ToolsOutcome {
+  const result = isPressing(tools) ? undefined : ask();
+  return result ? { tools: between(tools, result.next), effects: result.effects } : { tools, effects: [] };
+}
+
+/** The tools with `state` as the state between presses. */
+const between = (tools: Tools, state: State): Tools => ({
+  tool: tools.tool,
+  resting: { ...tools.resting, [tools.tool]: state },
+  current: state,
+});
+
+/** Returns to the state between presses: a drawing continues, everything else ends. */
+function rested({ tools, effects }: ToolsOutcome): ToolsOutcome {
+  const { tool, resting, current } = tools;
+  const continues = current === TOOLS[tool] || current.draft !== undefined;
+  return { tools: between(tools, continues ? current : resting[tool]), effects };
+}
+
+const taken = (tools: Tools, result: Outcome | undefined): ToolsOutcome =>
+  result ? { tools: { ...tools, current: result.next }, effects: result.effects } : { tools, effects: [] };

@@ -3,12 +3,12 @@ import { withMode } from '../document/bending';
 import { handleById, newProject, openDocument } from '../document/document';
 import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { rotationOf, type Turns, withAutoRotation } from '../document/handle';
-import { History } from '../document/history';
+import { TestHistory } from '../document/fixtures';
 import type { BarHandle, PointHandle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { LocatedPoint } from '../geometry/place';
 import { add, rotated, type Vec } from '../geometry/vec';
-import { ToolMachine } from './machine';
+import { TestTools } from './fixtures';
 import type { Effect, Press, ToolContext } from './state';
 
 const handle = (id: string, x: number): PointHandle => ({ id, kind: 'point', rest: [x, 0], posed: [x, 0] });
@@ -22,8 +22,8 @@ const image = { src: 'a.png', width: 200, height: 200 };
 
 /** An editor without a page: it carries effects out on a history, as the element does. */
 class Bench {
-  readonly machine = new ToolMachine();
-  readonly history = new History(
+  readonly machine = new TestTools();
+  readonly history = new TestHistory(
     addHandle(addHandle(openDocument(newProject(image, 0.5)), handle('a', 0)), handle('b', 100)),
   );
   readonly others: Effect[] = [];
