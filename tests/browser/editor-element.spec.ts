@@ -678,7 +678,7 @@ test('a disabled editor ignores keys', async ({ page }) => {
   await page.keyboard.down('o');
   await editor.waitFrames();
   expect(await editor.position('head')).toEqual(before);
-  await expect(page.locator('c2-warp .bare')).not.toBeAttached();
+  await expect(page.locator('c2-warp .previewing')).not.toBeAttached();
 });
 
 test('pointer and keys reach no control of a disabled editor', async ({ page }) => {

@@ -698,7 +698,7 @@ const REFUSED: [title: string, file: ReturnType<typeof png>, message: RegExp][] 
     png('clear.png', disc(64, 0)),
     /clear\.png: nothing in this picture is opaque enough to be warped/,
   ],
-  ['an empty project', project(' '), /other\.c2warp\.json: the file is empty/],
+  ['an empty project', project(' '), /other\.c2warp\.json: The file is empty/],
   ['a project with invalid JSON', project('{'), /other\.c2warp\.json: /],
   ['a wrong type', project(sample([at('a', ['512', 300])])), /handles\[0\]\.rest\[0\]/],
   ['an unknown key', project({ ...sample([]), colour: 'red' }), /colour/],

@@ -1,7 +1,7 @@
 /** Layout: in small frames, on pages with their own styles, in forced colours. */
 import type { Locator, Page } from '@playwright/test';
+import { insetsOf } from '../../web/src/editor/insets';
 import type { C2Warp } from '../../web/src/element';
-import { insetsOf } from '../../web/src/element/insets';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 

@@ -274,7 +274,7 @@ test('draws a heat map with isolines at tenths and a bold one at one half', asyn
   expect(contrast(5)).toBeGreaterThan(1.5 * Math.max(contrast(4), contrast(6)));
   expect(beside).toEqual([0, 0, 0, 0]);
   expect(off).toBe(true);
-  expect(refused).toContain('3 vertices for 4');
+  expect(refused).toContain('Expected 4 heat values, one per vertex, found 3');
 });
 
 for (const blend of ['linear', 'rigid'] as const) {

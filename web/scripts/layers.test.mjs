@@ -5,21 +5,38 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { ROOT, toolPath } from './steps.mjs';
 
-/** What each layer may import of the others, as web/README.md has it. */
+/** The layers that each layer may import. */
 const MAY = {
   geometry: [],
   document: ['geometry'],
   tools: ['geometry', 'document'],
-  ui: ['geometry', 'document', 'tools'],
-  render: ['geometry', 'twgl.js'],
-  compute: ['geometry', 'document'],
-  io: [],
-  element: ['geometry', 'document', 'tools', 'ui', 'render', 'compute', 'io'],
+  editor: ['geometry', 'document', 'tools', 'error'],
+  ui: ['geometry', 'document', 'tools', 'editor'],
+  input: ['geometry', 'editor', 'ui'],
+  render: ['geometry', 'error', 'twgl.js'],
+  compute: ['document', 'geometry', 'error'],
+  io: ['error'],
+  runtime: ['geometry', 'document', 'tools', 'editor', 'ui', 'input', 'render', 'compute', 'io', 'error'],
+  element: [
+    'geometry',
+    'document',
+    'tools',
+    'editor',
+    'ui',
+    'input',
+    'render',
+    'compute',
+    'io',
+    'runtime',
+    'error',
+    'element.ts',
+  ],
 };
 
 /** One import from each, by the name that `MAY` has for it. */
 const IMPORTS = {
   ...Object.fromEntries(Object.keys(MAY).map((layer) => [layer, `../${layer}/file`])),
+  error: '../error',
   'element.ts': '../element',
   'the glue': '../compute/generated/c2warp',
   'twgl.js': 'twgl.js',

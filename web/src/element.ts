@@ -15,7 +15,8 @@
  * | `autosave` | a key in browser storage: work is saved after each step, and restored instead of the first `src` |
  *
  * `tool` is selected when it is set, when the element is connected, and when `readonly` or `play` is removed. With
- * `play` people can only pose the existing handles; wheel, touches and keys that act on no handle are left to the page.
+ * `play` people can only pose the existing handles. The page keeps all wheel, touch and key input that acts on no
+ * handle.
  *
  * | event | |
  * |---|---|
@@ -30,11 +31,20 @@
  *
  * `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a document.
  *
- * The `code` of an Error says why something cannot be opened: `address` (no such file, or no network), `file` (a
- * folder, or a file that no longer exists), `picture` (not a picture, or not a readable one), `project` (the message
- * names the key), `image-size` (a project for a picture of another size), `engine` (the solver could not start), `webgl`
- * (the browser has no WebGL2 to draw with), or a refusal by the solver, such as `handle-outside`; its `handles` are then
- * the ids of the handles that the message names.
+ * The `code` of an Error says why something cannot be opened:
+ *
+ * | code | |
+ * |---|---|
+ * | `address` | there is no such file, or no network |
+ * | `file` | a folder, or a file that no longer exists |
+ * | `picture` | not a picture, or not a readable one |
+ * | `project` | an invalid project; the message names the key |
+ * | `image-size` | the project is for a picture of another size |
+ * | `engine` | the solver could not start |
+ * | `webgl` | the browser has no WebGL2 |
+ *
+ * Any other code is a refusal by the solver, such as `handle-outside`. Its `handles` are the ids that the message
+ * names.
  *
  * Setting `readonly` or `disabled`, and setting or removing `play`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
@@ -43,7 +53,7 @@
  */
 import type { PropertyDeclaration, PropertyValues, TemplateResult } from 'lit';
 import { handleById } from './document/document';
-import { addHandle, freeId, putHandles, removeHandles } from './document/edits';
+import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
 import {
   deepCopy,
@@ -53,49 +63,24 @@ import {
   type ProjectFile,
   posedHandle,
 } from './document/project';
-import { Clipboard } from './element/clipboard';
-import { Desk } from './element/desk';
-import type { ChangeKind } from './element/editing';
-import { type C2WarpEventMap, emitter, TypedElement } from './element/events';
-import { FocusKeeper } from './element/focus_keeper';
-import { InitialContent } from './element/initial_content';
-import { Receiving } from './element/receiving';
+import type { PageNotification } from './editor/effects';
+import type { NamedFile } from './editor/events';
+import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
+import type { Media, PageAttributes } from './editor/page';
+import { documentOf, projectOf } from './editor/state';
+import { viewModel } from './editor/view_model';
+import type { HandlePose, NewHandle, WarpOptions } from './element/api';
+import { emitter, TypedElement } from './element/events';
 import type { Vec } from './geometry/vec';
 import { encodePng, pictureCanvas } from './io/encode';
+import { EditorRuntime } from './runtime/editor_runtime';
 import { isToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
+export type { C2WarpProps, HandlePose, NewHandle, WarpOptions } from './element/api';
 export type { C2WarpEventMap } from './element/events';
-
-/** A handle whose id is optional: the editor generates a missing one. */
-export type NewHandle<H = HandleFile> = H extends HandleFile
-  ? Omit<H, 'id'> & { readonly id?: string }
-  : never;
-
-/** The pose of the handle with this id. What is left out stays; `kind` and `rest`, if given, are those of the handle. */
-export type HandlePose = Pick<Handle, 'id'> & Partial<Handle>;
-
-/** What the template of a framework may set on the tag: attributes, properties, and listeners such as `onchange`. */
-export type C2WarpProps = {
-  [T in keyof C2WarpEventMap as `on${T}`]?: ((event: C2WarpEventMap[T]) => void) | undefined;
-} & {
-  [T in 'src' | 'tool' | 'theme' | 'alt' | 'hint' | 'hint-for' | 'autosave']?: string | null | undefined;
-} & {
-  [T in 'readonly' | 'disabled' | 'play']?: boolean | undefined;
-} & {
-  project?: ProjectFile | string | null | undefined;
-  selection?: readonly string[] | null | undefined;
-};
-
-/** How a warped picture is drawn. */
-export interface WarpOptions {
-  /** As much larger as it takes to hold what is bent beyond the picture. */
-  readonly grow?: boolean;
-  /** For pixel art: no colours are mixed. As it is shown unless given. */
-  readonly pixelated?: boolean | undefined;
-}
 
 export class C2Warp extends TypedElement {
   static override styles = editorStyle;
@@ -127,19 +112,13 @@ export class C2Warp extends TypedElement {
   declare autosave: string | null;
 
   readonly #emit = emitter(this);
-  readonly #initial: InitialContent;
-  #desk: Desk | null = null;
-  /** For the initial content. Taken on connection, so that every later request overtakes it. */
-  #signal: AbortSignal | null = null;
-  #receiving: Receiving | null = null;
-  #clipboard: Clipboard | null = null;
-  #focusKeeper: FocusKeeper | null = null;
+  /** Runs while the element is connected. */
+  #runtime: EditorRuntime | null = null;
+  /** What a runtime starts with: what the page set before, and what the last runtime left. */
+  #carried: Carried = nothingCarried;
   /** One query, kept: every frame of an animation asks it. */
-  readonly #darkness = matchMedia('(prefers-color-scheme: dark)');
-  /** Values of the last `selectionchange` and `historychange`. */
-  #selected = '';
-  #past: string | null = null;
-  #future: string | null = null;
+  readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
+  readonly #coarsePointer = matchMedia('(pointer: coarse)');
 
   constructor() {
     super();
@@ -154,151 +133,155 @@ export class C2Warp extends TypedElement {
     this.hint = null;
     this.hintFor = null;
     this.autosave = null;
-    const element = this;
-    this.#initial = new InitialContent({
-      get src() {
-        return element.src;
-      },
-      get projectSource() {
-        return element.projectSource;
-      },
-      get desk() {
-        return element.#desk;
-      },
-      emit: this.#emit,
-    });
     this.#adopt('project');
     this.#adopt('selection');
   }
 
   /**
-   * A copy of the current project. Setting a project for the open picture is an undoable step. A project that is set
-   * before there is a picture is applied to the next one, whoever opens it; if its size differs, an `error` is emitted.
-   * A string is the address of a project file, like the attribute.
-   * @throws RangeError that names what is invalid; Error when read while the element is not connected.
+   * A copy of the current project. Setting a project for the open picture is an undoable step.
+   *
+   * A project that is set earlier is applied to the next picture, whoever opens it. If the sizes differ, the element
+   * emits an `error`. A string is the address of a project file, like the attribute.
+   *
+   * @throws RangeError that names the invalid key; Error when read while the element is not connected.
    */
   get project(): Project {
-    return deepCopy(this.#present.workbench.editing.project);
+    return deepCopy(projectOf(this.#present.state));
   }
 
   set project(given: ProjectFile | string | null) {
-    this.#initial.project = null;
-    if (given === null || typeof given !== 'object') this.projectSource = given ?? null;
-    else if (this.#desk?.workbench.isOpen && !this.#initial.asks) this.#desk.workbench.set(given);
-    else this.#initial.project = deepCopy(given);
+    if (given === null || typeof given !== 'object') {
+      this.#setPageProject(null);
+      this.projectSource = given ?? null;
+      return;
+    }
+    const runtime = this.#runtime;
+    const isOpen = runtime?.state.picture && runtime.state.solution.ready;
+    if (!isOpen || attributesPending(runtime.state.opening)) this.#setPageProject(deepCopy(given));
+    else {
+      this.#setPageProject(null);
+      runtime.adopt(given);
+    }
   }
 
   /**
-   * Ids of the selected handles; null selects none. A selection that is set before there is a picture is applied to the
-   * next one.
+   * Ids of the selected handles; null selects none. A selection that is set earlier is applied to the next picture.
    */
   get selection(): readonly string[] {
-    return [...this.#present.workbench.editing.document.selection];
+    return [...documentOf(this.#present.state).selection];
   }
 
   set selection(given: readonly string[] | null) {
     // Frameworks take a property back by setting it to undefined.
     const ids = given ?? [];
     if (!Array.isArray(ids)) throw new TypeError('selection: expected a list of ids');
-    if (this.#desk?.workbench.picture && !this.#initial.asks) this.#desk.workbench.editing.put(ids);
-    else this.#initial.selection = [...ids];
+    if (this.#runtime) this.#runtime.dispatch({ type: 'selection-set', ids: [...ids] });
+    else this.#carried = { ...this.#carried, pageSelection: [...ids] };
   }
 
   /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
-   * @throws Error with a `code` if the picture cannot be opened; the previous one stays open, and where there was none, the
-   * picture without the handles that the solver refuses. DOMException AbortError if another is opened or the element is
-   * removed first. TypeError if `source` is neither an address nor a Blob.
+   *
+   * @throws Error with a `code` if the picture cannot be opened. The previous one stays open. If there was none, the
+   *   picture stays without the handles that the solver refuses.
+   * @throws DOMException AbortError if another picture is opened or the element is removed first.
+   * @throws TypeError if `source` is neither an address nor a Blob.
    */
   async load(source: string | URL | Blob, project?: string | URL | ProjectFile | null): Promise<void> {
-    const desk = this.#present;
+    const runtime = this.#present;
     const picture = source instanceof URL ? source.href : source;
     if (typeof picture !== 'string' && !(picture instanceof Blob)) {
       throw new TypeError('load: expected the address of a picture, or a Blob such as a File');
     }
-    const given = project instanceof URL ? project.href : project;
-    await desk.files.shown(() => this.#initial.load(desk, picture, given));
-    if (desk !== this.#desk) return;
-    this.#emit('load', null);
+    const given = project instanceof URL ? project.href : (project ?? null);
+    // Copied now: the page may change its object later.
+    await runtime.load(named(picture), typeof given === 'object' && given ? deepCopy(given) : given);
   }
 
   /**
-   * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle later, for
-   * example outside the picture: then an `error`, and a `change` that removes this handle but keeps later steps.
+   * Adds a handle, with a generated id if it has none, and returns the id. The solver may refuse the handle
+   * later, for example outside the picture. Then an `error` follows, and a `change` that removes this handle alone.
+   *
    * @throws RangeError if the id exists already, the handle is invalid, or no picture is open.
    */
   addHandle(handle: NewHandle): string {
-    const { editing, picture } = this.#present.workbench;
-    if (!picture) throw new RangeError('there is no picture yet to put a handle on');
+    const { state, dispatch } = this.#present;
+    if (!state.picture) throw new RangeError('there is no picture yet to put a handle on');
     if (typeof handle !== 'object' || handle === null) throw new RangeError('a handle: expected an object');
-    const id = handle.id ?? freeId(editing.project);
-    if (handleById(editing.document, id)) throw new RangeError(`there is a handle "${id}" already`);
+    const id = handle.id ?? freeId(projectOf(state));
+    if (handleById(documentOf(state), id)) throw new RangeError(`there is a handle "${id}" already`);
     const added = deepCopy(checkedHandle(posedHandle({ ...handle, id } as HandleFile)));
-    editing.step('Add handle', addHandle(editing.document, added));
+    dispatch({ type: 'handle-added', handle: added });
     return id;
   }
 
   /** @throws RangeError if there is no such handle, the id or kind would change, or the result is invalid. */
   updateHandle(id: string, change: Partial<Omit<Handle, 'id' | 'kind'>>): void {
-    const { editing } = this.#present.workbench;
-    editing.step('Change handle', putHandles(editing.document, [this.#changed(id, change)]));
+    this.#present.dispatch({ type: 'handle-changed', handle: this.#changed(id, change) });
   }
 
   /**
-   * Poses any number of handles at once, for animation: the handles of a project, or their ids with what changes. This is
-   * no undo step, emits nothing and is not stored until the next step. While a person presses or drags handles,
-   * these are left to them, and the others are posed.
-   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then none is posed.
+   * Poses any number of handles at once, for animation. Takes the handles of a project, or ids with changes.
+   *
+   * This is no undo step, emits nothing and is not stored until the next step. Handles that a person holds at the
+   * moment are left alone.
+   *
+   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
    */
   pose(handles: readonly HandlePose[]): void {
-    const { editing } = this.#present.workbench;
+    const { dispatch } = this.#present;
     if (!Array.isArray(handles)) throw new TypeError('pose: expected a list of handles');
-    editing.pose(handles.map(({ id, ...pose }) => this.#changed(id, pose, ['kind', 'rest'])));
+    const posed = handles.map(({ id, ...pose }) => this.#changed(id, pose, ['kind', 'rest']));
+    dispatch({ type: 'handles-posed', handles: posed });
   }
 
   /** @throws RangeError if there is no such handle. */
   removeHandle(id: string): void {
-    const { editing } = this.#present.workbench;
-    editing.step('Delete handle', removeHandles(editing.document, [this.#handle(id).id]));
+    this.#present.dispatch({ type: 'handle-removed', id: this.#handle(id).id });
   }
 
   undo(): void {
-    this.#present.workbench.editing.undo();
+    this.#present.dispatch({ type: 'undo-asked' });
   }
 
   redo(): void {
-    this.#present.workbench.editing.redo();
+    this.#present.dispatch({ type: 'redo-asked' });
   }
 
   /** Returns all handles to their rest pose. */
   reset(): void {
-    this.#present.workbench.commands.reset(true);
+    this.#present.dispatch({ type: 'reset-asked' });
   }
 
-  /** Maps a point of the original to the warped picture as shown, in image pixels; null outside the warped area. */
+  /** The posed place of a point of the original, image pixels; null outside the warped area. */
   mapPoint(point: Vec): Vec | null {
-    return this.#present.workbench.posing.map(point)?.posed ?? null;
+    return this.#present.map(point)?.posed ?? null;
   }
 
   /**
-   * Where a place in the window, such as `[event.clientX, event.clientY]`, lies in the picture as it is shown, image
-   * pixels; null without a picture. It may lie beside the picture.
+   * The place of the shown picture, image pixels, under a place in the window such as `[event.clientX, event.clientY]`.
+   * It may lie beside the picture. Null without a picture.
    */
   clientToImage(client: Vec): Vec | null {
     return this.#present.imageAt(client);
   }
 
-  /** Where a place of the picture as it is shown, such as that of `mapPoint`, lies in the window, CSS pixels; null without a picture. */
+  /**
+   * The place in the window, CSS pixels, of a place of the shown picture such as that of `mapPoint`. Null without a
+   * picture.
+   */
   imageToClient(image: Vec): Vec | null {
     return this.#present.clientAt(image);
   }
 
   /**
-   * The warped picture as PNG with alpha, at `scale` times the source's size; with `grow`, as much larger as it takes to
-   * hold what is bent beyond that. `pixelated` is for pixel art: each pixel is one of the original, or transparent. Without
-   * a word of that it is as it is shown: pixelated where it is pixel art, or the page's style says `image-rendering: pixelated`.
-   * @throws Error if no picture is open, the element is not connected, or the result would be too large. DOMException
-   * AbortError if another picture is opened, or the element is removed, first.
+   * The warped picture as PNG with alpha, at `scale` times the source's size.
+   *
+   * With `grow` it is enlarged to hold the parts that are bent beyond the frame. `pixelated` is for pixel art: each
+   * pixel is one of the original, or transparent. By default it is drawn as it is shown.
+   *
+   * @throws Error if no picture is open, the element is not connected, or the result would be too large.
+   * @throws DOMException AbortError if another picture is opened, or the element is removed, first.
    */
   async toBlob(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<Blob> {
     const { width, height, rgba } = await this.#present.warped(scale, grow, pixelated);
@@ -306,7 +289,8 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The same on a canvas of the page's document, to be drawn on, or given on as an image of another type.
+   * The same on a canvas of the page's document.
+   *
    * @throws as `toBlob`.
    */
   async toCanvas(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<HTMLCanvasElement> {
@@ -316,13 +300,13 @@ export class C2Warp extends TypedElement {
 
   /** Fits the whole picture into view. */
   fit(): void {
-    this.#present.fit();
+    this.#present.dispatch({ type: 'fit-asked' });
   }
 
   /** Removes the element and discards its document. */
   destroy(): void {
     this.remove();
-    this.#initial.forget();
+    this.#carried = nothingCarried;
   }
 
   /** Focuses the editor itself, which handles the keys. */
@@ -332,56 +316,17 @@ export class C2Warp extends TypedElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const element = this;
-    this.#desk = new Desk({
-      get root() {
-        return element.renderRoot as ShadowRoot;
+    const host = {
+      element: this,
+      root: this.renderRoot as ShadowRoot,
+      render: () => this.requestUpdate(),
+      notifyPage: (notification: PageNotification) => this.#notify(notification),
+      setTheme: (theme: 'light' | 'dark') => {
+        this.theme = theme;
       },
-      get readonly() {
-        return element.readonly;
-      },
-      get disabled() {
-        return element.disabled;
-      },
-      get play() {
-        return element.play;
-      },
-      get dark() {
-        return element.#dark;
-      },
-      get alt() {
-        return element.alt;
-      },
-      get tool() {
-        return element.tool;
-      },
-      get hint() {
-        return element.hint ? { text: element.hint, handle: element.hintFor } : null;
-      },
-      aside: this.#initial.aside,
-      changed: () => this.requestUpdate(),
-      opened: (given) => this.#desk && this.#initial.settle(this.#desk, given),
-      again: () => this.#desk && void this.#initial.again(this.#desk),
-      edited: (kind) => this.#edited(kind),
-      emit: this.#emit,
-      copy: () => void this.#clipboard?.copy(),
-      paste: () => void this.#clipboard?.paste(),
-      switchTheme: () => {
-        this.theme = this.#dark ? 'light' : 'dark';
-      },
-    });
-    this.#signal = this.#desk.files.overtake();
-    const willing = () => !this.readonly && !this.disabled && !this.play;
-    const receive = (files: readonly File[]) => void this.#desk?.files.receive(files);
-    this.#receiving = new Receiving(this, willing, receive);
-    this.#clipboard = new Clipboard(this, {
-      willing,
-      receive,
-      copied: () => this.#desk?.commands.copied() ?? null,
-      pasted: (text) => this.#desk?.commands.paste(text) ?? false,
-      tell: (text) => this.#desk?.notices.notify({ kind: 'info', text }),
-    });
-    this.#focusKeeper = new FocusKeeper(this);
+      schemeChanged: () => this.#runtime?.dispatch({ type: 'media-changed', media: this.#mediaNow }),
+    };
+    this.#runtime = new EditorRuntime(host, this.#attributes, this.#mediaNow, this.#carried);
     this.requestUpdate();
   }
 
@@ -392,13 +337,11 @@ export class C2Warp extends TypedElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#receiving?.release();
-    this.#clipboard?.release();
-    this.#focusKeeper?.release();
-    const desk = this.#desk;
-    this.#desk = null;
-    this.#initial.leave(desk?.workbench.kept ?? null);
-    desk?.dispose();
+    const runtime = this.#runtime;
+    this.#runtime = null;
+    if (!runtime) return;
+    this.#carried = runtime.carried(this.#carried);
+    runtime.dispose();
   }
 
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
@@ -409,9 +352,8 @@ export class C2Warp extends TypedElement {
   }
 
   protected override render(): TemplateResult | null {
-    const desk = this.#desk;
-    if (!desk) return null;
-    return shell(desk.model, desk.actions, desk.canvas);
+    const runtime = this.#runtime;
+    return runtime && shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas);
   }
 
   /** Asks at once for what the attributes name, so that what a page sets next is for that. */
@@ -419,36 +361,35 @@ export class C2Warp extends TypedElement {
     super.requestUpdate(name, before, options);
     // The attributes of the first update are the initial content, not a change.
     const asks = name === 'src' || (name === 'projectSource' && this.projectSource !== null);
-    if (asks && this.hasUpdated && this.src && this[name] !== before) this.#initial.ask();
+    if (!asks || !this.hasUpdated || !this.src || this[name] === before) return;
+    if (this.#runtime) this.#runtime.dispatch({ type: 'source-changed' });
+    else this.#carried = { ...this.#carried, revision: this.#carried.revision + 1 };
   }
 
   protected override willUpdate(changes: PropertyValues<this>): void {
+    const runtime = this.#runtime;
+    if (!runtime || changes.size === 0) return;
     // A field that goes commits what is typed.
-    if (changes.has('play') || changes.has('readonly') || changes.has('disabled')) this.#desk?.untype();
+    if (changes.has('play') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
+    runtime.dispatch({ type: 'page-changed', page: this.#attributes });
+    if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#mediaNow });
   }
 
   protected override updated(changes: PropertyValues<this>): void {
-    const desk = this.#desk;
-    if (!desk) return;
-    this.#focusKeeper?.repair();
-    const signal = this.#signal;
-    this.#signal = null;
-    const fresh = signal !== null;
-    if (fresh || changes.has('autosave')) desk.autosave.use(this.autosave);
-    if (this.readonly || this.disabled) {
-      if (changes.has('readonly') || changes.has('disabled')) desk.stop();
+    const runtime = this.#runtime;
+    if (!runtime) return;
+    runtime.repairFocus();
+    const isFirst = !runtime.isAttached;
+    if (isFirst || changes.has('autosave'))
+      runtime.dispatch({ type: 'autosave-key-set', key: this.autosave || null });
+    const freed = changes.has('readonly') || changes.has('play');
+    if (!isFirst && (changes.has('play') || (this.play && changes.has('readonly')))) runtime.rearrange();
+    if (isToolName(this.tool) && (isFirst || freed || changes.has('tool'))) {
+      runtime.dispatch({ type: 'tool-set', tool: this.tool });
     }
     const stage = this.renderRoot.querySelector<HTMLElement>('.stage');
-    const rearranged = changes.has('play') || (this.play && changes.has('readonly'));
-    if (!fresh && rearranged) desk.rearrange();
-    const freed = changes.has('readonly') || changes.has('play');
-    if (isToolName(this.tool) && (fresh || freed || changes.has('tool'))) desk.commands.choose(this.tool);
-    if (fresh) {
-      if (stage) desk.attach(stage);
-      void this.#initial.begin(desk, signal);
-    } else if (this.#asks(changes)) {
-      void this.#initial.open(desk);
-    }
+    if (isFirst && stage) runtime.attach(stage, this.#carried.work);
+    else if (this.#namesSource(changes)) runtime.dispatch({ type: 'source-asked' });
   }
 
   /** Constructed style sheets work only in the document that made them: another document needs new ones. */
@@ -463,13 +404,13 @@ export class C2Warp extends TypedElement {
   }
 
   /** Whether the changed attributes name something to open. */
-  #asks(changes: PropertyValues<this>): boolean {
+  #namesSource(changes: PropertyValues<this>): boolean {
     const named = changes.has('src') || (changes.has('projectSource') && this.projectSource !== null);
     return named && Boolean(this.src);
   }
 
   #handle(id: string): Handle {
-    const handle = handleById(this.#present.workbench.editing.document, id);
+    const handle = handleById(documentOf(this.#present.state), id);
     if (!handle) throw new RangeError(`there is no handle "${id}"`);
     return handle;
   }
@@ -485,37 +426,60 @@ export class C2Warp extends TypedElement {
     return changed;
   }
 
-  get #present(): Desk {
-    if (!this.#desk) throw new Error('<c2-warp> is not on a page, and has no picture there');
-    return this.#desk;
+  get #present(): EditorRuntime {
+    if (!this.#runtime) throw new Error('<c2-warp> is not on a page, and has no picture there');
+    return this.#runtime;
   }
 
-  get #dark(): boolean {
-    if (this.theme === 'dark' || this.theme === 'light') return this.theme === 'dark';
-    return this.#darkness.matches;
+  get #attributes(): PageAttributes {
+    const { readonly, disabled, play: playing, tool, alt, src, projectSource } = this;
+    const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
+    return { readonly, disabled, playing, tool, alt, hint, src, projectSource };
   }
 
-  #edited(kind: ChangeKind): void {
-    const desk = this.#desk;
-    if (!desk) return;
-    const { project, undoLabel, redoLabel } = desk.workbench.editing;
-    const selection = this.selection.join('\n');
-    if (selection !== this.#selected) {
-      this.#selected = selection;
-      this.#emit('selectionchange', { selection: this.selection });
+  get #mediaNow(): Media {
+    const { theme } = this;
+    const dark = theme === 'dark' || theme === 'light' ? theme === 'dark' : this.#darkScheme.matches;
+    return { dark, coarse: this.#coarsePointer.matches, platform: navigator.platform };
+  }
+
+  #setPageProject(project: ProjectFile | null): void {
+    if (this.#runtime) this.#runtime.dispatch({ type: 'page-project-set', project });
+    else this.#carried = { ...this.#carried, pageProject: project };
+  }
+
+  #notify(notification: PageNotification): void {
+    const { type } = notification;
+    switch (type) {
+      case 'ready':
+      case 'load':
+        this.#emit(type, null);
+        break;
+      case 'input':
+      case 'change': {
+        const { project } = notification;
+        // Copied only when read: a drag emits many events.
+        const detail = {
+          get project() {
+            return deepCopy(project);
+          },
+        };
+        this.#emit(type, detail);
+        break;
+      }
+      case 'selectionchange':
+        this.#emit(type, { selection: [...notification.selection] });
+        break;
+      case 'historychange':
+        this.#emit(type, { undo: notification.undo, redo: notification.redo });
+        break;
+      case 'progress':
+        this.#emit(type, { label: notification.label });
+        break;
+      case 'error':
+        this.#emit(type, notification.error);
+        break;
     }
-    if (kind === 'input' || kind === 'change') {
-      // Copied only when read: a drag emits many events.
-      const detail = {
-        get project() {
-          return deepCopy(project);
-        },
-      };
-      this.#emit(kind, detail);
-    }
-    if (undoLabel === this.#past && redoLabel === this.#future) return;
-    [this.#past, this.#future] = [undoLabel, redoLabel];
-    this.#emit('historychange', { undo: undoLabel, redo: redoLabel });
   }
 
   /** Sets a property again that the page set before the element was upgraded: it would hide the accessor. */
@@ -526,6 +490,12 @@ export class C2Warp extends TypedElement {
     Reflect.set(this, name, value);
   }
 }
+
+/** An address, or a file with its name. */
+const named = (source: string | Blob): string | NamedFile =>
+  typeof source === 'string'
+    ? source
+    : { name: source instanceof File ? source.name : 'picture.png', file: source };
 
 if (typeof customElements !== 'undefined' && !customElements.get('c2-warp')) {
   customElements.define('c2-warp', C2Warp);

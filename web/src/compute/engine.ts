@@ -6,8 +6,9 @@
  * solve, and the page itself never waits.
  */
 import type { Project } from '../document/project';
+import { ENGINE, WarpError } from '../error';
 import { startWorker } from '../start_worker';
-import { ENGINE, EngineError, superseded } from './errors';
+import { superseded } from './errors';
 import { Link } from './link';
 import type { Messages } from './messages';
 import { checkedProject, loadModule } from './module';
@@ -26,14 +27,14 @@ export class Engine {
     this.#link = link;
   }
 
-  /** @throws EngineError with the code `engine` where the module cannot be loaded, or the worker not be started. */
+  /** @throws WarpError with the code `engine` where the module cannot be loaded, or the worker not be started. */
   static async start(): Promise<Engine> {
     const module = await loadModule();
     try {
       return new Engine(new Link(() => startWorker(worker), module));
     } catch (error) {
       const message = `The solver could not be started: ${error}`;
-      throw new EngineError({ code: ENGINE, message }, { cause: error });
+      throw new WarpError(ENGINE, message, { cause: error });
     }
   }
 
@@ -47,7 +48,7 @@ export class Engine {
 
   /**
    * @param onProgress Called with each stage once it is done.
-   * @throws DOMException `AbortError` when a newer solve or picture overtakes this one; EngineError otherwise.
+   * @throws DOMException `AbortError` when a newer solve or picture overtakes this one; WarpError otherwise.
    */
   async solve(project: Project, onProgress?: (stage: Stage) => void): Promise<SolutionData> {
     const turn = ++this.#newestSolve;
@@ -60,7 +61,7 @@ export class Engine {
   /**
    * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that;
    * `pixelated`, no colours are mixed.
-   * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
+   * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
    */
   warp(project: Project, scale = 1, grow = false, pixelated = false): Promise<Pixels> {
     return this.#ask('warp', { project: JSON.stringify(project), scale, grow, pixelated });
@@ -68,7 +69,7 @@ export class Engine {
 
   /**
    * The borders between the cells of a project's solution.
-   * @throws DOMException `AbortError` when another picture comes before the worker has this one; EngineError otherwise.
+   * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
    */
   cells(project: Project): Promise<CellBorders> {
     return this.#ask('cells', { project: JSON.stringify(project) });

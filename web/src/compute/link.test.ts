@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { EngineError } from './errors';
+import { WarpError } from '../error';
 import { Link, type Port } from './link';
 import type { Boot, Reply, Request } from './messages';
 
@@ -60,7 +60,7 @@ describe('Link', () => {
     const solve = link.send('solve', { project: '{}' });
     worker(0).reply({ id: 1, kind: 'failed', failure });
     await expect(solve).rejects.toMatchObject(failure);
-    await expect(solve).rejects.toBeInstanceOf(EngineError);
+    await expect(solve).rejects.toBeInstanceOf(WarpError);
   });
 
   it('ignores what comes for an abandoned request', async () => {

@@ -5,7 +5,8 @@
  * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
  * pending at two deaths is rejected.
  */
-import { ENGINE, EngineError, superseded } from './errors';
+import { ENGINE, WarpError } from '../error';
+import { failureError, superseded } from './errors';
 import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
 import type { Stage } from './solution';
 
@@ -124,7 +125,7 @@ export class Link {
     }
     this.#pending.delete(reply.id);
     if (reply.kind === 'done') pending.resolve(reply.body);
-    else pending.reject(reply.failure.code === SUPERSEDED ? superseded() : new EngineError(reply.failure));
+    else pending.reject(reply.failure.code === SUPERSEDED ? superseded() : failureError(reply.failure));
   }
 
   #replace(reason: string): void {
@@ -134,7 +135,7 @@ export class Link {
       if (pending.deaths <= DEATHS_ALLOWED) continue;
       this.#pending.delete(id);
       if (pending.request.name === 'picture') this.#picture = undefined;
-      pending.reject(new EngineError({ code: ENGINE, message: `The solver failed: ${reason}` }));
+      pending.reject(new WarpError(ENGINE, `The solver failed: ${reason}`));
     }
     // A successor without requests could die of the same picture again and again.
     if (this.#pending.size > 0) this.#start();

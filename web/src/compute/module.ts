@@ -1,7 +1,7 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
 import type { Handle, Project } from '../document/project';
-import { ENGINE, EngineError } from './errors';
+import { ENGINE, WarpError } from '../error';
 import init, { PosedPicture as ModulePicture, project_check } from './generated/c2warp';
 import type { SolutionData } from './solution';
 
@@ -14,10 +14,7 @@ export function loadModule(): Promise<WebAssembly.Module> {
   loading ??= load().catch((error: unknown) => {
     // A later call tries again: the network may be back.
     loading = undefined;
-    throw new EngineError(
-      { code: ENGINE, message: `The solver could not be loaded: ${reason(error)}` },
-      { cause: error },
-    );
+    throw new WarpError(ENGINE, `The solver could not be loaded: ${reason(error)}`, { cause: error });
   });
   return loading;
 }

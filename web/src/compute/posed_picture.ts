@@ -17,7 +17,7 @@ export interface PosedPicture {
   /**
    * The picture posed as in a project. Handles of the solution that the project lacks, or has with other corners, keep
    * the pose that they were solved with. Handles that are not solved yet move nothing.
-   * @throws EngineError if no such pose exists, such as a bar of no length. Show the last pose then.
+   * @throws WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
    */
   pose(project: Project): Pose;
 
@@ -36,7 +36,7 @@ export interface PosedPicture {
   /**
    * Vertices: how far each follows a move of the selected handles. 1 moves as far as they do, 0 stays.
    * Null if the solution has none of them.
-   * @throws EngineError if no such pose exists.
+   * @throws WarpError if no such pose exists.
    */
   reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null;
 

@@ -4,18 +4,21 @@ import { type Handle, posedHandle } from './project';
 import { projectText } from './project_text';
 
 const FORMAT = 'c2warp-pose/1';
-/** Also of a text that is cut off. */
-const SAYS_SO = /^\s*\{.*"format"\s*:\s*"c2warp-pose\//s;
+/** Also matches a text that is cut off. */
+const POSE = /^\s*\{.*"format"\s*:\s*"c2warp-pose\//s;
 
 /** Writes a pose. It contains the rest positions, since a pose is relative to them. */
 export const poseText = (handles: readonly Handle[]): string => projectText({ format: FORMAT, handles });
+
+/** Whether a text says that it is a pose. */
+export const isPose = (text: string): boolean => POSE.test(text);
 
 /**
  * Returns the handles of a pose, or `null` if a text does not say that it is one.
  * @throws RangeError with the reason if the pose is invalid.
  */
 export function parsePose(text: string): readonly Handle[] | null {
-  if (!SAYS_SO.test(text)) return null;
+  if (!isPose(text)) return null;
   const { format, handles } = parsed(text);
   if (format !== FORMAT) throw new RangeError(`format: expected "${FORMAT}"`);
   if (!Array.isArray(handles) || handles.length === 0)

@@ -1,14 +1,5 @@
 /** Loads files by URL. */
-
-/** A file cannot be loaded. The message is for the user. */
-export class AddressError extends Error {
-  readonly code = 'address';
-
-  constructor(message: string, options?: ErrorOptions) {
-    super(message, options);
-    this.name = 'AddressError';
-  }
-}
+import { codeOf, WarpError } from '../error';
 
 /** Returns the last part of a URL or path; `picture.png` for `data:` and `blob:` URLs, which have no name. */
 export function fileName(address: string): string {
@@ -25,18 +16,20 @@ export function fileName(address: string): string {
 /**
  * Returns the file at a URL.
  *
- * @throws AddressError if the file cannot be loaded; AbortError if the signal is aborted.
+ * @throws WarpError if the file cannot be loaded; AbortError if the signal is aborted.
  */
 export async function fetchFile(address: string, signal: AbortSignal): Promise<Blob> {
   try {
     const response = await fetch(address, { signal });
     if (response.ok) return await response.blob();
-    throw new AddressError(
+    throw new WarpError(
+      'address',
       `${fileName(address)} could not be loaded: the server answered ${response.status}.`,
     );
   } catch (cause) {
-    if (cause instanceof AddressError || signal.aborted) throw cause;
-    throw new AddressError(
+    if (codeOf(cause) === 'address' || signal.aborted) throw cause;
+    throw new WarpError(
+      'address',
       `${fileName(address)} could not be loaded. Check the address and the network connection.`,
       { cause },
     );

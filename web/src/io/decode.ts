@@ -2,9 +2,10 @@
  * Decodes pictures with the browser's decoders, which apply the EXIF orientation and convert colour profiles to sRGB.
  * A picture with neither keeps its exact bytes.
  */
+
+import { WarpError } from '../error';
 import { type Header, readHeader } from './header';
 import { checkSize } from './limits';
-import { PictureError } from './picture_error';
 import { straightPixels } from './pixels';
 import { readBytes } from './read';
 
@@ -20,19 +21,22 @@ export interface DecodedPicture {
 /**
  * Returns the picture in a file.
  *
- * @throws PictureError if the file is not a picture, is incomplete, or has an unsupported size.
+ * @throws WarpError if the file is not a picture, is incomplete, or has an unsupported size.
  * @throws ReadError if the bytes cannot be read.
  */
 export async function decodePicture(file: Blob): Promise<DecodedPicture> {
-  if (file.size === 0) throw new PictureError('The file is empty.');
+  if (file.size === 0) throw new WarpError('picture', 'The file is empty.');
   const { kind, size, complete } = readHeader(await readBytes(file));
   if (kind === 'svg') {
-    throw new PictureError('SVG files have no pixels. Export the drawing as PNG and open the PNG.');
+    throw new WarpError('picture', 'SVG files have no pixels. Export the drawing as PNG and open the PNG.');
   }
   // Checked before decoding: a small file can hold more pixels than fit in memory.
   if (size) checkSize(size.width, size.height);
   if (!complete) {
-    throw new PictureError('The picture is incomplete: the end of the file is missing. Get the file again.');
+    throw new WarpError(
+      'picture',
+      'The picture is incomplete: the end of the file is missing. Get the file again.',
+    );
   }
 
   const straight = await bitmapOf(file, 'none', kind);
@@ -57,7 +61,8 @@ async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', ki
     // Firefox fails here for some photographs with EXIF data, but decodes them in an image element.
     const image = kind === 'jpeg' ? await imageOf(file) : null;
     if (image) return await createImageBitmap(image, { premultiplyAlpha });
-    throw new PictureError(
+    throw new WarpError(
+      'picture',
       kind === 'other'
         ? 'The file is not a picture that this browser can read. Use PNG, JPEG or WebP.'
         : 'The picture is damaged, or this browser cannot read it. Save it again as PNG, JPEG or WebP.',

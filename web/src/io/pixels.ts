@@ -2,7 +2,7 @@
  * Reads the exact bytes of a picture in straight alpha, through a WebGL texture. A 2D canvas would premultiply and
  * round, and lose the colours of transparent pixels.
  */
-import { PictureError } from './picture_error';
+import { WarpError } from '../error';
 
 /** A picture in straight alpha, rows from the top. */
 export interface Rgba {
@@ -26,7 +26,7 @@ let releaseTimer: ReturnType<typeof setTimeout> | undefined;
  * Returns the pixels of a picture: RGBA in straight alpha, rows from the top.
  *
  * @param picture Decoded without premultiplying, `width` × `height` pixels.
- * @throws PictureError if the browser has no WebGL2, or loses the context meanwhile.
+ * @throws WarpError if the browser has no WebGL2, or loses the context meanwhile.
  */
 export function straightPixels(
   picture: ImageBitmap | HTMLImageElement,
@@ -47,7 +47,8 @@ export function straightPixels(
   }
   // A lost context reads as zeros.
   if (gl.isContextLost()) {
-    throw new PictureError(
+    throw new WarpError(
+      'picture',
       'The graphics context was lost while the picture was read. Open the picture again.',
     );
   }
@@ -59,7 +60,7 @@ const usable = (gl: WebGL2RenderingContext | null) => (gl?.isContextLost() ? nul
 function createContext(): WebGL2RenderingContext {
   // An OffscreenCanvas has no WebGL in WebKitGTK and older Safaris.
   const gl = document.createElement('canvas').getContext('webgl2', { antialias: false, depth: false });
-  if (!gl) throw new PictureError(NO_WEBGL);
+  if (!gl) throw new WarpError('picture', NO_WEBGL);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   return gl;

@@ -1,7 +1,7 @@
-/** What is drawn while a person aims: the box of a drag over empty space, the crosshair of the keyboard. */
+/** Aims over the picture: the box of a drag over empty space, and the crosshair of the keyboard. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
+import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
-import type { EditorModel } from './model';
 
 /** The box of a drag over empty space, in stage pixels. */
 export function selectionBox({ box, camera }: EditorModel): SVGTemplateResult | typeof nothing {

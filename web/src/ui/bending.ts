@@ -1,11 +1,12 @@
-/** How the picture bends: two modes, their detail, and switches. Folded to one line while handles are selected. */
+/** The settings of bending: two modes, their detail, and switches. Folded to one line while handles are selected. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import { ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
 
 const MODES = {
   rigid: { word: 'Rigid', note: 'Shapes keep their form: an arm bends as an arm does.' },
@@ -19,7 +20,7 @@ const DETAIL_WORDS = { coarse: 'Coarse', medium: 'Medium', fine: 'Fine' } as con
 
 export function bending(
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
   open: boolean,
 ): TemplateResult | typeof nothing {
   if (!model.picture) return nothing;
@@ -35,7 +36,7 @@ export function bending(
       <span class="faint">${chosen.join(', ').toLowerCase()}</span>${icon('unfold')}
     </summary>
     <div class="segments" role="group" aria-label="Bending">
-      ${modes.map((name) => segment(MODES[name].word, name === mode, model, () => actions.bend(name)))}
+      ${modes.map((name) => segment(MODES[name].word, name === mode, model, () => dispatch({ type: 'pose-mode-chosen', mode: name })))}
     </div>
     <p class="faint">${MODES[mode].note}</p>
     ${
@@ -43,25 +44,29 @@ export function bending(
         ? html`<h3>Detail</h3>
           <div class="segments" role="group" aria-label="Detail">
             ${details.map((name) =>
-              segment(DETAIL_WORDS[name], name === detail, model, () => actions.detail(name)),
+              segment(DETAIL_WORDS[name], name === detail, model, () =>
+                dispatch({ type: 'detail-chosen', detail: name }),
+              ),
             )}
           </div>`
         : nothing
     }
-    ${toggle('Keep turns rigid', 'What lies between two turns does not shrink.', blendOf(project) === 'rigid', model, (on) => actions.blend(on ? 'rigid' : 'linear'))}
-    ${ringsOf(project).length > 0 ? lassoed(model, actions) : nothing}
-    ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => actions.holdBoundary(on))}
-    ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => actions.guard(on))}
+    ${toggle('Keep turns rigid', 'What lies between two turns does not shrink.', blendOf(project) === 'rigid', model, (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }))}
+    ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
+    ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
+    ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => dispatch({ type: 'fold-guard-switched', on }))}
     ${
       model.pixelated === null
         ? nothing
-        : toggle('Pixel art', 'No colours are mixed.', model.pixelated, model, (on) => actions.pixelate(on))
+        : toggle('Pixel art', 'No colours are mixed.', model.pixelated, model, (on) =>
+            dispatch({ type: 'pixel-art-switched', on }),
+          )
     }
   </details>`;
 }
 
-/** What bends is what a lasso holds: the way back to all of the picture. */
-const lassoed = (model: EditorModel, actions: EditorActions): TemplateResult => html`<div class="switch">
+/** The way back from a lasso to the whole picture. */
+const lassoed = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`<div class="switch">
   <span class="text">Lasso<span class="faint">Only what it holds bends.</span></span>
   <button
     type="button"
@@ -69,7 +74,7 @@ const lassoed = (model: EditorModel, actions: EditorActions): TemplateResult => 
     part="button"
     aria-label="Bend all of it"
     ?disabled=${model.readonly}
-    @click=${() => actions.unlasso()}
+    @click=${() => dispatch({ type: 'lasso-removed' })}
   >
     All of it
   </button>

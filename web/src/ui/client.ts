@@ -1,4 +1,4 @@
-/** Between places in the window, as events tell them, and places on the stage: CSS pixels both, but a page may scale the editor. */
+/** Converts places in the window to places on the stage. Both are in CSS pixels, but a page may scale the editor. */
 import type { Vec } from '../geometry/vec';
 
 export function clientToStage(stage: Element, [x, y]: Vec): Vec {

@@ -1,9 +1,9 @@
 /** A button for a command. */
 import { html, nothing, type TemplateResult } from 'lit';
-import { ariaKeys, COMMANDS, type CommandName, keyHint } from './commands';
-import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
-import { isPossible } from './possible';
+import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
+import { icon, iconOf } from './icons';
 
 export interface Look {
   readonly text?: string;
@@ -16,7 +16,7 @@ export interface Look {
 export function commandButton(
   name: CommandName,
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
   look: Look = {},
 ): TemplateResult {
   const label = look.label ?? COMMANDS[name].label;
@@ -30,9 +30,9 @@ export function commandButton(
     aria-label=${label}
     aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
     aria-pressed=${look.pressed === undefined ? nothing : String(look.pressed)}
-    ?disabled=${!isPossible(name, model)}
-    @click=${() => actions.run(name)}
+    ?disabled=${!model.canRun(name)}
+    @click=${() => dispatch({ type: 'command-run', command: name })}
   >
-    ${icon(COMMANDS[name].icon)}${look.text ? html`<span class="word">${look.text}</span>` : ''}
+    ${icon(iconOf(name))}${look.text ? html`<span class="word">${look.text}</span>` : ''}
   </button>`;
 }

@@ -1,13 +1,14 @@
-/** The context menu: what can be done with the selected handles, a corner, or a place of the picture. */
+/** The context menu of the selected handles, of a corner, or of a place of the picture. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { selectedHandles } from '../document/document';
 import { isLine } from '../document/handle';
+import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
+import type { MenuState } from '../editor/menu_state';
+import type { EditorModel } from '../editor/view_model';
 import { beside } from '../geometry/beside';
 import type { Vec } from '../geometry/vec';
-import { ariaKeys, COMMANDS, type CommandName, keyHint } from './commands';
-import { icon } from './icons';
-import type { EditorActions, EditorModel, Menu } from './model';
-import { isPossible } from './possible';
+import { icon, iconOf } from './icons';
 
 type Groups = readonly (readonly CommandName[])[];
 
@@ -24,7 +25,7 @@ const ofHandles = (corners: readonly CommandName[]): Groups => [
   ['remove'],
 ];
 
-export function contextMenu(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+export function contextMenu(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
   const { menu, press } = model;
   if (!menu) return nothing;
   const groups = groupsOf(menu, model).filter((names) => names.length > 0);
@@ -35,18 +36,18 @@ export function contextMenu(model: EditorModel, actions: EditorActions): Templat
     role="menu"
     tabindex="-1"
     aria-label=${menu.name}
-    @keydown=${(event: KeyboardEvent) => onKey(event, actions)}
+    @keydown=${(event: KeyboardEvent) => onKey(event, dispatch)}
     @contextmenu=${(event: Event) => event.preventDefault()}
     @pointerleave=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
   >
     ${groups.map(
       (names, k) =>
-        html`${k > 0 ? html`<hr />` : nothing}${names.map((name) => entry(name, model, actions))}`,
+        html`${k > 0 ? html`<hr />` : nothing}${names.map((name) => entry(name, model, dispatch))}`,
     )}
   </div>`;
 }
 
-function groupsOf({ about, corner }: Menu, { playing, document }: EditorModel): Groups {
+function groupsOf({ about, corner }: MenuState, { playing, document }: EditorModel): Groups {
   if (playing) return OF_PLAY;
   if (about === 'picture') return OF_PICTURE;
   if (corner) return ofHandles(['add-corner', 'remove-corner']);
@@ -54,9 +55,9 @@ function groupsOf({ about, corner }: Menu, { playing, document }: EditorModel): 
   return ofHandles(selected.length === 1 && selected.some(isLine) ? ['add-corner'] : []);
 }
 
-/** One that cannot be run can have the focus, as it is read then. */
-function entry(name: CommandName, model: EditorModel, actions: EditorActions): TemplateResult {
-  const possible = isPossible(name, model);
+/** An entry. A disabled entry can have the focus, so that screen readers read it. */
+function entry(name: CommandName, model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const possible = model.canRun(name);
   return html`<div
     class="entry"
     role="menuitem"
@@ -64,10 +65,10 @@ function entry(name: CommandName, model: EditorModel, actions: EditorActions): T
     data-command=${name}
     aria-disabled=${possible ? nothing : 'true'}
     aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
-    @click=${() => possible && actions.ofMenu(name)}
+    @click=${() => possible && dispatch({ type: 'menu-command-run', command: name })}
     @pointermove=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
   >
-    ${icon(COMMANDS[name].icon)}<span>${COMMANDS[name].label}</span>
+    ${icon(iconOf(name))}<span>${COMMANDS[name].label}</span>
     <kbd aria-hidden="true">${keyHint(name, model.platform)}</kbd>
   </div>`;
 }
@@ -76,17 +77,17 @@ const entriesOf = (menu: Element): readonly HTMLElement[] => [
   ...menu.querySelectorAll<HTMLElement>('.entry'),
 ];
 
-function onKey(event: KeyboardEvent, actions: EditorActions): void {
+function onKey(event: KeyboardEvent, dispatch: Dispatch): void {
   const { key } = event;
   const entries = entriesOf(event.currentTarget as Element);
   const now = entries.indexOf(event.target as HTMLElement);
   const modified = event.ctrlKey || event.metaKey || event.altKey;
-  // These go on from where the focus was before.
+  // These keys continue from the element that had the focus before.
   if (key === 'Tab' || (modified && key.length === 1)) {
-    actions.ofMenu(null);
+    dispatch({ type: 'menu-command-run', command: null });
     return;
   }
-  if (key === 'Escape') actions.ofMenu(null);
+  if (key === 'Escape') dispatch({ type: 'menu-command-run', command: null });
   else if (key === 'Enter' || key === ' ') entries[now]?.click();
   else {
     const goal = reached(key, now, entries);
@@ -96,7 +97,7 @@ function onKey(event: KeyboardEvent, actions: EditorActions): void {
   event.preventDefault();
 }
 
-/** The entry that a key leads to: up and down in a round, or the next one that begins with a letter. */
+/** The entry that a key leads to: up and down in a circle, or the next one with the typed initial. */
 function reached(key: string, now: number, entries: readonly HTMLElement[]): HTMLElement | undefined {
   if (key === 'ArrowDown') return entries[(now + 1) % entries.length];
   if (key === 'ArrowUp') return entries.at(Math.max(now, 0) - 1);
@@ -111,10 +112,10 @@ function reached(key: string, now: number, entries: readonly HTMLElement[]): HTM
 const EDGE = 4;
 
 /**
- * Shows a menu beside a place in the window: within the element if there is room, and in any case within what is seen of the page.
+ * Shows a menu beside a place in the window: within the element if there is room, and always within the viewport.
  *
  * @param gap between the place and the menu, CSS pixels.
- * @param first its first entry gets the focus, else itself.
+ * @param first focuses the first entry instead of the menu.
  */
 export function showMenu(menu: HTMLElement, [x, y]: Vec, gap: number, first: boolean): void {
   menu.togglePopover(true);

@@ -1,15 +1,12 @@
-/** The corners of a bar or polygon in the panel: how to come by more, and the place of the one in hand. */
+/** The corners of a bar or polygon in the panel: how to add one, and the place of the focused one. */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { LineHandle } from '../document/project';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { commandButton } from './command_button';
-import type { EditorActions, EditorModel } from './model';
 import { numberField, PLACE } from './number_field';
 
-export function cornerFields(
-  { posed }: LineHandle,
-  model: EditorModel,
-  actions: EditorActions,
-): TemplateResult {
+export function cornerFields({ posed }: LineHandle, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { corner, press } = model;
   const at = corner === null ? undefined : posed[corner];
   const words = at
@@ -17,21 +14,27 @@ export function cornerFields(
     : `${posed.length} corners: double-${press} adds or deletes one`;
   return html`<div class="row corners">
       <span class="faint" title="Double-${press} the line for one more there, a corner to delete it">${words}</span>
-      ${commandButton('add-corner', model, actions)}
-      ${at ? commandButton('remove-corner', model, actions) : nothing}
+      ${commandButton('add-corner', model, dispatch)}
+      ${at ? commandButton('remove-corner', model, dispatch) : nothing}
     </div>
-    ${at ? place(at, words, model, actions) : nothing}`;
+    ${at ? place(at, words, model, dispatch) : nothing}`;
 }
 
 const place = (
   at: readonly [number, number],
   label: string,
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
 ): TemplateResult =>
   html`<div class="fields of-corner" role="group" aria-label=${label}>
     ${([0, 1] as const).map((axis) => {
       const look = { ...PLACE, name: axis === 0 ? 'corner-x' : 'corner-y', label: axis === 0 ? 'X' : 'Y' };
-      return numberField(look, [at[axis]], (value) => actions.corner(axis, value), model, actions);
+      return numberField(
+        look,
+        [at[axis]],
+        (change) => dispatch({ type: 'corner-field-set', axis, change }),
+        model,
+        dispatch,
+      );
     })}
   </div>`;

@@ -1,8 +1,8 @@
-/** What bends, where the person has drawn it: its rings on the original, and a veil over the rest. */
+/** The lassoed domain: its rings on the original, and a veil over the rest. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { ringsOf } from '../document/domain';
+import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
-import type { EditorModel } from './model';
 
 export function domainMarks({ document, picture, camera }: EditorModel): SVGTemplateResult | typeof nothing {
   const rings = ringsOf(document.project);

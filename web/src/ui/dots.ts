@@ -1,6 +1,6 @@
 /**
- * Dotted lines. A dot out of sight costs as much as any other, and at high zoom a bar has thousands of them: only the
- * part of a line that is on the stage is drawn.
+ * Dotted lines. Only the part on the stage is drawn. A hidden dot costs as much as a visible one, and at high zoom
+ * a bar has thousands.
  */
 import { type SVGTemplateResult, svg } from 'lit';
 import { fractionsInside } from '../geometry/box';
@@ -10,7 +10,7 @@ import { distance, lerp, type Vec } from '../geometry/vec';
 
 /** From dot to dot, CSS pixels. */
 const SPACING = 6.5;
-/** A dot with round caps is hardly longer than wide. */
+/** Length of a dot without its round caps, CSS pixels. */
 const DOT = 0.5;
 /** More than half the width of a dot, CSS pixels. */
 const ROOM = 4;
@@ -19,7 +19,10 @@ const ROOM = 4;
 export const dots = (kind: string, path: string): SVGTemplateResult =>
   svg`<path class=${kind} stroke-dasharray="${DOT} ${SPACING - DOT}" d=${path}/>`;
 
-/** The visible parts of the edges. Each begins a whole number of dots from its corner: dots stay in place in a pan. */
+/**
+ * The visible parts of the edges. Each begins a whole number of dots from its corner, so that panning does not shift
+ * the dots.
+ */
 export function onStage(corners: readonly Vec[], closed: boolean, { width, height }: Size): string {
   const box = { min: [-ROOM, -ROOM], max: [width + ROOM, height + ROOM] } as const;
   return edgesOf(corners, closed)

@@ -1,18 +1,19 @@
-/** A bar, polygon or lasso being drawn: its corners so far, its line on to the pointer, and buttons for it. */
+/** A bar, polygon or lasso being drawn: its corners, the line to the pointer, and its buttons. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
 import { CORNERS_NEEDED, isClosed } from '../document/handle';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { type Camera, type Size, toStage } from '../geometry/camera';
 import { distance } from '../geometry/vec';
 import { isDrawable } from '../tools/drafting';
 import type { Draft } from '../tools/state';
 import { dots, onStage } from './dots';
 import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
 
 export const draftMarks = ({ draft, waiting, camera, stage }: EditorModel): SVGTemplateResult => svg`
   ${waiting.map((other) => marks(other, camera, stage, true))} ${draft ? marks(draft, camera, stage, false) : nothing}`;
 
-/** @param waits the draft belongs to a tool that is not current: presses on it have no effect now. */
+/** @param waits the draft belongs to another tool, so that presses on it have no effect. */
 function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTemplateResult {
   const set = draft.corners.map((corner) => toStage(camera, corner));
   const next = draft.next && !draft.finishing ? toStage(camera, draft.next) : null;
@@ -38,7 +39,7 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
     }
     ${set.map(([x, y], k) => {
       const target = targets.includes(k);
-      // A lasso that is drawn freely has hundreds.
+      // A freehand lasso has hundreds of corners.
       if (draft.kind === 'lasso' && !target) return nothing;
       return svg`<circle class="corner ${target ? 'target' : ''} ${k === hot ? 'hot' : ''}"
         cx=${x} cy=${y} r=${target ? 6 : 4.5}/>`;
@@ -47,7 +48,7 @@ function marks(draft: Draft, camera: Camera, stage: Size, waits: boolean): SVGTe
 }
 
 /** The next thing to do, with buttons for people without an Enter key. */
-export function draftBar(model: EditorModel, actions: EditorActions): TemplateResult | typeof nothing {
+export function draftBar(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
   const { draft } = model;
   if (!draft) return nothing;
   const ready = isDrawable(draft);
@@ -59,10 +60,10 @@ export function draftBar(model: EditorModel, actions: EditorActions): TemplateRe
       : `${missing} corners more`;
   return html`<div class="draft-bar card" part="notice" role="group" aria-label="Drawing">
     <span class="words">${words}</span>
-    ${button('undo', 'Take back the last corner', '⌫', () => actions.back())}
-    ${button('close', 'Give up drawing', 'Esc', () => actions.run('bail'))}
+    ${button('undo', 'Take back the last corner', '⌫', () => dispatch({ type: 'corner-taken-back' }))}
+    ${button('close', 'Give up drawing', 'Esc', () => dispatch({ type: 'command-run', command: 'bail' }))}
     <button type="button" class="button finish" part="button" data-tip="Finish" data-keys="↵"
-      ?disabled=${!ready} @click=${() => actions.finish()}>${icon('done')}Finish</button>
+      ?disabled=${!ready} @click=${() => dispatch({ type: 'drawing-finished' })}>${icon('done')}Finish</button>
   </div>`;
 }
 

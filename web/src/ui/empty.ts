@@ -1,14 +1,15 @@
-/** What stands on the stage while there is no picture. */
+/** The stage without a picture. */
 import { html, type TemplateResult } from 'lit';
-import type { EditorActions, EditorModel } from './model';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 
-export function emptyStage(model: EditorModel, actions: EditorActions): TemplateResult {
-  if (model.progress) return html``;
+export function emptyStage(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  if (model.task) return html``;
   if (model.opening)
     return html`<div class="empty opening"><span class="spinner" aria-hidden="true"></span>Opening…</div>`;
   if (model.readonly || model.playing) return html``;
   return html`<div class="empty">
     <p>Drop a picture here, paste one, or</p>
-    <button type="button" class="primary" @click=${() => actions.run('open')}>Open a picture</button>
+    <button type="button" class="primary" @click=${() => dispatch({ type: 'command-run', command: 'open' })}>Open a picture</button>
   </div>`;
 }

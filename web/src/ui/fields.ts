@@ -12,8 +12,9 @@ import {
   type Turns,
 } from '../document/handle';
 import type { Handle } from '../document/project';
+import type { Dispatch, Field } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { commandButton } from './command_button';
-import type { EditorActions, EditorModel, Field } from './model';
 import { type FieldLook, numberField, PLACE } from './number_field';
 
 interface HandleField extends FieldLook {
@@ -52,12 +53,18 @@ const FIELDS: readonly HandleField[] = [
 export const fields = (
   selected: readonly Handle[],
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
 ): TemplateResult => {
   const field = (look: HandleField) => {
     const numbers = selected.map((handle) => look.read(handle, model.turns));
-    const input = numberField(look, numbers, (value) => actions.field(look.name, value), model, actions);
-    return besides(look, input, selected, model, actions);
+    const input = numberField(
+      look,
+      numbers,
+      (change) => dispatch({ type: 'field-set', field: look.name, change }),
+      model,
+      dispatch,
+    );
+    return besides(look, input, selected, model, dispatch);
   };
   return html`<div class="fields">${FIELDS.map(field)}</div>`;
 };
@@ -68,23 +75,23 @@ function besides(
   input: TemplateResult,
   selected: readonly Handle[],
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
 ): TemplateResult {
   if (name === 'rotation' && selected.some((handle) => !isLine(handle))) {
-    return html`<div class="pair turn">${input} ${automaticToggle(selected, model, actions)}</div>`;
+    return html`<div class="pair turn">${input} ${automaticToggle(selected, model, dispatch)}</div>`;
   }
   if (name !== 'depth') return input;
   return html`<div class="pair depth">
-    ${input} ${commandButton('backward', model, actions)}
-    ${commandButton('forward', model, actions)}
+    ${input} ${commandButton('backward', model, dispatch)}
+    ${commandButton('forward', model, dispatch)}
   </div>`;
 }
 
-/** Whether the selected points turn automatically. Where they differ, a press makes all of them automatic. */
+/** Toggles automatic rotation of the selected points. If they differ, a press makes all of them automatic. */
 function automaticToggle(
   selected: readonly Handle[],
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
 ): TemplateResult {
   const points = selected.filter((handle) => !isLine(handle));
   const free = points.filter(isAutomatic).length;
@@ -97,7 +104,7 @@ function automaticToggle(
     aria-label="Auto turn"
     aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
     ?disabled=${model.readonly}
-    @click=${() => actions.automatic(!all)}
+    @click=${() => dispatch({ type: 'automatic-rotation-switched', on: !all })}
   >
     Auto
   </button>`;

@@ -1,9 +1,9 @@
-/** The picture's own rectangle, which bounds the export: shown as soon as something is bent beyond it. */
+/** The picture's own rectangle, which bounds the export. It appears when something is bent beyond it. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
+import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
-import type { EditorModel } from './model';
 
-/** Dark dashes with light ones between them: one of the two is visible on any picture and background. */
+/** Dark and light dashes alternate, so that one of them is visible on any picture and background. */
 export function frame({ beyond, picture, camera }: EditorModel): SVGTemplateResult | typeof nothing {
   if (!beyond || !picture) return nothing;
   const [x, y] = toStage(camera, [0, 0]);

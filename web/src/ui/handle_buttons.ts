@@ -1,6 +1,6 @@
 /**
- * One focusable button per handle, and per corner of a bar or polygon, over the picture. The buttons serve keyboards and
- * screen readers too; pointer presses go to the stage, which knows the tools.
+ * One focusable button per handle and per corner, over the picture, for keyboards and screen readers. Pointer presses
+ * go to the stage, where the tools take them.
  *
  * Styles are set as properties, since a Content Security Policy may refuse style attributes.
  */
@@ -18,9 +18,10 @@ import {
   turnWords,
 } from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
-import type { EditorActions, EditorModel } from './model';
 
 /** The label of a handle for screen readers. */
 export function handleLabel(handle: Handle, turns: Turns): string {
@@ -38,7 +39,7 @@ export function handleLabel(handle: Handle, turns: Turns): string {
   ].join(', ');
 }
 
-export function handleButtons(model: EditorModel, actions: EditorActions): TemplateResult {
+export function handleButtons(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { document, camera } = model;
   return html`<div class="handles ${model.draft ? 'drawing' : ''}" role="group" aria-label="Handles">
     ${repeat(
@@ -55,21 +56,21 @@ export function handleButtons(model: EditorModel, actions: EditorActions): Templ
             aria-label=${handleLabel(handle, model.turns)}
             aria-pressed=${selected ? 'true' : 'false'}
             .style=${`transform: translate(${x}px, ${y}px)`}
-            @focus=${(event: FocusEvent) => focused(event, handle.id, null, anchor(handle), model, actions)}
-            @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
+            @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, dispatch)}
+            @click=${(event: MouseEvent) => event.detail === 0 && dispatch({ type: 'handle-toggled', id: handle.id })}
           ></button>
-          ${isLine(handle) ? cornerButtons(handle, selected, model, actions) : nothing}`;
+          ${isLine(handle) ? cornerButtons(handle, selected, model, dispatch) : nothing}`;
       },
     )}
   </div>`;
 }
 
-/** Only the corners of selected handles are tab stops: all of them would be too many. */
+/** Only the corners of selected handles are tab stops, since all corners would be too many. */
 const cornerButtons = (
   handle: LineHandle,
   selected: boolean,
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
 ): readonly TemplateResult[] =>
   handle.posed.map((corner, index) => {
     const [x, y] = toStage(model.camera, corner);
@@ -84,8 +85,8 @@ const cornerButtons = (
       tabindex=${selected ? 0 : -1}
       aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
       .style=${`transform: translate(${x}px, ${y}px)`}
-      @focus=${(event: FocusEvent) => focused(event, handle.id, index, corner, model, actions)}
-      @click=${(event: MouseEvent) => event.detail === 0 && actions.toggle(handle.id)}
+      @focus=${(event: FocusEvent) => focused(event, handle.id, corner, model, dispatch)}
+      @click=${(event: MouseEvent) => event.detail === 0 && dispatch({ type: 'handle-toggled', id: handle.id })}
     ></button>`;
   });
 
@@ -93,17 +94,10 @@ const isKeyed = (target: Element): boolean =>
   (target.getRootNode() as ShadowRoot).host.classList.contains('keyed');
 
 /** Keyboard focus selects a handle and brings it into view; a pointer selects through the tools. */
-function focused(
-  event: FocusEvent,
-  id: string,
-  corner: number | null,
-  at: Vec,
-  model: EditorModel,
-  actions: EditorActions,
-): void {
-  actions.focused(corner === null ? null : { id, index: corner });
+function focused(event: FocusEvent, id: string, at: Vec, model: EditorModel, dispatch: Dispatch): void {
   const keyboard = event.target instanceof Element && event.target.matches(':focus-visible');
-  // A press focuses a handle too, but that one is in view already, and must stay under the finger.
-  if (keyboard && isKeyed(event.target)) actions.reveal(at);
-  if (keyboard && !model.draft && !model.document.selection.includes(id)) actions.select([id]);
+  // A press focuses a handle too. That handle is in view already, and must stay under the finger.
+  if (keyboard && isKeyed(event.target)) dispatch({ type: 'place-revealed', at });
+  if (keyboard && !model.draft && !model.document.selection.includes(id))
+    dispatch({ type: 'handles-selected', ids: [id] });
 }

@@ -2,19 +2,20 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { anchor, isAtRest, nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
-import type { EditorActions, EditorModel } from './model';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 
-/** Selects a handle and brings it into view. A press also focuses it, for arrow keys; the keyboard stays in the list. */
-function listed(event: MouseEvent, handle: Handle, actions: EditorActions): void {
-  actions.select([handle.id]);
-  actions.reveal(anchor(handle));
-  if (event.detail > 0) actions.hold(handle.id);
+/** Selects a handle and brings it into view. A press also focuses it, for arrow keys. */
+function listed(event: MouseEvent, handle: Handle, dispatch: Dispatch): void {
+  dispatch({ type: 'handles-selected', ids: [handle.id] });
+  dispatch({ type: 'place-revealed', at: anchor(handle) });
+  if (event.detail > 0) dispatch({ type: 'handle-focus-asked', id: handle.id });
 }
 
 /** Whether a press adds to the selection, or removes from it. */
 const adds = (event: MouseEvent): boolean => event.shiftKey || event.ctrlKey || event.metaKey;
 
-export function handleList(model: EditorModel, actions: EditorActions): TemplateResult {
+export function handleList(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { project, selection } = model.document;
   return html`<section class="list">
     <h3>Handles <span class="faint">${project.handles.length}</span></h3>
@@ -29,7 +30,9 @@ export function handleList(model: EditorModel, actions: EditorActions): Template
                   class="item"
                   aria-pressed=${String(selection.includes(handle.id))}
                   @click=${(event: MouseEvent) =>
-                    adds(event) ? actions.toggle(handle.id) : listed(event, handle, actions)}
+                    adds(event)
+                      ? dispatch({ type: 'handle-toggled', id: handle.id })
+                      : listed(event, handle, dispatch)}
                 >
                   <span class="dot of-${handle.kind}"></span><span class="name">${nameOf(handle)}</span>
                   ${isAtRest(handle) ? nothing : html`<span class="moved" role="img" aria-label="moved" title="Moved from its rest"></span>`}

@@ -1,15 +1,15 @@
 /**
- * What is drawn of the handles beside their dots: a faint mark where each rests, a dotted line to where it is posed,
- * lines of bars and polygons, and the rotation ring of the selected handle, or of several as one.
+ * The marks of handles beside their dots: rest places, dotted lines from there, the lines of bars and polygons, and the
+ * rotation ring of the selection.
  */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import { anchor, corners, isClosed, isInPlace, isLine, rotationOf } from '../document/handle';
 import type { LineHandle } from '../document/project';
+import type { EditorModel } from '../editor/view_model';
 import { type Size, toStage } from '../geometry/camera';
 import { distance, type Vec } from '../geometry/vec';
 import { GRIP_DEGREES, groupRing } from '../tools/group_ring';
 import { dots, onStage } from './dots';
-import type { EditorModel } from './model';
 
 export function handleMarks(model: EditorModel): SVGTemplateResult {
   const { document, camera, stage, grips, turns, playing } = model;
@@ -37,7 +37,7 @@ function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemp
   return svg`${dots('dots under', path)}${dots('dots', path)}`;
 }
 
-/** A bar or polygon as posed, and faintly its rest place once it has left that. */
+/** A posed bar or polygon, and faintly its rest place once it has moved. */
 function lineMarks(
   handle: LineHandle,
   { camera, stage, playing }: EditorModel,
@@ -54,7 +54,7 @@ function lineMarks(
     </g>`;
 }
 
-/** The knob stands at the top when nothing is turned. */
+/** A rotation ring. Its knob is at the top at rotation 0. */
 const ring = (
   [x, y]: Vec,
   rotation: number,
@@ -68,7 +68,7 @@ const ring = (
   ${more}
 </g>`;
 
-/** The centre that several handles are turned about, and the grip that scales them. */
+/** The centre of a group, and the grip that scales it. */
 const groupMarks = (radius: number): SVGTemplateResult => svg`
   <path class="under" d="M-5 0H5M0 -5V5"/><path d="M-5 0H5M0 -5V5"/>
   <rect class="knob" transform="rotate(${GRIP_DEGREES})" x="-5" y=${-radius - 5} width="10" height="10" rx="1.5"/>`;

@@ -1,14 +1,14 @@
-/** A button that shows the picture alone while it is held: as it was, or as it is posed. */
+/** A button that shows the picture without handles while it is held: the original, or the posed picture. */
 import { html, type TemplateResult } from 'lit';
-import { ariaKeys, type BareView, COMMANDS, keyHint } from './commands';
-import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
-import { isPossible } from './possible';
+import { ariaKeys, COMMANDS, keyHint, type PreviewCommand } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
+import { icon, iconOf } from './icons';
 
-/** Held by pointer or key; a click without a press, as of a screen reader, toggles. */
-export function holdButton(name: BareView, model: EditorModel, actions: EditorActions): TemplateResult {
-  const hold = () => actions.showBare(name);
-  const release = () => actions.showBare(null);
+/** Held by pointer or key. A click without a press, as by a screen reader, toggles. */
+export function holdButton(name: PreviewCommand, model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const hold = () => dispatch({ type: 'preview-held', command: name });
+  const release = () => dispatch({ type: 'preview-held', command: null });
   const onKey = (event: KeyboardEvent, act: () => void) => {
     if (event.key !== ' ' && event.key !== 'Enter') return;
     event.preventDefault();
@@ -23,8 +23,8 @@ export function holdButton(name: BareView, model: EditorModel, actions: EditorAc
     data-keys=${keyHint(name, model.platform)}
     aria-label=${COMMANDS[name].label}
     aria-keyshortcuts=${ariaKeys(name, model.platform)}
-    aria-pressed=${String(model.bare === name)}
-    ?disabled=${!isPossible(name, model)}
+    aria-pressed=${String(model.preview === name)}
+    ?disabled=${!model.canRun(name)}
     @pointerdown=${hold}
     @pointerup=${release}
     @pointerleave=${release}
@@ -32,9 +32,9 @@ export function holdButton(name: BareView, model: EditorModel, actions: EditorAc
     @keydown=${(event: KeyboardEvent) => onKey(event, hold)}
     @keyup=${(event: KeyboardEvent) => onKey(event, release)}
     @blur=${release}
-    @click=${(event: MouseEvent) => event.detail === 0 && actions.run(name)}
+    @click=${(event: MouseEvent) => event.detail === 0 && dispatch({ type: 'command-run', command: name })}
     @contextmenu=${(event: Event) => event.preventDefault()}
   >
-    ${icon(COMMANDS[name].icon)}
+    ${icon(iconOf(name))}
   </button>`;
 }

@@ -1,5 +1,7 @@
 /** The editor's icons: drawn on a grid of 20, in strokes of 1.5, coloured by the text around them. */
+
 import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import type { CommandName } from '../editor/commands';
 
 const SHAPES = {
   select: svg`<path d="M5 3.2 15.4 9.6 10.6 10.9 13.4 16.2 11.2 17.3 8.5 12 5 15.4Z"/>`,
@@ -52,3 +54,21 @@ export const icon = (name: IconName): TemplateResult => html`<svg
   stroke-linecap="round"
   stroke-linejoin="round"
 >${SHAPES[name]}</svg>`;
+
+/** Icons of commands whose name no icon has. */
+const COMMAND_ICONS = {
+  'export-all': 'export',
+  'reset-all': 'reset',
+  'add-point': 'point',
+  'select-all': 'select',
+  'zoom-in': 'plus',
+  'zoom-out': 'minus',
+  bail: 'close',
+} as const satisfies Partial<Record<CommandName, IconName>>;
+
+type OwnIcon = keyof typeof COMMAND_ICONS;
+
+const hasOtherIcon = (command: CommandName): command is OwnIcon => command in COMMAND_ICONS;
+
+export const iconOf = (command: CommandName): IconName =>
+  hasOtherIcon(command) ? COMMAND_ICONS[command] : (command as Exclude<CommandName, OwnIcon>);

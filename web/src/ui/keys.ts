@@ -1,10 +1,10 @@
 /** The list of keys: opened by its button or by "?", closed by Escape or a press beside it. */
 import { html, type TemplateResult } from 'lit';
-import { COMMANDS, type CommandName, keyHint, modifier } from './commands';
+import { COMMANDS, type CommandName, keyHint, modifier } from '../editor/commands';
+import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
-import type { EditorModel } from './model';
 
-/** A command, or keys that are none: as they are written, and what they do. `Mod` is Ctrl, and Cmd on a Mac. */
+/** A command, or other keys and their effect. `Mod` is Ctrl, and Cmd on a Mac. */
 type Row = CommandName | readonly [keys: string, what: string];
 
 const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [

@@ -1,19 +1,19 @@
 /** The legend of a heat map, or a hint on how to see it. */
 import { html, nothing, type TemplateResult } from 'lit';
+import type { EditorModel } from '../editor/view_model';
 import { HEAT_RAMP, MOST_COVERAGE } from '../geometry/heat';
 import { draws } from '../tools/machine';
-import type { EditorModel } from './model';
 
 const COLOURS = HEAT_RAMP.map(([red, green, blue, alpha]) => `rgb(${red} ${green} ${blue} / ${alpha})`);
 const GRADIENT = `background-image: linear-gradient(to right, ${COLOURS.join(', ')})`;
 
 export function legends(model: EditorModel): TemplateResult | typeof nothing {
-  const { overlays, picture, draft, bare, document, tool } = model;
-  if (!picture || draft || bare || document.project.handles.length === 0) return nothing;
+  const { overlays, picture, draft, preview, document, tool } = model;
+  if (!picture || draft || preview || document.project.handles.length === 0) return nothing;
   if (overlays.coverage) return coverageLegend;
   if (!overlays.reach) return nothing;
   if (document.selection.length > 0) return reachLegend;
-  // Such tools have their own hint there, and draw something before anything is selected.
+  // Drawing tools show their own hint there.
   if (draws(tool)) return nothing;
   return html`<p class="hint" part="hint">Select a handle to see its reach</p>`;
 }

@@ -1,6 +1,7 @@
 /** A number of the selected handles or of a corner, to be typed or stepped. */
 import { html, nothing, type TemplateResult } from 'lit';
-import type { EditorActions, EditorModel } from './model';
+import type { Dispatch, NumberChange } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { untyped } from './untyped';
 
 export interface FieldLook {
@@ -8,19 +9,19 @@ export interface FieldLook {
   readonly label: string;
   readonly unit: string;
   readonly step: number;
-  /** Decimals shown: as many as can be set by hand. */
+  /** Number of decimals shown, the same as people can set. */
   readonly digits: number;
   readonly least?: number;
   readonly most?: number;
-  /** Asks for a keyboard with digits, which lacks a minus on some phones: the value is hardly ever negative. */
+  /** Asks for a keyboard with digits, which lacks a minus on some phones. For values that are hardly ever negative. */
   readonly digitKeys?: boolean;
   readonly tip?: string;
 }
 
-/** What coordinates have in common. */
+/** The common look of coordinates. */
 export const PLACE = { unit: 'px', step: 1, digits: 1, digitKeys: true } as const;
 
-/** Limit of typed pixels and degrees: far beyond any picture. */
+/** Limit of typed pixels and degrees, far beyond any picture. */
 const MOST = 1e6;
 
 /** Commas between thousands, as the editor itself writes them. */
@@ -40,7 +41,7 @@ const expected = ({ label, least, most }: FieldLook, value: number): string => {
     : `${label} takes a number up to ${MOST.toLocaleString('en-GB')}.`;
 };
 
-/** The press that brings the focus selects the number, to be typed over; the next one sets the caret. */
+/** The press that focuses the field selects its number, to be typed over. The next one sets the caret. */
 function selectAll(event: MouseEvent): void {
   const input = event.currentTarget as HTMLInputElement;
   if ((input.getRootNode() as ShadowRoot).activeElement === input) return;
@@ -53,18 +54,18 @@ function selectAll(event: MouseEvent): void {
 const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1 };
 
 /**
- * Commits on Enter and on leaving the field; arrow keys change every number by a step, with Shift by ten; Escape
- * restores what was there.
+ * Commits on Enter and on leaving the field. Arrow keys change every number by a step, with Shift by ten. Escape
+ * restores the old number.
  *
- * @param numbers those of all that is selected: shown where they are the same.
- * @param set sets each, from its current value.
+ * @param numbers the numbers of all selected handles, shown if they are equal.
+ * @param set sets the number of each selected handle.
  */
 export function numberField(
   look: FieldLook,
   numbers: readonly number[],
-  set: (value: (now: number) => number) => void,
+  set: (change: NumberChange) => void,
   model: EditorModel,
-  actions: EditorActions,
+  dispatch: Dispatch,
 ): TemplateResult {
   const values = numbers.map((number) => Number(number.toFixed(look.digits)));
   const shared = values.every((value) => value === values[0]) ? String(values[0]) : '';
@@ -74,10 +75,11 @@ export function numberField(
     const input = event.target as HTMLInputElement;
     const value = numberOf(input.value);
     if (input.value !== shared && value >= least && value <= most) {
-      set(() => value);
+      set({ to: value });
       return;
     }
-    if (input.value.trim() !== '' && input.value !== shared) actions.refuse(expected(look, value));
+    if (input.value.trim() !== '' && input.value !== shared)
+      dispatch({ type: 'number-refused', text: expected(look, value) });
     input.value = shared;
   };
   const onKey = (event: KeyboardEvent) => {
@@ -86,7 +88,7 @@ export function numberField(
     if (by !== 0) {
       event.preventDefault();
       input.dispatchEvent(new Event('change'));
-      set((now) => Math.min(Math.max(now + by, least), most));
+      set({ by, least, most });
     }
     if (event.key !== 'Escape') return;
     event.preventDefault();

@@ -1,11 +1,12 @@
 /** The menu of overlays: a button, and a check box for each. */
 import { html, type TemplateResult } from 'lit';
+import type { Dispatch } from '../editor/events';
+import { OVERLAYS, type OverlayName } from '../editor/overlays';
+import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
-import type { OverlayFlags } from './overlays';
 
-/** The name of each overlay, and what it shows. */
-const OVERLAYS = {
+/** The name and the tooltip of each overlay. */
+const TEXTS = {
   mesh: ['Mesh', 'The triangles that the picture is drawn with'],
   cells: ['Cells', 'What is nearest to each handle, virtual ones too'],
   sites: ['Virtual handles', 'What moves the picture between your handles'],
@@ -13,11 +14,10 @@ const OVERLAYS = {
   folds: ['Folds', 'Where the picture has turned over'],
   reach: ['Reach', 'How much of a small move of the selected handles each place of the picture follows'],
   coverage: ['Coverage', 'How many handles move each place, virtual ones too'],
-} as const satisfies Record<keyof OverlayFlags, readonly [label: string, tip: string]>;
+} as const satisfies Record<OverlayName, readonly [label: string, tip: string]>;
 
-export function overlayMenu(model: EditorModel, actions: EditorActions): TemplateResult {
-  const names = Object.keys(OVERLAYS) as (keyof OverlayFlags)[];
-  const shown = names.filter((name) => model.overlays[name]).map((name) => OVERLAYS[name][0]);
+export function overlayMenu(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const shown = OVERLAYS.filter((name) => model.overlays[name]).map((name) => TEXTS[name][0]);
   const label = ['Overlays', shown.join(', ').toLowerCase()].filter(Boolean).join(': ');
   return html`<div class="menu">
     <button
@@ -40,18 +40,22 @@ export function overlayMenu(model: EditorModel, actions: EditorActions): Templat
       role="group"
       @beforetoggle=${placeBelowButton}
     >
-      ${names.map(
-        (name) => html`<label class="check" title=${OVERLAYS[name][1]}>
+      ${OVERLAYS.map(
+        (name) => html`<label class="check" title=${TEXTS[name][1]}>
           <input
             type="checkbox"
-            aria-description=${OVERLAYS[name][1]}
+            aria-description=${TEXTS[name][1]}
             .checked=${model.overlays[name]}
             @change=${(event: Event) => {
               event.stopPropagation();
-              actions.overlay(name, (event.target as HTMLInputElement).checked);
+              dispatch({
+                type: 'overlay-switched',
+                overlay: name,
+                on: (event.target as HTMLInputElement).checked,
+              });
             }}
             @input=${(event: Event) => event.stopPropagation()}
-          />${OVERLAYS[name][0]}
+          />${TEXTS[name][0]}
         </label>`,
       )}
     </div>
@@ -62,7 +66,7 @@ export function overlayMenu(model: EditorModel, actions: EditorActions): Templat
 const WIDTH = 220;
 const GAP = 6;
 
-/** Places a popover, which lies in the top layer, in coordinates of the window. */
+/** Places a popover below its button. It lies in the top layer, so its coordinates are those of the window. */
 function placeBelowButton(event: Event): void {
   const popover = event.currentTarget as HTMLElement;
   const button = popover.previousElementSibling;

@@ -1,36 +1,12 @@
 /** Cells, virtual sites, the cell graph and folds, drawn over the posed picture. */
+
 import { nothing, type SVGTemplateResult, svg } from 'lit';
+import type { FoldedMesh, SiteGraph } from '../editor/deformation';
+import type { OverlayFlags } from '../editor/overlays';
 import { type Camera, toStage } from '../geometry/camera';
-import { sitePlace } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
 
-/** Which overlays are shown. */
-export type OverlayFlags = Readonly<
-  Record<'mesh' | 'cells' | 'sites' | 'graph' | 'folds' | 'reach' | 'coverage', boolean>
->;
-
-/** The sites of a solution in their current pose. */
-export interface SiteGraph {
-  /** Sites: index of the site's handle, −1 for a virtual site. */
-  readonly handles: Int32Array;
-  /** Edges × 2: sites whose cells touch. */
-  readonly edges: Uint32Array;
-  /** Sites × MOTION_STRIDE. */
-  readonly motions: Float32Array;
-}
-
-/** Some triangles of the posed mesh. */
-export interface FoldedMesh {
-  /** Vertices × 2, image pixels. */
-  readonly posed: Float32Array;
-  /** Triangles × 3. */
-  readonly triangles: Uint32Array;
-}
-
 type Overlay = SVGTemplateResult | typeof nothing;
-
-const place = (graph: SiteGraph, camera: Camera, site: number): Vec =>
-  toStage(camera, sitePlace(graph.motions, site));
 
 export function siteOverlay(graph: SiteGraph | null, camera: Camera, flags: OverlayFlags): SVGTemplateResult {
   return svg`
@@ -60,7 +36,8 @@ export function foldOverlay(folded: FoldedMesh | null, camera: Camera): Overlay 
 
 function graphPath(graph: SiteGraph, camera: Camera): string {
   const { edges } = graph;
-  return path(edges.length, 2, (at) => place(graph, camera, edges[at] ?? 0));
+  const place = through(graph.places, camera);
+  return path(edges.length, 2, (at) => place(edges[at] ?? 0));
 }
 
 /** The places of an array × 2, image pixels, on the stage. */
@@ -69,7 +46,7 @@ const through =
   (at: number): Vec =>
     toStage(camera, [places[2 * at] ?? 0, places[2 * at + 1] ?? 0]);
 
-/** A path through so many places, closed and begun anew after each so many of them. */
+/** A path through `count` places, closed after each group of `each` places. */
 function path(count: number, each: number, place: (at: number) => Vec): string {
   let path = '';
   for (let at = 0; at < count; at++) {
@@ -78,11 +55,12 @@ function path(count: number, each: number, place: (at: number) => Vec): string {
   return path;
 }
 
-/** A dot is a line of no length with round caps: one path for all of them. */
+/** One path for all sites: a dot is a line of length 0 with round caps. */
 function sitePath(graph: SiteGraph, camera: Camera): string {
+  const place = through(graph.places, camera);
   let path = '';
   graph.handles.forEach((handle, site) => {
-    if (handle < 0) path += `M${text(place(graph, camera, site))}h0`;
+    if (handle < 0) path += `M${text(place(site))}h0`;
   });
   return path;
 }

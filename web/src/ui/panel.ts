@@ -1,8 +1,8 @@
 /**
  * The property panel: the numbers of the selected handles, how the picture bends, and the list of all handles.
  *
- * On a phone it is a sheet with one of the first two. For selected handles the sheet shows one line, and the numbers at
- * a press; it keeps clear of the selected handles, and is hidden during a drag.
+ * On a phone it is a sheet with one of the first two. For selected handles the sheet shows one line, and a press shows
+ * the numbers. It keeps clear of the selected handles, and hides during a drag.
  */
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
@@ -10,6 +10,9 @@ import { selectedHandles } from '../document/document';
 import { groupCentre } from '../document/group';
 import { anchor, isLine, nameOf } from '../document/handle';
 import type { Handle } from '../document/project';
+import type { Dispatch } from '../editor/events';
+import { FROM_BOTTOM, SHEET } from '../editor/sizes';
+import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 import { bending } from './bending';
 import { commandButton } from './command_button';
@@ -17,10 +20,8 @@ import { cornerFields } from './corner_fields';
 import { fields } from './fields';
 import { handleList } from './handle_list';
 import { icon } from './icons';
-import type { EditorActions, EditorModel } from './model';
-import { FROM_BOTTOM, SHEET } from './style/sizes';
 
-export function panel(model: EditorModel, actions: EditorActions): TemplateResult {
+export function panel(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const selected = selectedHandles(model.document);
   const { settings, numbers, pressing } = model;
   const looks = {
@@ -31,15 +32,15 @@ export function panel(model: EditorModel, actions: EditorActions): TemplateResul
     high: !settings && isLow(selected, model),
   };
   return html`<section class="panel card ${classMap(looks)}" part="panel" aria-label="Properties">
-    ${selected.length > 0 ? properties(selected, model, actions) : nothing}
-    ${bending(model, actions, selected.length === 0 || settings)} ${handleList(model, actions)}
+    ${selected.length > 0 ? properties(selected, model, dispatch) : nothing}
+    ${bending(model, dispatch, selected.length === 0 || settings)} ${handleList(model, dispatch)}
   </section>`;
 }
 
 /** Room for a handle's dot beside the sheet, CSS pixels. */
 const DOT = 14;
 
-/** Whether the sheet would cover what it is about at the bottom of the stage, and less so at its top. */
+/** Whether the sheet would cover the selected handles at the bottom of the stage, and less so at its top. */
 function isLow(selected: readonly Handle[], { camera, stage, numbers, corner }: EditorModel): boolean {
   const [first] = selected;
   if (!first) return false;
@@ -50,15 +51,15 @@ function isLow(selected: readonly Handle[], { camera, stage, numbers, corner }: 
   return y > Math.max(low, (low + high) / 2);
 }
 
-function properties(selected: readonly Handle[], model: EditorModel, actions: EditorActions): TemplateResult {
+function properties(selected: readonly Handle[], model: EditorModel, dispatch: Dispatch): TemplateResult {
   const [first] = selected;
   if (!first) return html``;
   const title = selected.length === 1 ? nameOf(first) : `${selected.length} handles`;
   const rest = anchor(first, 'rest').map((value) => Math.round(value));
   return html`<section class="properties" aria-label="Selected handle">
     <h2>${title}</h2>
-    ${fields(selected, model, actions)}
-    ${selected.length === 1 && isLine(first) ? cornerFields(first, model, actions) : nothing}
+    ${fields(selected, model, dispatch)}
+    ${selected.length === 1 && isLine(first) ? cornerFields(first, model, dispatch) : nothing}
     <div class="row">
       <span class="faint">${selected.length === 1 ? `Rests at ${rest.join(',\u00a0')}` : ''}</span>
       <button
@@ -67,13 +68,13 @@ function properties(selected: readonly Handle[], model: EditorModel, actions: Ed
         part="button"
         aria-label="Numbers"
         aria-expanded=${String(model.numbers)}
-        @click=${() => actions.numbers(!model.numbers)}
+        @click=${() => dispatch({ type: 'numbers-opened', open: !model.numbers })}
       >
         ${icon('unfold')}
       </button>
-      ${commandButton('mirror', model, actions)}
-      ${commandButton('reset', model, actions, { label: 'Reset to rest' })}
-      ${commandButton('remove', model, actions)}
+      ${commandButton('mirror', model, dispatch)}
+      ${commandButton('reset', model, dispatch, { label: 'Reset to rest' })}
+      ${commandButton('remove', model, dispatch)}
     </div>
   </section>`;
 }

@@ -1,53 +1,54 @@
 /** The stage: the picture with its overlays and handles, for editing, posing or only viewing. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { crosshair, selectionBox } from './aims';
+import { cssCursor } from './cursor';
 import { domainMarks } from './domain';
 import { draftMarks } from './drawing';
 import { frame } from './frame';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
-import type { EditorActions, EditorModel } from './model';
 import { cellOverlay, foldOverlay, siteOverlay } from './overlays';
 
-/** What no control tells of. */
+/** Keys without a control of their own. */
 const KEYS = 'Arrow keys move what is selected, comma and full stop turn it, with Alt they scale it.';
 
-export function stage(model: EditorModel, actions: EditorActions, canvas: HTMLCanvasElement): TemplateResult {
+export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvasElement): TemplateResult {
   const { playing } = model;
   const handled = !(playing && model.readonly);
   return html`<div
-    class="stage ${model.hint ? 'inviting' : ''} ${model.bare ? 'bare' : ''}"
+    class="stage ${model.hint ? 'inviting' : ''} ${model.preview ? 'previewing' : ''}"
     part="stage"
     tabindex=${handled ? (playing ? -1 : 0) : nothing}
     role=${handled ? 'application' : 'img'}
     aria-label=${stageLabel(model)}
     aria-description=${model.picture && handled && !model.readonly ? KEYS : nothing}
-    .style=${`cursor: ${model.cursor}`}
-    @focus=${() => actions.focused(null)}
+    .style=${`cursor: ${cssCursor(model.cursor)}`}
   >
     ${canvas}
     <svg class="marks" aria-hidden="true">
       ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
       ${crosshair(model)}
     </svg>
-    ${handled && model.tool !== 'lasso' ? handleButtons(model, actions) : nothing}
+    ${handled && model.tool !== 'lasso' ? handleButtons(model, dispatch) : nothing}
   </div>`;
 }
 
-/** What is drawn on the posed picture. */
+/** The marks on the posed picture. */
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
   ${model.playing ? nothing : frame(model)} ${cellOverlay(model.borders, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
   ${foldOverlay(model.folded, model.camera)} ${handled ? handleMarks(model) : nothing} ${selectionBox(model)}`;
 
-/** The picture for screen readers while all that belongs to it is inert. */
+/** The picture for screen readers while the editor is inert. */
 export const disabledStage = (model: EditorModel): TemplateResult =>
   html`<p class="spoken" role="img" aria-label="${pictureLabel(model)}, disabled"></p>`;
 
 const stageLabel = (model: EditorModel): string =>
   `${pictureLabel(model)}${model.playing && !model.readonly ? ', to be posed by its handles' : ''}`;
 
-/** In an editor people may open other pictures than the one that the page describes. */
+/** The label of the picture. In an editor people may open other pictures than the one that the page describes. */
 function pictureLabel({ picture, playing, alt }: EditorModel): string {
   if (!picture) return 'No picture';
   return (playing && alt) || `Picture ${picture.name}`;

@@ -1,13 +1,13 @@
-/** A hint over the picture: what the current tool does, or which tool to choose while there are no handles. */
+/** A hint over the picture: the use of the current tool, or the tool to choose while there are no handles. */
 import { html, nothing, type TemplateResult } from 'lit';
+import type { EditorModel } from '../editor/view_model';
 import type { ToolName } from '../tools/machine';
-import type { EditorModel } from './model';
 
 export function toolHint(model: EditorModel): TemplateResult | typeof nothing {
   const { draft, document, picture } = model;
-  // A notice with an action, such as going back to another picture, stays until it is answered: hints appear above it.
+  // A notice with an action stays until it is answered, so hints appear above it.
   const silent = !model.notice || model.notice.action !== undefined;
-  const idle = !model.readonly && silent && !model.hint && !model.bare;
+  const idle = !model.readonly && silent && !model.hint && !model.preview;
   if (!idle || picture === null || draft !== null || document.selection.length > 0) return nothing;
   const words = wordsOf(model)[model.tool];
   return words === undefined ? nothing : html`<p class="hint" part="hint">${words}</p>`;

@@ -1,15 +1,16 @@
-/** The bar above: documents, history, what is shown, and the name of the picture. */
+/** The bar at the top: documents, history, overlays, and the name of the picture. */
 import { html, type TemplateResult } from 'lit';
+import type { CommandName } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
 import { commandButton, type Look } from './command_button';
-import type { CommandName } from './commands';
 import { holdButton } from './hold_button';
 import { icon } from './icons';
 import { keysButton } from './keys';
-import type { EditorActions, EditorModel } from './model';
 import { overlayMenu } from './overlay_menu';
 
-export function topBar(model: EditorModel, actions: EditorActions): TemplateResult {
-  const command = (name: CommandName, look?: Look) => commandButton(name, model, actions, look);
+export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const command = (name: CommandName, look?: Look) => commandButton(name, model, dispatch, look);
   return html`<div class="top" part="toolbar" role="group" aria-label="Document">
     <span class="brand" aria-hidden="true">c<sup>2</sup>warp</span>
     <div class="group">
@@ -23,17 +24,17 @@ export function topBar(model: EditorModel, actions: EditorActions): TemplateResu
     </div>
     <div class="group">
       ${command('reset-all')}
-      ${holdButton('compare', model, actions)} ${overlayMenu(model, actions)}
+      ${holdButton('compare', model, dispatch)} ${overlayMenu(model, dispatch)}
     </div>
     <span class="title" title=${model.picture?.name ?? ''}>${model.picture?.name ?? ''}</span>
-    ${keysButton()} ${themeButton(model, actions)}
+    ${keysButton()} ${themeButton(model, dispatch)}
   </div>`;
 }
 
 const told = (verb: string, label: string | null): string =>
   label === null ? verb : `${verb}: ${label.charAt(0).toLowerCase()}${label.slice(1)}`;
 
-function themeButton(model: EditorModel, actions: EditorActions): TemplateResult {
+function themeButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const label = model.dark ? 'Light colours' : 'Dark colours';
   return html`<button
     type="button"
@@ -41,7 +42,7 @@ function themeButton(model: EditorModel, actions: EditorActions): TemplateResult
     part="button"
     data-tip=${label}
     aria-label=${label}
-    @click=${() => actions.theme()}
+    @click=${() => dispatch({ type: 'theme-switched' })}
   >
     ${icon(model.dark ? 'light' : 'dark')}
   </button>`;

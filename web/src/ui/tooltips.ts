@@ -1,18 +1,16 @@
 /**
- * Escape dismisses a shown tooltip, wherever the pointer and the focus are (WCAG 1.4.13), and so does a press: on the
- * button, after which the pointer goes on to what may lie under the tooltip, or on the tooltip, which is none on its
- * button. The next hover or focus of its button shows it again.
+ * Escape dismisses a tooltip, wherever the pointer and the focus are (WCAG 1.4.13). So does a press on its button or on
+ * the tooltip, which may cover something else. The next hover or focus of its button shows it again.
  *
- * What a person is in the midst of goes first and leaves the tooltip: a drag, a drawing, the crosshair, an open menu or
- * sheet of settings, a number field. All else that Escape does waits for the next press, such as to let go of what is
- * selected.
+ * Escape first ends work in progress, and leaves the tooltip: a drag, a drawing, the crosshair, an open menu or sheet,
+ * a number field. Everything else that Escape does waits for its next press.
  */
 import { noChange } from 'lit';
 import { AsyncDirective, directive } from 'lit/async-directive.js';
 import type { ElementPart } from 'lit/directive.js';
-import type { EditorModel } from './model';
+import type { EditorModel } from '../editor/view_model';
 
-/** On buttons whose tooltip is dismissed: `style/tooltips.ts` shows none there. */
+/** Marks buttons whose tooltip is dismissed. `style/tooltips.ts` shows none there. */
 const DISMISSED = 'data-dismissed';
 
 class Tooltips extends AsyncDirective {
@@ -40,7 +38,7 @@ class Tooltips extends AsyncDirective {
     if (this.#shell) this.#listen(this.#shell);
   }
 
-  /** On the window: a tooltip is shown by hover while the focus is anywhere on the page. */
+  /** Listens on the window, since a hover shows a tooltip wherever the focus is. */
   #listen(shell: Element): void {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
@@ -55,7 +53,7 @@ class Tooltips extends AsyncDirective {
   }
 }
 
-/** Dismisses the tooltip of a button that is pressed, or that itself is: what lies under it gets the next press. */
+/** Dismisses the tooltip of a pressed button, or a pressed tooltip. Whatever lies under it gets the next press. */
 function pressed(event: PointerEvent): void {
   const button = (event.target as Element).closest('[data-tip]');
   if (!button) return;
@@ -71,11 +69,11 @@ function dismissIn(shell: Element, event: Event): void {
   if (held?.matches('.field input') || shell.querySelector(':popover-open')) return;
   const shown = [...shell.querySelectorAll('[data-tip]')].filter(isShown);
   for (const button of shown) dismiss(button);
-  // With the focus elsewhere the key is the page's too.
+  // With the focus elsewhere, the page gets the key too.
   if (held && shown.length > 0) event.preventDefault();
 }
 
-/** Whether a button's tooltip can be seen: before it fades in nothing is there to dismiss. */
+/** Whether a button's tooltip is visible. Before it fades in there is nothing to dismiss. */
 function isShown(button: Element): boolean {
   const { content, opacity } = getComputedStyle(button, '::after');
   return content !== 'none' && Number(opacity) > 0;
@@ -89,10 +87,10 @@ function dismiss(button: Element): void {
     again.abort();
   };
   button.addEventListener('pointerenter', show, { signal: again.signal });
-  // A press, which dismisses too, gives a button the focus.
+  // A press dismisses the tooltip and focuses the button: only focus by keys shows it again.
   const byKeys = () => button.matches(':focus-visible') && show();
   button.addEventListener('focus', byKeys, { signal: again.signal });
 }
 
-/** On `.shell`, for the tooltips in it. */
+/** Handles the tooltips in `.shell`. */
 export const tooltips = directive(Tooltips);

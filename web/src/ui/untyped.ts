@@ -1,20 +1,20 @@
-/** Binds a field to its value in the editor without overwriting what a person is typing. */
+/** Binds a field to a value without overwriting text that a person is typing. */
 import { noChange } from 'lit';
 import { Directive, directive, type PropertyPart } from 'lit/directive.js';
 
-/** Whether an element is a field that text is typed into. */
+/** Whether an element is a text field. */
 export const isField = (element: Element | null): boolean =>
   element?.matches('input:not([type=checkbox])') === true;
 
-/** Fields with typed text that is not committed yet, and not left. */
+/** Fields with typed text that is not committed yet. */
 const typed = new WeakSet<EventTarget>();
 
 export const isTyped = (field: EventTarget): boolean => typed.has(field);
 
-/** What each field is bound to. */
+/** The value that each field is bound to. */
 const bound = new WeakMap<EventTarget, string>();
 
-/** Puts back what a field is bound to, in place of what is being typed. */
+/** Replaces typed text by the bound value. */
 export function untype(field: HTMLInputElement): void {
   typed.delete(field);
   field.value = bound.get(field) ?? field.value;
@@ -31,7 +31,7 @@ class Untyped extends Directive {
     const input = element as HTMLInputElement;
     if (!this.#listening) this.#listen(input);
     bound.set(input, value);
-    // Set here: Lit compares with the value it set last, not with what was typed since.
+    // Set here, because Lit compares with the value that it set last, not with the typed text.
     if (!isTyped(input) && input.value !== value) input.value = value;
     return noChange;
   }
@@ -46,5 +46,5 @@ class Untyped extends Directive {
   }
 }
 
-/** For `.value=` of an input: sets the value, except between the first typed key and commit or blur. */
+/** For `.value=` of an input. Sets the value, except between the first typed key and commit or blur. */
 export const untyped = directive(Untyped);

@@ -1,6 +1,6 @@
 /** The element as a box on any page, and shared styles: focus rings, cards, icons, fading in. */
 import { css } from 'lit';
-import { LEAST_HEIGHT, OWN_WIDTH } from './sizes';
+import { LEAST_HEIGHT, OWN_WIDTH } from '../../editor/sizes';
 
 export const baseStyle = css`
   :host {

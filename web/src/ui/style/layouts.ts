@@ -1,6 +1,6 @@
 /** The layouts of the editor: conditions on the size of `.shell`, for container queries. */
 import { css } from 'lit';
-import { LOW, LOWEST, NARROW, PHONE } from './sizes';
+import { LOW, LOWEST, NARROW, PHONE } from '../../editor/sizes';
 
 /** No room for labels on buttons. */
 export const narrow = css`shell (width < ${NARROW}px)`;

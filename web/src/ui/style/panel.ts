@@ -1,8 +1,8 @@
 /** The panel: a card at the right, or a sheet above the tools on phones. */
 import { css } from 'lit';
+import { FROM_BOTTOM, LOW } from '../../editor/sizes';
 import { lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
-import { FROM_BOTTOM, LOW } from './sizes';
 
 export const panelStyle = css`
   .panel {

@@ -1,7 +1,7 @@
 /** The shell: bars above and below, the picture between them, and the space of the cards at its sides. */
 import { css } from 'lit';
+import { PANEL, TOOLS } from '../../editor/sizes';
 import { low, lowest, lowPhone, narrow, phone } from './layouts';
-import { PANEL, TOOLS } from './sizes';
 
 export const shellStyle = css`
   .shell {

@@ -33,7 +33,7 @@ export const stageStyle = css`
     height: 100%;
     pointer-events: none;
   }
-  .stage.bare :is(.marks, .handles) {
+  .stage.previewing :is(.marks, .handles) {
     opacity: 0;
   }
   :host(.dropping) .stage::after {

@@ -1,8 +1,8 @@
 /** The status line. */
 import { css } from 'lit';
+import { BARS } from '../../editor/sizes';
 import { narrow, phone } from './layouts';
 import { ORDER } from './order';
-import { BARS } from './sizes';
 
 export const statusStyle = css`
   .status {

@@ -1,8 +1,8 @@
 /** The toolbar: groups of buttons, and the name of the picture. */
 import { css } from 'lit';
+import { BARS } from '../../editor/sizes';
 import { narrow, phone } from './layouts';
 import { ORDER } from './order';
-import { BARS } from './sizes';
 
 export const toolbarStyle = css`
   .top {

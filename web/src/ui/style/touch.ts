@@ -4,8 +4,8 @@
  * The sizes depend on the pointer, not on the width. The sheet comes after those with sizes for a mouse.
  */
 import { css } from 'lit';
+import { BARS, TOOLS } from '../../editor/sizes';
 import { lowestPhone, lowPhone } from './layouts';
-import { BARS, TOOLS } from './sizes';
 
 export const touchStyle = css`
   @media (pointer: coarse) {

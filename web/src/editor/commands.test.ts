@@ -1,0 +1,93 @@
+import { describe, expect, it } from 'vitest';
+import { ariaKeys, COMMANDS, commandOfKey, commandsFor, type KeyPress, keyHint } from './commands';
+
+const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({
+  key,
+  code: '',
+  ctrlKey: false,
+  metaKey: false,
+  altKey: false,
+  shiftKey: false,
+  ...held,
+});
+
+describe('commandOfKey', () => {
+  it('reads letters in either case, and marks however they are typed', () => {
+    expect(commandOfKey(press('v'))).toBe('select');
+    expect(commandOfKey(press('V', { shiftKey: true }))).toBe('select');
+    expect(commandOfKey(press('+', { shiftKey: true }))).toBe('zoom-in');
+  });
+
+  it('tells undo from redo, with Ctrl and with Cmd', () => {
+    expect(commandOfKey(press('z', { ctrlKey: true }))).toBe('undo');
+    expect(commandOfKey(press('Z', { metaKey: true, shiftKey: true }))).toBe('redo');
+    expect(commandOfKey(press('y', { ctrlKey: true }))).toBe('redo');
+  });
+
+  it('takes a letter of another script by its place', () => {
+    expect(commandOfKey(press('я', { code: 'KeyZ', ctrlKey: true }))).toBe('undo');
+    expect(commandOfKey(press('Φ', { code: 'KeyV', shiftKey: true }))).toBe('select');
+    expect(commandOfKey(press('é', { code: 'Digit2' }))).toBeNull();
+    // Of Latin letters what they say counts: on a French keyboard A is where others have Q.
+    expect(commandOfKey(press('a', { code: 'KeyQ', ctrlKey: true }))).toBe('select-all');
+  });
+
+  it('knows brackets that take Alt to be typed', () => {
+    expect(commandOfKey(press('[', { altKey: true, ctrlKey: true }))).toBe('backward');
+    expect(commandOfKey(press(']', { altKey: true }))).toBe('forward');
+  });
+
+  it('offers only posing commands while playing, and none while readonly too', () => {
+    const playing = commandsFor(true, false);
+    const asked = (key: string, ctrlKey = false) => commandOfKey(press(key, { ctrlKey }), playing);
+    expect([asked('z', true), asked('y', true), asked('a', true)]).toEqual(['undo', 'redo', 'select-all']);
+    expect([asked('r'), asked('o'), asked('Escape')]).toEqual(['reset', 'compare', 'bail']);
+    const ofEditors = [
+      'v',
+      'p',
+      'b',
+      'g',
+      'h',
+      'c',
+      'x',
+      'm',
+      '[',
+      ']',
+      '0',
+      '1',
+      '+',
+      '-',
+      'Delete',
+      'Backspace',
+    ];
+    expect(ofEditors.map((key) => asked(key))).toEqual(ofEditors.map(() => null));
+    expect(['o', 's', 'e', 'c', 'v'].map((key) => asked(key, true))).toEqual(Array(5).fill(null));
+    expect(commandsFor(true, true)).toEqual([]);
+  });
+
+  it('leaves alone what it does not know', () => {
+    expect(commandOfKey(press('p', { ctrlKey: true }))).toBeNull();
+    expect(commandOfKey(press('h', { altKey: true }))).toBeNull();
+    expect(commandOfKey(press('Tab'))).toBeNull();
+  });
+
+  it('has no key twice', () => {
+    const keys = Object.values(COMMANDS).flatMap((command): readonly string[] => command.keys);
+    expect(new Set(keys).size).toBe(keys.length);
+  });
+});
+
+describe('hints', () => {
+  it('show the first key as the platform writes it', () => {
+    expect(keyHint('redo', 'Linux x86_64')).toBe('Ctrl + Shift + Z');
+    expect(keyHint('redo', 'MacIntel')).toBe('⌘⇧Z');
+    expect(keyHint('zoom-in', 'Linux x86_64')).toBe('+');
+    expect(keyHint('reset-all', 'Linux x86_64')).toBe('');
+  });
+
+  it('name keys for assistive technology', () => {
+    expect(ariaKeys('redo', 'Linux x86_64')).toBe('Control+Shift+Z Control+Y');
+    expect(ariaKeys('redo', 'MacIntel')).toBe('Meta+Shift+Z Meta+Y');
+    expect(ariaKeys('zoom-in', 'Linux x86_64')).toBe('=');
+  });
+});

@@ -1,0 +1,41 @@
+/** The cursor over the stage: it announces what a press would do. */
+import { selectedHandles } from '../document/document';
+import { groupTurn } from '../document/group';
+import { draftOf, isPressing } from '../tools/machine';
+import { hitAt } from './hit_areas';
+import { handlesAreShown, pressesPan } from './permissions';
+import { documentOf, type EditorState } from './state';
+
+/** A CSS cursor, or `turn`, for which CSS has none. */
+export type Cursor =
+  | 'default'
+  | 'grab'
+  | 'grabbing'
+  | 'pointer'
+  | 'crosshair'
+  | 'move'
+  | 'turn'
+  | `${(typeof SCALE_DIRECTIONS)[number]}-resize`;
+
+/** The direction of the scaling grip, by eighths of a turn of the ring. */
+const SCALE_DIRECTIONS = ['nwse', 'ns', 'nesw', 'ew'] as const;
+
+export function cursorOf(state: EditorState): Cursor {
+  const { tools, pointer } = state;
+  if (!state.picture) return 'default';
+  const pressing = isPressing(tools);
+  if (pressesPan(state) || tools.tool === 'hand') return pressing ? 'grabbing' : 'grab';
+  const draft = draftOf(tools);
+  if (draft) return draft.finishing ? 'pointer' : 'crosshair';
+  const places = tools.tool !== 'select';
+  const under = pointer.hovered && handlesAreShown(state) ? hitAt(state, pointer.hovered, !places) : null;
+  if (under?.part === 'ring') return 'turn';
+  if (under?.part === 'grip') return scaleCursor(state);
+  if (under) return pressing ? 'grabbing' : 'move';
+  return places ? 'crosshair' : 'default';
+}
+
+function scaleCursor(state: EditorState): Cursor {
+  const turn = groupTurn(selectedHandles(documentOf(state)));
+  return `${SCALE_DIRECTIONS[Math.round(turn / 45) & 3] ?? 'nwse'}-resize`;
+}

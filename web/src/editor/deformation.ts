@@ -1,0 +1,89 @@
+/**
+ * The posed picture as geometry: the questions that the editor asks about one solution.
+ *
+ * Answers depend only on the arguments, so the editor stays pure. The runtime answers from the WebAssembly module,
+ * tests from a plane. Places are image pixels, rotations degrees. A pose that the solver cannot compute, such as a bar
+ * without length, gives the last answer again.
+ */
+import type { Turns } from '../document/handle';
+import type { Project } from '../document/project';
+import type { Box } from '../geometry/box';
+import type { LocatedPoint, Placement } from '../geometry/place';
+import type { Vec } from '../geometry/vec';
+
+/** The sites of a solution in one pose. */
+export interface SiteGraph {
+  /** Sites: index of the site's handle, −1 for a virtual site. */
+  readonly handles: Int32Array;
+  /** Edges × 2: sites whose cells touch. */
+  readonly edges: Uint32Array;
+  /** Sites × 2: posed places. */
+  readonly places: Float32Array;
+}
+
+/** Some triangles of the posed mesh. */
+export interface FoldedMesh {
+  /** Vertices × 2. */
+  readonly posed: Float32Array;
+  /** Triangles × 3. */
+  readonly triangles: Uint32Array;
+}
+
+/** The borders between the cells of a solution: straight pieces, each within one triangle of its mesh. */
+export interface CellBorders {
+  /** Pieces × 3 vertices of the triangle. */
+  readonly corners: Uint32Array<ArrayBuffer>;
+  /** Pieces × 2 ends × 3 barycentric coordinates. */
+  readonly barycentric: Float32Array<ArrayBuffer>;
+}
+
+/** How far handles can go. */
+export interface LimitedPose {
+  readonly project: Project;
+  /** Of the way: 0 is its start, 1 its end. */
+  readonly fraction: number;
+}
+
+/** The way of a group transform. Everything but the poses of the group is as in `to`. */
+export interface GroupWay {
+  /** The project before anything was turned or scaled. */
+  readonly origin: Project;
+  /** Ids of the handles in the group. */
+  readonly selection: readonly string[];
+  readonly to: Project;
+  /** Turn in degrees and scale from `origin`: the allowed one, and the wanted one. */
+  readonly start: { readonly turn: number; readonly scale: number };
+  readonly end: { readonly turn: number; readonly scale: number };
+}
+
+export interface Deformation {
+  /** Where a point handle can be placed: at `posed`, or at most `within` away on the nearest part that bends. */
+  placement(project: Project, posed: Vec, within: number): Placement | null;
+  /** The point of the original that is drawn at a place. Beside the picture its nearest part continues. */
+  locate(project: Project, posed: Vec): LocatedPoint;
+  /** The turns of automatic handles. */
+  turns(project: Project): Turns;
+  /** The sites and the edges between their cells. */
+  siteGraph(project: Project): SiteGraph | null;
+  /** Pieces × 2 ends × 2: where the pose puts the borders between cells. */
+  posedBorders(project: Project, borders: CellBorders): Float32Array;
+  /** The triangles that the pose turns over; null if there are none. */
+  foldedMesh(project: Project): FoldedMesh | null;
+  /** The number of triangles that the pose turns over. */
+  foldCount(project: Project): number;
+  /** The number of folded triangles, counted up to `limit` + 1; infinite for a pose that cannot be computed. */
+  foldCountUpTo(project: Project, limit: number): number;
+  /**
+   * The farthest pose on the way between two poses that folds at most `allowed` triangles. Returns `to` itself if all
+   * of the way is allowed. The pose of `from` counts as allowed.
+   */
+  foldLimit(from: Project, to: Project, allowed: number): LimitedPose;
+  /** The same for handles that turn and scale together about one centre. */
+  groupFoldLimit(way: GroupWay, allowed: number): LimitedPose;
+  /** Bounding box of the posed picture; null for an empty mesh. */
+  bounds(project: Project): Box | null;
+  /** Bounding box of the bending part at rest. */
+  restBounds(): Box | null;
+  /** Whether a point of the original is part of what bends. */
+  bends(rest: Vec): boolean;
+}

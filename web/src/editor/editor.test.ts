@@ -1,0 +1,142 @@
+import { describe, expect, it } from 'vitest';
+import { isSameWork } from '../document/document';
+import { timeline, undoLabel } from '../document/history';
+import { WarpError } from '../error';
+import { COMMANDS, type CommandName } from './commands';
+import type { EditorEvent } from './events';
+import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
+import { documentOf } from './state';
+import { viewModel } from './view_model';
+
+/** A small generator with a fixed seed (mulberry32): the same sequences in every run. */
+function randomOf(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+type Step = (runtime: FakeRuntime, random: () => number) => void;
+
+const among = <T>(list: readonly T[], random: () => number): T =>
+  list[Math.floor(random() * list.length)] as T;
+
+const pointerOf = (random: () => number) => ({
+  stage: [Math.round(random() * 420 - 10), Math.round(random() * 320 - 10)] as const,
+  shift: random() < 0.2,
+  alt: random() < 0.1,
+  coarse: random() < 0.2,
+});
+
+const event =
+  (make: (random: () => number) => EditorEvent): Step =>
+  (runtime, random) =>
+    runtime.dispatch(make(random));
+
+const COMMAND_NAMES = Object.keys(COMMANDS) as CommandName[];
+
+/** Everything that people, the page, the solver and the storage can do. */
+const STEPS: readonly Step[] = [
+  ...Array<Step>(6).fill(
+    event((random) => ({ type: 'press-began', pointer: pointerOf(random), pans: random() < 0.1 })),
+  ),
+  ...Array<Step>(8).fill(event((random) => ({ type: 'press-moved', pointer: pointerOf(random) }))),
+  ...Array<Step>(8).fill(event((random) => ({ type: 'press-ended', pointer: pointerOf(random) }))),
+  ...Array<Step>(8).fill(event((random) => ({ type: 'command-run', command: among(COMMAND_NAMES, random) }))),
+  event(() => ({ type: 'press-cancelled' })),
+  event((random) => ({ type: 'double-pressed', pointer: pointerOf(random) })),
+  event((random) => ({ type: 'pointer-hovered', pointer: random() < 0.2 ? null : pointerOf(random) })),
+  event((random) => ({ type: 'menu-asked', pointer: pointerOf(random), resting: random() < 0.5 })),
+  event((random) => ({ type: 'menu-command-run', command: among([...COMMAND_NAMES, null], random) })),
+  event((random) => ({ type: 'arrow-pressed', by: [Math.round(random() * 20 - 10), 1] })),
+  event((random) => ({ type: 'turn-pressed', degrees: random() * 30, scale: random() < 0.5 ? 1 : 1.1 })),
+  event(() => ({ type: 'place-pressed' })),
+  event(() => ({ type: 'menu-key-pressed' })),
+  event((random) => ({ type: 'space-held', held: random() < 0.5 })),
+  event((random) => ({
+    type: 'field-set',
+    field: among(['x', 'y', 'rotation', 'scale', 'depth'] as const, random),
+    change: random() < 0.5 ? { to: 1 + random() * 90 } : { by: 1, least: 0.01, most: 2000 },
+  })),
+  event((random) => ({ type: 'corner-field-set', axis: 0, change: { to: random() * 300 } })),
+  event((random) => ({ type: 'automatic-rotation-switched', on: random() < 0.5 })),
+  event((random) => ({ type: 'pose-mode-chosen', mode: among(['rigid', 'harmonic'] as const, random) })),
+  event((random) => ({ type: 'detail-chosen', detail: among(['coarse', 'fine'] as const, random) })),
+  event((random) => ({ type: 'boundary-switched', held: random() < 0.5 })),
+  event((random) => ({ type: 'fold-guard-switched', on: random() < 0.5 })),
+  event((random) => ({ type: 'overlay-switched', overlay: 'cells', on: random() < 0.5 })),
+  event(() => ({ type: 'drawing-finished' })),
+  event(() => ({ type: 'lasso-removed' })),
+  event(() => ({ type: 'notice-answered' })),
+  event(() => ({ type: 'task-cancelled', task: 'solve' })),
+  event((random) => ({
+    type: 'timer-elapsed',
+    timer: among(['notice', 'solve-patience', 'merge-end', 'pose-check'] as const, random),
+  })),
+  event((random) => ({
+    type: 'page-changed',
+    page: { ...PAGE, readonly: random() < 0.1, playing: random() < 0.1 },
+  })),
+  event(() => ({ type: 'page-changed', page: PAGE })),
+  event((random) => ({ type: 'stage-resized', size: { width: random() * 500, height: 300 }, typing: false })),
+  event((random) => ({ type: 'corner-focused', corner: { id: 'bar-1', index: random() < 0.5 ? 0 : 1 } })),
+  event(() => ({ type: 'stage-focused' })),
+  event((random) => ({
+    type: 'files-received',
+    files: [{ name: among(['a.png', 'b.json'], random), file: testPicture().file }],
+  })),
+  event(() => ({ type: 'retry-asked' })),
+  (runtime, random) => {
+    const handles = documentOf(runtime.state).project.handles.map((handle) => ({
+      ...handle,
+      depth: random(),
+    }));
+    runtime.dispatch({ type: 'handles-posed', handles });
+    runtime.posedByPage ||= handles.length > 0;
+  },
+  (runtime, random) => runtime.read(testPicture(among(['a.png', 'b.png'], random))),
+  (runtime) => runtime.failRead(new WarpError('picture', 'no picture')),
+  ...Array<Step>(6).fill((runtime) => runtime.solve()),
+  (runtime, random) => {
+    const named = documentOf(runtime.state)
+      .project.handles.slice(-1)
+      .map(({ id }) => id);
+    runtime.refuse(new WarpError('handle-outside', 'outside', { handles: random() < 0.7 ? named : [] }));
+  },
+  (runtime) => runtime.refuse(new WarpError('engine', 'failed'), true),
+];
+
+/** Ends what is in progress, so that undo takes back a whole step. */
+function settle(runtime: FakeRuntime): void {
+  runtime.dispatch({ type: 'page-changed', page: PAGE });
+  runtime.dispatch({ type: 'press-cancelled' });
+  runtime.dispatch({ type: 'command-run', command: 'bail' });
+  for (let answers = 0; answers < 4; answers++) runtime.solve();
+}
+
+describe('10,000 random sequences of events', () => {
+  it('never throw, undo and redo exactly, and record no empty step', () => {
+    for (let seed = 0; seed < 10_000; seed++) {
+      const random = randomOf(seed);
+      const runtime = new FakeRuntime();
+      runtime.open();
+      for (let count = 0; count < 20; count++) among(STEPS, random)(runtime, random);
+      viewModel(runtime.state);
+      settle(runtime);
+      const { values } = timeline(runtime.state.document.history);
+      for (const [k, value] of values.entries()) {
+        const next = values[k + 1];
+        if (next) expect(isSameWork(value, next), `seed ${seed}: a step that changes nothing`).toBe(false);
+      }
+      // A pose of the page is no step: redo does not bring it back.
+      if (undoLabel(runtime.state.document.history) === null || runtime.posedByPage) continue;
+      const before = documentOf(runtime.state);
+      runtime.dispatch({ type: 'undo-asked' });
+      runtime.dispatch({ type: 'redo-asked' });
+      expect(isSameWork(documentOf(runtime.state), before), `seed ${seed}: undo, then redo`).toBe(true);
+    }
+  }, 300_000);
+});

@@ -1,0 +1,84 @@
+/** What the runtime does for the editor: everything that takes time or touches the page. */
+import type { Project, ProjectFile } from '../document/project';
+import type { Vec } from '../geometry/vec';
+import type { EditorEvent, NamedFile } from './events';
+import type { Picture } from './picture';
+import type { Solution } from './solution';
+import type { Timer } from './timer';
+import type { WorkSnapshot } from './work';
+
+/** An element to focus: a handle, one of its corners, or the stage. */
+export interface FocusTarget {
+  readonly handle: string | null;
+  readonly corner: number | null;
+}
+
+/** The DOM events of the element. */
+export type PageNotification =
+  | { readonly type: 'ready' | 'load' }
+  | { readonly type: 'input' | 'change'; readonly project: Project }
+  | { readonly type: 'selectionchange'; readonly selection: readonly string[] }
+  | { readonly type: 'historychange'; readonly undo: string | null; readonly redo: string | null }
+  | { readonly type: 'progress'; readonly label: string | null }
+  | { readonly type: 'error'; readonly error: Error };
+
+/** A project: an address, an object of the page, or a file. */
+export type ProjectSource =
+  | { readonly address: string }
+  | { readonly object: ProjectFile }
+  | { readonly named: NamedFile };
+
+export type EditorEffect =
+  /** Another event that follows at once. `update` reduces it; the runtime never sees it. */
+  | { readonly type: 'follow-up'; readonly event: EditorEvent }
+  | { readonly type: 'notify-page'; readonly notification: PageNotification }
+  /** Sets the solver's picture; null when none is open. */
+  | { readonly type: 'use-picture'; readonly picture: Picture | null }
+  | { readonly type: 'solve'; readonly key: string; readonly project: Project }
+  | { readonly type: 'find-borders'; readonly solution: Solution }
+  /** Reads a picture, a project file, or both. Answered by `read-ended` or `read-failed`. */
+  | {
+      readonly type: 'read';
+      readonly id: number;
+      /** An address, which tells the name too, or a file. */
+      readonly picture: string | NamedFile | null;
+      readonly project: ProjectSource | null;
+    }
+  | { readonly type: 'abandon-read'; readonly id: number }
+  /** Settles the promise of a `load()`; `error` null resolves it, 'superseded' rejects it with an AbortError. */
+  | { readonly type: 'settle-load'; readonly reply: number; readonly error: Error | 'superseded' | null }
+  /** Checks a project of the page and adopts it, then selects handles. */
+  | {
+      readonly type: 'adopt-page-project';
+      readonly project: ProjectFile;
+      readonly selection: readonly string[] | null;
+    }
+  | { readonly type: 'pick-file' }
+  | { readonly type: 'save-project'; readonly name: string; readonly project: Project }
+  | {
+      readonly type: 'export';
+      readonly name: string;
+      readonly project: Project;
+      readonly grow: boolean;
+      /** Whether the export cuts off a part of the posed picture. */
+      readonly cut: boolean;
+    }
+  /** Loads the PNG encoder while the person looks at the picture. */
+  | { readonly type: 'prepare-export' }
+  | { readonly type: 'copy-pose' | 'paste-pose' }
+  | { readonly type: 'use-storage'; readonly key: string | null }
+  | { readonly type: 'read-storage' }
+  | { readonly type: 'store'; readonly work: WorkSnapshot; readonly parked: readonly WorkSnapshot[] }
+  | { readonly type: 'tell-tabs' }
+  | { readonly type: 'focus'; readonly target: FocusTarget }
+  /** Commits a number that is being typed. */
+  | { readonly type: 'leave-field' }
+  | { readonly type: 'scroll-list' }
+  | { readonly type: 'show-menu'; readonly at: Vec }
+  | { readonly type: 'hide-menu' }
+  | { readonly type: 'toggle-keys' }
+  | { readonly type: 'set-theme'; readonly theme: 'light' | 'dark' }
+  | { readonly type: 'start-timer'; readonly timer: Timer; readonly ms: number }
+  | { readonly type: 'stop-timer'; readonly timer: Timer };
+
+export type Emit = (effect: EditorEffect) => void;

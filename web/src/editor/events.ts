@@ -1,0 +1,194 @@
+/**
+ * Everything that can happen to an editor, as values.
+ *
+ * A list of events replays a session without a browser. Names are in the past tense: an event says what happened, and
+ * `update` decides what follows. Places are image pixels unless the name says otherwise.
+ */
+import type { Detail } from '../document/bending';
+import type { Handle, PoseMode, Project, ProjectFile } from '../document/project';
+import type { Camera, Size } from '../geometry/camera';
+import type { Blend } from '../geometry/skin';
+import type { Vec } from '../geometry/vec';
+import type { ToolName } from '../tools/machine';
+import type { CommandName, PreviewCommand } from './commands';
+import type { Corner } from './corner';
+import type { CellBorders } from './deformation';
+import type { MenuState } from './menu_state';
+import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
+import type { OverlayName } from './overlays';
+import type { Media, PageAttributes } from './page';
+import type { Picture, SourceFile } from './picture';
+import type { Solution, SolveStage } from './solution';
+import type { StagePointer } from './stage_pointer';
+import type { TaskName } from './task';
+import type { Timer } from './timer';
+import type { WorkSnapshot } from './work';
+
+/** A number of the selected handles that the panel can set. */
+export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
+
+/** A new number, or a step from each current number within bounds. */
+export type NumberChange =
+  | { readonly to: number }
+  | { readonly by: number; readonly least: number; readonly most: number };
+
+/** A file with its name, as it was chosen, dropped or pasted. */
+export interface NamedFile {
+  readonly name: string;
+  readonly file: SourceFile;
+}
+
+type PageEvent =
+  | { readonly type: 'page-changed'; readonly page: PageAttributes }
+  | { readonly type: 'media-changed'; readonly media: Media }
+  /** `typing`: a field has the focus, and an on-screen keyboard may have changed the height. */
+  | { readonly type: 'stage-resized'; readonly size: Size; readonly typing: boolean }
+  /** The page sets a tool: checked against the attributes, not against the person's permissions. */
+  | { readonly type: 'tool-set'; readonly tool: ToolName }
+  | { readonly type: 'handle-added'; readonly handle: Handle }
+  | { readonly type: 'handle-changed'; readonly handle: Handle }
+  | { readonly type: 'handle-removed'; readonly id: string }
+  | { readonly type: 'handles-posed'; readonly handles: readonly Handle[] }
+  | { readonly type: 'project-adopted'; readonly project: Project }
+  | { readonly type: 'page-project-set'; readonly project: ProjectFile | null }
+  | { readonly type: 'selection-set'; readonly ids: readonly string[] }
+  | { readonly type: 'undo-asked' | 'redo-asked' | 'reset-asked' | 'fit-asked' };
+
+type PointerEvent =
+  | { readonly type: 'press-began'; readonly pointer: StagePointer; readonly pans: boolean }
+  | { readonly type: 'press-moved' | 'press-ended' | 'double-pressed'; readonly pointer: StagePointer }
+  | { readonly type: 'press-cancelled' }
+  | { readonly type: 'pointer-hovered'; readonly pointer: StagePointer | null }
+  /** The kind of the pointer, before it is known whether it presses a handle. */
+  | { readonly type: 'pointer-noted'; readonly coarse: boolean }
+  /** A click that was left to the page. */
+  | { readonly type: 'page-clicked' }
+  | { readonly type: 'menu-asked'; readonly pointer: StagePointer; readonly resting: boolean }
+  | { readonly type: 'camera-moved'; readonly camera: Camera };
+
+type KeyEvent =
+  | { readonly type: 'space-held'; readonly held: boolean }
+  /** `by`: one step or, with Shift, ten. */
+  | { readonly type: 'arrow-pressed'; readonly by: Vec }
+  | { readonly type: 'turn-pressed'; readonly degrees: number; readonly scale: number }
+  | { readonly type: 'place-pressed' | 'menu-key-pressed' };
+
+type ControlEvent =
+  /** `menu`: the context menu that the command was chosen from. */
+  | { readonly type: 'command-run'; readonly command: CommandName; readonly menu?: MenuState | null }
+  | { readonly type: 'menu-command-run'; readonly command: CommandName | null }
+  | { readonly type: 'preview-held'; readonly command: PreviewCommand | null }
+  | { readonly type: 'overlay-switched'; readonly overlay: OverlayName; readonly on: boolean }
+  | { readonly type: 'field-set'; readonly field: Field; readonly change: NumberChange }
+  /** A coordinate of the focused corner: 0 for x, 1 for y. */
+  | { readonly type: 'corner-field-set'; readonly axis: 0 | 1; readonly change: NumberChange }
+  | { readonly type: 'automatic-rotation-switched'; readonly on: boolean }
+  | { readonly type: 'pose-mode-chosen'; readonly mode: PoseMode }
+  | { readonly type: 'detail-chosen'; readonly detail: Detail }
+  | { readonly type: 'blend-chosen'; readonly blend: Blend }
+  | { readonly type: 'lasso-removed' }
+  | { readonly type: 'boundary-switched'; readonly held: boolean }
+  | { readonly type: 'fold-guard-switched'; readonly on: boolean }
+  | { readonly type: 'pixel-art-switched'; readonly on: boolean }
+  | { readonly type: 'drawing-finished' | 'corner-taken-back' | 'theme-switched' }
+  | { readonly type: 'settings-opened'; readonly open: boolean }
+  | { readonly type: 'numbers-opened'; readonly open: boolean }
+  | { readonly type: 'handles-selected'; readonly ids: readonly string[] }
+  | { readonly type: 'handle-toggled'; readonly id: string }
+  | { readonly type: 'handle-focus-asked'; readonly id: string }
+  | { readonly type: 'place-revealed'; readonly at: Vec }
+  | { readonly type: 'number-refused'; readonly text: string };
+
+/** What a tool did with a press, when more than the document is concerned. */
+type ToolEvent =
+  | { readonly type: 'placement-missed' }
+  | { readonly type: 'lasso-drawn'; readonly ring: readonly Vec[]; readonly hole: boolean };
+
+type FocusEvent =
+  | { readonly type: 'stage-focused' | 'field-focused' | 'control-focused' | 'focus-lost' }
+  | { readonly type: 'handle-focused'; readonly id: string }
+  | { readonly type: 'corner-focused'; readonly corner: Corner };
+
+type NoticeEvent =
+  | { readonly type: 'notice-dismissed' }
+  /** The action of the shown notice was chosen. */
+  | { readonly type: 'notice-answered' }
+  /** A pointer or the focus is on the notice, or has left it. */
+  | { readonly type: 'notice-hovered'; readonly on: boolean }
+  | { readonly type: 'task-cancelled'; readonly task: TaskName }
+  | { readonly type: 'person-informed'; readonly text: string }
+  | { readonly type: 'error-reported'; readonly error: Error }
+  | { readonly type: 'timer-elapsed'; readonly timer: Timer };
+
+type ClipboardEvent =
+  | { readonly type: 'pose-copied' }
+  | { readonly type: 'text-pasted'; readonly text: string };
+
+type FileEvent =
+  | { readonly type: 'files-received'; readonly files: readonly NamedFile[] }
+  | {
+      readonly type: 'load-asked';
+      readonly reply: number;
+      readonly source: string | NamedFile;
+      readonly project: string | ProjectFile | null;
+    }
+  /** The attributes `src` or `project` have changed; the new values follow with `page-changed`. */
+  | { readonly type: 'source-changed' }
+  /** Opens the picture that the attributes name. */
+  | { readonly type: 'source-asked' }
+  /** The element is connected. `work` is what it was disconnected with. */
+  | { readonly type: 'started'; readonly work: WorkSnapshot | null }
+  | { readonly type: 'request-ended'; readonly request: OpenRequest; readonly outcome: OpenOutcome }
+  | { readonly type: 'restore-ended'; readonly restoring: Restoring; readonly outcome: OpenOutcome }
+  /** A person's files are open, except the ignored ones. */
+  | { readonly type: 'files-opened'; readonly ignored: readonly string[] }
+  | {
+      readonly type: 'read-ended';
+      readonly id: number;
+      readonly picture: Picture | null;
+      readonly project: Project | null;
+    }
+  | { readonly type: 'read-failed'; readonly id: number; readonly error: Error }
+  | { readonly type: 'back-asked'; readonly work: WorkSnapshot }
+  | { readonly type: 'picture-asked' }
+  | { readonly type: 'retry-asked' }
+  | {
+      readonly type: 'export-ended';
+      readonly saved: boolean;
+      readonly cut: boolean;
+      readonly error: Error | null;
+    };
+
+type StorageEvent =
+  | { readonly type: 'autosave-key-set'; readonly key: string | null }
+  | {
+      readonly type: 'storage-read';
+      readonly stored: { readonly work: WorkSnapshot; readonly parked: readonly WorkSnapshot[] } | null;
+    }
+  | { readonly type: 'work-stored'; readonly stored: boolean }
+  | { readonly type: 'other-tab-stored' };
+
+type SolverEvent =
+  | { readonly type: 'solver-started' }
+  | { readonly type: 'solve-progressed'; readonly key: string; readonly stage: SolveStage }
+  | { readonly type: 'solved'; readonly solution: Solution }
+  /** `failed`: the solver itself failed, so the project is not to blame. */
+  | { readonly type: 'solve-refused'; readonly key: string; readonly error: Error; readonly failed: boolean }
+  | { readonly type: 'borders-found'; readonly solution: Solution; readonly borders: CellBorders };
+
+export type EditorEvent =
+  | PageEvent
+  | PointerEvent
+  | KeyEvent
+  | ControlEvent
+  | ToolEvent
+  | FocusEvent
+  | NoticeEvent
+  | ClipboardEvent
+  | FileEvent
+  | StorageEvent
+  | SolverEvent;
+
+export type Dispatch = (event: EditorEvent) => void;
+
+export type EventOf<T extends EditorEvent['type']> = Extract<EditorEvent, { readonly type: T }>;

@@ -1,0 +1,186 @@
+/**
+ * A runtime without a browser, for tests: effects are answered by a list of pending answers that the test delivers in
+ * any order. The picture is a plane: every place of it is posed where it rests, moved by the mean of the handles.
+ */
+
+import { groupCentre } from '../document/group';
+import { anchor, rotationOf, type Turns } from '../document/handle';
+import type { Project } from '../document/project';
+import { add, subtract, type Vec } from '../geometry/vec';
+import type { Deformation, GroupWay, LimitedPose } from './deformation';
+import type { EditorEffect } from './effects';
+import type { EditorEvent } from './events';
+import { initialOpening, nothingCarried } from './opening_state';
+import type { Media, PageAttributes } from './page';
+import type { Picture } from './picture';
+import type { Solution } from './solution';
+import { type EditorState, initialState } from './state';
+import { update } from './update';
+
+export const PAGE: PageAttributes = {
+  readonly: false,
+  disabled: false,
+  playing: false,
+  tool: null,
+  alt: null,
+  hint: null,
+  src: null,
+  projectSource: null,
+};
+
+export const MEDIA: Media = { dark: false, coarse: false, platform: 'Linux' };
+
+export const testPicture = (name = 'cat.png'): Picture => ({
+  name,
+  file: { size: 1, type: 'image/png' },
+  width: 400,
+  height: 300,
+  alphaThreshold: null,
+  isSmall: false,
+  isPixelArt: false,
+});
+
+/** Moves everything by the mean move of the handles. Handles beyond x = 1,000 fold one triangle each. */
+class PlaneDeformation implements Deformation {
+  placement(project: Project, posed: Vec, within: number) {
+    const rest = subtract(posed, shift(project));
+    const inside = isInside(project, rest, within);
+    return inside ? { posed, rest, rotation: 0, scale: 1 } : null;
+  }
+
+  locate(project: Project, posed: Vec) {
+    return { rest: subtract(posed, shift(project)), rotation: 0, scale: 1 };
+  }
+
+  turns({ handles }: Project): Turns {
+    return new Map(handles.map((handle) => [handle.id, rotationOf(handle)]));
+  }
+
+  foldCount({ handles }: Project): number {
+    return handles.filter((handle) => anchor(handle)[0] > 1000).length;
+  }
+
+  foldCountUpTo(project: Project): number {
+    return this.foldCount(project);
+  }
+
+  foldLimit(from: Project, to: Project, allowed: number): LimitedPose {
+    return this.foldCount(to) <= allowed
+      ? { project: to, fraction: 1 }
+      : { project: { ...to, ...from }, fraction: 0 };
+  }
+
+  groupFoldLimit({ origin, to }: GroupWay, allowed: number): LimitedPose {
+    return this.foldLimit(origin, to, allowed);
+  }
+
+  bounds(project: Project) {
+    const by = shift(project);
+    return { min: by, max: add([project.image.width, project.image.height], by) };
+  }
+
+  restBounds() {
+    return { min: [0, 0], max: [400, 300] } as const;
+  }
+
+  bends(): boolean {
+    return true;
+  }
+
+  siteGraph(): null {
+    return null;
+  }
+
+  posedBorders(): Float32Array {
+    return new Float32Array();
+  }
+
+  foldedMesh(): null {
+    return null;
+  }
+}
+
+const shift = ({ handles }: Project): Vec => {
+  if (handles.length === 0) return [0, 0];
+  const [sum, rest] = [groupCentre(handles), handles.map((handle) => anchor(handle, 'rest'))];
+  const mean = rest.reduce(add, [0, 0]).map((value) => value / rest.length) as unknown as Vec;
+  return subtract(sum, mean);
+};
+
+const isInside = ({ image }: Project, [x, y]: Vec, within: number): boolean =>
+  x >= -within && y >= -within && x <= image.width + within && y <= image.height + within;
+
+export const solutionOf = (key: string, project: Project): Solution => ({
+  key,
+  project,
+  report: { samples: 100, virtualSites: 0, outside: [], ms: 1 },
+  deformation: new PlaneDeformation(),
+});
+
+export class FakeRuntime {
+  state: EditorState;
+  /** All effects so far. */
+  readonly effects: EditorEffect[] = [];
+  /** Effects that wait for an answer. */
+  pending: EditorEffect[] = [];
+  /** Whether the page has posed handles, which is no step. */
+  posedByPage = false;
+
+  constructor(page: PageAttributes = PAGE) {
+    this.state = initialState(page, MEDIA, initialOpening(nothingCarried));
+  }
+
+  dispatch(event: EditorEvent): void {
+    const { state, effects } = update(this.state, event);
+    this.state = state;
+    this.effects.push(...effects);
+    this.pending.push(...effects.filter(isAnswered));
+  }
+
+  /** Opens a picture and solves it. */
+  open(picture = testPicture()): void {
+    this.dispatch({ type: 'stage-resized', size: { width: 400, height: 300 }, typing: false });
+    this.dispatch({ type: 'files-received', files: [{ name: picture.name, file: picture.file }] });
+    this.read(picture);
+    this.solve();
+  }
+
+  /** Answers the newest pending read. */
+  read(picture: Picture | null, project: Project | null = null): void {
+    const effect = this.#take('read');
+    if (effect) this.dispatch({ type: 'read-ended', id: effect.id, picture, project });
+  }
+
+  /** Answers the newest pending read with an error. */
+  failRead(error: Error): void {
+    const effect = this.#take('read');
+    if (effect) this.dispatch({ type: 'read-failed', id: effect.id, error });
+  }
+
+  /** Solves the newest request. */
+  solve(): void {
+    const effect = this.#take('solve');
+    if (effect) this.dispatch({ type: 'solved', solution: solutionOf(effect.key, effect.project) });
+  }
+
+  /** Refuses the newest request; `failed`: the solver itself failed. */
+  refuse(error: Error, failed = false): void {
+    const effect = this.#take('solve');
+    if (effect) this.dispatch({ type: 'solve-refused', key: effect.key, error, failed });
+  }
+
+  /** The notifications of the page so far, by their types. */
+  get notified(): readonly string[] {
+    return this.effects.flatMap((effect) =>
+      effect.type === 'notify-page' ? [effect.notification.type] : [],
+    );
+  }
+
+  #take<T extends EditorEffect['type']>(type: T): Extract<EditorEffect, { readonly type: T }> | undefined {
+    const found = this.pending.findLast((effect) => effect.type === type);
+    this.pending = this.pending.filter((effect) => effect !== found);
+    return found as Extract<EditorEffect, { readonly type: T }> | undefined;
+  }
+}
+
+const isAnswered = ({ type }: EditorEffect): boolean => type === 'read' || type === 'solve';

@@ -1,0 +1,85 @@
+/** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
+
+import type { Turns } from '../document/handle';
+import { toImage } from '../geometry/camera';
+import { type Hit, hit } from '../tools/hit';
+import type { Grips, Press, ToolContext } from '../tools/state';
+import { handlesAreShown } from './permissions';
+import type { StagePointer } from './stage_pointer';
+import { documentOf, type EditorState, projectOf } from './state';
+import { freeArea } from './view';
+
+/** Sizes of the hit areas for a mouse and for a finger, CSS pixels. See `Grips`. */
+const SIZES = {
+  fine: { handle: 14, line: 9, ring: 40, band: 8, slop: 3 },
+  coarse: { handle: 24, line: 20, ring: 52, band: 18, slop: 8 },
+} as const;
+
+/** The sizes now, image pixels. */
+export function gripsOf(state: EditorState): Grips {
+  const { handle, line, ring, band, slop } = state.pointer.coarse ? SIZES.coarse : SIZES.fine;
+  const { scale } = state.view.camera;
+  return {
+    handle: handle / scale,
+    line: line / scale,
+    ring: ring / scale,
+    band: band / scale,
+    slop: slop / scale,
+    view: freeArea(state),
+  };
+}
+
+export function toolContext(state: EditorState): ToolContext {
+  const grips = gripsOf(state);
+  const project = projectOf(state);
+  const deformation = state.solution.shown?.deformation;
+  return {
+    document: documentOf(state),
+    grips,
+    get turns() {
+      return turnsOf(state);
+    },
+    place: (at) => {
+      if (deformation) return deformation.placement(project, at, grips.line);
+      // Without a solution, the point of the original is the place itself.
+      return isOnPicture(state, at) ? { posed: at, rest: at, rotation: 0, scale: 1 } : null;
+    },
+    placeNear: (at) => deformation?.locate(project, at) ?? { rest: at, rotation: 0, scale: 1 },
+  };
+}
+
+/** The context without hit areas: a press places something, even on an existing handle. */
+export function contextWithoutHandles(state: EditorState): ToolContext {
+  const context = toolContext(state);
+  return { ...context, grips: { ...context.grips, handle: -1, line: -1, band: -1 } };
+}
+
+/** The turns of automatic handles; none before the first solution. */
+export const turnsOf = (state: EditorState): Turns =>
+  state.solution.shown?.deformation.turns(projectOf(state)) ?? NO_TURNS;
+
+const NO_TURNS: Turns = new Map();
+
+export const isLassoing = ({ tools }: EditorState): boolean => tools.tool === 'lasso';
+
+/** The part of a handle at a place; null while a lasso covers the handles. */
+export const hitAt = (
+  state: EditorState,
+  at: Press['at'],
+  bodies = true,
+  context = toolContext(state),
+): Hit | null => (isLassoing(state) ? null : hit(context, at, bodies));
+
+export function pressOf(state: EditorState, { stage, shift, alt }: StagePointer): Press {
+  return { at: toImage(state.view.camera, stage), stage, shift, alt };
+}
+
+/** Whether a press there would hold a handle. */
+export const holdsAt = (state: EditorState, pointer: StagePointer): boolean => {
+  const noted = { ...state, pointer: { ...state.pointer, coarse: pointer.coarse } };
+  return handlesAreShown(noted) && hitAt(noted, pressOf(noted, pointer).at) !== null;
+};
+
+function isOnPicture({ picture }: EditorState, [x, y]: Press['at']): boolean {
+  return picture !== null && x >= 0 && y >= 0 && x < picture.width && y < picture.height;
+}

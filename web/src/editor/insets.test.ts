@@ -1,0 +1,55 @@
+import { describe, expect, it } from 'vitest';
+import { type Cards, insetsOf } from './insets';
+
+/** What the cards leave free of an element of this size, CSS pixels. */
+const free = (width: number, height: number, cards: Pick<Cards, 'coarse' | 'sheet'>) => {
+  const bars = cards.coarse ? 98 : 82;
+  const { top, right, bottom, left } = insetsOf({
+    stage: { width, height: height - bars },
+    bare: null,
+    ...cards,
+  });
+  return { width: width - left - right, height: height - bars - top - bottom };
+};
+
+describe('what the cards leave free', () => {
+  it('is most of the stage, however small the element', () => {
+    for (const coarse of [false, true])
+      for (const sheet of [false, true])
+        for (const [width, height] of [
+          [320, 240],
+          [390, 280],
+          [500, 240],
+          [500, 320],
+          [500, 360],
+          [640, 240],
+        ] as const) {
+          const room = free(width, height, { coarse, sheet });
+          const name = `${width} × ${height}, ${coarse ? 'coarse' : 'fine'}`;
+          expect(room.width, name).toBeGreaterThanOrEqual(130);
+          expect(room.height / (height - (coarse ? 98 : 82)), name).toBeGreaterThan(0.75);
+        }
+  });
+
+  it('grows with the height of a phone', () => {
+    for (const coarse of [false, true]) {
+      const heights = [240, 280, 320, 360, 480, 780].map(
+        (height) => free(390, height, { coarse, sheet: false }).height,
+      );
+      expect(heights).toEqual(heights.toSorted((a, b) => a - b));
+    }
+  });
+
+  it('is more where no sheet is open', () => {
+    const room = (sheet: boolean) => free(390, 780, { coarse: true, sheet }).height;
+    expect(room(false)).toBe(room(true) + 60);
+  });
+
+  it('leaves only a rim for handles without cards, and none for a plain picture', () => {
+    const around = (bare: 'handles' | 'picture', coarse: boolean) =>
+      insetsOf({ stage: { width: 390, height: 300 }, coarse, sheet: true, bare });
+    expect(around('handles', false)).toEqual({ top: 16, right: 16, bottom: 16, left: 16 });
+    expect(around('handles', true)).toEqual({ top: 24, right: 24, bottom: 24, left: 24 });
+    expect(around('picture', true)).toEqual({ top: 0, right: 0, bottom: 0, left: 0 });
+  });
+});

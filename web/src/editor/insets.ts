@@ -1,0 +1,38 @@
+/**
+ * Room for the cards over the stage, in the layouts of `ui/style/layouts.ts`, which measure the stage with its bars.
+ */
+import type { Insets, Size } from '../geometry/camera';
+import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, TOOLS } from './sizes';
+
+/** The layout that the insets depend on. */
+export interface Cards {
+  /** CSS pixels. */
+  readonly stage: Size;
+  /** Bars and buttons are sized for fingers. */
+  readonly coarse: boolean;
+  /** The panel is open, if the layout shows it as a sheet. */
+  readonly sheet: boolean;
+  /** What `play` shows without bars and cards; null in the editor. */
+  readonly bare: 'handles' | 'picture' | null;
+}
+
+/** Room for a whole handle at the rim of a bare picture, and for its hit area, CSS pixels. */
+const RIM = { fine: 16, coarse: 24 } as const;
+
+const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by });
+
+export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Cards): Insets {
+  const kind = coarse ? 'coarse' : 'fine';
+  if (bare) return even(bare === 'picture' ? 0 : RIM[kind]);
+  const { toolbar, status } = BARS[kind];
+  const whole = toolbar + height + status;
+  const tools = whole < LOWEST ? 'lowest' : 'low';
+  if (width < PHONE) {
+    // Too low for room beside the sheet: the sheet may cover the picture.
+    if (whole < LOW.phone) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
+    return { ...even(16), bottom: sheet ? FROM_BOTTOM.sheet + SHEET.line : FROM_BOTTOM.aboveTools };
+  }
+  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: PANEL.narrow };
+  if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: PANEL.narrow };
+  return { ...even(28), left: TOOLS.wide, right: PANEL.wide };
+}

@@ -1,0 +1,31 @@
+/** What the editor tells people: notices, texts for screen readers, and the tasks under way. */
+import type { EditorEvent } from './events';
+import type { Task } from './task';
+
+export interface Notice {
+  readonly kind: 'error' | 'info';
+  readonly text: string;
+  readonly action?: NoticeAction;
+  /** The notice disappears by itself although it has an action. */
+  readonly passes?: true;
+  /** The notice is about the last step. Others about that step join it, and the next step ends it. */
+  readonly ofStep?: true;
+}
+
+export interface NoticeAction {
+  readonly label: string;
+  readonly event: EditorEvent;
+  /** The action changes nothing, so that it is also available to people who may change nothing. */
+  readonly readsOnly?: true;
+}
+
+export interface NoticesState {
+  /** A notice with an action, an error, and a notice that disappears by itself: the last one present is shown. */
+  readonly offer: Notice | null;
+  readonly error: Notice | null;
+  readonly passing: Notice | null;
+  /** The last text for screen readers. */
+  readonly announcement: string;
+  /** The newest last. */
+  readonly tasks: readonly Task[];
+}

@@ -1,0 +1,34 @@
+/** The surroundings of the editor: the attributes of its element, and the device. */
+
+/** The attributes of the element that the editor goes by. */
+export interface PageAttributes {
+  /** People can look, pan and zoom, but change nothing. */
+  readonly readonly: boolean;
+  /** People can do nothing. */
+  readonly disabled: boolean;
+  /** Handles can only be posed. Gestures and keys of the view are left to the page. */
+  readonly playing: boolean;
+  /** The tool that the page has set. */
+  readonly tool: string | null;
+  /** A description of the picture, in the words of the page. */
+  readonly alt: string | null;
+  readonly hint: PageHint | null;
+  /** The addresses of the picture and its project; null where the page names none. */
+  readonly src: string | null;
+  readonly projectSource: string | null;
+}
+
+/** A hint beside the handle of this id, or beside the first handle, until the document is first changed. */
+export interface PageHint {
+  readonly text: string;
+  readonly handle: string | null;
+}
+
+/** The device and its settings. */
+export interface Media {
+  readonly dark: boolean;
+  /** The device has no pointer finer than a finger. */
+  readonly coarse: boolean;
+  /** The browser's name of the platform, for the names of keys. */
+  readonly platform: string;
+}

@@ -1,0 +1,38 @@
+/** The open picture as the editor knows it: its size and what its pixels suggest. The runtime holds the pixels. */
+
+import type { Project } from '../document/project';
+import { WarpError } from '../error';
+import type { Size } from '../geometry/camera';
+
+/** A file that the editor passes on unread: a `Blob` of the runtime. */
+export interface SourceFile {
+  readonly size: number;
+  readonly type: string;
+}
+
+export interface Picture extends Size {
+  /** The file name that the project file refers to. */
+  readonly name: string;
+  /** The original file, stored for the next visit. */
+  readonly file: SourceFile;
+  /** The alpha threshold of a picture with transparency; null for an opaque picture. */
+  readonly alphaThreshold: number | null;
+  /** Whether the picture is small enough for pixel art. */
+  readonly isSmall: boolean;
+  /** Whether it looks like pixel art: small, few colours, no soft edges. */
+  readonly isPixelArt: boolean;
+}
+
+export const fits = (picture: Size, project: Project): boolean =>
+  picture.width === project.image.width && picture.height === project.image.height;
+
+/** The error for a project that belongs to a picture of another size; null if the size fits. */
+export function misfit(picture: Picture, project: Project): WarpError | null {
+  if (fits(picture, project)) return null;
+  const { width, height } = project.image;
+  const sizes = `${width} × ${height} px; ${picture.name} has ${picture.width} × ${picture.height} px`;
+  return new WarpError('image-size', `The project is for a picture of ${sizes}.`);
+}
+
+/** "cat.png" → "cat". */
+export const stem = (name: string): string => name.replace(/(\.c2warp)?\.[^.]+$/, '') || name;

@@ -1,0 +1,46 @@
+/** Solutions of the open picture: the one shown, recent ones, and the one the solver works on. */
+import type { Project } from '../document/project';
+import type { CellBorders, Deformation } from './deformation';
+
+/** The part of the solver's report that the editor goes by. */
+export interface SolveReport {
+  readonly samples: number;
+  readonly virtualSites: number;
+  /** Parts of bars and polygons that lie outside the domain. */
+  readonly outside: readonly { readonly handle: string }[];
+  /** Milliseconds of all stages. */
+  readonly ms: number;
+}
+
+/** A solution and the project that was solved. */
+export interface Solution {
+  readonly key: string;
+  readonly project: Project;
+  readonly report: SolveReport;
+  readonly deformation: Deformation;
+}
+
+export type SolveStage = 'domain' | 'sampling' | 'regions' | 'weights';
+
+export interface SolutionState {
+  readonly shown: Solution | null;
+  /** The last solutions, newest first, so that undo and redo across an added handle are immediate. */
+  readonly recent: readonly Solution[];
+  /** The key of the newest request; that of the shown solution when nothing is being solved. */
+  readonly wanted: string | null;
+  /** The label of the current stage; null between solves. */
+  readonly stage: string | null;
+  /** The solver itself failed at the last solve, or could not start. */
+  readonly failed: boolean;
+  /** Whether the solver has started, so that a project can be checked at once. */
+  readonly ready: boolean;
+  /** The borders between the cells of one solution, once they are known. */
+  readonly borders: { readonly of: Solution; readonly pieces: CellBorders | null } | null;
+}
+
+/** Number of kept solutions: some 3 MB each at 10,000 samples. */
+export const MAX_RECENT = 6;
+
+/** The key being solved; null if the shown solution is that of the newest request. */
+export const pendingKey = ({ shown, wanted }: SolutionState): string | null =>
+  shown?.key === wanted ? null : wanted;

@@ -1,0 +1,11 @@
+import type { Vec } from '../geometry/vec';
+
+/** A pointer on the stage, at one moment. */
+export interface StagePointer {
+  /** CSS pixels of the stage. */
+  readonly stage: Vec;
+  readonly shift: boolean;
+  readonly alt: boolean;
+  /** A finger, not a mouse or pen. */
+  readonly coarse: boolean;
+}

@@ -1,0 +1,177 @@
+/**
+ * The whole state of an editor, as one immutable value.
+ *
+ * `update` turns a state and an event into the next state and effects; `viewModel` turns a state into what people see.
+ * The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
+ */
+import type { Document } from '../document/document';
+import { newProject, openDocument } from '../document/document';
+import { type History, historyOf } from '../document/history';
+import type { Handle, Project } from '../document/project';
+import type { Box } from '../geometry/box';
+import type { Camera, Size } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
+import { initialTools, type Tools } from '../tools/machine';
+import type { Draft } from '../tools/state';
+import type { AutosaveState } from './autosave_state';
+import type { PreviewCommand } from './commands';
+import type { Focus } from './focus';
+import type { FoldGuard } from './fold_guard';
+import type { MenuState } from './menu_state';
+import type { NoticesState } from './notice';
+import type { OpeningState } from './opening_state';
+import { NO_OVERLAYS, type OverlayFlags } from './overlays';
+import type { Media, PageAttributes } from './page';
+import type { Picture } from './picture';
+import type { SolutionState } from './solution';
+import type { StagePointer } from './stage_pointer';
+import type { ViewState } from './view_state';
+
+export interface EditorState {
+  readonly page: PageAttributes;
+  readonly media: Media;
+  /** The picture on the stage; null before the first one. */
+  readonly picture: Picture | null;
+  /** Whether the picture is drawn as pixel art. */
+  readonly pixelated: boolean;
+  readonly document: DocumentState;
+  readonly tools: Tools;
+  readonly guard: FoldGuard;
+  readonly opening: OpeningState;
+  readonly solution: SolutionState;
+  /** CSS pixels. */
+  readonly stage: Size;
+  readonly view: ViewState;
+  /** Whether the view has shrunk to show parts bent beyond the picture's rectangle. For a page that plays. */
+  readonly widened: boolean;
+  readonly display: DisplayState;
+  readonly pointer: PointerState;
+  readonly focus: Focus;
+  readonly menu: MenuState | null;
+  readonly notices: NoticesState;
+  readonly autosave: AutosaveState;
+  readonly checks: PoseChecks;
+}
+
+export interface DocumentState {
+  readonly history: History<Document>;
+  /** The last finished drawing and its handle. The drawing resumes if the solver refuses the handle. */
+  readonly drawn: { readonly draft: Draft; readonly handle: Handle } | null;
+  /** How the present was reached, if not by an edit. */
+  readonly travelled: 'undo' | 'redo' | null;
+  /** Handles that the solver has refused during the current press. */
+  readonly refused: readonly Handle[];
+  /** Ids of handles that the page has posed during the current press. */
+  readonly posedByPage: readonly string[];
+  /** Whether the document was ever changed: the page's hint ends then. */
+  readonly touched: boolean;
+  /** What the page was last told of the selection and the history. */
+  readonly reported: Reported;
+}
+
+export interface Reported {
+  readonly selection: readonly string[];
+  readonly undo: string | null;
+  readonly redo: string | null;
+}
+
+export interface DisplayState {
+  readonly overlays: OverlayFlags;
+  /** The picture is shown without handles: the original, or the posed picture. */
+  readonly preview: PreviewCommand | null;
+  /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
+  readonly settings: boolean;
+  readonly numbers: boolean;
+  /** The selection box being drawn, image pixels. */
+  readonly box: Box | null;
+  /** Where the keyboard would place a handle, image pixels; null until an arrow key moves it. */
+  readonly crosshair: Vec | null;
+}
+
+export interface PointerState {
+  /** Whether the last press was one of a finger. */
+  readonly coarse: boolean;
+  /** The resting pointer's place, image pixels. */
+  readonly hovered: Vec | null;
+  /** The last pointer position, and the camera at that moment. */
+  readonly last: { readonly pointer: StagePointer; readonly camera: Camera } | null;
+  /** Whether the last press was on a handle that was there before. */
+  readonly onHandle: boolean;
+  /** Space is held: presses pan. */
+  readonly space: boolean;
+}
+
+/** Faults of the pose that a person may overlook, as of the last check. */
+export interface PoseChecks {
+  readonly pending: boolean;
+  /** The number of triangles that the pose turns over. */
+  readonly folds: number;
+  /** Part of the posed picture lies outside the picture's frame, which bounds the export. */
+  readonly beyond: boolean;
+  /** The parts of handles outside the domain, as a key. */
+  readonly outside: string;
+}
+
+const emptyDocument: Document = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
+
+export function initialState(page: PageAttributes, media: Media, opening: OpeningState): EditorState {
+  const stage = { width: 1, height: 1 };
+  return {
+    page,
+    media,
+    picture: null,
+    pixelated: false,
+    document: {
+      history: historyOf({ past: [], present: emptyDocument, future: [] }),
+      drawn: null,
+      travelled: null,
+      refused: [],
+      posedByPage: [],
+      touched: false,
+      reported: { selection: [], undo: null, redo: null },
+    },
+    tools: initialTools,
+    guard: { on: false, allowed: null, holding: false, reached: null },
+    opening,
+    solution: {
+      shown: null,
+      recent: [],
+      wanted: null,
+      stage: null,
+      failed: false,
+      ready: false,
+      borders: null,
+    },
+    stage,
+    view: { camera: { scale: 1, x: 0, y: 0 }, stage, fitted: true, besideSheet: false },
+    widened: false,
+    display: {
+      overlays: NO_OVERLAYS,
+      preview: null,
+      settings: false,
+      numbers: false,
+      box: null,
+      crosshair: null,
+    },
+    pointer: { coarse: media.coarse, hovered: null, last: null, onHandle: false, space: false },
+    focus: { on: 'nothing', handle: null, corner: null },
+    menu: null,
+    notices: { offer: null, error: null, passing: null, announcement: '', tasks: [] },
+    autosave: {
+      key: null,
+      restoring: false,
+      unread: false,
+      step: '',
+      untold: false,
+      overwritten: false,
+      failing: false,
+    },
+    checks: { pending: false, folds: 0, beyond: false, outside: '' },
+  };
+}
+
+export const documentOf = ({ document }: EditorState): Document => document.history.present;
+export const projectOf = (state: EditorState): Project => documentOf(state).project;
+export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
+export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
+  page.playing ? NO_OVERLAYS : display.overlays;

@@ -1,0 +1,206 @@
+/** Running the commands of buttons, menus and keys. */
+
+import { selectedHandles } from '../../document/document';
+import { parsePose } from '../../document/pose_text';
+import type { Handle } from '../../document/project';
+import {
+  bailOut,
+  cancelPress,
+  draftOf,
+  hasTakenCorners,
+  isPressing,
+  pressDown,
+  pressUp,
+  redoCorner,
+  TOOLS,
+  takeBackCorner,
+} from '../../tools/machine';
+import { pressAt } from '../../tools/state';
+import { canRun, reasonAgainst } from '../can_run';
+import type { CommandName } from '../commands';
+import { hideCrosshair } from '../crosshair';
+import type { Emit } from '../effects';
+import { contextWithoutHandles } from '../hit_areas';
+import type { MenuState } from '../menu_state';
+import { mayEdit } from '../permissions';
+import { stem } from '../picture';
+import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
+import { fitView, reachesBeyondFrame, showActualSize, zoom } from '../view';
+import { handleWords } from '../wording';
+import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
+import { openSettings, togglePreview } from './display';
+import { mirror, paste, raise, removeSelected, reset } from './edits';
+import type { Handlers } from './handlers';
+import { announce, beginTask, dismiss, endTask, notify, report, shownNotice } from './notices';
+import { applyTools } from './press';
+import { select } from './selection';
+import { redo, undo } from './steps';
+import { takeTool } from './tool_choice';
+
+type Run = (state: EditorState, emit: Emit, menu: MenuState | null) => EditorState;
+
+/** An edit runs only while people may change the document. */
+const edit =
+  (change: Run): Run =>
+  (state, emit, menu) =>
+    mayEdit(state) ? change(state, emit, menu) : state;
+
+const takeBack: Run = (state, emit) => applyTools(state, takeBackCorner(state.tools), emit);
+const isDrawing = ({ tools }: EditorState): boolean => draftOf(tools) !== null;
+
+const effect =
+  (type: 'pick-file' | 'copy-pose' | 'paste-pose' | 'toggle-keys'): Run =>
+  (state, emit) => {
+    emit({ type });
+    return state;
+  };
+
+const RUN: Readonly<Record<CommandName, Run>> = {
+  select: (state, emit) => takeTool(state, 'select', emit),
+  point: (state, emit) => takeTool(state, 'point', emit),
+  bar: (state, emit) => takeTool(state, 'bar', emit),
+  polygon: (state, emit) => takeTool(state, 'polygon', emit),
+  lasso: (state, emit) => takeTool(state, 'lasso', emit),
+  hand: (state, emit) => takeTool(state, 'hand', emit),
+  open: effect('pick-file'),
+  save: (state, emit) => {
+    const project = projectOf(state);
+    const image = { ...project.image, src: state.picture?.name ?? project.image.src };
+    emit({ type: 'save-project', name: `${stem(image.src)}.c2warp.json`, project: { ...project, image } });
+    return state;
+  },
+  export: (state, emit) => exportPicture(state, false, emit),
+  'export-all': (state, emit) => exportPicture(state, true, emit),
+  // During a drawing, undo takes back its last corner.
+  undo: edit((state, emit, menu) => (isDrawing(state) ? takeBack(state, emit, menu) : undo(state, emit))),
+  redo: edit((state, emit) =>
+    isDrawing(state) || hasTakenCorners(state.tools)
+      ? applyTools(state, redoCorner(state.tools), emit)
+      : redo(state, emit),
+  ),
+  reset: edit((state, emit) => reset(state, false, emit)),
+  'reset-all': edit((state, emit) => reset(state, true, emit)),
+  mirror: edit((before, emit) => {
+    const state = mirror(before, emit);
+    // Keys act on the focused handle: the one that was posed.
+    if (before.focus.on === 'handle' || before.focus.on === 'corner') focus(emit, selectionOf(state)[0]);
+    return state;
+  }),
+  remove: edit((state, emit, menu) =>
+    isDrawing(state) ? takeBack(state, emit, menu) : removeSelected(state, emit),
+  ),
+  copy: effect('copy-pose'),
+  paste: effect('paste-pose'),
+  'add-point': edit((before, emit, menu) => {
+    if (!menu) return before;
+    const state = applyTools(before, cancelPress(before.tools), emit);
+    const press = pressAt(menu.at);
+    const down = applyTools(
+      state,
+      pressDown(state.tools, press, contextWithoutHandles(state), TOOLS.point),
+      emit,
+    );
+    const up = applyTools(down, pressUp(down.tools, press, contextWithoutHandles(down)), emit);
+    focus(emit, selectionOf(up)[0]);
+    return up;
+  }),
+  'add-corner': edit((state, emit, menu) => addCornerToSelected(state, menu?.at ?? null, emit)),
+  'remove-corner': edit((state, emit) => removeFocusedCorner(state, emit)),
+  forward: edit((state, emit) => raise(state, 1, emit)),
+  backward: edit((state, emit) => raise(state, -1, emit)),
+  settings: (state) => openSettings(state, !state.display.settings),
+  'select-all': (state, emit) => {
+    const { handles } = projectOf(state);
+    const selected = select(
+      state,
+      handles.map(({ id }) => id),
+      emit,
+    );
+    return handles.length > 0 ? announce(selected, `Selected ${handleWords(handles)}`) : selected;
+  },
+  compare: (state) => togglePreview(state, 'compare'),
+  preview: (state) => togglePreview(state, 'preview'),
+  fit: (state) => fitView(state),
+  actual: showActualSize,
+  'zoom-in': (state) => zoom(state, 1),
+  'zoom-out': (state) => zoom(state, -1),
+  keys: effect('toggle-keys'),
+  bail: (state, emit) => bail(state, emit),
+};
+
+/** What Escape would cancel or dismiss: the innermost thing in progress; null leaves Escape to the page. */
+export function bailTarget(
+  state: EditorState,
+): 'press' | 'crosshair' | 'settings' | 'notice' | 'selection' | null {
+  const notice = shownNotice(state);
+  if (isPressing(state.tools) || isDrawing(state)) return 'press';
+  if (state.display.crosshair) return 'crosshair';
+  if (state.display.settings) return 'settings';
+  if (notice && !notice.action) return 'notice';
+  if (selectionOf(state).length > 0) return 'selection';
+  return notice ? 'notice' : null;
+}
+
+function bail(state: EditorState, emit: Emit): EditorState {
+  switch (bailTarget(state)) {
+    case 'press':
+      return applyTools(state, bailOut(state.tools), emit);
+    case 'crosshair':
+      return hideCrosshair(state);
+    case 'settings':
+      return openSettings(state, false);
+    case 'notice':
+      return dismiss(state, emit);
+    case 'selection':
+      return select(state, [], emit);
+    case null:
+      return state;
+  }
+}
+
+/** The selected handles, or else all, whose pose is copied. */
+export function copiedHandles(state: EditorState): readonly Handle[] {
+  if (!mayEdit(state)) return [];
+  const selected = selectedHandles(documentOf(state));
+  return selected.length > 0 ? selected : projectOf(state).handles;
+}
+
+function exportPicture(state: EditorState, grow: boolean, emit: Emit): EditorState {
+  const { picture } = state;
+  if (!picture) return state;
+  const name = `${stem(picture.name)}-warped${grow ? '-all' : ''}.png`;
+  const cut = !grow && reachesBeyondFrame(state);
+  emit({ type: 'export', name, project: projectOf(state), grow, cut });
+  return beginTask(state, { name: 'export', label: 'Exporting', cancellable: false }, emit);
+}
+
+const CUT =
+  'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
+
+export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pasted' | 'export-ended'> = {
+  'command-run': (state, { command, menu = null }, emit) => {
+    // A menu closes before its command runs, which may depend on the menu.
+    if (canRun(menu ? { ...state, menu } : state, command)) return RUN[command](state, emit, menu);
+    const reason = mayEdit(state) ? reasonAgainst(state, command) : null;
+    return reason ? announce(state, reason) : state;
+  },
+  'pose-copied': (state) => announce(state, `Copied the pose of ${handleWords(copiedHandles(state))}`),
+  'text-pasted': (state, { text }, emit) => {
+    if (!mayEdit(state)) return state;
+    try {
+      const copied = parsePose(text);
+      return copied ? paste(state, copied, emit) : state;
+    } catch (error) {
+      const text = `This pose cannot be pasted: ${(error as Error).message}.`;
+      return notify(state, { kind: 'error', text }, emit);
+    }
+  },
+  'export-ended': (before, { saved, cut, error }, emit) => {
+    const state = endTask(before, 'export', emit);
+    if (error) return report(state, error, emit);
+    if (!saved || !cut) return state;
+    const event = { type: 'command-run', command: 'export-all' } as const;
+    const action = { label: 'Export all', readsOnly: true, event } as const;
+    return notify(state, { kind: 'info', text: CUT, action, passes: true }, emit);
+  },
+};

@@ -1,0 +1,43 @@
+/** What is shown beside the document: overlays, previews, opened settings. */
+import type { PreviewCommand } from '../commands';
+import type { Emit } from '../effects';
+import type { OverlayFlags, OverlayName } from '../overlays';
+import type { DisplayState, EditorState } from '../state';
+import { withSolution } from './solve_request';
+
+/** Only one of two heat maps is shown. */
+const REPLACES: Partial<Record<OverlayName, Partial<OverlayFlags>>> = {
+  reach: { coverage: false },
+  coverage: { reach: false },
+};
+
+const withDisplay = (state: EditorState, change: Partial<DisplayState>): EditorState => ({
+  ...state,
+  display: { ...state.display, ...change },
+});
+
+export function switchOverlay(state: EditorState, overlay: OverlayName, on: boolean): EditorState {
+  const { overlays } = state.display;
+  return withDisplay(state, { overlays: { ...overlays, ...(on && REPLACES[overlay]), [overlay]: on } });
+}
+
+/** Shows the picture without handles while a key or button is held; null shows everything. */
+export const holdPreview = (state: EditorState, preview: PreviewCommand | null): EditorState =>
+  preview === state.display.preview || (preview && !state.picture) ? state : withDisplay(state, { preview });
+
+export const togglePreview = (state: EditorState, preview: PreviewCommand): EditorState =>
+  holdPreview(state, state.display.preview === preview ? null : preview);
+
+export const openSettings = (state: EditorState, settings: boolean): EditorState =>
+  withDisplay(state, { settings });
+
+export const openNumbers = (state: EditorState, numbers: boolean): EditorState =>
+  withDisplay(state, { numbers });
+
+/** Asks for the borders of the shown solution's cells, once they are to be shown. */
+export function requestBorders(state: EditorState, emit: Emit): EditorState {
+  const { shown, borders } = state.solution;
+  if (!state.display.overlays.cells || state.page.playing || !shown || borders?.of === shown) return state;
+  emit({ type: 'find-borders', solution: shown });
+  return withSolution(state, { borders: { of: shown, pieces: null } });
+}

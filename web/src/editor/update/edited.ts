@@ -1,0 +1,79 @@
+/** Consequences of every change of the document: a solve, saving, the page's events, checks, and what closes. */
+import { selectedHandles } from '../../document/document';
+import { corners } from '../../document/handle';
+import { redoLabel, undoLabel } from '../../document/history';
+import type { Emit, PageNotification } from '../effects';
+import { isLassoing } from '../hit_areas';
+import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
+import { contain } from '../view';
+import { saveWork } from './autosave';
+import { withDocument } from './document_slice';
+import { closeMenuUnlessSelected } from './menu_closing';
+import { closeStepNotice } from './notices';
+import { schedulePoseCheck } from './pose_checks';
+import { requestSolution } from './solve_request';
+
+/**
+ * `open`: another document; `input`: during a drag; `change`: a step; `selection`: only the selection changed; `pose`:
+ * the page has posed handles, without a step.
+ */
+export type ChangeKind = 'open' | 'input' | 'change' | 'selection' | 'pose';
+
+/** Nudges merge into one undo step unless the pause between them is longer. */
+const MERGE_MS = 800;
+
+export function edited(before: EditorState, kind: ChangeKind, emit: Emit): EditorState {
+  let state = solves(before, kind) ? requestSolution(before, emit) : before;
+  state = withFocusedCornerSelected(closeMenuUnlessSelected(state, emit));
+  if (selectionOf(state) !== state.document.reported.selection) emit({ type: 'scroll-list' });
+  if (kind === 'selection') state = selected(state, emit);
+  else {
+    state = schedulePoseCheck(state, emit);
+    if (kind !== 'pose' && undoLabel(state.document.history) !== null)
+      state = withDocument(state, { touched: true });
+  }
+  if (kind === 'change') {
+    state = closeStepNotice(state, emit);
+    emit({ type: 'start-timer', timer: 'merge-end', ms: MERGE_MS });
+    // Keeps the selected handles within view, so that they can be moved back.
+    if (state.page.playing)
+      state = contain(
+        state,
+        selectedHandles(documentOf(state)).flatMap((handle) => corners(handle)),
+      );
+  }
+  if (kind !== 'input' && kind !== 'pose') state = saveWork(state, emit);
+  return notifyPage(state, kind, emit);
+}
+
+/** A solver that has failed is asked again at the end of a drag, not at each of its moves. */
+const solves = ({ solution }: EditorState, kind: ChangeKind): boolean =>
+  kind === 'input' ? !solution.failed : kind !== 'selection' && kind !== 'pose';
+
+function selected(state: EditorState, emit: Emit): EditorState {
+  // The lasso hides what is selected in the list.
+  if (isLassoing(state) && selectionOf(state).length > 0) {
+    emit({ type: 'follow-up', event: { type: 'tool-set', tool: 'select' } });
+  }
+  return { ...state, display: { ...state.display, settings: false } };
+}
+
+function withFocusedCornerSelected(state: EditorState): EditorState {
+  const { corner } = state.focus;
+  if (!corner || selectionOf(state).includes(corner.id)) return state;
+  return { ...state, focus: { ...state.focus, corner: null } };
+}
+
+/** Emits the DOM events of a change. */
+function notifyPage(state: EditorState, kind: ChangeKind, emit: Emit): EditorState {
+  const { reported, history } = state.document;
+  const selection = selectionOf(state);
+  const now = { selection, undo: undoLabel(history), redo: redoLabel(history) };
+  const notify = (notification: PageNotification) => emit({ type: 'notify-page', notification });
+  if (selection.join('\n') !== reported.selection.join('\n')) notify({ type: 'selectionchange', selection });
+  if (kind === 'input' || kind === 'change') notify({ type: kind, project: projectOf(state) });
+  if (now.undo !== reported.undo || now.redo !== reported.redo) {
+    notify({ type: 'historychange', undo: now.undo, redo: now.redo });
+  }
+  return withDocument(state, { reported: now });
+}

@@ -1,0 +1,87 @@
+/**
+ * The one transition of the editor: a state and an event make the next state and effects.
+ *
+ * Pure: no DOM, clock, promise or random number. Each module beside this one handles the events of one subject.
+ */
+import type { EditorEffect, Emit } from '../effects';
+import type { EditorEvent } from '../events';
+import type { EditorState } from '../state';
+import { autosaveHandlers } from './autosave';
+import { commandHandlers } from './command';
+import { controlHandlers } from './controls';
+import { requestBorders } from './display';
+import { focusHandlers } from './focus';
+import type { Handlers } from './handlers';
+import { keyHandlers } from './keys';
+import { lassoHandlers } from './lasso';
+import { menuHandlers } from './menu';
+import { dismiss, noticeHandlers } from './notices';
+import { pageHandlers } from './page';
+import { followCamera, pointerHandlers } from './pointer';
+import { checkPose } from './pose_checks';
+import { requestEndHandlers } from './request_end';
+import { requestHandlers } from './requests';
+import { showStage } from './solve_request';
+import { solveHandlers } from './solve_results';
+import { endMerging } from './steps';
+import { trialHandlers } from './trial';
+
+const timerHandlers: Handlers<'timer-elapsed'> = {
+  'timer-elapsed': (state, { timer }, emit) => {
+    switch (timer) {
+      case 'notice':
+        return dismiss(state, emit);
+      case 'solve-patience':
+        return showStage(state, emit);
+      case 'merge-end':
+        return endMerging(state);
+      case 'pose-check':
+        return checkPose(state);
+    }
+  },
+};
+
+const HANDLERS: Handlers<EditorEvent['type']> = {
+  ...autosaveHandlers,
+  ...commandHandlers,
+  ...controlHandlers,
+  ...focusHandlers,
+  ...keyHandlers,
+  ...lassoHandlers,
+  ...menuHandlers,
+  ...noticeHandlers,
+  ...pageHandlers,
+  ...pointerHandlers,
+  ...requestEndHandlers,
+  ...requestHandlers,
+  ...solveHandlers,
+  ...timerHandlers,
+  ...trialHandlers,
+};
+
+export interface Update {
+  readonly state: EditorState;
+  /** In the order in which the runtime carries them out. */
+  readonly effects: readonly EditorEffect[];
+}
+
+export function update(before: EditorState, event: EditorEvent): Update {
+  const effects: EditorEffect[] = [];
+  const events: EditorEvent[] = [event];
+  const emit: Emit = (effect) => {
+    if (effect.type === 'follow-up') events.push(effect.event);
+    else effects.push(effect);
+  };
+  let state = before;
+  for (let next = events.shift(); next; next = events.shift()) state = reduce(state, next, emit);
+  return { state: settled(state, emit), effects };
+}
+
+function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState {
+  // Each handler takes the events of its own type, which the compiler cannot relate.
+  const handle = HANDLERS[event.type] as (state: EditorState, event: EditorEvent, emit: Emit) => EditorState;
+  return handle(state, event, emit);
+}
+
+/** What follows from any state: the hover under a camera that moved, and borders that are to be shown. */
+const settled = (state: EditorState, emit: Emit): EditorState => requestBorders(followCamera(state), emit);

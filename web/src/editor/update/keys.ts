@@ -1,0 +1,74 @@
+/** Keys on the stage: arrows nudge, move the crosshair or pan; comma and full stop turn or scale; Enter places. */
+import { handleById } from '../../document/document';
+import { panned } from '../../geometry/camera';
+import { scaled, type Vec } from '../../geometry/vec';
+import { draftOf, hover, isPressing, places, pressDown, pressUp } from '../../tools/machine';
+import { pressAt } from '../../tools/state';
+import { crosshairMoved, crosshairPlace, hideCrosshair } from '../crosshair';
+import type { Emit } from '../effects';
+import { contextWithoutHandles, toolContext } from '../hit_areas';
+import { mayEdit } from '../permissions';
+import { documentOf, type EditorState, selectionOf } from '../state';
+import { moveCamera } from '../view';
+import { finish, focus } from './corners';
+import { nudge, nudgeCorner, turn } from './edits';
+import type { Handlers } from './handlers';
+import { announce } from './notices';
+import { withPointer } from './pointer';
+import { applyTools } from './press';
+
+/** CSS pixels that an arrow key pans the picture for each pixel that it would nudge a handle. */
+const PAN_CSS_PX = 40;
+
+/** The effect of an arrow key; null if it is left to the page. */
+function arrowTarget(state: EditorState): 'corner' | 'handles' | 'crosshair' | 'view' | null {
+  const drawing = draftOf(state.tools) !== null;
+  if (mayEdit(state)) {
+    if (state.focus.corner && !drawing) return 'corner';
+    if (selectionOf(state).length > 0 && !drawing) return 'handles';
+    if (places(state.tools.tool)) return 'crosshair';
+  }
+  return state.page.playing ? null : 'view';
+}
+
+export const takesArrow = (state: EditorState): boolean => arrowTarget(state) !== null;
+export const takesTurn = (state: EditorState): boolean => mayEdit(state) && selectionOf(state).length > 0;
+export const takesPlace = (state: EditorState): boolean => mayEdit(state) && places(state.tools.tool);
+export const takesSpace = ({ page }: EditorState): boolean => !page.playing;
+
+function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {
+  const target = arrowTarget(state);
+  if (target === 'corner' && state.focus.corner) return nudgeCorner(state, state.focus.corner, by, emit);
+  if (target === 'handles') return nudge(state, by, emit);
+  if (target === 'crosshair') return moveCrosshair(state, by);
+  return target ? moveCamera(state, panned(state.view.camera, scaled(by, -PAN_CSS_PX))) : state;
+}
+
+function moveCrosshair(state: EditorState, by: Vec): EditorState {
+  const at = crosshairMoved(state, by, draftOf(state.tools)?.corners.at(-1));
+  const tools = hover(state.tools, pressAt(at), toolContext(state));
+  const moved = { ...state, tools, display: { ...state.display, crosshair: at } };
+  return announce(moved, `x ${Math.round(at[0])}, y ${Math.round(at[1])}`);
+}
+
+/** Places a handle or sets a corner at the crosshair; without a crosshair, finishes the current drawing. */
+function place(before: EditorState, emit: Emit): EditorState {
+  // A press of the pointer is in progress: ignore the key.
+  if (!takesPlace(before) || isPressing(before.tools)) return before;
+  if (draftOf(before.tools) && !before.display.crosshair) return finish(before, emit);
+  const press = pressAt(crosshairPlace(before));
+  const down = applyTools(before, pressDown(before.tools, press, contextWithoutHandles(before)), emit);
+  const up = applyTools(down, pressUp(down.tools, press, contextWithoutHandles(down)), emit);
+  const [added] = selectionOf(up);
+  if (added !== undefined && handleById(documentOf(up), added)) focus(emit, added);
+  return hideCrosshair(up);
+}
+
+export const keyHandlers: Handlers<'space-held' | 'arrow-pressed' | 'turn-pressed' | 'place-pressed'> = {
+  'space-held': (state, { held }) =>
+    state.pointer.space === held ? state : withPointer(state, { space: held }),
+  'arrow-pressed': (state, { by }, emit) => arrow(state, by, emit),
+  'turn-pressed': (state, { degrees, scale }, emit) =>
+    takesTurn(state) ? turn(state, degrees, scale, emit) : state,
+  'place-pressed': (state, _, emit) => place(state, emit),
+};

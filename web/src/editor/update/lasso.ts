@@ -1,0 +1,39 @@
+/** The lasso: which part of the picture bends, and what a press beside that part says. */
+import { domainOf, ringsOf, withLasso } from '../../document/domain';
+import { selectHandles } from '../../document/edits';
+import type { Vec } from '../../geometry/vec';
+import type { Emit } from '../effects';
+import { LASSO_EMPTY, LASSO_LOOSE, LASSO_OUTSIDE, leftOutText, NOTHING_TO_HOLD } from '../notice_texts';
+import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
+import type { Handlers } from './handlers';
+import { inform, informOfStep, notify } from './notices';
+import { step } from './steps';
+import { choose } from './tool_choice';
+
+/** Lets only the inside of a ring bend, or cuts a hole there. Says which handles are gone, or what the lasso lacks. */
+function lasso(state: EditorState, ring: readonly Vec[], hole: boolean, emit: Emit): EditorState {
+  const found = withLasso(projectOf(state), ring, hole);
+  if (!found) return informOfStep(state, LASSO_EMPTY, emit);
+  const { project, cut } = found;
+  const removed = projectOf(state).handles.length - project.handles.length;
+  const document = selectHandles({ ...documentOf(state), project }, selectionOf(state));
+  const stepped = step(state, cut ? 'Cut a hole' : 'Bend what is inside', document, emit);
+  const next = choose(stepped, project.handles.length > 0 ? 'select' : 'point', emit);
+  if (removed > 0) return informOfStep(next, leftOutText(removed), emit);
+  if (project.fix_boundary) return next;
+  const action = { label: 'Hold its boundary', event: { type: 'boundary-switched', held: true } } as const;
+  return notify(next, { kind: 'info', text: LASSO_LOOSE, action, passes: true, ofStep: true }, emit);
+}
+
+/** Lets all of the picture bend. */
+export function removeLasso(state: EditorState, emit: Emit): EditorState {
+  if (!state.picture) return state;
+  const project = { ...projectOf(state), domain: domainOf(state.picture.alphaThreshold) };
+  return step(state, 'Bend all of the picture', { ...documentOf(state), project }, emit);
+}
+
+export const lassoHandlers: Handlers<'placement-missed' | 'lasso-drawn'> = {
+  'placement-missed': (state, _, emit) =>
+    inform(state, ringsOf(projectOf(state)).length > 0 ? LASSO_OUTSIDE : NOTHING_TO_HOLD, emit),
+  'lasso-drawn': (state, { ring, hole }, emit) => lasso(state, ring, hole, emit),
+};

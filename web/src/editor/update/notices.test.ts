@@ -1,0 +1,89 @@
+import { describe, expect, it } from 'vitest';
+import { ENGINE, WarpError } from '../../error';
+import { FakeRuntime } from '../fake_runtime';
+import { beginTask, currentTask, endTask, informOfStep, notify, shownNotice } from './notices';
+
+const ignore = () => {};
+const fresh = () => new FakeRuntime().state;
+const elapsed = (runtime: FakeRuntime) => runtime.dispatch({ type: 'timer-elapsed', timer: 'notice' });
+
+describe('a notice without an action', () => {
+  it('disappears after its time, which starts again when the pointer leaves it', () => {
+    const runtime = new FakeRuntime();
+    runtime.dispatch({ type: 'person-informed', text: 'a word' });
+    runtime.dispatch({ type: 'notice-hovered', on: true });
+    expect(runtime.effects.at(-1)).toEqual({ type: 'stop-timer', timer: 'notice' });
+    runtime.dispatch({ type: 'notice-hovered', on: false });
+    expect(runtime.effects.at(-1)).toMatchObject({ type: 'start-timer', timer: 'notice' });
+    elapsed(runtime);
+    expect(shownNotice(runtime.state)).toBeNull();
+  });
+});
+
+describe('a notice about a step', () => {
+  it('ends with the next step, unlike other notices', () => {
+    const runtime = new FakeRuntime();
+    runtime.open();
+    runtime.state = informOfStep(runtime.state, 'One is gone.', ignore);
+    runtime.dispatch({ type: 'boundary-switched', held: true });
+    expect(shownNotice(runtime.state)).toBeNull();
+    runtime.dispatch({ type: 'person-informed', text: 'a word' });
+    runtime.dispatch({ type: 'boundary-switched', held: false });
+    expect(shownNotice(runtime.state)?.text).toBe('a word');
+  });
+
+  it('joins others about the same step, each once', () => {
+    const action = { label: 'Hold', event: { type: 'boundary-switched', held: true } } as const;
+    const first = notify(fresh(), { kind: 'info', text: 'One.', ofStep: true, action, passes: true }, ignore);
+    const second = informOfStep(informOfStep(first, 'Two.', ignore), 'Two.', ignore);
+    expect(shownNotice(second)).toMatchObject({ text: 'One. Two.', action });
+  });
+});
+
+describe('an error', () => {
+  const error = new WarpError(ENGINE, 'The solver could not be loaded');
+
+  it('of the solver can be retried, and closes once the solver works', () => {
+    const runtime = new FakeRuntime();
+    runtime.open();
+    runtime.dispatch({ type: 'boundary-switched', held: true });
+    runtime.refuse(error, true);
+    expect(shownNotice(runtime.state)?.action?.label).toBe('Try again');
+    runtime.dispatch({ type: 'notice-answered' });
+    runtime.solve();
+    expect(shownNotice(runtime.state)).toBeNull();
+  });
+
+  it('of anything else stays, and the page hears of it', () => {
+    const runtime = new FakeRuntime();
+    runtime.dispatch({ type: 'error-reported', error: new Error('no picture') });
+    elapsed(runtime);
+    expect(runtime.notified).toEqual(['error']);
+  });
+
+  it('that only says that a newer request came is not shown', () => {
+    const runtime = new FakeRuntime();
+    const error = Object.assign(new Error('superseded'), { name: 'AbortError' });
+    runtime.dispatch({ type: 'error-reported', error });
+    expect(shownNotice(runtime.state)).toBeNull();
+  });
+});
+
+describe('progress', () => {
+  it('shows the newest task, each until it ends', () => {
+    const labels: (string | null)[] = [];
+    const emit = (effect: { readonly type: string; readonly notification?: object }) => {
+      const { notification } = effect as { notification?: { type: string; label?: string | null } };
+      if (notification?.type === 'progress') labels.push(notification.label ?? null);
+    };
+    const solve = { name: 'solve', label: 'Sampling', cancellable: true } as const;
+    const exporting = { name: 'export', label: 'Exporting', cancellable: false } as const;
+    let state = beginTask(beginTask(fresh(), solve, emit), exporting, emit);
+    expect(currentTask(state)).toBe(exporting);
+    state = endTask(state, 'solve', emit);
+    expect(currentTask(state)).toBe(exporting);
+    state = endTask(state, 'export', emit);
+    expect(currentTask(state)).toBeNull();
+    expect(labels).toEqual(['Sampling', 'Exporting', null]);
+  });
+});

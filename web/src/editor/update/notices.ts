@@ -1,0 +1,150 @@
+/** Notices, texts for screen readers, and the progress of tasks. */
+
+import { solveKey } from '../../document/solved';
+import { asError, isAbort, isEngineFailure } from '../../error';
+import type { Emit } from '../effects';
+import type { Notice, NoticesState } from '../notice';
+import { mayChange } from '../permissions';
+import { type EditorState, projectOf } from '../state';
+import type { Task, TaskName } from '../task';
+import { refusalWords } from '../wording';
+import type { Handlers } from './handlers';
+
+/** Long enough to read a sentence twice. */
+const PASSING_MS = 6000;
+/** Long enough to decide as well. */
+const ANSWER_MS = 15_000;
+
+const withNotices = (state: EditorState, change: Partial<NoticesState>): EditorState => ({
+  ...state,
+  notices: { ...state.notices, ...change },
+});
+
+/** The notice on screen. A page that plays shows only errors. */
+export const shownNotice = ({ page, notices }: EditorState): Notice | null =>
+  page.playing ? notices.error : (notices.passing ?? notices.error ?? notices.offer);
+
+/** The newest task under way. */
+export const currentTask = ({ notices }: EditorState): Task | null => notices.tasks.at(-1) ?? null;
+
+/** Shows a notice. Its action dismisses it. Without an action, anything but an error disappears by itself. */
+export function notify(state: EditorState, given: Notice, emit: Emit): EditorState {
+  const notice = joined(state.notices.passing, given);
+  const cleared = withoutPassing(state, emit);
+  const { kind, action, passes = !action } = notice;
+  if (!passes) return withNotices(cleared, { offer: notice });
+  if (kind === 'error') return withNotices(cleared, { error: notice });
+  startPassing(notice, emit);
+  return withNotices(cleared, { passing: notice });
+}
+
+/** Joins notices about the same step. */
+function joined(before: Notice | null, notice: Notice): Notice {
+  if (!before?.ofStep || !notice.ofStep) return notice;
+  if (before.text.includes(notice.text)) return before;
+  return { ...before, ...notice, text: `${before.text} ${notice.text}` };
+}
+
+export const inform = (state: EditorState, text: string, emit: Emit): EditorState =>
+  notify(state, { kind: 'info', text }, emit);
+
+/** Informs about the last step, until the next one. */
+export const informOfStep = (state: EditorState, text: string, emit: Emit): EditorState =>
+  notify(state, { kind: 'info', text, ofStep: true }, emit);
+
+/**
+ * Shows an error in the words of the editor, and passes it to the page as it is. A failure of the solver itself can be
+ * retried. Ignores AbortErrors: superseded work is no error.
+ */
+export function report(state: EditorState, thrown: unknown, emit: Emit): EditorState {
+  const error = asError(thrown);
+  if (isAbort(error)) return state;
+  const isUnsolved = state.solution.shown?.key !== solveKey(projectOf(state));
+  const retry =
+    isEngineFailure(error) && isUnsolved
+      ? ({ action: { label: 'Try again', event: { type: 'retry-asked' } }, passes: true } as const)
+      : {};
+  const next = notify(state, { kind: 'error', text: refusalWords(error), ...retry }, emit);
+  emit({ type: 'notify-page', notification: { type: 'error', error } });
+  return next;
+}
+
+/** Announces a text. Screen readers read only changes: a repeated text gets a trailing space that is not read. */
+export function announce(state: EditorState, text: string): EditorState {
+  const { announcement } = state.notices;
+  return withNotices(state, { announcement: announcement === text ? `${text}\u00a0` : text });
+}
+
+/** Another step was done, undone or redone: closes the notice about the step before. */
+export const closeStepNotice = (state: EditorState, emit: Emit): EditorState =>
+  state.notices.passing?.ofStep ? withoutPassing(state, emit) : state;
+
+/** The solver works: closes the error that can be retried. */
+export const closeRetryNotice = (state: EditorState): EditorState =>
+  state.notices.error?.action ? withNotices(state, { error: null }) : state;
+
+export const clearNotices = (state: EditorState, emit: Emit): EditorState =>
+  withNotices(withoutPassing(state, emit), { error: null, offer: null });
+
+/** Closes the shown notice. */
+export function dismiss(state: EditorState, emit: Emit): EditorState {
+  const notice = shownNotice(state);
+  if (notice === state.notices.passing) return withoutPassing(state, emit);
+  return withNotices(state, notice === state.notices.error ? { error: null } : { offer: null });
+}
+
+/** Shows a task, in place of one of the same name. */
+export const beginTask = (state: EditorState, task: Task, emit: Emit): EditorState =>
+  withTasks(state, [...state.notices.tasks.filter(({ name }) => name !== task.name), task], emit);
+
+export const endTask = (state: EditorState, name: TaskName, emit: Emit): EditorState =>
+  state.notices.tasks.some((task) => task.name === name)
+    ? withTasks(
+        state,
+        state.notices.tasks.filter((task) => task.name !== name),
+        emit,
+      )
+    : state;
+
+function withTasks(state: EditorState, tasks: readonly Task[], emit: Emit): EditorState {
+  const next = withNotices(state, { tasks });
+  const [before, after] = [currentTask(state), currentTask(next)];
+  if (before !== after) {
+    emit({ type: 'notify-page', notification: { type: 'progress', label: after?.label ?? null } });
+  }
+  return next;
+}
+
+function withoutPassing(state: EditorState, emit: Emit): EditorState {
+  emit({ type: 'stop-timer', timer: 'notice' });
+  return state.notices.passing ? withNotices(state, { passing: null }) : state;
+}
+
+const startPassing = ({ action }: Notice, emit: Emit): void =>
+  emit({ type: 'start-timer', timer: 'notice', ms: action ? ANSWER_MS : PASSING_MS });
+
+export const noticeHandlers: Handlers<
+  | 'notice-dismissed'
+  | 'notice-answered'
+  | 'notice-hovered'
+  | 'person-informed'
+  | 'error-reported'
+  | 'number-refused'
+> = {
+  'notice-dismissed': (state, _, emit) => dismiss(state, emit),
+  'notice-answered': (state, _, emit) => {
+    const notice = shownNotice(state);
+    const { kind, action } = notice ?? {};
+    if (!action || (kind === 'info' && !action.readsOnly && !mayChange(state))) return state;
+    emit({ type: 'follow-up', event: action.event });
+    return dismiss(state, emit);
+  },
+  'notice-hovered': (state, { on }, emit) => {
+    if (on) emit({ type: 'stop-timer', timer: 'notice' });
+    else if (state.notices.passing) startPassing(state.notices.passing, emit);
+    return state;
+  },
+  'person-informed': (state, { text }, emit) => inform(state, text, emit),
+  'number-refused': (state, { text }, emit) => inform(state, text, emit),
+  'error-reported': (state, { error }, emit) => report(state, error, emit),
+};

@@ -1,0 +1,253 @@
+import { describe, expect, it } from 'vitest';
+import { addHandle } from '../../document/edits';
+import type { Project } from '../../document/project';
+import { WarpError } from '../../error';
+import type { EditorEffect } from '../effects';
+import { FakeRuntime, PAGE, testPicture } from '../fake_runtime';
+import { documentOf, projectOf } from '../state';
+import type { WorkSnapshot } from '../work';
+import { snapshotOf } from './autosave';
+import { shownNotice } from './notices';
+
+const cat = testPicture('cat.png');
+const dog = testPicture('dog.png');
+const refusal = new WarpError('handle-outside', 'outside');
+const engine = new WarpError('engine', 'the solver failed');
+
+const opened = (): FakeRuntime => {
+  const runtime = new FakeRuntime();
+  runtime.open(cat);
+  return runtime;
+};
+const drop = (runtime: FakeRuntime, name = 'dog.png') =>
+  runtime.dispatch({ type: 'files-received', files: [{ name, file: { size: 1, type: '' } }] });
+const placeHandle = (runtime: FakeRuntime, id = 'a') => {
+  const handle = { id, kind: 'point', rest: [50, 50], posed: [60, 50] } as const;
+  runtime.dispatch({ type: 'handle-added', handle });
+  runtime.solve();
+};
+const withHandle = (project: Project): Project =>
+  addHandle({ project, selection: [] }, { id: 'far', kind: 'point', rest: [900, 9], posed: [900, 9] })
+    .project;
+const effects = <T extends EditorEffect['type']>(runtime: FakeRuntime, type: T) =>
+  runtime.effects.filter((effect) => effect.type === type) as Extract<EditorEffect, { readonly type: T }>[];
+const workOn = (name: string, runtime: FakeRuntime): WorkSnapshot => {
+  const work = snapshotOf(runtime.state);
+  if (!work) throw new Error('nothing is open');
+  return { ...work, name };
+};
+
+describe('opening a picture', () => {
+  it('reads, then tries, then opens', () => {
+    const runtime = new FakeRuntime();
+    drop(runtime, 'cat.png');
+    expect(runtime.state.opening.reading).not.toBeNull();
+    runtime.read(cat);
+    expect(runtime.state.opening.trial).not.toBeNull();
+    expect(runtime.state.picture).toBe(cat);
+    runtime.solve();
+    expect(runtime.state.opening).toMatchObject({ reading: null, trial: null });
+  });
+
+  it('keeps the open picture when reading fails', () => {
+    const runtime = opened();
+    drop(runtime);
+    runtime.failRead(new WarpError('picture', 'dog.png: no picture'));
+    expect(runtime.state.picture).toBe(cat);
+    expect(shownNotice(runtime.state)?.text).toContain('no picture');
+  });
+
+  it('returns to the picture before when the solver refuses the new one', () => {
+    const runtime = opened();
+    placeHandle(runtime);
+    const before = documentOf(runtime.state).project;
+    drop(runtime);
+    runtime.read(dog);
+    runtime.refuse(refusal);
+    expect(runtime.state.picture).toBe(cat);
+    expect(projectOf(runtime.state)).toEqual(before);
+    expect(shownNotice(runtime.state)?.kind).toBe('error');
+  });
+
+  it('opens the picture without its handles when there is none to return to', () => {
+    const runtime = new FakeRuntime();
+    drop(runtime, 'cat.png');
+    runtime.read(
+      cat,
+      withHandle({ ...projectOf(runtime.state), image: { src: '', width: 400, height: 300 } }),
+    );
+    runtime.refuse(refusal);
+    expect(runtime.state.picture).toBe(cat);
+    expect(projectOf(runtime.state).handles).toEqual([]);
+  });
+
+  it('closes the first picture when the solver refuses it without a handle', () => {
+    const runtime = new FakeRuntime();
+    drop(runtime, 'cat.png');
+    runtime.read(cat);
+    runtime.refuse(new WarpError('nothing-opaque', 'alpha'));
+    expect(runtime.state.picture).toBeNull();
+    expect(shownNotice(runtime.state)?.text).toContain('cat.png: nothing in this picture');
+  });
+
+  it('refuses a project for a picture of another size', () => {
+    const runtime = opened();
+    drop(runtime);
+    runtime.read(dog, { ...projectOf(runtime.state), image: { src: '', width: 1, height: 1 } });
+    expect(runtime.state.picture).toBe(cat);
+    expect(shownNotice(runtime.state)?.text).toContain('1 × 1 px');
+  });
+
+  it('keeps the first picture on the stage and offers a retry when the solver fails', () => {
+    const runtime = new FakeRuntime();
+    drop(runtime, 'cat.png');
+    runtime.read(cat);
+    runtime.refuse(engine, true);
+    expect(runtime.state.picture).toBe(cat);
+    expect(shownNotice(runtime.state)?.action?.label).toBe('Try again');
+    runtime.dispatch({ type: 'notice-answered' });
+    runtime.read(testPicture('cat.png'));
+    runtime.solve();
+    expect(runtime.state.solution.shown).not.toBeNull();
+  });
+});
+
+describe('a newer request', () => {
+  it('supersedes one that is being read', () => {
+    const runtime = new FakeRuntime();
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'cat.png', project: null });
+    runtime.dispatch({ type: 'load-asked', reply: 2, source: 'dog.png', project: null });
+    expect(effects(runtime, 'settle-load')).toMatchObject([{ reply: 1, error: 'superseded' }]);
+    runtime.read(dog);
+    runtime.solve();
+    expect(effects(runtime, 'settle-load').at(-1)).toMatchObject({ reply: 2, error: null });
+    expect(runtime.notified).toContain('load');
+  });
+
+  it('supersedes a trial and inherits its way back', () => {
+    const runtime = opened();
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'dog.png', project: null });
+    runtime.read(dog);
+    drop(runtime, 'fox.png');
+    runtime.read(testPicture('fox.png'));
+    expect(effects(runtime, 'settle-load')).toMatchObject([{ reply: 1, error: 'superseded' }]);
+    runtime.refuse(refusal);
+    expect(runtime.state.picture).toBe(cat);
+  });
+});
+
+describe('edited work', () => {
+  it('is parked when another picture opens, and comes back', () => {
+    const runtime = opened();
+    placeHandle(runtime);
+    drop(runtime);
+    runtime.read(dog);
+    runtime.solve();
+    expect(shownNotice(runtime.state)?.action?.label).toBe('Back to cat.png');
+    runtime.dispatch({ type: 'notice-answered' });
+    runtime.read(testPicture('cat.png'));
+    runtime.solve();
+    expect(projectOf(runtime.state).handles).toHaveLength(1);
+    expect(runtime.state.opening.parked).toEqual([]);
+  });
+
+  it('is not parked when it was never edited', () => {
+    const runtime = opened();
+    drop(runtime);
+    runtime.read(dog);
+    runtime.solve();
+    expect(runtime.state.opening.parked).toEqual([]);
+  });
+});
+
+describe('a project file alone', () => {
+  it('becomes a step of the open picture if the size fits', () => {
+    const runtime = opened();
+    drop(runtime, 'pose.json');
+    runtime.read(null, { ...projectOf(runtime.state), samples: 2000 });
+    expect(projectOf(runtime.state).samples).toBe(2000);
+  });
+
+  it('waits for its picture, and takes the next one of its size', () => {
+    const runtime = new FakeRuntime();
+    drop(runtime, 'pose.json');
+    const image = { src: 'cat.png', width: 400, height: 300 };
+    runtime.read(null, { ...projectOf(runtime.state), image, samples: 2000 });
+    expect(shownNotice(runtime.state)?.text).toContain('pose.json belongs to the picture cat.png');
+    drop(runtime, 'cat.png');
+    runtime.read(cat);
+    runtime.solve();
+    expect(projectOf(runtime.state).samples).toBe(2000);
+  });
+});
+
+describe('the first content', () => {
+  const stored = () => {
+    const other = opened();
+    placeHandle(other);
+    return { work: workOn('stored.png', other), parked: [] };
+  };
+  const started = (src: string | null = 'sample.png') => {
+    const runtime = new FakeRuntime({ ...PAGE, src });
+    runtime.dispatch({ type: 'autosave-key-set', key: 'editor' });
+    runtime.dispatch({ type: 'started', work: null });
+    return runtime;
+  };
+
+  it('is the attributes where nothing is stored', () => {
+    const runtime = started();
+    runtime.dispatch({ type: 'storage-read', stored: null });
+    runtime.read(testPicture('sample.png'));
+    runtime.solve();
+    expect(runtime.notified.filter((type) => type === 'load' || type === 'ready')).toEqual(['load', 'ready']);
+  });
+
+  it('is ready at once without attributes', () => {
+    const runtime = started(null);
+    runtime.dispatch({ type: 'storage-read', stored: null });
+    expect(runtime.notified).toContain('ready');
+  });
+
+  it('is stored work', () => {
+    const runtime = started();
+    runtime.dispatch({ type: 'storage-read', stored: stored() });
+    runtime.read(testPicture('stored.png'));
+    runtime.solve();
+    expect(runtime.state.picture?.name).toBe('stored.png');
+    expect(projectOf(runtime.state).handles).toHaveLength(1);
+    expect(runtime.notified).toContain('ready');
+  });
+
+  it('is the attributes where stored work cannot be opened, and the work is parked', () => {
+    const runtime = started();
+    runtime.dispatch({ type: 'storage-read', stored: stored() });
+    runtime.failRead(new WarpError('picture', 'stored.png: damaged'));
+    runtime.read(testPicture('sample.png'));
+    runtime.solve();
+    expect(runtime.state.picture?.name).toBe('sample.png');
+    expect(runtime.state.opening.parked.map(({ name }) => name)).toEqual(['stored.png']);
+    expect(shownNotice(runtime.state)?.text).toContain('damaged');
+  });
+
+  it('leaves a picture alone that was opened while the storage was read', () => {
+    const runtime = started();
+    drop(runtime);
+    runtime.dispatch({ type: 'storage-read', stored: stored() });
+    runtime.read(dog);
+    runtime.solve();
+    expect(runtime.state.picture).toBe(dog);
+    expect(runtime.state.opening.parked.map(({ name }) => name)).toEqual(['stored.png']);
+  });
+
+  it('comes back when a newer picture is refused before it was there', () => {
+    const runtime = started();
+    runtime.dispatch({ type: 'storage-read', stored: stored() });
+    drop(runtime);
+    runtime.read(dog);
+    expect(runtime.state.opening.restoring?.phase).toBe('suspended');
+    runtime.refuse(refusal);
+    runtime.read(testPicture('stored.png'));
+    runtime.solve();
+    expect(runtime.state.picture?.name).toBe('stored.png');
+  });
+});

@@ -1,0 +1,93 @@
+/** Changes by the page: attributes, device, size, and the methods of the element. */
+import { openDocument } from '../../document/document';
+import { addHandle, putHandles, removeHandles } from '../../document/edits';
+import { cancelAll, cancelPress, isPressing } from '../../tools/machine';
+import { hideCrosshair } from '../crosshair';
+import type { Emit } from '../effects';
+import type { PageAttributes } from '../page';
+import { documentOf, type EditorState } from '../state';
+import { fitView, resize } from '../view';
+import { holdPreview } from './display';
+import { withDocument } from './document_slice';
+import { reset } from './edits';
+import type { Handlers } from './handlers';
+import { closeMenu } from './menu_closing';
+import { schedulePoseCheck } from './pose_checks';
+import { applyTools } from './press';
+import { withOpening } from './requests';
+import { poseForPage, redo, selectForPage, step, undo } from './steps';
+import { choose } from './tool_choice';
+
+/** Takes the attributes. Setting `readonly` or `disabled`, or changing `play`, ends what is in progress. */
+function changePage(before: EditorState, page: PageAttributes, emit: Emit): EditorState {
+  const { readonly, disabled, playing } = before.page;
+  const rearranges = playing !== page.playing || (page.playing && readonly !== page.readonly);
+  const locks = (page.readonly && !readonly) || (page.disabled && !disabled);
+  const relocks =
+    (page.readonly || page.disabled) && (readonly !== page.readonly || disabled !== page.disabled);
+  let state = { ...before, page };
+  if (locks || relocks || rearranges) state = stop(state, emit);
+  return rearranges ? rearrange(state, emit) : state;
+}
+
+/** Ends a drag, a drawing, the menu and a preview. */
+function stop(before: EditorState, emit: Emit): EditorState {
+  const state = hideCrosshair(closeMenu(before, emit));
+  emit({ type: 'leave-field' });
+  const ended = applyTools(state, cancelAll(state.tools), emit);
+  return holdPreview(withDocument(ended, { drawn: null }), null);
+}
+
+/** Adapts to `play`: the select tool alone poses handles, and the picture fits another stage. */
+function rearrange(state: EditorState, emit: Emit): EditorState {
+  const selecting = { ...state, page: { ...state.page, playing: false, readonly: false } };
+  const chosen = state.page.playing ? choose(selecting, 'select', emit) : state;
+  return schedulePoseCheck(fitView({ ...chosen, page: state.page }), emit);
+}
+
+export const pageHandlers: Handlers<
+  | 'page-changed'
+  | 'media-changed'
+  | 'stage-resized'
+  | 'tool-set'
+  | 'handle-added'
+  | 'handle-changed'
+  | 'handle-removed'
+  | 'handles-posed'
+  | 'project-adopted'
+  | 'page-project-set'
+  | 'selection-set'
+  | 'undo-asked'
+  | 'redo-asked'
+  | 'reset-asked'
+  | 'fit-asked'
+> = {
+  'page-changed': (state, { page }, emit) => changePage(state, page, emit),
+  'media-changed': (state, { media }) => ({ ...state, media }),
+  'stage-resized': (before, { size, typing }, emit) => {
+    // A hidden stage receives no more pointer moves.
+    const isHidden = size.width === 0 || size.height === 0;
+    const state = isHidden ? applyTools(before, cancelPress(before.tools), emit) : before;
+    // An on-screen keyboard may change the height: the picture does not move for that, nor under a press.
+    const keyboard = typing && state.pointer.coarse && size.width === state.stage.width;
+    return resize(state, size, keyboard || isPressing(state.tools));
+  },
+  'tool-set': (state, { tool }, emit) => choose(state, tool, emit),
+  'handle-added': (state, { handle }, emit) =>
+    step(state, 'Add handle', addHandle(documentOf(state), handle), emit),
+  'handle-changed': (state, { handle }, emit) =>
+    step(state, 'Change handle', putHandles(documentOf(state), [handle]), emit),
+  'handle-removed': (state, { id }, emit) =>
+    step(state, 'Delete handle', removeHandles(documentOf(state), [id]), emit),
+  'handles-posed': (state, { handles }, emit) => poseForPage(state, handles, emit),
+  'project-adopted': (state, { project }, emit) => step(state, 'Set project', openDocument(project), emit),
+  'page-project-set': (state, { project }) => withOpening(state, { pageProject: project }),
+  'selection-set': (state, { ids }, emit) =>
+    state.picture && state.opening.revision === state.opening.openedRevision
+      ? selectForPage(state, ids, emit)
+      : withOpening(state, { pageSelection: ids }),
+  'undo-asked': (state, _, emit) => undo(state, emit),
+  'redo-asked': (state, _, emit) => redo(state, emit),
+  'reset-asked': (state, _, emit) => reset(state, true, emit),
+  'fit-asked': (state) => fitView(state),
+};

@@ -1,0 +1,95 @@
+/** Presses and moves of the pointer on the stage. */
+import { hand } from '../../tools/hand';
+import { cancelPress, draftOf, hover, pressDown, pressMove, pressUp } from '../../tools/machine';
+import { withoutRings } from '../../tools/pressing';
+import { hideCrosshair } from '../crosshair';
+import type { Emit } from '../effects';
+import { hitAt, pressOf, toolContext } from '../hit_areas';
+import { mayEdit, pressesPan } from '../permissions';
+import type { StagePointer } from '../stage_pointer';
+import { type EditorState, type PointerState, selectionOf } from '../state';
+import { moveCamera } from '../view';
+import { focus, toggleCorner } from './corners';
+import type { Handlers } from './handlers';
+import { closeMenu } from './menu_closing';
+import { applyTools } from './press';
+import { select } from './selection';
+
+export const withPointer = (state: EditorState, change: Partial<PointerState>): EditorState => ({
+  ...state,
+  pointer: { ...state.pointer, ...change },
+});
+
+/** Notes the kind of the pointer: hit areas depend on it. */
+export const noteKind = (state: EditorState, coarse: boolean): EditorState =>
+  state.pointer.coarse === coarse ? state : withPointer(state, { coarse });
+
+function begin(before: EditorState, pointer: StagePointer, pans: boolean, emit: Emit): EditorState {
+  const noted = hideCrosshair(closeMenu(noteKind(before, pointer.coarse), emit));
+  // A press whose end was missed must not stay open.
+  const state = applyTools(noted, cancelPress(noted.tools), emit);
+  const press = pressOf(state, pointer);
+  const context = toolContext(state);
+  const bodies = state.tools.tool === 'select';
+  const onHandle = hitAt(state, press.at, bodies, withoutRings(context)) !== null;
+  const once = pans || pressesPan(state) ? hand : undefined;
+  return applyTools(withPointer(state, { onHandle }), pressDown(state.tools, press, context, once), emit);
+}
+
+function end(before: EditorState, pointer: StagePointer, emit: Emit): EditorState {
+  const press = pressOf(before, pointer);
+  const drawing = draftOf(before.tools) !== null;
+  const held = drawing ? null : hitAt(before, press.at, before.tools.tool === 'select');
+  const state = applyTools(before, pressUp(before.tools, press, toolContext(before)), emit);
+  const selection = selectionOf(state);
+  // Focusing a handle selects it: not one that a Shift-click has just deselected.
+  const keeps = held !== null && held.part !== 'ring' && held.part !== 'grip' && selection.includes(held.id);
+  if (keeps && held.part === 'corner') focus(emit, held.id, held.index);
+  else focus(emit, keeps ? held.id : selection[0]);
+  return state;
+}
+
+/** Moves the pointer without a press; null when it leaves the stage. */
+function hovered(state: EditorState, pointer: StagePointer | null): EditorState {
+  const press = pointer && pressOf(state, pointer);
+  const last = pointer && { pointer, camera: state.view.camera };
+  return withPointer(
+    { ...state, tools: hover(state.tools, press, toolContext(state)) },
+    { hovered: press?.at ?? null, last },
+  );
+}
+
+/** Repeats the last hover if the camera has moved under a resting pointer. */
+export function followCamera(state: EditorState): EditorState {
+  const { last } = state.pointer;
+  return last && last.camera !== state.view.camera && !state.display.crosshair
+    ? hovered(state, last.pointer)
+    : state;
+}
+
+export const pointerHandlers: Handlers<
+  | 'press-began'
+  | 'press-moved'
+  | 'press-ended'
+  | 'press-cancelled'
+  | 'double-pressed'
+  | 'pointer-hovered'
+  | 'pointer-noted'
+  | 'page-clicked'
+  | 'camera-moved'
+> = {
+  'press-began': (state, { pointer, pans }, emit) => begin(state, pointer, pans, emit),
+  'press-moved': (state, { pointer }, emit) =>
+    applyTools(state, pressMove(state.tools, pressOf(state, pointer), toolContext(state)), emit),
+  'press-ended': (state, { pointer }, emit) => end(state, pointer, emit),
+  'press-cancelled': (state, _, emit) => applyTools(state, cancelPress(state.tools), emit),
+  // With another tool a double click ends a drawing.
+  'double-pressed': (state, { pointer }, emit) =>
+    !pressesPan(state) && state.tools.tool === 'select'
+      ? toggleCorner(state, pressOf(state, pointer).at, emit)
+      : state,
+  'pointer-hovered': (state, { pointer }) => hovered(state, pointer),
+  'pointer-noted': (state, { coarse }) => noteKind(state, coarse),
+  'page-clicked': (state, _, emit) => (mayEdit(state) ? select(state, [], emit) : state),
+  'camera-moved': (state, { camera }) => moveCamera(state, camera),
+};

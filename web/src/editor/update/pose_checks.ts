@@ -1,0 +1,42 @@
+/**
+ * Checks for faults that a person may overlook: folds, parts of the picture outside its frame, and handles partly
+ * outside the picture.
+ *
+ * Folds and the frame need a pass over the whole mesh. It is made a few times a second during a drag and once after it.
+ */
+import { handleById } from '../../document/document';
+import { ringsOf } from '../../document/domain';
+import { nameOf } from '../../document/handle';
+import type { Emit } from '../effects';
+import { outsideText } from '../notice_texts';
+import type { SolveReport } from '../solution';
+import { documentOf, type EditorState, projectOf } from '../state';
+import { reachesBeyondFrame } from '../view';
+import { informOfStep } from './notices';
+
+const PAUSE_MS = 200;
+
+/** Schedules a check of the pose, unless its result is not shown. */
+export function schedulePoseCheck(state: EditorState, emit: Emit): EditorState {
+  if (state.page.playing || state.checks.pending) return state;
+  emit({ type: 'start-timer', timer: 'pose-check', ms: PAUSE_MS });
+  return { ...state, checks: { ...state.checks, pending: true } };
+}
+
+export function checkPose(state: EditorState): EditorState {
+  const folds = state.solution.shown?.deformation.foldCount(projectOf(state)) ?? 0;
+  return { ...state, checks: { ...state.checks, pending: false, folds, beyond: reachesBeyondFrame(state) } };
+}
+
+/** Names the handles that lie partly outside the picture, when a solve finds others than the solve before. */
+export function checkSolution(before: EditorState, { outside }: SolveReport, emit: Emit): EditorState {
+  const state = schedulePoseCheck(before, emit);
+  const key = JSON.stringify(outside);
+  if (key === state.checks.outside) return state;
+  const next = { ...state, checks: { ...state.checks, outside: key } };
+  const ids = [...new Set(outside.map(({ handle }) => handle))];
+  const names = ids.flatMap((id) => handleById(documentOf(next), id) ?? []).map(nameOf);
+  return names.length > 0
+    ? informOfStep(next, outsideText(names, ringsOf(projectOf(next)).length > 0), emit)
+    : next;
+}

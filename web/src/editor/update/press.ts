@@ -1,0 +1,106 @@
+/** Presses of the tools: their effects on the document, the display and the view. */
+import { handleById, isSameWork } from '../../document/document';
+import { putHandles } from '../../document/edits';
+import type { PosedDocument } from '../../document/group';
+import * as history from '../../document/history';
+import { revertHandle } from '../../document/reverting';
+import { panned } from '../../geometry/camera';
+import { cancelPress, type ToolsOutcome } from '../../tools/machine';
+import type { Effect } from '../../tools/state';
+import type { Emit } from '../effects';
+import { beginGuarding, guarded } from '../fold_guard';
+import { turnsOf } from '../hit_areas';
+import { documentOf, type EditorState } from '../state';
+import { moveCamera } from '../view';
+import { draftWords, placeWords } from '../wording';
+import { saveWork } from './autosave';
+import { guardEnded, withDocument, withHistory } from './document_slice';
+import { edited } from './edited';
+import { announce } from './notices';
+import { select } from './selection';
+
+/** Takes the outcome of a tool and reduces its effects. */
+export const applyTools = (state: EditorState, { tools, effects }: ToolsOutcome, emit: Emit): EditorState =>
+  effects.reduce((next, effect) => reduced(next, effect, emit), { ...state, tools });
+
+function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
+  switch (effect.type) {
+    case 'begin':
+      return beginDrag(state, effect.label);
+    case 'edit':
+      return drag(state, effect, emit);
+    case 'commit':
+      return endDrag(state, emit);
+    case 'bail':
+      return bailDrag(state, emit);
+    case 'select':
+      return select(state, effect.ids, emit);
+    case 'drawn':
+      return withDocument(state, { drawn: effect });
+    case 'drafted':
+      return saveWork(announce(state, draftWords(effect.draft)), emit);
+    case 'box':
+      return { ...state, display: { ...state.display, box: effect.box } };
+    case 'pan':
+      return moveCamera(state, panned(state.view.camera, effect.by));
+    case 'miss':
+      emit({ type: 'follow-up', event: { type: 'placement-missed' } });
+      return state;
+    case 'lassoed':
+      emit({ type: 'follow-up', event: { type: 'lasso-drawn', ring: effect.ring, hole: effect.hole } });
+      return state;
+  }
+}
+
+/** Ends the current press and keeps its changes so far. */
+export function endPressKeepingChanges(state: EditorState, emit: Emit): EditorState {
+  const ended = guardEnded(endPress(state, cancelPress(state.tools), emit));
+  return withHistory(ended, history.commit(ended.document.history, isSameWork));
+}
+
+/** Drops the effects that end a press, except the one that clears its selection box. */
+export const endPress = (state: EditorState, { tools, effects }: ToolsOutcome, emit: Emit): EditorState =>
+  applyTools(state, { tools, effects: effects.filter(({ type }) => type === 'box') }, emit);
+
+/** Opens an undo step for a drag. */
+const beginDrag = (state: EditorState, label: string): EditorState => ({
+  ...withDocument(state, {
+    history: history.begin(state.document.history, label, isSameWork),
+    travelled: null,
+    refused: [],
+    posedByPage: [],
+  }),
+  guard: beginGuarding(state.guard, documentOf(state), state.solution.shown?.deformation ?? null),
+});
+
+/** Carries out one move of a drag. */
+function drag(state: EditorState, edit: PosedDocument, emit: Emit): EditorState {
+  const present = documentOf(state);
+  // A drag computes each move from the document at its start, which still has the refused handles, and the poses of
+  // that moment.
+  const led = state.document.posedByPage.flatMap((id) => handleById(present, id) ?? []);
+  const wanted = state.document.refused.reduce(
+    (mended, handle) => revertHandle(mended, handle, present),
+    putHandles(edit.document, led),
+  );
+  const folds = state.solution.shown?.deformation ?? null;
+  const { document, guard } = guarded(state.guard, folds, present, { ...edit, document: wanted });
+  const moved = withHistory({ ...state, guard }, history.update(state.document.history, document));
+  return edited(moved, 'input', emit);
+}
+
+/** Ends a drag: one undo step, or none if it changed nothing. */
+function endDrag(before: EditorState, emit: Emit): EditorState {
+  const state = guardEnded(before);
+  const committed = withHistory(state, history.commit(state.document.history, isSameWork));
+  // A drag that changed nothing: its label must disappear from undo.
+  if (committed.document.history.past === state.document.history.past)
+    return edited(committed, 'input', emit);
+  const next = edited(committed, 'change', emit);
+  const label = history.undoLabel(next.document.history) ?? '';
+  return announce(next, `${label}. ${placeWords(documentOf(next), turnsOf(next))}`);
+}
+
+/** Takes a drag back. */
+const bailDrag = (state: EditorState, emit: Emit): EditorState =>
+  edited(guardEnded(withHistory(state, history.bail(state.document.history))), 'input', emit);

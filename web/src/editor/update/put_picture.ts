@@ -1,0 +1,36 @@
+/** Putting a picture on the stage, with earlier work on it or none. */
+import { newProject, openDocument } from '../../document/document';
+import type { Emit } from '../effects';
+import type { Picture } from '../picture';
+import type { EditorState } from '../state';
+import { openView } from '../view';
+import type { Work } from '../work';
+import { closeMenu } from './menu_closing';
+import { announce, clearNotices } from './notices';
+import { endStages, withSolution } from './solve_request';
+import { openWork } from './steps';
+
+/** A new project for a picture without one. */
+export function freshWork({ name: src, width, height, alphaThreshold }: Picture): Work {
+  const present = openDocument(newProject({ src, width, height }, alphaThreshold));
+  return { record: { past: [], present, future: [] } };
+}
+
+export function putPicture(state: EditorState, picture: Picture, work: Work, emit: Emit): EditorState {
+  const pixelated = work.pixelated ?? picture.isPixelArt;
+  const shown = showPicture({ ...state, pixelated }, picture, emit);
+  return openWork(openView(shown, work.view), work, emit);
+}
+
+/** Empties the stage. */
+export const closePicture = (state: EditorState, emit: Emit): EditorState =>
+  openView(showPicture(state, null, emit));
+
+function showPicture(before: EditorState, picture: Picture | null, emit: Emit): EditorState {
+  // First, so that this picture is not fitted with the bounds of the previous one.
+  const solution = { shown: null, recent: [], wanted: null, borders: null } as const;
+  const state = closeMenu(clearNotices(withSolution(endStages(before, emit), solution), emit), emit);
+  emit({ type: 'use-picture', picture });
+  const next = { ...state, picture };
+  return picture && !next.page.playing ? announce(next, `${picture.name} is open`) : next;
+}

@@ -1,0 +1,162 @@
+/** The ends of requests: the asker is told, and the first content goes on. */
+import { codeOf, isAbort, isEngineFailure } from '../../error';
+import type { Emit } from '../effects';
+import { notOpenedText } from '../notice_texts';
+import type { OpenOutcome, OpenRequest, Purpose, Restoring } from '../opening_state';
+import { attributesPending } from '../opening_state';
+import { documentOf, type EditorState } from '../state';
+import { isWorkedOn } from '../work';
+import { saveWork, stepKey, withAutosave } from './autosave';
+import { withDocument } from './document_slice';
+import type { Handlers } from './handlers';
+import { inform, report } from './notices';
+import { requestAttributes, restore, withOpening } from './requests';
+
+const notifyLoad = (emit: Emit): void => emit({ type: 'notify-page', notification: { type: 'load' } });
+
+function endRequest(
+  state: EditorState,
+  { id, purpose }: OpenRequest,
+  outcome: OpenOutcome,
+  emit: Emit,
+): EditorState {
+  switch (purpose.by) {
+    case 'person':
+      return outcome === 'opened' ? filesOpened(state, purpose.ignored, emit) : failed(state, outcome, emit);
+    case 'back':
+      return outcome === 'opened' ? filesOpened(state, [], emit) : failed(state, outcome, emit);
+    case 'load':
+      return endLoad(state, purpose, outcome, emit);
+    case 'retry':
+      if (outcome === 'opened') notifyLoad(emit);
+      return failed(state, outcome, emit);
+    case 'attributes': {
+      if (outcome === 'opened') notifyLoad(emit);
+      const told = failed(withOpening(state, { openedRevision: purpose.revision }), outcome, emit);
+      const { startup, overtaken } = told.opening;
+      if (startup.phase !== 'attributes' || startup.id !== id) return told;
+      const back = outcome instanceof Error && !overtaken ? startup.orElse : null;
+      return back ? reopen(told, back, emit) : finishStartup(told, startup.unread, emit);
+    }
+  }
+}
+
+/** Reports an error of a request. */
+const failed = (state: EditorState, outcome: OpenOutcome, emit: Emit): EditorState =>
+  outcome instanceof Error ? report(state, outcome, emit) : state;
+
+function endLoad(
+  state: EditorState,
+  { reply, usesPageProject }: Extract<Purpose, { by: 'load' }>,
+  outcome: OpenOutcome,
+  emit: Emit,
+): EditorState {
+  if (outcome === 'opened') {
+    notifyLoad(emit);
+    emit({ type: 'settle-load', reply, error: null });
+    return state;
+  }
+  emit({ type: 'settle-load', reply, error: outcome });
+  const { pageProject } = state.opening;
+  const blamed = usesPageProject !== null && usesPageProject === pageProject && isOfProject(outcome);
+  return blamed ? withOpening(state, { pageProject: null }) : state;
+}
+
+/** Whether an error is about the project, not about its picture, the solver, or a newer request. */
+const isOfProject = (outcome: OpenOutcome): boolean =>
+  outcome instanceof Error &&
+  !isAbort(outcome) &&
+  !isEngineFailure(outcome) &&
+  !['address', 'file', 'picture'].includes(codeOf(outcome));
+
+/** Names ignored files. Chooses the point tool for a picture without handles, and the other way round. */
+function filesOpened(before: EditorState, ignored: readonly string[], emit: Emit): EditorState {
+  const state = ignored.length > 0 ? inform(before, notOpenedText(ignored), emit) : before;
+  if (!state.picture || state.page.tool) return state;
+  const bare = documentOf(state).project.handles.length === 0;
+  const { tool } = state.tools;
+  if (bare && tool === 'select')
+    emit({ type: 'follow-up', event: { type: 'command-run', command: 'point' } });
+  if (!bare && tool === 'point')
+    emit({ type: 'follow-up', event: { type: 'command-run', command: 'select' } });
+  return state;
+}
+
+function endRestore(
+  before: EditorState,
+  { work, from }: Restoring,
+  outcome: OpenOutcome,
+  emit: Emit,
+): EditorState {
+  let state = before;
+  if (from === 'refusal') return outcome instanceof Error ? park(state, work) : state;
+  if (from === 'storage') state = withAutosave(state, { restoring: false });
+  if (outcome === 'opened') {
+    if (from === 'storage') {
+      state = withDocument(state, { touched: work.record.past.length > 0 });
+      // The solver refused the last stored step: store the work without it.
+      if (documentOf(state) !== work.record.present) state = saveWork(state, emit);
+    }
+    notifyLoad(emit);
+    return finishStartup(state, null, emit);
+  }
+  // Without a solver nothing can be opened.
+  const unread =
+    from === 'storage' && outcome instanceof Error && !isEngineFailure(outcome) && !isAbort(outcome);
+  if (unread) return startAttributes(park(withAutosave(state, { unread: true }), work), null, outcome, emit);
+  return finishStartup(failed(state, outcome, emit), null, emit);
+}
+
+const park = (state: EditorState, work: Restoring['work']): EditorState =>
+  withOpening(state, { parked: [...state.opening.parked, work] });
+
+function startAttributes(
+  state: EditorState,
+  orElse: Restoring['work'] | null,
+  unread: Error | null,
+  emit: Emit,
+): EditorState {
+  const { src } = state.page;
+  if (!src || state.opening.overtaken) return finishStartup(state, unread, emit);
+  const startup = { phase: 'attributes', id: state.opening.nextId, orElse, unread } as const;
+  return requestAttributes(withOpening(state, { startup }), src, emit);
+}
+
+const reopen = (state: EditorState, work: Restoring['work'], emit: Emit): EditorState =>
+  restore(withOpening(state, { startup: { phase: 'restoring' } }), work, 'element', emit);
+
+function finishStartup(state: EditorState, unread: Error | null, emit: Emit): EditorState {
+  if (state.opening.startup.phase === 'done') return state;
+  const next = withOpening(state, { startup: { phase: 'done' } });
+  const reported = unread ? report(next, unread, emit) : next;
+  emit({ type: 'notify-page', notification: { type: 'ready' } });
+  return reported;
+}
+
+export const requestEndHandlers: Handlers<
+  'started' | 'storage-read' | 'request-ended' | 'restore-ended' | 'files-opened'
+> = {
+  started: (state, { work }, emit) => {
+    if (attributesPending(state.opening)) return startAttributes(state, work, null, emit);
+    if (work) return reopen(state, work, emit);
+    if (state.autosave.key === null) return startAttributes(state, null, null, emit);
+    emit({ type: 'read-storage' });
+    return withOpening(state, { startup: { phase: 'storage' } });
+  },
+  'storage-read': (state, { stored }, emit) => {
+    if (state.opening.startup.phase !== 'storage') return state;
+    if (!stored) return startAttributes(state, null, null, emit);
+    const { work, parked } = stored;
+    const known = withAutosave(withOpening(state, { parked }), { step: stepKey(work) });
+    // Another picture was opened meanwhile: the work waits beside it.
+    if (state.opening.overtaken)
+      return finishStartup(isWorkedOn(work) ? park(known, work) : known, null, emit);
+    const restoring = withAutosave(withOpening(known, { startup: { phase: 'restoring' } }), {
+      restoring: true,
+    });
+    return restore(restoring, work, 'storage', emit);
+  },
+  'request-ended': (state, { request, outcome }, emit) => endRequest(state, request, outcome, emit),
+  'restore-ended': (state, { restoring, outcome }, emit) => endRestore(state, restoring, outcome, emit),
+  'files-opened': (state, { ignored }, emit) => filesOpened(state, ignored, emit),
+};

@@ -1,0 +1,133 @@
+/** Requests to open something: by files, by the page, by the attributes, and by earlier work. */
+import type { ProjectFile } from '../../document/project';
+import type { Emit, ProjectSource } from '../effects';
+import type { NamedFile } from '../events';
+import type { OpeningState, Purpose, Restoring } from '../opening_state';
+import type { EditorState } from '../state';
+import type { WorkSnapshot } from '../work';
+import { snapshotOf } from './autosave';
+import type { Handlers } from './handlers';
+import { requestSolution } from './solve_request';
+
+export const withOpening = (state: EditorState, change: Partial<OpeningState>): EditorState => ({
+  ...state,
+  opening: { ...state.opening, ...change },
+});
+
+interface Read {
+  readonly picture: string | NamedFile;
+  readonly project?: ProjectSource | null;
+  readonly work?: WorkSnapshot;
+}
+
+/** Reads a picture, in place of the one being read. */
+export function requestPicture(state: EditorState, purpose: Purpose, read: Read, emit: Emit): EditorState {
+  const { reading, nextId: id } = state.opening;
+  if (reading) {
+    emit({ type: 'abandon-read', id: reading.id });
+    emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
+  }
+  emit({ type: 'read', id, picture: read.picture, project: read.project ?? null });
+  const request = { id, purpose, work: read.work ?? null };
+  return withOpening(state, { reading: request, nextId: id + 1, overtaken: true });
+}
+
+/** Reads what the attributes name, with the project that the page set before, if any. */
+export function requestAttributes(state: EditorState, src: string, emit: Emit): EditorState {
+  const { pageProject, revision, overtaken } = state.opening;
+  const { projectSource } = state.page;
+  const project = pageProject ? { object: pageProject } : projectSource ? { address: projectSource } : null;
+  const requested = requestPicture(state, { by: 'attributes', revision }, { picture: src, project }, emit);
+  return state.opening.startup.phase === 'done' ? requested : withOpening(requested, { overtaken });
+}
+
+/** Brings earlier work back. */
+export function restore(
+  state: EditorState,
+  work: WorkSnapshot,
+  from: Restoring['from'],
+  emit: Emit,
+): EditorState {
+  const id = state.opening.nextId;
+  emit({ type: 'read', id, picture: { name: work.name, file: work.file }, project: null });
+  const restoring: Restoring = { id, work, from, phase: 'reading' };
+  const guard = { ...state.guard, on: work.guarded, holding: false };
+  return withOpening({ ...state, guard }, { restoring, nextId: id + 1 });
+}
+
+function receiveFiles(state: EditorState, files: readonly NamedFile[], emit: Emit): EditorState {
+  const isProject = ({ name, file }: NamedFile) => /\.json$/i.test(name) || file.type === 'application/json';
+  // A file that is not JSON counts as a picture.
+  const picture = files.find((file) => !isProject(file));
+  const project = files.find(isProject);
+  const ignored = files.filter((file) => file !== picture && file !== project).map(({ name }) => name);
+  if (picture) {
+    const named = { file: picture.file, name: picture.name || 'pasted.png' };
+    const source = project ? { named: project } : null;
+    return requestPicture(state, { by: 'person', ignored }, { picture: named, project: source }, emit);
+  }
+  if (!project) return state;
+  // A project alone does not supersede a picture that is being opened.
+  const id = state.opening.nextId;
+  emit({ type: 'read', id, picture: null, project: { named: project } });
+  const read = { id, name: project.name, ignored };
+  return withOpening(state, { nextId: id + 1, readingProjects: [...state.opening.readingProjects, read] });
+}
+
+const projectSource = (project: string | ProjectFile | null): ProjectSource | null =>
+  project === null ? null : typeof project === 'string' ? { address: project } : { object: project };
+
+/** Opens again what the solver has failed at: the shown project, the open picture with its work, or the attributes. */
+function retry(state: EditorState, emit: Emit): EditorState {
+  if (state.solution.shown) return requestSolution(state, emit);
+  const work = snapshotOf(state);
+  if (work) {
+    return requestPicture(
+      state,
+      { by: 'retry' },
+      { picture: { name: work.name, file: work.file }, work },
+      emit,
+    );
+  }
+  const { src } = state.page;
+  return src ? requestAttributes(state, src, emit) : state;
+}
+
+export const requestHandlers: Handlers<
+  | 'files-received'
+  | 'load-asked'
+  | 'source-changed'
+  | 'source-asked'
+  | 'back-asked'
+  | 'picture-asked'
+  | 'retry-asked'
+> = {
+  'files-received': (state, { files }, emit) => receiveFiles(state, files, emit),
+  'load-asked': (state, { reply, source, project }, emit) => {
+    const { pageProject } = state.opening;
+    const purpose = { by: 'load', reply, usesPageProject: project ? null : pageProject } as const;
+    return requestPicture(
+      state,
+      purpose,
+      { picture: source, project: projectSource(project ?? pageProject) },
+      emit,
+    );
+  },
+  'source-changed': (state) => withOpening(state, { revision: state.opening.revision + 1 }),
+  'source-asked': (state, _, emit) => {
+    const { src } = state.page;
+    return src ? requestAttributes(state, src, emit) : state;
+  },
+  'back-asked': (state, { work }, emit) =>
+    requestPicture(
+      state,
+      { by: 'back', work },
+      { picture: { name: work.name, file: work.file }, work },
+      emit,
+    ),
+  'picture-asked': (state, _, emit) => {
+    emit({ type: 'pick-file' });
+    return state;
+  },
+  'retry-asked': (state, _, emit) => retry(state, emit),
+};

@@ -1,0 +1,61 @@
+/** Reverting what the solver rejects or a person cancels: the change to blame goes, later changes stay. */
+import { type Document, isSameWork } from '../../document/document';
+import * as history from '../../document/history';
+import type { Project } from '../../document/project';
+import { handleToRevert, withHandleReverted, withSolutionReverted } from '../../document/reverting';
+import { solveKey, solvesWith } from '../../document/solved';
+import { resumeDrawing } from '../../tools/machine';
+import type { Emit } from '../effects';
+import { documentOf, type EditorState, projectOf } from '../state';
+import { withDocument, withHistory } from './document_slice';
+import { edited } from './edited';
+import { endPressKeepingChanges } from './press';
+
+/**
+ * Takes back undo or redo, to the nearest state with the solution of this key. The states between stay in the history.
+ * Returns `state` itself if the present was reached by an edit, or there is no such state.
+ */
+export function turnBack(state: EditorState, key: string, emit: Emit): EditorState {
+  const { values, at } = history.timeline(state.document.history);
+  const { travelled } = state.document;
+  const stands = ({ project }: Document) => solveKey(project) === key;
+  let to = -1;
+  if (travelled === 'undo') to = values.findIndex((document, k) => k > at && stands(document));
+  if (travelled === 'redo') to = values.findLastIndex((document, k) => k < at && stands(document));
+  if (to < 0) return state;
+  let next = state.document.history;
+  for (let k = at; k < to; k++) next = history.redo(next);
+  for (let k = at; k > to; k--) next = history.undo(next);
+  return edited(withDocument(state, { history: next, travelled: null }), 'change', emit);
+}
+
+/**
+ * Reverts what makes the solution of this key impossible or unwanted: one of the `named` handles, or else every state
+ * that needs that solution.
+ *
+ * @param accepted the last solved project.
+ */
+export function revertRejected(
+  state: EditorState,
+  key: string,
+  named: readonly string[],
+  accepted: Project | null,
+  emit: Emit,
+): { readonly state: EditorState; readonly changed: boolean } {
+  const times = history.timeline(state.document.history);
+  const project = projectOf(state);
+  const handle = handleToRevert(times, named, accepted);
+  const values = handle ? withHandleReverted(times, handle) : withSolutionReverted(times, key);
+  let next = withHistory(state, history.revise(state.document.history, values, isSameWork));
+  const changed = documentOf(next) !== documentOf(state);
+  const { drawn } = state.document;
+  const undrawn =
+    drawn && solvesWith(project, drawn.handle) && !solvesWith(projectOf(next), drawn.handle) ? drawn : null;
+  if (handle) next = withDocument(next, { refused: [...next.document.refused, handle] });
+  if (!handle || undrawn) next = endPressKeepingChanges(next, emit);
+  // A refused corner must not cost the dozen clicks of its drawing.
+  if (undrawn) {
+    next = withDocument({ ...next, tools: resumeDrawing(next.tools, undrawn.draft) }, { drawn: null });
+  }
+  return { state: changed ? edited(next, 'change', emit) : next, changed };
+}

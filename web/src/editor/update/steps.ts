@@ -1,0 +1,88 @@
+/** Undo steps: edits, undo and redo, and changes by the page. */
+import { type Document, isSameWork } from '../../document/document';
+import { putHandles } from '../../document/edits';
+import * as history from '../../document/history';
+import type { Handle, Project } from '../../document/project';
+import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
+import type { Emit } from '../effects';
+import { type EditorState, selectionOf } from '../state';
+import type { Work } from '../work';
+import { guardEnded, withDocument, withHistory } from './document_slice';
+import { edited } from './edited';
+import { announce } from './notices';
+import { applyTools, endPress, endPressKeepingChanges } from './press';
+import { select } from './selection';
+
+/** Opens work: a document with its history and its unfinished drawings. */
+export function openWork(state: EditorState, { record, drawings }: Work, emit: Emit): EditorState {
+  const rested = endPress(state, restoreDrawings(state.tools, drawings), emit);
+  const opened = withDocument(guardEnded(rested), {
+    drawn: null,
+    travelled: null,
+    history: history.historyOf(record),
+  });
+  return edited(opened, 'open', emit);
+}
+
+/** Selects handles for the page. That ends a press, whose changes stay. */
+export function selectForPage(state: EditorState, ids: readonly string[], emit: Emit): EditorState {
+  if (!isPressing(state.tools)) return select(state, ids, emit);
+  const ended = endPressKeepingChanges(state, emit);
+  const changed = ended.document.history.past !== state.document.history.past;
+  return select(changed ? edited(ended, 'change', emit) : ended, ids, emit);
+}
+
+/** Commits a change as one undo step and announces it, unless it changes nothing. */
+export function step(state: EditorState, label: string, document: Document, emit: Emit): EditorState {
+  const next = commitStep(guardEnded(state), label, document, emit);
+  return next.document.history === state.document.history ? next : announce(next, label);
+}
+
+/** Commits a change unless it changes nothing. Consecutive changes with the same key form one undo step. */
+export function commitStep(
+  state: EditorState,
+  label: string,
+  document: Document,
+  emit: Emit,
+  key: string | null = null,
+): EditorState {
+  const next = history.step(state.document.history, label, document, isSameWork, key);
+  if (next === state.document.history) return state;
+  const stepped = withDocument(state, { history: next, travelled: null });
+  // The current press would overwrite this step. Its changes so far are a step of their own.
+  return edited(applyTools(stepped, cancelPress(stepped.tools), emit), 'change', emit);
+}
+
+/** Poses handles without a step. A press goes on, and the handles that it holds are left to it. */
+export function poseForPage(state: EditorState, handles: readonly Handle[], emit: Emit): EditorState {
+  const held = state.tools.current.holds ? selectionOf(state) : [];
+  const posed = handles.filter(({ id }) => !held.includes(id));
+  if (posed.length === 0) return state;
+  const ids = new Set([...state.document.posedByPage, ...posed.map(({ id }) => id)]);
+  const amended = history.amend(state.document.history, (document) => putHandles(document, posed));
+  return edited(withDocument(state, { history: amended, posedByPage: [...ids] }), 'pose', emit);
+}
+
+export const undo = (state: EditorState, emit: Emit): EditorState => travel(state, 'undo', emit);
+export const redo = (state: EditorState, emit: Emit): EditorState => travel(state, 'redo', emit);
+
+function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorState {
+  const cancelled = applyTools(before, cancelPress(before.tools), emit);
+  const state = guardEnded({ ...cancelled, tools: forgetTakenCorners(cancelled.tools) });
+  const { history: present } = state.document;
+  const [label, move] =
+    way === 'undo' ? [history.undoLabel(present), history.undo] : [history.redoLabel(present), history.redo];
+  if (label === null) return state;
+  const travelled = withDocument(state, { history: move(present), travelled: way });
+  return announce(edited(travelled, 'change', emit), `${way === 'undo' ? 'Undone' : 'Redone'}: ${label}`);
+}
+
+/** The last project before the present one for which `is` holds. */
+export function lastProject(state: EditorState, is: (project: Project) => boolean): Project | null {
+  const { values, at } = history.timeline(state.document.history);
+  return values.slice(0, at).findLast(({ project }) => is(project))?.project ?? null;
+}
+
+/** Keeps the next nudge from merging into the last step. */
+export const endMerging = (state: EditorState): EditorState =>
+  withHistory(state, history.endMerging(state.document.history));

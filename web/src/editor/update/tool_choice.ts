@@ -1,0 +1,36 @@
+/** Choosing a tool, by a person or the page. */
+import { chooseTool, draws, places, type ToolName } from '../../tools/machine';
+import { COMMANDS } from '../commands';
+import { hideCrosshair } from '../crosshair';
+import type { Emit } from '../effects';
+import type { EditorState } from '../state';
+import { announce } from './notices';
+import { applyTools } from './press';
+import { select } from './selection';
+
+export function choose(state: EditorState, tool: ToolName, emit: Emit): EditorState {
+  const { playing, readonly } = state.page;
+  if (playing || (readonly && tool !== 'hand')) return state;
+  let next = applyTools(state, chooseTool(state.tools, tool), emit);
+  // Arrow keys move the crosshair of such a tool only while nothing is selected.
+  if (draws(tool)) {
+    next = select(next, [], emit);
+    next = { ...next, display: { ...next.display, settings: false } };
+  }
+  // With a placing tool Enter must reach the stage, not the focused handle.
+  if (places(tool) && isOnHandles(next)) focusStage(emit);
+  return hideCrosshair(next);
+}
+
+/** Chooses a tool for a person, and announces it. */
+export function takeTool(state: EditorState, tool: ToolName, emit: Emit): EditorState {
+  const next = choose(state, tool, emit);
+  if (next.tools.tool !== tool) return next;
+  // Arrows and Enter place with it.
+  if (places(tool)) focusStage(emit);
+  return announce(next, COMMANDS[tool].label);
+}
+
+const isOnHandles = ({ focus }: EditorState): boolean => focus.on === 'handle' || focus.on === 'corner';
+
+const focusStage = (emit: Emit): void => emit({ type: 'focus', target: { handle: null, corner: null } });

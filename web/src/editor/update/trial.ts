@@ -1,0 +1,197 @@
+/** Trials: a picture on the stage until its first solution, with the way back to the picture before it. */
+import { openDocument } from '../../document/document';
+import type { Project } from '../../document/project';
+import type { Emit } from '../effects';
+import type { Trial } from '../opening_state';
+import { fits, misfit, type Picture } from '../picture';
+import { inEditorWords } from '../refusal_texts';
+import { type EditorState, projectOf } from '../state';
+import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
+import { saveOpened, snapshotOf, workOf } from './autosave';
+import type { Handlers } from './handlers';
+import { notify } from './notices';
+import { closePicture, freshWork, putPicture } from './put_picture';
+import { restore, withOpening } from './requests';
+import { select } from './selection';
+import { step } from './steps';
+
+/** Starts the trial of a picture that was read for the newest request. */
+function tryRequested(before: EditorState, picture: Picture, given: Project | null, emit: Emit): EditorState {
+  const { reading: request, awaiting } = before.opening;
+  if (!request) return before;
+  let state = withOpening(before, { reading: null });
+  const awaited = awaiting && fits(picture, awaiting.project) ? awaiting.project : null;
+  const project = request.work ? null : (given ?? awaited);
+  const error = project && misfit(picture, project);
+  if (error) {
+    emit({ type: 'follow-up', event: { type: 'request-ended', request, outcome: error } });
+    return state;
+  }
+  if (project && project === awaited) state = withOpening(state, { awaiting: null });
+  const present = project && { project, selection: [] };
+  const work = request.work ?? (present && { record: { past: [], present, future: [] } });
+  const parked = parkedBy(state, request.purpose.by === 'back' ? request.work : null, request.purpose.by);
+  return startTrial(
+    state,
+    { request, withProject: given !== null, fresh: work === null, parked },
+    picture,
+    work ?? freshWork(picture),
+    emit,
+  );
+}
+
+/** The parked work once a picture of this purpose is open: a person's edited picture is parked, not lost. */
+function parkedBy(state: EditorState, back: WorkSnapshot | null, by: string): readonly WorkSnapshot[] {
+  const { parked, restoring } = state.opening;
+  if (by !== 'person' && by !== 'back') return parked;
+  const others = parked.filter((other) => other !== back);
+  const replaced = restoring?.work ?? snapshotOf(state);
+  return replaced && isWorkedOn(replaced) ? [...others, replaced] : others;
+}
+
+function startTrial(
+  before: EditorState,
+  trial: Omit<Trial, 'before'>,
+  picture: Picture,
+  work: Work,
+  emit: Emit,
+): EditorState {
+  const superseded = before.opening.trial;
+  let state = superseded ? superseding(before, superseded, emit) : before;
+  if (trial.request) state = suspendRestoring(state, emit);
+  // A picture that is opened once more because it could not be solved is no way back from itself.
+  const again = state.picture?.file === picture.file && !state.solution.shown;
+  const last = again ? null : state.picture;
+  const way = last && !superseded ? { picture: last, work: workOf(state) } : (superseded?.before ?? null);
+  return putPicture(withOpening(state, { trial: { ...trial, before: way } }), picture, work, emit);
+}
+
+function superseding(state: EditorState, { request }: Trial, emit: Emit): EditorState {
+  if (!request) return suspendRestoring(state, emit);
+  emit({ type: 'follow-up', event: { type: 'request-ended', request, outcome: 'superseded' } });
+  return state;
+}
+
+/** A newer picture goes first. The work that is being restored comes back if that picture is refused. */
+function suspendRestoring(state: EditorState, emit: Emit): EditorState {
+  const { restoring } = state.opening;
+  if (!restoring || restoring.phase === 'suspended') return state;
+  if (restoring.phase === 'reading') emit({ type: 'abandon-read', id: restoring.id });
+  emit({ type: 'follow-up', event: { type: 'restore-ended', restoring, outcome: 'superseded' } });
+  return withOpening(state, { restoring: { ...restoring, phase: 'suspended' } });
+}
+
+/** Ends the trial of a picture that is solved. */
+export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): EditorState {
+  const { restoring } = before.opening;
+  let state = withOpening(before, { trial: null, restoring: null, parked: trial.parked });
+  state = offerNext(saveOpened(applyPageSettings(state, trial.withProject, emit), emit), emit);
+  emit({ type: 'prepare-export' });
+  if (trial.request) {
+    emit({ type: 'follow-up', event: { type: 'request-ended', request: trial.request, outcome: 'opened' } });
+  } else if (restoring) {
+    emit({ type: 'follow-up', event: { type: 'restore-ended', restoring, outcome: 'opened' } });
+  }
+  return state;
+}
+
+/**
+ * Ends the trial of a picture that cannot be solved: the previous picture comes back.
+ *
+ * @param refused the solver refuses the project. Without a previous picture, the picture stays without its handles.
+ */
+export function endTrialRejected(
+  before: EditorState,
+  trial: Trial,
+  error: Error,
+  refused: boolean,
+  emit: Emit,
+): EditorState {
+  const { picture } = before;
+  const { restoring } = before.opening;
+  let state = withOpening(before, { trial: null });
+  if (trial.before) state = putPicture(state, trial.before.picture, trial.before.work, emit);
+  else if (refused && picture && projectOf(state).handles.length > 0) {
+    state = putPicture(state, picture, freshWork(picture), emit);
+  } else if (refused) state = closePicture(state, emit);
+  state = offerNext(state, emit);
+  if (!trial.request) {
+    state = withOpening(state, { restoring: null });
+    if (restoring) emit({ type: 'follow-up', event: { type: 'restore-ended', restoring, outcome: error } });
+    return state;
+  }
+  if (restoring) state = restore(state, restoring.work, 'refusal', emit);
+  const outcome = trial.fresh && refused && picture ? inEditorWords(error, picture.name) : error;
+  emit({ type: 'follow-up', event: { type: 'request-ended', request: trial.request, outcome } });
+  return state;
+}
+
+/** Applies the project and the selection that the page set before there was a picture. */
+function applyPageSettings(state: EditorState, withProject: boolean, emit: Emit): EditorState {
+  const { pageProject, pageSelection } = state.opening;
+  const next = withOpening(state, { pageProject: null, pageSelection: null });
+  if (pageProject && !withProject)
+    emit({ type: 'adopt-page-project', project: pageProject, selection: pageSelection });
+  else if (pageSelection) return select(next, pageSelection, emit);
+  return next;
+}
+
+/** Offers the way back to the last parked work, or else asks for the picture of a waiting project. */
+function offerNext(state: EditorState, emit: Emit): EditorState {
+  const { picture } = state;
+  const last = state.opening.parked.at(-1);
+  if (!last) return askForPicture(state, emit);
+  if (!picture) return state;
+  const action = { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } } as const;
+  return notify(state, { kind: 'info', text: `${picture.name} is open.`, action }, emit);
+}
+
+/** Asks for the picture of the waiting project. */
+function askForPicture(state: EditorState, emit: Emit): EditorState {
+  const { awaiting } = state.opening;
+  if (!awaiting) return state;
+  const { src, width, height } = awaiting.project.image;
+  const size = `(${width} × ${height} px)`;
+  const text = `${awaiting.name} belongs to the picture ${src || 'it was made for'} ${size}. Open that picture to go on.`;
+  const action = { label: 'Open picture', event: { type: 'picture-asked' } } as const;
+  return notify(state, { kind: 'info', text, action }, emit);
+}
+
+/** Applies a project file without a picture to the open picture if the size fits. Otherwise asks for its picture. */
+function openProject(state: EditorState, name: string, project: Project, emit: Emit): EditorState {
+  if (state.picture && fits(state.picture, project)) {
+    return step(state, `Open ${name}`, openDocument(project), emit);
+  }
+  return askForPicture(withOpening(state, { awaiting: { name, project } }), emit);
+}
+
+export const trialHandlers: Handlers<'read-ended' | 'read-failed'> = {
+  'read-ended': (state, { id, picture, project }, emit) => {
+    const { reading, restoring, readingProjects } = state.opening;
+    if (picture && reading?.id === id) return tryRequested(state, picture, project, emit);
+    if (picture && restoring?.id === id && restoring.phase === 'reading') {
+      const solving = withOpening(state, { restoring: { ...restoring, phase: 'solving' } });
+      const trial = { request: null, withProject: false, fresh: false, parked: state.opening.parked };
+      return startTrial(solving, trial, picture, restoring.work, emit);
+    }
+    const read = readingProjects.find((other) => other.id === id);
+    if (!read || !project) return state;
+    const rest = withOpening(state, { readingProjects: readingProjects.filter((other) => other !== read) });
+    emit({ type: 'follow-up', event: { type: 'files-opened', ignored: read.ignored } });
+    return openProject(rest, read.name, project, emit);
+  },
+  'read-failed': (state, { id, error }, emit) => {
+    const { reading, restoring, readingProjects } = state.opening;
+    if (reading?.id === id) {
+      emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: error } });
+      return withOpening(state, { reading: null });
+    }
+    if (restoring?.id === id && restoring.phase === 'reading') {
+      emit({ type: 'follow-up', event: { type: 'restore-ended', restoring, outcome: error } });
+      return withOpening(state, { restoring: null });
+    }
+    if (!readingProjects.some((other) => other.id === id)) return state;
+    emit({ type: 'follow-up', event: { type: 'error-reported', error } });
+    return withOpening(state, { readingProjects: readingProjects.filter((other) => other.id !== id) });
+  },
+};

@@ -1,0 +1,144 @@
+/**
+ * Changes of the view. Until the person pans or zooms, the whole picture stays fitted to the stage. That is its own
+ * rectangle, which is exported, and the parts that are bent beyond it.
+ */
+import { type Box, boxOfBoth, reachesBeyond } from '../geometry/box';
+import {
+  type Camera,
+  fitted,
+  type Insets,
+  panned,
+  type Size,
+  scaledAt,
+  toImage,
+  toStage,
+} from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
+import { insetsOf } from './insets';
+import { type EditorState, projectOf, selectionOf } from './state';
+import type { ViewState } from './view_state';
+
+/** Image pixels beyond the frame that rounding alone may cause. */
+const SLACK = 0.5;
+
+/** Zoom factor of one step of the zoom buttons. */
+const NOTCH = Math.SQRT2;
+
+/** Bounding box of the posed picture, image pixels; null before the first solution. */
+export const posedBounds = (state: EditorState): Box | null =>
+  state.solution.shown?.deformation.bounds(projectOf(state)) ?? null;
+
+/** Whether part of the posed picture lies outside the picture's own rectangle. */
+export function reachesBeyondFrame(state: EditorState): boolean {
+  const bounds = posedBounds(state);
+  return bounds !== null && state.picture !== null && reachesBeyond(bounds, frameOf(state), SLACK);
+}
+
+/** @param view an earlier view to restore; without it the whole picture is fitted. */
+export function openView(state: EditorState, view?: ViewState): EditorState {
+  if (!view) return fitView(state);
+  return resize({ ...state, view }, state.view.stage);
+}
+
+/**
+ * Adapts to another size of the stage. Ignores a hidden stage, which has no size.
+ *
+ * @param still keeps the picture where it is: an on-screen keyboard or a press must not move it.
+ */
+export function resize(state: EditorState, stage: Size, still = false): EditorState {
+  if (!(stage.width > 0 && stage.height > 0)) return state;
+  const sized = { ...state, stage };
+  if (still) return sized;
+  const { camera, stage: before } = state.view;
+  const by: Vec = [(stage.width - before.width) / 2, (stage.height - before.height) / 2];
+  return refitView({ ...sized, view: { ...state.view, stage, camera: panned(camera, by) } });
+}
+
+/** Moves the camera for the person: the picture is no longer kept fitted. */
+export const moveCamera = (state: EditorState, camera: Camera): EditorState => ({
+  ...state,
+  view: { ...state.view, camera, fitted: false },
+});
+
+/** @param besideSheet whether to leave room for the panel as a sheet. */
+export function fitView(state: EditorState, besideSheet = sheetIsOpen(state)): EditorState {
+  const view = { ...state.view, fitted: true, besideSheet };
+  if (!state.picture) return { ...state, view };
+  const posed = posedBounds(state);
+  const all = posed ? boxOfBoth(frameOf(state), posed) : frameOf(state);
+  const camera = fitted(all, state.stage, insets(state, besideSheet));
+  return { ...state, view: { ...view, camera } };
+}
+
+/** Fits again unless the person has panned or zoomed. A sheet that was opened since does not move the picture. */
+export const refitView = (state: EditorState): EditorState =>
+  state.view.fitted ? fitView(state, state.view.besideSheet) : state;
+
+/** Zooms to 100 %: one image pixel for one CSS pixel. */
+export const showActualSize = (state: EditorState): EditorState =>
+  moveCamera(state, scaledAt(state.view.camera, 1, viewMiddle(state)));
+
+export const zoom = (state: EditorState, notches: number): EditorState =>
+  moveCamera(
+    state,
+    scaledAt(state.view.camera, state.view.camera.scale * NOTCH ** notches, viewMiddle(state)),
+  );
+
+/** Pans by the shortest way until no card covers a point of the picture. */
+export function reveal(state: EditorState, at: Vec): EditorState {
+  const [x, y] = outsideBy(state, at);
+  return x === 0 && y === 0 ? state : moveCamera(state, panned(state.view.camera, [-x, -y]));
+}
+
+/**
+ * For a page that plays, where nobody can pan or zoom. Fits the whole posed picture once one of these points is out of
+ * view. Restores its size once no part is bent beyond the frame.
+ */
+export function contain(state: EditorState, places: readonly Vec[]): EditorState {
+  if (!state.widened && places.every((at) => isInView(state, at))) return state;
+  const next = fitView(state);
+  return { ...next, widened: reachesBeyondFrame(next) };
+}
+
+/** Whether no card covers a point of the picture, nor `room` to its right, CSS pixels. */
+export const isInView = (state: EditorState, at: Vec, room = 0): boolean =>
+  outsideBy(state, at, room).every((by) => Math.abs(by) < 1);
+
+/** The area free of cards, image pixels. */
+export function freeArea(state: EditorState): Box {
+  const { top, right, bottom, left } = insets(state);
+  const { width, height } = state.stage;
+  return {
+    min: toImage(state.view.camera, [left, top]),
+    max: toImage(state.view.camera, [width - right, height - bottom]),
+  };
+}
+
+/** The middle of the area free of cards, CSS pixels. */
+export function viewMiddle(state: EditorState): Vec {
+  const { top, right, bottom, left } = insets(state);
+  return [(left + state.stage.width - right) / 2, (top + state.stage.height - bottom) / 2];
+}
+
+/** How far a point lies outside the area free of cards, CSS pixels. */
+function outsideBy(state: EditorState, at: Vec, room = 0): Vec {
+  const { top, right, bottom, left } = insets(state);
+  const { width, height } = state.stage;
+  const [x, y] = toStage(state.view.camera, at);
+  return [beyond(x, left, width - right - room), beyond(y, top, height - bottom)];
+}
+
+const beyond = (at: number, least: number, most: number): number => at - Math.max(least, Math.min(at, most));
+
+const frameOf = ({ picture }: EditorState): Box => ({
+  min: [0, 0],
+  max: [picture?.width ?? 0, picture?.height ?? 0],
+});
+
+const sheetIsOpen = (state: EditorState): boolean => state.display.settings || selectionOf(state).length > 0;
+
+function insets(state: EditorState, sheet = sheetIsOpen(state)): Insets {
+  const { playing, readonly } = state.page;
+  const bare = playing ? (readonly ? 'picture' : 'handles') : null;
+  return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, bare });
+}

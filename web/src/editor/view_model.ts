@@ -1,0 +1,187 @@
+/** Everything that the templates show, derived from the state. */
+import type { Document } from '../document/document';
+import { handleById, selectedHandles } from '../document/document';
+import { anchor, isLine, type Turns } from '../document/handle';
+import { redoLabel, undoLabel } from '../document/history';
+import type { Box } from '../geometry/box';
+import type { Camera, Size } from '../geometry/camera';
+import type { Vec } from '../geometry/vec';
+import { draftOf, hasTakenCorners, isPressing, type ToolName, waitingDrafts } from '../tools/machine';
+import type { Draft, Grips } from '../tools/state';
+import { canRun } from './can_run';
+import type { CommandName, PreviewCommand } from './commands';
+import { type Cursor, cursorOf } from './cursor';
+import type { FoldedMesh, SiteGraph } from './deformation';
+import { gripsOf, turnsOf } from './hit_areas';
+import type { MenuState } from './menu_state';
+import type { Notice } from './notice';
+import { isOpening } from './opening_state';
+import type { OverlayFlags } from './overlays';
+import type { Picture } from './picture';
+import type { SolveReport } from './solution';
+import { documentOf, type EditorState, overlaysOf, projectOf } from './state';
+import type { Task } from './task';
+import { currentTask, shownNotice } from './update/notices';
+import { isInView } from './view';
+
+export interface EditorModel {
+  readonly document: Document;
+  readonly turns: Turns;
+  readonly picture: Picture | null;
+  /** A picture is being opened. */
+  readonly opening: boolean;
+  readonly tool: ToolName;
+  readonly readonly: boolean;
+  /** Shows only the picture and its handles, or only the picture where `readonly`. */
+  readonly playing: boolean;
+  readonly disabled: boolean;
+  readonly camera: Camera;
+  /** CSS pixels. */
+  readonly stage: Size;
+  readonly grips: Grips;
+  /** A press on the stage is in progress. */
+  readonly pressing: boolean;
+  /** The word for a short press: fingers tap. */
+  readonly press: 'click' | 'tap';
+  /** Labels of the next undo and redo steps, or null. */
+  readonly undo: string | null;
+  readonly redo: string | null;
+  /** The shown solution in figures. */
+  readonly solved: SolveReport | null;
+  /** The running task, once it has taken long enough to be shown. */
+  readonly task: Task | null;
+  readonly notice: Notice | null;
+  readonly hint: Hint | null;
+  readonly announcement: string;
+  /** The picture is shown without handles: the original, or the posed picture. */
+  readonly preview: PreviewCommand | null;
+  readonly overlays: OverlayFlags;
+  readonly sites: SiteGraph | null;
+  /** Pieces × 2 ends × 2: the borders between cells, while they are shown and known. */
+  readonly borders: Float32Array | null;
+  /** Triangles that have turned over, while they are shown. */
+  readonly folded: FoldedMesh | null;
+  /** The number of triangles that have turned over. */
+  readonly folds: number;
+  /** Part of the posed picture lies beyond the picture's frame, which bounds the export. */
+  readonly beyond: boolean;
+  /** The guard against folds is on, and whether it holds a drag back now. */
+  readonly guarded: boolean;
+  readonly holding: boolean;
+  /** Whether the picture is drawn as pixel art; null where it is too large for that. */
+  readonly pixelated: boolean | null;
+  /** The focused corner, of the only selected handle. */
+  readonly corner: number | null;
+  /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
+  readonly settings: boolean;
+  readonly numbers: boolean;
+  readonly menu: MenuState | null;
+  /** The line being drawn with the current tool. */
+  readonly draft: Draft | null;
+  /** Unfinished lines of the other tools. */
+  readonly waiting: readonly Draft[];
+  readonly box: Box | null;
+  /** Where the keyboard would place a handle, image pixels. */
+  readonly crosshair: Vec | null;
+  readonly cursor: Cursor;
+  readonly platform: string;
+  readonly alt: string | null;
+  readonly dark: boolean;
+  canRun(command: CommandName): boolean;
+}
+
+/** The page's hint, and the place of the picture that it points to. */
+export interface Hint {
+  readonly text: string;
+  readonly at: Vec;
+  /** Shown above the place, since there is no room to the right of it. */
+  readonly above: boolean;
+}
+
+/** The undo and redo label during a drawing. */
+const SET_CORNER = 'Set a corner';
+
+export function viewModel(state: EditorState): EditorModel {
+  const { page, media, picture, tools, display, notices, guard, checks } = state;
+  const { shown, borders } = state.solution;
+  const { history } = state.document;
+  const project = projectOf(state);
+  const draft = draftOf(tools);
+  const overlays = overlaysOf(state);
+  return {
+    document: documentOf(state),
+    // Only when asked: without visible handles nothing else may need the pose.
+    get turns() {
+      return turnsOf(state);
+    },
+    picture,
+    opening: isOpening(state.opening),
+    tool: tools.tool,
+    readonly: page.readonly,
+    disabled: page.disabled,
+    playing: page.playing,
+    camera: state.view.camera,
+    stage: state.stage,
+    grips: gripsOf(state),
+    pressing: isPressing(tools),
+    press: state.pointer.coarse ? 'tap' : 'click',
+    undo: draft ? SET_CORNER : undoLabel(history),
+    redo: hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history),
+    solved: shown?.report ?? null,
+    task: currentTask(state),
+    notice: shownNotice(state),
+    hint: hintOf(state),
+    announcement: notices.announcement,
+    preview: display.preview,
+    overlays,
+    sites: shown && (overlays.sites || overlays.graph) ? shown.deformation.siteGraph(project) : null,
+    borders:
+      shown && overlays.cells && borders?.of === shown && borders.pieces
+        ? shown.deformation.posedBorders(project, borders.pieces)
+        : null,
+    folded: shown && overlays.folds ? shown.deformation.foldedMesh(project) : null,
+    folds: overlays.folds || guard.on ? (shown?.deformation.foldCount(project) ?? 0) : checks.folds,
+    beyond: checks.beyond,
+    guarded: guard.on,
+    holding: guard.holding,
+    pixelated: picture?.isSmall ? state.pixelated : null,
+    corner: cornerInHand(state),
+    settings: display.settings,
+    numbers: display.numbers,
+    menu: state.menu,
+    draft,
+    waiting: waitingDrafts(tools),
+    box: display.box,
+    crosshair: display.crosshair,
+    get cursor() {
+      return cursorOf(state);
+    },
+    platform: media.platform,
+    alt: page.alt,
+    dark: media.dark,
+    canRun: (command) => canRun(state, command),
+  };
+}
+
+/** The index of the focused corner, if its bar or polygon alone is selected. */
+function cornerInHand(state: EditorState): number | null {
+  const { corner } = state.focus;
+  const [only, ...others] = selectedHandles(documentOf(state));
+  if (!only || !corner || corner.id !== only.id || others.length > 0 || !isLine(only)) return null;
+  return corner.index < only.posed.length ? corner.index : null;
+}
+
+/** Room for the hint beside a handle, CSS pixels. */
+const HINT_CSS_PX = 170;
+
+/** The page's hint, until the first change. */
+function hintOf(state: EditorState): Hint | null {
+  const { hint, readonly } = state.page;
+  const document = documentOf(state);
+  const handle = handleById(document, hint?.handle ?? '') ?? document.project.handles[0];
+  if (!hint || !handle || readonly || state.document.touched) return null;
+  if (!state.solution.shown || draftOf(state.tools)) return null;
+  const at = anchor(handle);
+  if (!isInView(state, at)) return null;
+  return { text: hint.text, at, above: !isInView(state, at, HINT_CSS_PX) };
+}

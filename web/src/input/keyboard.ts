@@ -1,0 +1,154 @@
+/**
+ * The keys of the editor while it has the focus. Text fields keep their keys, except document commands such as save.
+ */
+
+import { type CommandName, commandOfKey, commandsFor, isPreview } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
+import type { EditorState } from '../editor/state';
+import { bailTarget } from '../editor/update/command';
+import { takesArrow, takesPlace, takesSpace, takesTurn } from '../editor/update/keys';
+import { takesMenuKey } from '../editor/update/menu';
+import type { Vec } from '../geometry/vec';
+import { isField, isTyped } from '../ui/untyped';
+
+export interface KeyboardHost {
+  readonly state: EditorState;
+  readonly dispatch: Dispatch;
+}
+
+const ARROWS: Readonly<Record<string, Vec>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** Commands of the document, run even from a text field. */
+const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'export', 'export-all'];
+/** Left to a text field while it has uncommitted input. */
+const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
+
+/** Left to the browser, which then sends what is on the clipboard without asking anybody. */
+const OF_CLIPBOARD: readonly CommandName[] = ['copy', 'paste'];
+
+/** By `code`, since Shift changes `key`. */
+const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
+
+export class KeyboardInput {
+  readonly #root: ShadowRoot;
+  readonly #host: KeyboardHost;
+  readonly #listening = new AbortController();
+  /** The `code` of the key of a held command: its `key` depends on the keyboard layout. */
+  #held: string | null = null;
+
+  constructor(root: ShadowRoot, host: KeyboardHost) {
+    this.#root = root;
+    this.#host = host;
+    const { signal } = this.#listening;
+    // :focus-visible also matches elements that a script focused before the first click.
+    const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
+    root.addEventListener('keydown', () => keyed(true), { signal });
+    root.addEventListener('pointerdown', () => keyed(false), { signal });
+    root.addEventListener('keydown', (event) => this.#down(event as KeyboardEvent), { signal });
+    root.addEventListener('keyup', (event) => this.#up(event as KeyboardEvent), { signal });
+    root.addEventListener('focusout', (event) => this.#releaseAll(event as FocusEvent), { signal });
+  }
+
+  dispose(): void {
+    this.#listening.abort();
+  }
+
+  #down(event: KeyboardEvent): void {
+    const target = event.target as Element;
+    if (event.defaultPrevented || this.#host.state.page.disabled) return;
+    // With Ctrl the menu has just closed, and the key goes on.
+    if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
+    if (isField(target) && !this.#leavesField(event, target)) return;
+    // The browser closes an open menu on Escape unless the event is cancelled.
+    if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
+    const onStage = target.matches('.shell, .stage, .stage *');
+    if (onStage && this.#stageKey(event, target)) {
+      event.preventDefault();
+      return;
+    }
+    const { state, dispatch } = this.#host;
+    const command = commandOfKey(event, commandsFor(state.page.playing, state.page.readonly));
+    if (command === null || OF_CLIPBOARD.includes(command)) return;
+    if (command === 'bail') {
+      if (!bailTarget(state)) return;
+      event.preventDefault();
+      dispatch({ type: 'command-run', command });
+      return;
+    }
+    event.preventDefault();
+    // Mirroring twice changes nothing: a key held a little too long would end on either side.
+    if (event.repeat && command === 'mirror') return;
+    if (!isPreview(command)) dispatch({ type: 'command-run', command });
+    else if (!event.repeat) {
+      this.#held = event.code;
+      dispatch({ type: 'preview-held', command });
+    }
+  }
+
+  /** Whether a key in a field is a document command; if so, commits the field first. */
+  #leavesField(event: KeyboardEvent, field: Element): boolean {
+    const command = event.ctrlKey || event.metaKey ? commandOfKey(event) : null;
+    if (command === null) return false;
+    if (OF_HISTORY.includes(command)) return !isTyped(field);
+    if (!OF_DOCUMENT.includes(command)) return false;
+    if (isTyped(field)) field.dispatchEvent(new Event('change'));
+    return true;
+  }
+
+  /** Handles a key of the stage. Returns whether the key was one. */
+  #stageKey(event: KeyboardEvent, target: Element): boolean {
+    if (event.ctrlKey || event.metaKey) return false;
+    const { state, dispatch } = this.#host;
+    const turn = TURNS[event.code];
+    const ten = event.shiftKey;
+    if (event.altKey) {
+      if (turn === undefined || !takesTurn(state)) return false;
+      dispatch({ type: 'turn-pressed', degrees: 0, scale: (ten ? 1.1 : 1.01) ** turn });
+      return true;
+    }
+    const arrow = ARROWS[event.key];
+    if (event.key === 'ContextMenu' || (event.key === 'F10' && ten)) {
+      if (!takesMenuKey(state)) return false;
+      dispatch({ type: 'menu-key-pressed' });
+    } else if (event.key === ' ') return this.#holdSpace(true);
+    else if (arrow) {
+      if (!takesArrow(state)) return false;
+      dispatch({ type: 'arrow-pressed', by: [arrow[0] * (ten ? 10 : 1), arrow[1] * (ten ? 10 : 1)] });
+    } else if (turn !== undefined) {
+      if (!takesTurn(state)) return false;
+      dispatch({ type: 'turn-pressed', degrees: turn * (ten ? 15 : 1), scale: 1 });
+    } else {
+      if (event.key !== 'Enter' || !target.matches('.shell, .stage') || !takesPlace(state)) return false;
+      dispatch({ type: 'place-pressed' });
+    }
+    return true;
+  }
+
+  /** While Space is held, presses pan. Returns whether the key was handled. */
+  #holdSpace(held: boolean): boolean {
+    if (!takesSpace(this.#host.state)) return false;
+    this.#host.dispatch({ type: 'space-held', held });
+    return true;
+  }
+
+  #up(event: KeyboardEvent): void {
+    if (event.key === ' ') {
+      const held = this.#holdSpace(false);
+      // A focused button would be clicked by the release of Space.
+      if (held && (event.target as Element).closest('.stage')) event.preventDefault();
+    }
+    if (event.code === this.#held) this.#host.dispatch({ type: 'preview-held', command: null });
+  }
+
+  /** Without the focus no `keyup` arrives: held keys count as released. */
+  #releaseAll({ relatedTarget }: FocusEvent): void {
+    if (this.#root.contains(relatedTarget as Node | null)) return;
+    this.#holdSpace(false);
+    this.#host.dispatch({ type: 'preview-held', command: null });
+  }
+}

@@ -1,0 +1,306 @@
+/**
+ * Turns the pointers and the wheel on a stage into events: presses of a tool and moves of the camera.
+ *
+ * One pointer works the tool; with space, the middle button or a second finger it navigates instead. A second finger
+ * cancels what the first began: two fingers never edit. A right click, or a finger that stays, asks for the menu; once
+ * that finger moves, it goes on as the press that it was. With the owner `page`, the page keeps all gestures that hold no handle: it scrolls, zooms, and shows its
+ * own menu. Places are CSS pixels of the
+ * stage, however the page scales it.
+ */
+
+import type { Dispatch } from '../editor/events';
+import { holdsAt } from '../editor/hit_areas';
+import type { StagePointer } from '../editor/stage_pointer';
+import type { EditorState } from '../editor/state';
+import { opensMenu } from '../editor/update/menu';
+import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
+import { distance, subtract, type Vec } from '../geometry/vec';
+import { clientToStage } from '../ui/client';
+
+/** What the pointer works on. */
+export interface PointerHost {
+  readonly state: EditorState;
+  readonly dispatch: Dispatch;
+  /** Commits a number that is being typed, before a press changes the selection that it belongs to. */
+  leaveField(): void;
+}
+
+/** Zoom per wheel pixel; a notch of a mouse wheel (100 to 120 px) zooms by about a fifth. */
+const WHEEL_ZOOM = 0.0018;
+/** Zoom per pixel of a touchpad pinch, which arrives as wheel events with Ctrl and small deltas. */
+const PINCH_ZOOM = 0.01;
+/** Pixels per line of a wheel that counts lines; three lines are a notch. */
+const LINE_PX = 36;
+
+/** Two presses within this time and distance are a double click. CSS pixels, for a mouse and for a finger. */
+const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
+/** A press that moves farther than this is a drag, here as in the tools. CSS pixels. */
+const SLIP = { fine: 3, coarse: 8 } as const;
+
+/** A finger that stays in its place for this long asks for the menu, as it does elsewhere on phones. */
+const HOLD_MS = 500;
+
+/** Who receives the gestures that hold nothing. */
+export type Owner = 'editor' | 'page';
+
+const kindOf = ({ coarse }: StagePointer): 'coarse' | 'fine' => (coarse ? 'coarse' : 'fine');
+
+/** Once the browser has begun to scroll, its touch events cannot be cancelled. */
+const prevent = (event: Event): void => {
+  if (event.cancelable) event.preventDefault();
+};
+
+interface Click {
+  readonly place: Vec;
+  readonly time: number;
+}
+
+export class PointerInput {
+  readonly #stage: HTMLElement;
+  readonly #host: PointerHost;
+  readonly #owner: Owner;
+  readonly #listening = new AbortController();
+  readonly #fingers = new Map<number, Vec>();
+  #pressing: number | null = null;
+  /** The bit of `PointerEvent.buttons` that holds the press. */
+  #button = 1;
+  /** Where the current press began, null if it pans. `#clicked` is where and when the last click ended. */
+  #begun: Vec | null = null;
+  /** Where a press that is left to the page began. */
+  #beside: Vec | null = null;
+  #clicked: Click | null = null;
+  #navigating = false;
+  #holding: ReturnType<typeof setTimeout> | undefined;
+  /** The press that has brought up the menu, as it began, until it moves or ends. */
+  #stayed: { readonly id: number; readonly pointer: StagePointer } | null = null;
+
+  constructor(stage: HTMLElement, host: PointerHost, owner: Owner) {
+    this.#stage = stage;
+    this.#host = host;
+    this.#owner = owner;
+    const { signal } = this.#listening;
+    stage.addEventListener('pointerdown', (event) => this.#down(event), { signal });
+    stage.addEventListener('pointermove', (event) => this.#move(event), { signal });
+    stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
+    stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
+    stage.addEventListener('pointerleave', () => host.dispatch({ type: 'pointer-hovered', pointer: null }), {
+      signal,
+    });
+    stage.addEventListener('contextmenu', (event) => this.#menu(event), { signal });
+    if (owner === 'page') {
+      stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
+      return;
+    }
+    // Otherwise a click follows, on any control that the press has brought up under the finger.
+    stage.addEventListener('touchend', (event) => prevent(event), { signal, passive: false });
+    stage.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
+  }
+
+  dispose(): void {
+    clearTimeout(this.#holding);
+    this.#listening.abort();
+  }
+
+  #down(event: PointerEvent): void {
+    clearTimeout(this.#holding);
+    this.#stayed = null;
+    // One that was prevented has closed a menu.
+    if (event.defaultPrevented) return;
+    // The focus stays where it was while the menu is open.
+    if (event.button === 2 && this.#owner === 'editor') event.preventDefault();
+    if (event.button > 1) return;
+    if (this.#isOfPage(event)) {
+      this.#leave(event);
+      return;
+    }
+    // A handle's button would otherwise start a text selection, or take the focus from where the editor puts it.
+    event.preventDefault();
+    this.#stage.setPointerCapture(event.pointerId);
+    if (event.pointerType === 'touch') this.#fingers.set(event.pointerId, this.#place(event));
+    if (this.#fingers.size > 1) {
+      if (this.#pressing !== null) this.#host.dispatch({ type: 'press-cancelled' });
+      this.#pressing = null;
+      this.#clicked = null;
+      this.#navigating = true;
+      return;
+    }
+    if (this.#pressing !== null) return;
+    this.#pressing = event.pointerId;
+    this.#button = event.button === 1 ? 4 : 1;
+    const pans = this.#host.state.pointer.space || event.button === 1;
+    this.#begun = pans ? null : this.#place(event);
+    const pointer = this.#pointer(event);
+    this.#press(pointer, pans);
+    if (event.pointerType !== 'mouse' && !pans)
+      this.#holding = setTimeout(() => this.#stay(event.pointerId, pointer), HOLD_MS);
+  }
+
+  #stay(id: number, pointer: StagePointer): void {
+    if (this.#openMenu(pointer, true)) this.#stayed = { id, pointer };
+  }
+
+  /** Goes on with a press that has brought up the menu, if it moves far enough for a drag. */
+  #goOn({ pointerId }: PointerEvent, pointer: StagePointer): void {
+    const stayed = this.#stayed;
+    if (stayed?.id !== pointerId || !this.#slips(stayed.pointer.stage, pointer)) return;
+    this.#stayed = null;
+    this.#pressing = pointerId;
+    this.#press(stayed.pointer, false);
+  }
+
+  #slips(begun: Vec, pointer: StagePointer): boolean {
+    return distance(begun, pointer.stage) > SLIP[kindOf(pointer)];
+  }
+
+  #move(event: PointerEvent): void {
+    const pointer = this.#pointer(event);
+    if (this.#begun && this.#slips(this.#begun, pointer)) clearTimeout(this.#holding);
+    this.#goOn(event, pointer);
+    if (this.#navigating && this.#fingers.has(event.pointerId)) {
+      this.#navigate(event);
+    } else if (event.pointerId === this.#pressing) {
+      // The release was missed, or came while another button was held.
+      if (event.pointerType === 'mouse' && !(event.buttons & this.#button)) this.#up(event);
+      else this.#host.dispatch({ type: 'press-moved', pointer });
+    } else if (event.pointerType !== 'touch') {
+      this.#host.dispatch({ type: 'pointer-hovered', pointer });
+    }
+  }
+
+  #up(event: PointerEvent): void {
+    this.#lift(event);
+    const pointer = this.#pointer(event);
+    if (this.#beside && !this.#slips(this.#beside, pointer)) this.#host.dispatch({ type: 'page-clicked' });
+    this.#beside = null;
+    if (event.pointerId !== this.#pressing) return;
+    this.#pressing = null;
+    this.#host.dispatch({ type: 'press-ended', pointer });
+    if (this.#owner === 'editor' && this.#isSecond(pointer, event.timeStamp))
+      this.#host.dispatch({ type: 'double-pressed', pointer });
+  }
+
+  /** Whether a press that ends now makes a double click with the one before; of three presses, only the second does. */
+  #isSecond(pointer: StagePointer, time: number): boolean {
+    const { stage } = pointer;
+    const [begun, before, kind] = [this.#begun, this.#clicked, kindOf(pointer)] as const;
+    const isNear = before !== null && distance(before.place, stage) <= TWICE[kind];
+    const second = isNear && time - before.time <= TWICE.ms;
+    const isClick = begun !== null && !this.#slips(begun, pointer);
+    this.#clicked = isClick && !second ? { place: stage, time } : null;
+    return isClick && second;
+  }
+
+  /** Whether the page receives a press: with the owner `page`, by other buttons or fingers, or beside handles. */
+  #isOfPage(event: PointerEvent): boolean {
+    if (this.#owner === 'editor') return false;
+    return event.button !== 0 || this.#pressing !== null || !this.#holds(this.#pointer(event));
+  }
+
+  #leave(event: PointerEvent): void {
+    if (this.#pressing !== null) this.#host.dispatch({ type: 'press-cancelled' });
+    this.#beside = event.button === 0 && this.#pressing === null ? this.#place(event) : null;
+    this.#pressing = null;
+  }
+
+  /** Prevents a finger that holds something from scrolling. */
+  #keep(event: TouchEvent): void {
+    if (this.#pressing !== null) prevent(event);
+  }
+
+  #cancel(event: PointerEvent): void {
+    this.#lift(event);
+    this.#beside = null;
+    if (event.pointerId !== this.#pressing) return;
+    this.#pressing = null;
+    this.#clicked = null;
+    this.#host.dispatch({ type: 'press-cancelled' });
+  }
+
+  /**
+   * Opens the menu instead of the browser's, except with Shift. A finger's is a matter of `#holding`: few phones send
+   * this event. A press that is under way goes on, except one with Ctrl: on a Mac that is a right click.
+   */
+  #menu(event: MouseEvent): void {
+    if (event.shiftKey) return;
+    const busy = this.#fingers.size > 0 || (this.#pressing !== null && !event.ctrlKey);
+    if (this.#owner === 'editor' || busy) event.preventDefault();
+    if (!busy && this.#openMenu(this.#pointer(event), false)) event.preventDefault();
+  }
+
+  #openMenu(pointer: StagePointer, staying: boolean): boolean {
+    const { state, dispatch, leaveField } = this.#host;
+    if (!opensMenu(state, pointer, staying)) return false;
+    leaveField();
+    dispatch({ type: 'menu-asked', pointer, resting: staying });
+    clearTimeout(this.#holding);
+    this.#pressing = null;
+    this.#clicked = null;
+    return true;
+  }
+
+  #lift(event: PointerEvent): void {
+    clearTimeout(this.#holding);
+    if (this.#stayed?.id === event.pointerId) this.#stayed = null;
+    this.#fingers.delete(event.pointerId);
+    if (this.#fingers.size === 0) this.#navigating = false;
+  }
+
+  #navigate(event: PointerEvent): void {
+    const before = [...this.#fingers.values()];
+    this.#fingers.set(event.pointerId, this.#place(event));
+    const after = [...this.#fingers.values()];
+    const { camera } = this.#host.state.view;
+    const [a, b] = before;
+    const [c, d] = after;
+    if (a && b && c && d) this.#look(pinched(camera, [a, b], [c, d]));
+    else if (a && c) this.#look(panned(camera, subtract(c, a)));
+  }
+
+  #wheel(event: WheelEvent): void {
+    event.preventDefault();
+    this.#roll(event);
+    // Keeps a dragged handle under the pointer.
+    if (this.#pressing !== null) this.#host.dispatch({ type: 'press-moved', pointer: this.#pointer(event) });
+  }
+
+  #roll(event: WheelEvent): void {
+    const { camera } = this.#host.state.view;
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
+    const unit = lines ? LINE_PX : 1;
+    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    if (event.ctrlKey || event.metaKey) {
+      const rate = !lines && Math.abs(dy) < 50 ? PINCH_ZOOM : WHEEL_ZOOM;
+      this.#look(scaledAt(camera, camera.scale * Math.exp(-dy * rate), this.#place(event)));
+    } else {
+      this.#look(panned(camera, event.shiftKey && dx === 0 ? [-dy, 0] : [-dx, -dy]));
+    }
+  }
+
+  #press(pointer: StagePointer, pans: boolean): void {
+    this.#host.leaveField();
+    this.#host.dispatch({ type: 'press-began', pointer, pans });
+  }
+
+  /** Whether a press there would hold something. */
+  #holds(pointer: StagePointer): boolean {
+    this.#host.dispatch({ type: 'pointer-noted', coarse: pointer.coarse });
+    return holdsAt(this.#host.state, pointer);
+  }
+
+  #look(camera: Camera): void {
+    this.#host.dispatch({ type: 'camera-moved', camera });
+  }
+
+  #place(event: MouseEvent): Vec {
+    return clientToStage(this.#stage, [event.clientX, event.clientY]);
+  }
+
+  #pointer(event: MouseEvent): StagePointer {
+    return {
+      stage: this.#place(event),
+      shift: event.shiftKey,
+      alt: event.altKey,
+      coarse: (event as Partial<PointerEvent>).pointerType === 'touch',
+    };
+  }
+}

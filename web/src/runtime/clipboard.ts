@@ -1,0 +1,130 @@
+/**
+ * Copies and pastes while the element has the focus: poses as text, and files to open.
+ *
+ * Keys bring an event with the clipboard's content. A menu has to ask the browser, which may ask the person, or refuse.
+ * So the page keeps the last pose that was copied on it: for a refusal and, without asking, while nothing else can have
+ * been copied.
+ */
+import { isPose, poseText } from '../document/pose_text';
+import { keyHint } from '../editor/commands';
+import type { Dispatch } from '../editor/events';
+import { NO_POSE, notCopiedText, notReadText } from '../editor/notice_texts';
+import { mayEdit, mayReceive } from '../editor/permissions';
+import type { EditorState } from '../editor/state';
+import { copiedHandles } from '../editor/update/command';
+import type { Focus } from './focus';
+
+export interface ClipboardHost {
+  readonly state: EditorState;
+  readonly dispatch: Dispatch;
+  readonly focus: Focus;
+}
+
+/** The pose that any element of the page copied last, and whether nothing else can have been copied since. */
+const last: { text: string | null; newest: boolean } = { text: null, newest: false };
+
+/** The keys of a command; null where nothing hovers, since menus show no keys there. */
+const keysOf = (command: 'copy' | 'paste'): string | null =>
+  matchMedia('(hover: none)').matches ? null : keyHint(command, navigator.platform);
+
+export class Clipboard {
+  readonly #element: HTMLElement;
+  readonly #host: ClipboardHost;
+  readonly #listening = new AbortController();
+
+  constructor(element: HTMLElement, host: ClipboardHost) {
+    this.#element = element;
+    this.#host = host;
+    const { signal } = this.#listening;
+    const other = () => {
+      last.newest = false;
+    };
+    // Browsers send these events to the selected text, or to the body: the element hears them at the document.
+    element.ownerDocument.addEventListener('copy', (event) => this.#onCopy(event), { signal });
+    element.ownerDocument.addEventListener('paste', (event) => this.#onPaste(event), { signal });
+    element.ownerDocument.addEventListener('cut', other, { signal });
+    element.ownerDocument.defaultView?.addEventListener('blur', other, { signal });
+  }
+
+  dispose(): void {
+    this.#listening.abort();
+  }
+
+  /** Copies the pose by a command. */
+  async copy(): Promise<void> {
+    const text = this.#copied();
+    if (text === null) return;
+    Object.assign(last, { text, newest: true });
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      this.#inform(notCopiedText(keysOf('copy')));
+    }
+  }
+
+  /** Pastes a pose by a command. */
+  async paste(): Promise<void> {
+    const text = last.newest ? last.text : await this.#read();
+    if (text === null) this.#inform(notReadText(keysOf('paste')));
+    else if (!this.#pasted(text)) this.#inform(NO_POSE);
+  }
+
+  async #read(): Promise<string | null> {
+    try {
+      return await navigator.clipboard.readText();
+    } catch {
+      return last.text;
+    }
+  }
+
+  #onCopy(event: ClipboardEvent): void {
+    const text = this.#concerns(event) ? this.#copied() : null;
+    if (text === null) {
+      // Another element of the page may have copied it.
+      last.newest = event.clipboardData?.getData('text/plain') === last.text;
+      return;
+    }
+    Object.assign(last, { text, newest: true });
+    event.clipboardData?.setData('text/plain', text);
+    event.preventDefault();
+  }
+
+  #onPaste(event: ClipboardEvent): void {
+    const { clipboardData } = event;
+    if (!clipboardData || !this.#concerns(event)) return;
+    const files = [...clipboardData.files];
+    if (files.length > 0) {
+      this.#host.dispatch({
+        type: 'files-received',
+        files: files.map((file) => ({ name: file.name, file })),
+      });
+    } else if (!this.#pasted(clipboardData.getData('text/plain'))) return;
+    event.preventDefault();
+  }
+
+  /** The pose to copy; null leaves the copy to the browser. */
+  #copied(): string | null {
+    const { state, dispatch, focus } = this.#host;
+    const handles = copiedHandles(state);
+    if (focus.isOnText || handles.length === 0) return null;
+    dispatch({ type: 'pose-copied' });
+    return poseText(handles);
+  }
+
+  /** Pastes a text if it is a pose. Returns whether it is. */
+  #pasted(text: string): boolean {
+    const { state, dispatch, focus } = this.#host;
+    if (!mayEdit(state) || focus.isInField || !isPose(text)) return false;
+    dispatch({ type: 'text-pasted', text });
+    return true;
+  }
+
+  #inform(text: string): void {
+    this.#host.dispatch({ type: 'person-informed', text });
+  }
+
+  #concerns(event: Event): boolean {
+    const { state } = this.#host;
+    return mayReceive(state) && !event.defaultPrevented && Boolean(this.#element.shadowRoot?.activeElement);
+  }
+}

@@ -1,0 +1,129 @@
+/** Answers the editor's questions about one solution from the WebAssembly module. */
+import type { Pose, PosedPicture } from '../compute/posed_picture';
+import type { SolutionData } from '../compute/solution';
+import type { Turns } from '../document/handle';
+import type { Project } from '../document/project';
+import type {
+  CellBorders,
+  Deformation,
+  FoldedMesh,
+  GroupWay,
+  LimitedPose,
+  SiteGraph,
+} from '../editor/deformation';
+import type { Box } from '../geometry/box';
+import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
+import { MOTION_STRIDE } from '../geometry/skin';
+import type { Vec } from '../geometry/vec';
+
+const NO_TURNS: Turns = new Map();
+
+export class SolutionDeformation implements Deformation {
+  readonly data: SolutionData;
+  readonly #picture: PosedPicture;
+  /** The last project that was asked about, and the last pose that could be computed. */
+  #asked: Project | null = null;
+  #pose: Pose | null = null;
+
+  constructor(picture: PosedPicture, data: SolutionData) {
+    this.#picture = picture;
+    this.data = data;
+  }
+
+  /** The pose of a project; the last one if this one cannot be computed, such as of a bar without length. */
+  pose(project: Project): Pose | null {
+    if (project === this.#asked) return this.#pose;
+    this.#asked = project;
+    try {
+      this.#pose = this.#picture.pose(project);
+    } catch {
+      // The picture stays as it was until the pose can be computed again.
+    }
+    return this.#pose;
+  }
+
+  placement(project: Project, posed: Vec, within: number): Placement | null {
+    return this.pose(project)?.placement(posed, within) ?? null;
+  }
+
+  locate(project: Project, posed: Vec): LocatedPoint {
+    return this.pose(project)?.locateNear(posed) ?? { rest: posed, rotation: 0, scale: 1 };
+  }
+
+  /** Where a point of the original goes; null outside the mesh. */
+  map(project: Project, rest: Vec): MappedPoint | null {
+    return this.pose(project)?.map(rest) ?? null;
+  }
+
+  turns(project: Project): Turns {
+    return this.pose(project)?.turns ?? NO_TURNS;
+  }
+
+  siteGraph(project: Project): SiteGraph | null {
+    const pose = this.pose(project);
+    if (!pose) return null;
+    const { siteHandle: handles, siteEdges: edges } = this.data;
+    return { handles, edges, places: posedSites(pose.motions) };
+  }
+
+  posedBorders(project: Project, borders: CellBorders): Float32Array {
+    return this.pose(project)?.borders(borders) ?? new Float32Array();
+  }
+
+  foldedMesh(project: Project): FoldedMesh | null {
+    const pose = this.pose(project);
+    if (!pose || pose.foldCount === 0) return null;
+    return { posed: pose.positions, triangles: pose.foldedTriangles() };
+  }
+
+  foldCount(project: Project): number {
+    return this.pose(project)?.foldCount ?? 0;
+  }
+
+  foldCountUpTo(project: Project, limit: number): number {
+    return this.#picture.foldCount(project, limit);
+  }
+
+  foldLimit(from: Project, to: Project, allowed: number): LimitedPose {
+    return this.#picture.foldLimit(from, to, this.turns(from), allowed);
+  }
+
+  groupFoldLimit(way: GroupWay, allowed: number): LimitedPose {
+    return this.#picture.groupFoldLimit(way, allowed);
+  }
+
+  bounds(project: Project): Box | null {
+    return this.pose(project)?.bounds() ?? null;
+  }
+
+  restBounds(): Box | null {
+    return this.#picture.restBounds();
+  }
+
+  bends(rest: Vec): boolean {
+    return this.#picture.bends(rest);
+  }
+
+  /** Vertices: how far each follows a move of the selected handles; null if no such pose exists. */
+  reach(project: Project, selection: readonly string[]): Float32Array | null {
+    return this.#picture.reach(project, selection);
+  }
+
+  coverage(): Float32Array {
+    return this.#picture.coverage();
+  }
+
+  free(): void {
+    this.#picture.free();
+  }
+}
+
+/** Sites × 2: the posed places in motions. */
+function posedSites(motions: Float32Array): Float32Array {
+  const places = new Float32Array((2 * motions.length) / MOTION_STRIDE);
+  for (let site = 0; 2 * site < places.length; site++) {
+    const posed = MOTION_STRIDE * site + 6;
+    places.set(motions.subarray(posed, posed + 2), 2 * site);
+  }
+  return places;
+}

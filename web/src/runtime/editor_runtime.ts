@@ -1,0 +1,304 @@
+/**
+ * A running editor, from the element's connection to its disconnection: the store, and every resource that carries out
+ * its effects. `dispose` releases all of them.
+ */
+import type { Pixels } from '../compute/solution';
+import type { ProjectFile } from '../document/project';
+import type { EditorEffect, PageNotification } from '../editor/effects';
+import type { EditorEvent, NamedFile } from '../editor/events';
+import { isLassoing } from '../editor/hit_areas';
+import { type Carried, initialOpening } from '../editor/opening_state';
+import type { Media, PageAttributes } from '../editor/page';
+import { mayReceive } from '../editor/permissions';
+import { misfit } from '../editor/picture';
+import { type EditorState, initialState, overlaysOf, projectOf } from '../editor/state';
+import { snapshotOf } from '../editor/update/autosave';
+import { asError } from '../error';
+import { deviceView } from '../geometry/camera';
+import type { HeatMap } from '../geometry/heat';
+import type { MappedPoint } from '../geometry/place';
+import type { Vec } from '../geometry/vec';
+import { DropTarget } from '../input/drop';
+import { CanvasView } from './canvas_view';
+import { Clipboard } from './clipboard';
+import { carryOut, type Resources } from './effects';
+import { Files } from './files';
+import { Focus } from './focus';
+import { FocusKeeper } from './focus_keeper';
+import { type Frame, Frames } from './frames';
+import { MediaWatcher } from './media_watcher';
+import { MenuPopover } from './menu_popover';
+import { Pictures } from './pictures';
+import { ReachCache } from './reach_cache';
+import { Solver } from './solver';
+import { Storage } from './storage';
+import { Store } from './store';
+import { Timers } from './timers';
+
+/** The element that the editor runs in. */
+export interface RuntimeHost {
+  readonly element: HTMLElement;
+  readonly root: ShadowRoot;
+  /** The state has changed: render it. */
+  render(): void;
+  notifyPage(notification: PageNotification): void;
+  setTheme(theme: 'light' | 'dark'): void;
+  /** The system switched between light and dark colours. */
+  schemeChanged(): void;
+}
+
+export class EditorRuntime {
+  readonly canvas = document.createElement('canvas');
+  readonly dispatch: (event: EditorEvent) => void;
+  readonly #host: RuntimeHost;
+  readonly #store: Store;
+  readonly #pictures = new Pictures();
+  readonly #solver: Solver;
+  readonly #files: Files;
+  readonly #storage: Storage;
+  readonly #timers: Timers;
+  readonly #focus: Focus;
+  readonly #focusKeeper: FocusKeeper;
+  readonly #menu: MenuPopover;
+  readonly #clipboard: Clipboard;
+  readonly #drop: DropTarget;
+  readonly #media: MediaWatcher;
+  readonly #reach: ReachCache;
+  readonly #listening = new AbortController();
+  readonly #loads = new Map<number, { resolve(): void; reject(reason: unknown): void }>();
+  #lastReply = 0;
+  #view: CanvasView | null = null;
+  #frames: Frames | null = null;
+
+  constructor(host: RuntimeHost, page: PageAttributes, media: Media, carried: Carried) {
+    this.#host = host;
+    this.#store = new Store(initialState(page, media, initialOpening(carried)), {
+      changed: (state, event) => this.#changed(state, event),
+      carryOut: (effect) => carryOut(effect, resources),
+    });
+    const { dispatch } = this.#store;
+    this.dispatch = dispatch;
+    this.#solver = new Solver(dispatch);
+    this.#files = new Files(dispatch, this.#pictures, this.#solver);
+    this.#storage = new Storage(dispatch);
+    this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
+    this.#focus = new Focus(host.root);
+    this.#focus.watch(dispatch, this.#listening.signal);
+    this.#focusKeeper = new FocusKeeper(host.element);
+    this.#menu = new MenuPopover(host.root, () => dispatch({ type: 'menu-command-run', command: null }));
+    const receive = (files: readonly NamedFile[]) => dispatch({ type: 'files-received', files });
+    this.#drop = new DropTarget(host.element, () => mayReceive(this.state), receive);
+    this.#clipboard = new Clipboard(host.element, this.#inputHost);
+    this.#media = new MediaWatcher({
+      schemeChanged: () => host.schemeChanged(),
+      pixelRatioChanged: () => this.#frames?.request(),
+    });
+    this.#reach = new ReachCache(() => this.#frames?.request());
+    const resources = this.#resourcesOf(host);
+  }
+
+  get state(): EditorState {
+    return this.#store.state;
+  }
+
+  /** Whether the stage is on the page. */
+  get isAttached(): boolean {
+    return this.#view !== null;
+  }
+
+  /** Starts input and drawing, once the stage is on the page, and opens the first content. */
+  attach(stage: HTMLElement, work: Carried['work']): void {
+    this.#view = new CanvasView(this.#host.root, stage, this.#inputHost);
+    try {
+      this.#frames = new Frames(this.canvas, {
+        frame: () => this.#frame(),
+        seen: () => this.#host.render(),
+        failed: (error) => this.dispatch({ type: 'error-reported', error: asError(error) }),
+      });
+    } catch (error) {
+      this.dispatch({ type: 'error-reported', error: asError(error) });
+    }
+    this.dispatch({ type: 'started', work });
+  }
+
+  /** Adapts the input to the current `play` and `readonly`, after they were rendered. */
+  rearrange(): void {
+    this.#view?.rearrange();
+  }
+
+  /** Restores a lost focus; called after each render. */
+  repairFocus(): void {
+    this.#focusKeeper.repair();
+  }
+
+  /** Drops a number that is being typed. */
+  untype(): void {
+    this.#focus.untypeField();
+  }
+
+  /** Opens a picture for the page. Resolves once it is solved. The newest call wins. */
+  load(source: string | NamedFile, project: string | ProjectFile | null): Promise<void> {
+    const reply = ++this.#lastReply;
+    return new Promise((resolve, reject) => {
+      this.#loads.set(reply, { resolve, reject });
+      this.dispatch({ type: 'load-asked', reply, source, project });
+    });
+  }
+
+  /** Adopts a project of the page. @throws RangeError that names the invalid key; WarpError for another size. */
+  adopt(given: ProjectFile): void {
+    const { picture, solution } = this.state;
+    if (!picture || !solution.ready) throw new RangeError('there is no picture yet to set a project for');
+    const project = this.#solver.checkProject(given);
+    const error = misfit(picture, project);
+    if (error) throw error;
+    this.dispatch({ type: 'project-adopted', project });
+  }
+
+  /** Where a point of the original is posed; null outside the warped area. */
+  map(rest: Vec): MappedPoint | null {
+    const { shown } = this.state.solution;
+    return shown && this.#solver.deformationOf(shown).map(projectOf(this.state), rest);
+  }
+
+  /** Null without a picture. */
+  imageAt(client: Vec): Vec | null {
+    return (this.state.picture && this.#view?.imageAt(client)) ?? null;
+  }
+
+  /** Null without a picture. */
+  clientAt(image: Vec): Vec | null {
+    return (this.state.picture && this.#view?.clientAt(image)) ?? null;
+  }
+
+  /** The warped picture in straight alpha, see `Engine.warp`; by default drawn as it is shown. */
+  async warped(scale: number, grow: boolean, pixelated = this.#isPixelated): Promise<Pixels> {
+    if (!this.state.picture) throw new RangeError('There is no picture yet.');
+    // The pose of this moment: the page may go on to the next one meanwhile.
+    return this.#solver.warp(projectOf(this.state), scale, grow, pixelated);
+  }
+
+  /** What the next runtime of the element continues with. */
+  carried(before: Carried): Carried {
+    const { awaiting, parked, revision, openedRevision, pageProject, pageSelection } = this.state.opening;
+    const work = snapshotOf(this.state) ?? before.work;
+    return { awaiting, parked, revision, openedRevision, pageProject, pageSelection, work };
+  }
+
+  dispose(): void {
+    this.#store.dispose();
+    this.#listening.abort();
+    this.#timers.dispose();
+    this.#reach.dispose();
+    this.#media.dispose();
+    this.#drop.dispose();
+    this.#clipboard.dispose();
+    this.#menu.dispose();
+    this.#focusKeeper.dispose();
+    this.#view?.dispose();
+    this.#frames?.dispose();
+    this.#storage.dispose();
+    this.#files.dispose();
+    this.#solver.dispose();
+    this.#pictures.dispose();
+    for (const { reject } of this.#loads.values())
+      reject(new DOMException('the editor is gone', 'AbortError'));
+    this.#loads.clear();
+  }
+
+  #changed(state: EditorState, event: EditorEvent): void {
+    this.#pictures.releaseUnused(state);
+    this.#solver.freeUnused(state);
+    this.#frames?.request();
+    // An animation out of sight is rendered once it is seen.
+    if (event.type !== 'handles-posed' || this.#frames?.seen) this.#host.render();
+  }
+
+  #frame(): Frame {
+    const { state } = this;
+    const { picture, solution, view, stage, display } = state;
+    const deformation = solution.shown && this.#solver.deformationOf(solution.shown);
+    const project = projectOf(state);
+    const bare = display.preview !== null || isLassoing(state);
+    return {
+      bitmap: picture && this.#pictures.pixelsOf(picture).bitmap,
+      solution: deformation?.data ?? null,
+      pose: deformation?.pose(project) ?? null,
+      heat: bare ? null : this.#heat(),
+      view: {
+        ...deviceView(view.camera, stage, devicePixelRatio),
+        compare: display.preview === 'compare' || isLassoing(state),
+        overlays: bare ? {} : overlaysOf(state),
+        pixelated: this.#isPixelated,
+      },
+    };
+  }
+
+  #heat(): HeatMap | null {
+    const { shown } = this.state.solution;
+    const { reach, coverage } = overlaysOf(this.state);
+    if (!shown || !(reach || coverage)) return null;
+    const deformation = this.#solver.deformationOf(shown);
+    const values = coverage ? deformation.coverage() : this.#reach.reach(this.state, deformation);
+    return values && { values, lines: reach };
+  }
+
+  /** Whether the picture is drawn as pixel art: as the person says, or the page's `image-rendering`. */
+  get #isPixelated(): boolean {
+    return this.state.pixelated || getComputedStyle(this.canvas).imageRendering === 'pixelated';
+  }
+
+  #settleLoad(reply: number, error: Error | 'superseded' | null): void {
+    const load = this.#loads.get(reply);
+    this.#loads.delete(reply);
+    if (error === null) load?.resolve();
+    else if (error === 'superseded')
+      load?.reject(new DOMException('another picture was opened', 'AbortError'));
+    else load?.reject(error);
+  }
+
+  #adoptPageProject({ project, selection }: Extract<EditorEffect, { type: 'adopt-page-project' }>): void {
+    try {
+      this.adopt(project);
+    } catch (error) {
+      this.dispatch({ type: 'error-reported', error: asError(error) });
+    }
+    if (selection) this.dispatch({ type: 'handles-selected', ids: selection });
+  }
+
+  get #inputHost() {
+    const runtime = this;
+    return {
+      get state() {
+        return runtime.state;
+      },
+      dispatch: this.dispatch,
+      focus: this.#focus,
+    };
+  }
+
+  #resourcesOf(host: RuntimeHost): Resources {
+    const runtime = this;
+    return {
+      root: host.root,
+      get state() {
+        return runtime.state;
+      },
+      get pixelated() {
+        return runtime.#isPixelated;
+      },
+      clipboard: this.#clipboard,
+      files: this.#files,
+      focus: this.#focus,
+      menu: this.#menu,
+      pictures: this.#pictures,
+      solver: this.#solver,
+      storage: this.#storage,
+      timers: this.#timers,
+      notifyPage: (notification) => host.notifyPage(notification),
+      settleLoad: (reply, error) => this.#settleLoad(reply, error),
+      adoptPageProject: (effect) => this.#adoptPageProject(effect),
+      setTheme: (theme) => host.setTheme(theme),
+    };
+  }
+}

@@ -1,0 +1,77 @@
+/** Carries out the effects of the editor: one line per effect names who does it. */
+import type { EditorEffect, PageNotification } from '../editor/effects';
+import type { EditorState } from '../editor/state';
+import { preparePng } from '../io/encode';
+import { showSelected } from '../ui/handle_list';
+import type { Clipboard } from './clipboard';
+import type { Files } from './files';
+import type { Focus } from './focus';
+import type { MenuPopover } from './menu_popover';
+import type { Pictures } from './pictures';
+import type { Solver } from './solver';
+import type { Storage } from './storage';
+import type { Timers } from './timers';
+
+/** The resources that carry out effects. */
+export interface Resources {
+  readonly root: ShadowRoot;
+  readonly state: EditorState;
+  readonly clipboard: Clipboard;
+  readonly files: Files;
+  readonly focus: Focus;
+  readonly menu: MenuPopover;
+  readonly pictures: Pictures;
+  readonly solver: Solver;
+  readonly storage: Storage;
+  readonly timers: Timers;
+  /** Whether the picture is shown as pixel art. */
+  readonly pixelated: boolean;
+  notifyPage(notification: PageNotification): void;
+  settleLoad(reply: number, error: Error | 'superseded' | null): void;
+  adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
+  setTheme(theme: 'light' | 'dark'): void;
+}
+
+type EffectOf<T extends EditorEffect['type']> = Extract<EditorEffect, { readonly type: T }>;
+
+type Carried = Exclude<EditorEffect['type'], 'follow-up'>;
+
+const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Resources) => unknown } = {
+  'notify-page': (effect, resources) => resources.notifyPage(effect.notification),
+  'use-picture': (effect, { pictures, solver }) =>
+    solver.usePicture(effect.picture && pictures.pixelsOf(effect.picture)),
+  solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
+  'find-borders': (effect, { solver }) => solver.findBorders(effect.solution),
+  read: (effect, { files }) => files.read(effect.id, effect.picture, effect.project),
+  'abandon-read': (effect, { files }) => files.abandon(effect.id),
+  'settle-load': (effect, resources) => resources.settleLoad(effect.reply, effect.error),
+  'adopt-page-project': (effect, resources) => resources.adoptPageProject(effect),
+  'pick-file': (_, { files }) => files.pick(),
+  'save-project': (effect, { files }) => files.saveProject(effect.name, effect.project),
+  export: (effect, { files, pixelated }) =>
+    files.export(effect.name, effect.project, effect.grow, pixelated, effect.cut),
+  'prepare-export': () => preparePng(),
+  'copy-pose': (_, { clipboard }) => clipboard.copy(),
+  'paste-pose': (_, { clipboard }) => clipboard.paste(),
+  'use-storage': (effect, { storage }) => storage.use(effect.key),
+  'read-storage': (_, { storage }) => storage.read(),
+  store: (effect, { storage }) => storage.store(effect.work, effect.parked),
+  'tell-tabs': (_, { storage }) => storage.tellTabs(),
+  focus: (effect, { focus }) => focus.move(effect.target),
+  'leave-field': (_, { focus }) => focus.leaveField(),
+  'scroll-list': (_, { root }) => requestAnimationFrame(() => showSelected(root)),
+  'show-menu': (effect, { state, menu }) => menu.show(effect.at, state),
+  'hide-menu': (_, { menu }) => menu.hide(),
+  'toggle-keys': (_, { root }) => root.querySelector<HTMLElement>('#keys')?.togglePopover(),
+  'set-theme': (effect, resources) => resources.setTheme(effect.theme),
+  'start-timer': (effect, { timers }) => timers.start(effect.timer, effect.ms),
+  'stop-timer': (effect, { timers }) => timers.stop(effect.timer),
+};
+
+export function carryOut(effect: EditorEffect, resources: Resources): void {
+  // `update` reduces follow-ups itself.
+  if (effect.type === 'follow-up') return;
+  // Each entry takes the effects of its own type, which the compiler cannot relate.
+  const run = CARRY_OUT[effect.type] as (effect: EditorEffect, resources: Resources) => unknown;
+  run(effect, resources);
+}

@@ -1,0 +1,113 @@
+/** Reads what is opened, and saves what is exported. */
+
+import type { Project } from '../document/project';
+import { projectText } from '../document/project_text';
+import type { ProjectSource } from '../editor/effects';
+import type { Dispatch, NamedFile } from '../editor/events';
+import { asError } from '../error';
+import { fetchFile, fileName } from '../io/address';
+import { encodePng } from '../io/encode';
+import { openFile, saveFile } from '../io/files';
+import { readBytes } from '../io/read';
+import { type Pictures, withFileName } from './pictures';
+import type { Solver } from './solver';
+
+export class Files {
+  readonly #dispatch: Dispatch;
+  readonly #pictures: Pictures;
+  readonly #solver: Solver;
+  readonly #reads = new Map<number, AbortController>();
+
+  constructor(dispatch: Dispatch, pictures: Pictures, solver: Solver) {
+    this.#dispatch = dispatch;
+    this.#pictures = pictures;
+    this.#solver = solver;
+  }
+
+  /** Reads a picture, a project, or both. */
+  async read(id: number, source: string | NamedFile | null, given: ProjectSource | null): Promise<void> {
+    const controller = new AbortController();
+    this.#reads.set(id, controller);
+    const { signal } = controller;
+    try {
+      const named = typeof source === 'string' ? await fetched(source, signal) : source;
+      const project = given && !signal.aborted ? await this.#project(given, signal) : null;
+      if (signal.aborted) return;
+      const picture = named && (await this.#pictures.read(named.file, named.name));
+      if (picture && signal.aborted) this.#pictures.drop(picture);
+      if (signal.aborted) return;
+      this.#dispatch({ type: 'read-ended', id, picture, project });
+    } catch (error) {
+      if (!signal.aborted) this.#dispatch({ type: 'read-failed', id, error: asError(error) });
+    } finally {
+      this.#reads.delete(id);
+    }
+  }
+
+  abandon(id: number): void {
+    this.#reads.get(id)?.abort();
+  }
+
+  /** Asks for a file to open. */
+  async pick(): Promise<void> {
+    try {
+      const file = await openFile();
+      if (file) this.#dispatch({ type: 'files-received', files: [{ name: file.name, file }] });
+    } catch (error) {
+      this.#dispatch({ type: 'error-reported', error: asError(error) });
+    }
+  }
+
+  async saveProject(name: string, project: Project): Promise<void> {
+    try {
+      await saveFile(new Blob([projectText(project)], { type: 'application/json' }), name, 'project');
+    } catch (error) {
+      this.#dispatch({ type: 'error-reported', error: asError(error) });
+    }
+  }
+
+  /** Saves the warped picture as PNG. `cut`: the export cuts off a part of it. */
+  async export(
+    name: string,
+    project: Project,
+    grow: boolean,
+    pixelated: boolean,
+    cut: boolean,
+  ): Promise<void> {
+    try {
+      const saved = await saveFile(this.#png(project, grow, pixelated), name, 'png');
+      this.#dispatch({ type: 'export-ended', saved, cut, error: null });
+    } catch (error) {
+      this.#dispatch({ type: 'export-ended', saved: false, cut, error: asError(error) });
+    }
+  }
+
+  dispose(): void {
+    for (const controller of this.#reads.values()) controller.abort();
+  }
+
+  async #png(project: Project, grow: boolean, pixelated: boolean): Promise<Blob> {
+    const { width, height, rgba } = await this.#solver.warp(project, 1, grow, pixelated);
+    return encodePng(width, height, rgba);
+  }
+
+  async #project(given: ProjectSource, signal: AbortSignal): Promise<Project> {
+    if ('object' in given) return this.#solver.readProject(JSON.stringify(given.object));
+    if ('address' in given) {
+      const file = await fetchFile(given.address, signal);
+      return this.#solver.readProject(await file.text());
+    }
+    const { name, file } = given.named;
+    try {
+      const text = new TextDecoder().decode(await readBytes(file as Blob));
+      return await this.#solver.readProject(text);
+    } catch (error) {
+      throw withFileName(name, error);
+    }
+  }
+}
+
+const fetched = async (address: string, signal: AbortSignal): Promise<NamedFile> => ({
+  name: fileName(address),
+  file: await fetchFile(address, signal),
+});

@@ -1,0 +1,70 @@
+/** The pixels of the pictures that the state names. A picture that the state no longer names is released. */
+import type { Picture, SourceFile } from '../editor/picture';
+import type { EditorState } from '../editor/state';
+import { codeOf, WarpError } from '../error';
+import { alphaThreshold } from '../io/alpha';
+import { type DecodedPicture, decodePicture } from '../io/decode';
+import { isPixelArt, isSmall } from '../io/pixel_art';
+
+export class Pictures {
+  readonly #decoded = new Map<Picture, DecodedPicture>();
+
+  pixelsOf(picture: Picture): DecodedPicture {
+    const decoded = this.#decoded.get(picture);
+    if (!decoded) throw new Error(`the pixels of ${picture.name} were released`);
+    return decoded;
+  }
+
+  /** @throws WarpError whose message begins with the file's name. */
+  async read(file: SourceFile, name: string): Promise<Picture> {
+    const decoded = await decodedOf(file, name);
+    const { width, height } = decoded;
+    const picture: Picture = {
+      name,
+      file,
+      width,
+      height,
+      alphaThreshold: alphaThreshold(decoded),
+      isSmall: isSmall(decoded),
+      isPixelArt: isPixelArt(decoded),
+    };
+    this.#decoded.set(picture, decoded);
+    return picture;
+  }
+
+  /** Releases the pictures that the state does not name. */
+  releaseUnused({ picture, opening }: EditorState): void {
+    this.#release((other) => other !== picture && other !== opening.trial?.before?.picture);
+  }
+
+  /** Releases one picture that never came into the state. */
+  drop(picture: Picture): void {
+    this.#release((other) => other === picture);
+  }
+
+  dispose(): void {
+    this.#release(() => true);
+  }
+
+  #release(unused: (picture: Picture) => boolean): void {
+    for (const [picture, { bitmap }] of this.#decoded) {
+      if (!unused(picture)) continue;
+      bitmap.close();
+      this.#decoded.delete(picture);
+    }
+  }
+}
+
+async function decodedOf(file: SourceFile, name: string): Promise<DecodedPicture> {
+  try {
+    return await decodePicture(file as Blob);
+  } catch (error) {
+    throw withFileName(name, error);
+  }
+}
+
+/** An error with the file's name before its message. Errors without a code, such as an AbortError, stay as they are. */
+export function withFileName(name: string, error: unknown): unknown {
+  if (!(error instanceof Error) || error instanceof DOMException) return error;
+  return new WarpError(codeOf(error), `${name}: ${error.message}`, { cause: error });
+}

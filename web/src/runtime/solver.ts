@@ -1,0 +1,163 @@
+/**
+ * The solver of one editor: starts the engine at first use, and restarts it after a failure.
+ *
+ * Solutions hold memory of the WebAssembly module. Those that the state no longer names are freed.
+ */
+import { Engine } from '../compute/engine';
+import { checkedProject } from '../compute/module';
+import type { Pixels, SolutionData } from '../compute/solution';
+import { checkedHandle } from '../document/handle';
+import type { Project, ProjectFile } from '../document/project';
+import type { Dispatch } from '../editor/events';
+import type { Solution, SolveReport } from '../editor/solution';
+import type { EditorState } from '../editor/state';
+import { asError, isAbort, isEngineFailure, WarpError } from '../error';
+import { SolutionDeformation } from './deformation';
+
+const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
+
+export class Solver {
+  readonly #dispatch: Dispatch;
+  readonly #solved = new Map<Solution, SolutionDeformation>();
+  #engine: Promise<Engine> | null = null;
+  #pixels: Pixels | null = null;
+  #disposed = false;
+
+  constructor(dispatch: Dispatch) {
+    this.#dispatch = dispatch;
+  }
+
+  /** The geometry of a solution that the state names. */
+  deformationOf(solution: Solution): SolutionDeformation {
+    const deformation = this.#solved.get(solution);
+    if (!deformation) throw new Error('the solution was freed');
+    return deformation;
+  }
+
+  usePicture(pixels: Pixels | null): void {
+    this.#pixels = pixels;
+    if (!pixels) return;
+    this.#engine?.then(
+      (engine) => engine.setPicture(pixels.width, pixels.height, pixels.rgba),
+      () => {},
+    );
+  }
+
+  async solve(key: string, project: Project): Promise<void> {
+    try {
+      const engine = await this.#started();
+      const data = await engine.solve(project, (stage) =>
+        this.#dispatch({ type: 'solve-progressed', key, stage }),
+      );
+      if (this.#disposed) return;
+      const deformation = new SolutionDeformation(engine.posedPicture(data, project), data);
+      const solution: Solution = { key, project, report: reportOf(data), deformation };
+      this.#solved.set(solution, deformation);
+      this.#dispatch({ type: 'solved', solution });
+    } catch (thrown) {
+      this.#fail(key, asError(thrown));
+    }
+  }
+
+  async findBorders(solution: Solution): Promise<void> {
+    try {
+      const engine = await this.#started();
+      const borders = await engine.cells(solution.project);
+      this.#dispatch({ type: 'borders-found', solution, borders });
+    } catch {
+      // The picture was replaced, or the solver failed. The newest request reports that.
+    }
+  }
+
+  /** The warped picture in straight alpha, see `Engine.warp`. */
+  async warp(project: Project, scale: number, grow: boolean, pixelated: boolean): Promise<Pixels> {
+    const engine = await this.#started();
+    return engine.warp(project, scale, grow, pixelated);
+  }
+
+  /** Parses a project file. @throws WarpError with a message that names the invalid key. */
+  async readProject(text: string): Promise<Project> {
+    if (text.trim() === '') throw new WarpError('project', 'The file is empty.');
+    await this.#started();
+    try {
+      return drawable(checkedProject(text));
+    } catch (error) {
+      throw isEngineFailure(error)
+        ? error
+        : new WarpError('project', asError(error).message, { cause: error });
+    }
+  }
+
+  /** Checks a project of the page. The engine must have started. @throws RangeError that names the invalid key. */
+  checkProject(given: ProjectFile): Project {
+    try {
+      return drawable(checkedProject(JSON.stringify(given)));
+    } catch (cause) {
+      throw cause instanceof RangeError ? cause : new RangeError(asError(cause).message, { cause });
+    }
+  }
+
+  /** Frees the solutions that the state does not name. */
+  freeUnused({ solution: { shown, recent } }: EditorState): void {
+    for (const [solution, deformation] of this.#solved) {
+      if (solution === shown || recent.includes(solution)) continue;
+      deformation.free();
+      this.#solved.delete(solution);
+    }
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.#stop();
+    for (const deformation of this.#solved.values()) deformation.free();
+    this.#solved.clear();
+  }
+
+  #started(): Promise<Engine> {
+    if (this.#disposed) return Promise.reject(gone());
+    this.#engine ??= this.#start();
+    return this.#engine;
+  }
+
+  async #start(): Promise<Engine> {
+    try {
+      const engine = await Engine.start();
+      const pixels = this.#pixels;
+      if (pixels) engine.setPicture(pixels.width, pixels.height, pixels.rgba);
+      this.#dispatch({ type: 'solver-started' });
+      return engine;
+    } catch (error) {
+      this.#engine = null;
+      throw error;
+    }
+  }
+
+  #fail(key: string, error: Error): void {
+    if (isAbort(error)) return;
+    const failed = !('code' in error) || isEngineFailure(error);
+    // The engine may have given up the picture: the next solve starts another.
+    if (failed) this.#stop();
+    this.#dispatch({ type: 'solve-refused', key, error, failed });
+  }
+
+  #stop(): void {
+    this.#engine?.then(
+      (engine) => engine.dispose(),
+      () => {},
+    );
+    this.#engine = null;
+  }
+}
+
+const reportOf = ({ report }: SolutionData): SolveReport => ({
+  samples: report.samples,
+  virtualSites: report.virtual_sites,
+  outside: report.outside ?? [],
+  ms: Object.values(report.ms).reduce((sum, stage) => sum + stage, 0),
+});
+
+/** Refuses a project that is valid as a file but has a handle that cannot be drawn. */
+function drawable(project: Project): Project {
+  project.handles.forEach(checkedHandle);
+  return project;
+}

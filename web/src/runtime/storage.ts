@@ -1,0 +1,42 @@
+/** Autosave in the browser's storage, and the channel by which tabs hear of one another's work. */
+import type { Dispatch } from '../editor/events';
+import type { WorkSnapshot } from '../editor/work';
+import { StoredWork } from './stored_work';
+
+export class Storage {
+  readonly #dispatch: Dispatch;
+  #work: StoredWork | null = null;
+  #tabs: BroadcastChannel | null = null;
+
+  constructor(dispatch: Dispatch) {
+    this.#dispatch = dispatch;
+  }
+
+  /** Stores under this key from now on; null stops that. */
+  use(key: string | null): void {
+    this.dispose();
+    if (key === null) return;
+    this.#work = new StoredWork(key, (stored) => this.#dispatch({ type: 'work-stored', stored }));
+    this.#tabs = new BroadcastChannel(`c2warp/${key}`);
+    this.#tabs.addEventListener('message', () => this.#dispatch({ type: 'other-tab-stored' }));
+  }
+
+  async read(): Promise<void> {
+    const stored = (await this.#work?.read()) ?? null;
+    this.#dispatch({ type: 'storage-read', stored });
+  }
+
+  store(work: WorkSnapshot, parked: readonly WorkSnapshot[]): void {
+    this.#work?.write(work, parked);
+  }
+
+  tellTabs(): void {
+    this.#tabs?.postMessage(null);
+  }
+
+  dispose(): void {
+    this.#work = null;
+    this.#tabs?.close();
+    this.#tabs = null;
+  }
+}
