@@ -5,6 +5,7 @@
 mod command;
 mod errors;
 mod inspect;
+mod manual;
 
 mod scene_folder;
 mod stmap;
