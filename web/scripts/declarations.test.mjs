@@ -1,7 +1,8 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { writeDeclarations } from './declarations.mjs';
+import { blocksOf } from './documents.mjs';
 import { ROOT, run, toolPath } from './steps.mjs';
 
 const FOLDER = 'node_modules/.cache/element-types';
@@ -22,6 +23,9 @@ function keep(project: Project): void {
 }
 `;
 
+/** The first example of the manual, as a page of its own. */
+const [EXAMPLE = ''] = blocksOf(readFileSync(join(ROOT, 'web/docs/element.md'), 'utf8'), 'ts');
+
 describe('the declarations of the element', () => {
   it.each([
     ['esnext', 'bundler'],
@@ -33,10 +37,12 @@ describe('the declarations of the element', () => {
       mkdirSync(join(ROOT, FOLDER), { recursive: true });
       await writeDeclarations(`${FOLDER}/types`);
       writeFileSync(join(ROOT, FOLDER, 'page.ts'), PAGE);
+      writeFileSync(join(ROOT, FOLDER, 'example.ts'), EXAMPLE.replace("'c2warp'", "'./types/element.js'"));
       const { code, output } = await run(process.execPath, [
         toolPath('tsc'),
         ...['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2022,dom', '--types', ''],
-        ...['--module', module, '--moduleResolution', resolution, `${FOLDER}/page.ts`],
+        ...['--module', module, '--moduleResolution', resolution],
+        ...[`${FOLDER}/page.ts`, `${FOLDER}/example.ts`],
       ]);
       expect({ code, output }).toEqual({ code: 0, output: '' });
     },
