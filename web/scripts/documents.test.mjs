@@ -20,6 +20,10 @@ const CRATES = ['wasm', 'tests']
 
 /** A path from the root of the repository, up to a wildcard. */
 const PATH = /(?<![\w@./-])(?:\.cargo|wasm|web|tests)\/(?:[\w.-]*[\w-](?:\/|\b))+/g;
+/** A script of the page or a module of the core, as the pages about them shorten it. */
+const SHORT = /^[a-z_]+\/[\w/]+\.ts$|^[a-z_]+\.rs$/;
+const SOURCES = ['web/src', 'wasm/core/src'];
+
 /** Files that commands write. */
 const WRITTEN = /^(?:web\/dist|tests\/output|web\/src\/compute\/generated)/;
 
@@ -37,9 +41,12 @@ describe.each(DOCUMENTS)('%s', (file) => {
   });
 
   it('names existing files', () => {
-    const paths = codeOf(markdown).flatMap((code) => code.match(PATH) ?? []);
+    const code = codeOf(markdown);
+    const paths = code.flatMap((text) => text.match(PATH) ?? []);
     const missing = paths.filter((path) => !WRITTEN.test(path) && !existsSync(join(ROOT, path)));
-    expect(missing).toEqual([]);
+    const short = code.filter((path) => SHORT.test(path) && !path.startsWith('web/'));
+    const unknown = short.filter((path) => !SOURCES.some((folder) => existsSync(join(ROOT, folder, path))));
+    expect([...missing, ...unknown]).toEqual([]);
   });
 
   it('names existing npm scripts and packages of cargo', () => {
@@ -55,6 +62,19 @@ describe.each(DOCUMENTS)('%s', (file) => {
 describe('the documents', () => {
   it('begin with a README of at most 150 lines', () => {
     expect(read('README.md').trimEnd().split('\n').length).toBeLessThanOrEqual(150);
+  });
+
+  it('have a glossary of names in the code', () => {
+    const [, glossary = ''] = read('web/docs/architecture.md').split('## Glossary');
+    const columns = [...glossary.matchAll(/^\|[^|]*\|([^|]*)\|/gm)].map(([, column = '']) => column);
+    const names = columns.flatMap((column) => codeOf(column)).flatMap((code) => code.split('::'));
+    const text = SOURCES.flatMap((folder) => filesUnder(join(ROOT, folder)))
+      .filter((file) => /\.(?:rs|ts)$/.test(file))
+      .map((file) => readFileSync(file, 'utf8'))
+      .join('\n');
+    const words = new Set(text.match(/\w+/g));
+    expect(names.length).toBeGreaterThan(20);
+    expect(names.filter((name) => !words.has(name))).toEqual([]);
   });
 
   it('contain each page of the manual in the README', () => {

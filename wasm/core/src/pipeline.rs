@@ -1,6 +1,6 @@
 //! The stages of a solve, each as a function of what earlier stages return.
 //!
-//! Cost: see the modules that each stage calls. `wasm/README.md` lists what bounds the time of each.
+//! Cost: see the modules that each stage calls. `web/docs/method.md` sums up the cost of each.
 
 use std::sync::Arc;
 
