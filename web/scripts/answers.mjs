@@ -1,5 +1,5 @@
 /**
- * `node web/scripts/answers.mjs`: runs `npm start`, waits for the editor's page at its address, and ends it.
+ * `npm run test:start`: runs `npm start`, waits for the editor's page at its address, and ends it.
  *
  * Fails if the program ends first, or after 30 minutes. The first start compiles the solver.
  */

@@ -7,7 +7,11 @@ import { delimiter, join } from 'node:path';
 import { printed, StepError, step } from './steps.mjs';
 
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
-const MAC = '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome';
+/** Where Chrome is installed on macOS and Windows, outside of PATH. */
+const PLACES = [
+  '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+  'C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe',
+];
 
 /**
  * WebGL2 on the CPU: machines without a GPU can test, and every machine draws alike. The sandbox is off because it does
@@ -25,7 +29,7 @@ export function findChromium() {
       if (isExecutable(candidate)) return candidate;
     }
   }
-  return existsSync(MAC) ? MAC : undefined;
+  return PLACES.find((place) => existsSync(place));
 }
 
 /** Installs a Chromium if none is found. */
