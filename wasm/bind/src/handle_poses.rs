@@ -1,7 +1,7 @@
-//! Poses of handles as one flat array, which crosses the border once a frame.
+//! Poses of handles as one flat array. It crosses the border once a frame.
 //!
-//! For each handle: the number n of its corners (1 for a point), the rotation in degrees (NaN: automatic), the
-//! scale, the depth, then n × 2 coordinates. `web/src/document/handle_poses.ts` writes it.
+//! Each handle has the number n of its corners (1 for a point), rotation, scale, depth, and n × 2 coordinates. The
+//! rotation is in degrees, and NaN is automatic. `web/src/document/handle_poses.ts` writes the array.
 
 use c2warp::{deform::HandlePose, project::Rotation};
 use glam::DVec2;

@@ -56,8 +56,10 @@ impl PosedPicture {
         Self::try_new(arrays, samples, handles_json).map_err(|error| to_js(&error))
     }
 
-    /// Poses the picture. Returns the motions of all sites, sites × 12: a, b, c, d, rest x, rest y, posed x,
-    /// posed y, depth, angle, cosine and sine of half the angle, for T(p) = posed + [a c; b d] (p − rest).
+    /// Poses the picture. Returns the motions of all sites.
+    ///
+    /// Sites × 12: a, b, c, d, rest x, rest y, posed x, posed y, depth, angle, cosine and sine of half the angle. The
+    /// motion is T(p) = posed + [a c; b d] (p − rest).
     ///
     /// # Errors
     /// For poses that do not fit the solved handles, or cannot be made.
@@ -147,7 +149,7 @@ impl PosedPicture {
         Ok(limit_numbers(&self.0.fold_limit(&way, blend(rigid), allowed as usize)))
     }
 
-    /// Like [`fold_limit`](Self::fold_limit), for the handles with these indices, which turn and scale together.
+    /// Like [`fold_limit`](Self::fold_limit), for the handles with these indices. They turn and scale together.
     ///
     /// `origins` has their poses before that, `rotations` their rotations then. `group` has the pivot's x and y,
     /// turn and scale at the start, turn and scale at the end, and the least and greatest scale.

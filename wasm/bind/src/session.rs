@@ -12,7 +12,7 @@ use crate::{
     warped::Warped,
 };
 
-/// A picture, and the solver that keeps what it knows about it.
+/// A picture, and the solver with its cache for it.
 #[wasm_bindgen]
 #[derive(Debug, Default)]
 pub struct Session {
@@ -20,12 +20,12 @@ pub struct Session {
     height: u32,
     rgba: Vec<u8>,
     solver: Solver,
-    /// The solve under way, and that of the solver's solution.
+    /// The solve in progress, and that of the solver's solution.
     solving: Option<Solve>,
     solved: Option<Solve>,
 }
 
-/// A project, and how long each stage took.
+/// A project, and the time of each stage.
 #[derive(Debug)]
 struct Solve {
     project: Project,
@@ -44,14 +44,14 @@ impl Session {
     /// Takes a picture: straight RGBA, rows from top to bottom.
     ///
     /// # Errors
-    /// For a size that cannot be warped; the picture in hand stays.
+    /// For a size that cannot be warped. The previous picture stays.
     pub fn set_picture(&mut self, width: u32, height: u32, rgba: Vec<u8>) -> Result<(), JsValue> {
         Picture::new(width, height, &rgba).map_err(|error| to_js(&error))?;
         *self = Self { width, height, rgba, ..Self::default() };
         Ok(())
     }
 
-    /// Begins to solve a project, dropping a solve under way. What was solved last stays until this has finished.
+    /// Begins to solve a project and drops a solve in progress. The last solution stays until this solve has finished.
     ///
     /// # Errors
     /// For a project that cannot be solved with this picture.
@@ -63,12 +63,12 @@ impl Session {
     /// Runs the next stage and names it; `undefined` when the solve has finished.
     ///
     /// # Errors
-    /// For handles that cannot be solved; the solve is then over, and what was solved last stays.
+    /// For handles that cannot be solved. The error ends the solve, and the last solution stays.
     pub fn advance(&mut self) -> Result<Option<String>, JsValue> {
         self.try_advance().map(|stage| stage.map(String::from)).map_err(|error| to_js(&error))
     }
 
-    /// What was solved last.
+    /// The last solution.
     ///
     /// # Errors
     /// Before a solve has finished.
@@ -85,11 +85,12 @@ impl Session {
         Ok(Solution::new(solution, report))
     }
 
-    /// The warped picture at full quality, of the picture's size times `scale`, or grown to all that is bent
-    /// beyond that; `pixelated` is for pixel art. Solves first if it must.
+    /// The warped picture at full quality. Solves first if necessary.
+    ///
+    /// Its size is that of the picture times `scale`. `grow` adds all bent parts. `pixelated` is for pixel art.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`]; where the result would be too large.
+    /// As [`Session::begin`] and [`Session::advance`], and for a result that is too large.
     pub fn warp(&mut self, project_json: &str, scale: f64, grow: bool, pixelated: bool) -> Result<Warped, JsValue> {
         let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
         let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
@@ -97,7 +98,7 @@ impl Session {
         warped.map(Warped::from).map_err(|error| to_js(&error))
     }
 
-    /// The borders between the cells of a project's solution. Solves first if it must.
+    /// The borders between the cells of a project's solution. Solves first if necessary.
     ///
     /// # Errors
     /// As [`Session::begin`] and [`Session::advance`].
@@ -133,7 +134,7 @@ impl Session {
     fn try_warp(&mut self, project_json: &str, options: ResampleOptions) -> Result<c2warp::Warped, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
-        // A solve takes time that a scale which is none is not worth.
+        // Invalid scales are rejected before the solve, because it takes time.
         raster::warped_size(width, height, options.scale)?;
         self.try_solve(&project)?;
         let solution = self.solver.solution().expect("it has just been solved");
@@ -141,7 +142,7 @@ impl Session {
         solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, options)
     }
 
-    /// The solution of a project, which may be that of the last solve.
+    /// The solution of a project. The last one is used again if it fits.
     fn try_solve(&mut self, project: &Project) -> Result<&c2warp::Solution, Error> {
         if !self.solver.has_solved(project) {
             self.try_begin(project.clone())?;
@@ -151,7 +152,7 @@ impl Session {
     }
 }
 
-/// Milliseconds since some moment, in a worker or a page; zero where there is no clock.
+/// Milliseconds since a fixed moment, in a worker or a page; zero without a clock.
 fn now_ms() -> f64 {
     let clock = js_sys::Reflect::get(&js_sys::global(), &"performance".into());
     let clock = clock.ok().and_then(|clock| clock.dyn_into::<web_sys::Performance>().ok());

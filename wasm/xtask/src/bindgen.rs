@@ -1,8 +1,8 @@
 //! `xtask bindgen`: the solver, or its benchmark, as a WebAssembly module with its TypeScript glue.
 //!
-//! Builds the crate for `wasm32-unknown-unknown` and hands the result to `wasm-bindgen`, used as a library of
-//! exactly the version that the crate was compiled with: nothing to install, nothing that can mismatch. Costs
-//! half a second when nothing has changed.
+//! Builds the crate for `wasm32-unknown-unknown` and passes the result to `wasm-bindgen`. That is a library here, in
+//! the version that the crate is compiled with. So nothing must be installed, and versions always match. Takes half a
+//! second if nothing has changed.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,23 +16,23 @@ pub(crate) const PACKAGE: &str = "c2warp-bind";
 /// Where the editor looks for it.
 pub(crate) const OUTPUT: &str = "web/src/compute/generated";
 
-/// Which of cargo's profiles the module is built with.
+/// The profile of cargo for the module.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Profile {
     /// Builds quickly and keeps the names of functions, for profiling and stack traces.
     Dev,
-    /// What people download.
+    /// The module of a published editor.
     Release,
 }
 
-/// Why there is no module.
+/// A failure to make the module.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum BindgenError {
     #[error("could not run cargo: {0}")]
     Cargo(#[source] std::io::Error),
-    #[error("{0} does not build for {TARGET}; the reason stands above")]
+    #[error("{0} does not build for {TARGET}. The reason is above")]
     Build(String),
-    #[error("wasm-bindgen refused {path}: {reason}")]
+    #[error("wasm-bindgen rejects {path}: {reason}")]
     Glue { path: PathBuf, reason: String },
 }
 
@@ -48,7 +48,7 @@ fn compiled_module(root: &Path, package: &str, profile: Profile) -> Result<PathB
         Profile::Dev => ("dev", "debug"),
         Profile::Release => ("release", "release"),
     };
-    // Cargo names itself, and where it was told to build, to what it runs.
+    // Cargo sets these variables for the programs that it runs.
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let target_dir =
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |directory| root.join(directory));

@@ -1,8 +1,8 @@
 //! `xtask schema`: the types and constants of the solver that others read.
 //!
-//! A JSON schema of the project file for editors and validators, and TypeScript for the page: the project, the report
-//! of a solve, its stages, codes of errors, limits and settings. The files are committed, so that the page type-checks
-//! without Rust. `--check` fails if they are out of date.
+//! Writes a JSON schema of the project file for editors and validators, and TypeScript for the page. The page shares
+//! the project, the report of a solve, its stages, codes of errors, limits and settings. The files are committed, so
+//! the page type-checks without Rust. `--check` fails if they are out of date.
 
 use std::fmt::Write;
 use std::fs;
@@ -90,7 +90,7 @@ fn picture_limits() -> String {
     })
 }
 
-/// The settings of the editor and the defaults of the format, which are the paper's.
+/// The settings of the editor, and the defaults of the format. These are the paper's.
 fn settings() -> String {
     let paper = Project::new(ImageRef::new("", 2, 2)).with_handles([Handle::point("point", [1.0, 1.0])]);
     let editor = paper.clone().with_editor_settings();

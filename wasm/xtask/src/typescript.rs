@@ -1,10 +1,10 @@
 //! TypeScript types from a JSON schema, as far as the schemas of this project go.
 //!
-//! An object becomes an interface. A choice between objects that a `kind` tells apart becomes an interface each
-//! (`PointHandle`, `BarHandle`, …) and their union (`Handle`), which the compiler narrows by `kind`. Descriptions and
-//! defaults become doc comments. Everything is read-only: a document is data that is replaced, not changed.
+//! An object becomes an interface. A choice between objects with a `kind` becomes an interface for each (`PointHandle`,
+//! `BarHandle`, …) and their union (`Handle`). The compiler narrows it by `kind`. Descriptions and defaults become doc
+//! comments. Everything is read-only: a document is replaced, not changed.
 //!
-//! A schema that uses anything else is an error rather than a wrong type.
+//! Other schemas are an error.
 
 use std::fmt::Write;
 
@@ -105,7 +105,7 @@ fn choices(object: &Object) -> Option<&Vec<Value>> {
     object.get("oneOf").or_else(|| object.get("anyOf"))?.as_array()
 }
 
-/// The value of `kind` by which a choice is told from the others.
+/// The value of `kind` that identifies a choice.
 fn kind(choice: &Value) -> Option<&str> {
     choice["properties"]["kind"]["const"].as_str()
 }
@@ -128,7 +128,7 @@ fn comment(text: &mut String, indent: &str, schema: &Object) {
 }
 
 fn write_line(text: &mut String, line: &str) {
-    // A blank line before what stands on the top level, comments being part of what they describe.
+    // A blank line precedes each item of the top level. Its comment is part of the item.
     let continues = line.starts_with([' ', '}']) || text.ends_with("*/\n");
     if !continues {
         text.push('\n');
@@ -187,7 +187,7 @@ export type Shape = DotShape | PathShape;
     }
 
     #[test]
-    fn refuses_what_it_cannot_translate() {
+    fn rejects_unknown_schemas() {
         let schema = json!({ "title": "Map", "type": "object", "additionalProperties": { "type": "string" } });
         assert!(declarations(&schema).unwrap_err().to_string().contains("additionalProperties"));
     }

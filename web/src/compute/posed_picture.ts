@@ -1,9 +1,9 @@
 /**
  * A solved picture that answers where its parts go in a pose.
  *
- * The types alone: they import neither the DOM nor the module, so that pure code can name them. A picture belongs to one
- * solution and never changes. Every query depends on its arguments alone; the module caches the pose that was asked
- * about last. Places are image pixels, angles degrees.
+ * The types alone: they import neither the DOM nor the module, so that pure code can name them. A picture belongs to
+ * one solution and never changes. Every query depends on its arguments alone; the module caches the pose of the last
+ * query. Places are image pixels, angles degrees.
  */
 import type { Turns } from '../document/handle';
 import type { Project } from '../document/project';

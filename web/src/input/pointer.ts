@@ -1,11 +1,12 @@
 /**
  * Turns the pointers and the wheel on a stage into events: presses of a tool and moves of the camera.
  *
- * One pointer works the tool; with space, the middle button or a second finger it navigates instead. A second finger
- * cancels what the first began: two fingers never edit. A right click, or a finger that stays, asks for the menu; once
- * that finger moves, it goes on as the press that it was. With the owner `page`, the page keeps all gestures that hold no handle: it scrolls, zooms, and shows its
- * own menu. Places are CSS pixels of the
- * stage, however the page scales it.
+ * One pointer works the tool. With space, the middle button or a second finger it navigates instead. A second finger
+ * cancels the press of the first: two fingers never edit. A right click, or a finger that stays, asks for the menu. If
+ * that finger then moves, its press goes on.
+ *
+ * With the owner `page`, the page keeps all gestures that hold no handle: it scrolls, zooms, and shows its own menu.
+ * Places are CSS pixels of the stage, at any scale of the page.
  */
 
 import type { Dispatch } from '../editor/events';

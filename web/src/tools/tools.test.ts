@@ -258,7 +258,7 @@ describe('several selected', () => {
     expect(bench.rotation('a')).toBe(0);
   });
 
-  it('grow by the grip at the lower right, the farthest with the pointer, in tenths with Shift', () => {
+  it('scale by the grip, and in tenths with Shift', () => {
     bench.down(onRing(135));
     bench.move(onRing(135, radius + 27));
     expect([bench.posed('a'), bench.posed('b')]).toEqual([
@@ -282,7 +282,7 @@ describe('several selected', () => {
     expect(bench.posed('a')).toEqual([50, -100]);
   });
 
-  it('have a ring as wide as there is room in the view, and no smaller than that of one', () => {
+  it('have a ring that fits into the view, but none smaller than that of one handle', () => {
     bench.view = { min: [0, -60], max: [200, 40] };
     bench.drag(onRing(0, 40), onRing(90, 40));
     expect(bench.rotation('a')).toBe(90);
@@ -291,7 +291,7 @@ describe('several selected', () => {
     expect(bench.rotation('a')).toBe(0);
   });
 
-  it('turn by the knob and scale by the grip where a handle is near, unless that is nearer', () => {
+  it('turn by the knob and scale by the grip, unless a handle is nearer', () => {
     const [beside, grip] = [add(onRing(0), [6, 0]), add(onRing(135), [0, 6])];
     for (const [id, at] of [
       ['near the knob', beside],
@@ -348,7 +348,7 @@ describe('point', () => {
     expect(handleById(bench.history.present, 'handle-1')).toMatchObject({ scale: 1 });
   });
 
-  it('rests where it is posed while nothing is bent, a hair beside half a hundredth too', () => {
+  it('rests at its posed place while nothing is bent, at rounding limits too', () => {
     bench.placement = { rest: [50.125 - 1e-6, 60.375], rotation: 0, scale: 1 };
     bench.click([50.125, 60.375 - 1e-6]);
     const added = handleById(bench.history.present, 'handle-1');
