@@ -1,4 +1,4 @@
-/** The checks of `npm run check`: formats, lints, types and imports, in both languages, and generated files. */
+/** The checks of `npm run check`: formats, lints, types, imports and prose of both languages, and generated files. */
 import { heading, run, toolPath } from './steps.mjs';
 
 /** @type {[title: string, program: string, args: string[]][]} */
@@ -13,6 +13,7 @@ const CHECKS = [
   ['Types (tsc)', process.execPath, [toolPath('tsc'), '--build', 'web/tsconfig.json']],
   ['Format and lints (biome)', process.execPath, [toolPath('biome'), 'check', '--error-on-warnings']],
   ['Cycles of imports', process.execPath, ['web/scripts/cycles.mjs']],
+  ['Prose', process.execPath, ['web/scripts/prose.mjs', '--limits']],
 ];
 
 /**

@@ -24,7 +24,7 @@ const LONGEST = { line: 120, sentence: 25, name: 80 };
  * The limits of `npm run check` for the whole tree. Long lines and names are counted. Long sentences are a percentage
  * of all sentences, "what" and "which" are per 1,000 words.
  */
-export const LIMITS = { lines: 0, names: 0, long: 100, what: 100, which: 100 };
+export const LIMITS = { lines: 0, names: 0, long: 1, what: 1, which: 2.1 };
 
 /** Folders of other people's files, of generated files, and of files that tests read or write. */
 const SKIPPED =
@@ -177,8 +177,9 @@ async function run(args) {
   const all = total([...folders.values()].flat());
   /** @type {[string, Sums][]} */
   const rows = [...folders].map(([name, parts]) => [name, total(parts)]);
-  console.log(`\n${table([...rows, ['all', all]])}`);
-  if (!args.includes('--limits')) return;
+  const limited = args.includes('--limits');
+  console.log(`\n${table([...(limited ? [] : rows), ['all', all]])}`);
+  if (!limited) return;
   const measured = rates(all);
   const over = Object.entries(LIMITS).filter(
     ([key, limit]) => measured[/** @type {keyof typeof LIMITS} */ (key)] > limit,
