@@ -24,6 +24,15 @@ const PATH = /(?<![\w@./-])(?:\.cargo|wasm|web|tests)\/(?:[\w.-]*[\w-](?:\/|\b))
 const SHORT = /^[a-z_]+\/[\w/]+\.ts$|^[a-z_]+\.rs$/;
 const SOURCES = ['web/src', 'wasm/core/src'];
 
+/** All words of the code. */
+const WORDS = new Set(
+  SOURCES.flatMap((folder) => filesUnder(join(ROOT, folder)))
+    .filter((file) => /\.(?:rs|ts)$/.test(file))
+    .flatMap((file) => readFileSync(file, 'utf8').match(/\w+/g) ?? []),
+);
+/** A type, or a path of Rust. */
+const ITEM = /^[A-Z]\w*[a-z]\w*$|^\w+(?:::\w+)+$/;
+
 /** Files that commands write. */
 const WRITTEN = /^(?:web\/dist|tests\/output|web\/src\/compute\/generated)/;
 
@@ -49,6 +58,11 @@ describe.each(DOCUMENTS)('%s', (file) => {
     expect([...missing, ...unknown]).toEqual([]);
   });
 
+  it('names existing types and items', () => {
+    const items = codeOf(markdown).filter((code) => ITEM.test(code));
+    expect(items.filter((item) => !item.split('::').every((name) => WORDS.has(name)))).toEqual([]);
+  });
+
   it('names existing npm scripts and packages of cargo', () => {
     const code = codeOf(markdown).join('\n');
     const scripts = Object.keys(JSON.parse(read('package.json')).scripts);
@@ -68,13 +82,8 @@ describe('the documents', () => {
     const [, glossary = ''] = read('web/docs/architecture.md').split('## Glossary');
     const columns = [...glossary.matchAll(/^\|[^|]*\|([^|]*)\|/gm)].map(([, column = '']) => column);
     const names = columns.flatMap((column) => codeOf(column)).flatMap((code) => code.split('::'));
-    const text = SOURCES.flatMap((folder) => filesUnder(join(ROOT, folder)))
-      .filter((file) => /\.(?:rs|ts)$/.test(file))
-      .map((file) => readFileSync(file, 'utf8'))
-      .join('\n');
-    const words = new Set(text.match(/\w+/g));
     expect(names.length).toBeGreaterThan(20);
-    expect(names.filter((name) => !words.has(name))).toEqual([]);
+    expect(names.filter((name) => !WORDS.has(name))).toEqual([]);
   });
 
   it('contain each page of the manual in the README', () => {
