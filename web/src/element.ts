@@ -316,8 +316,8 @@ export class C2Warp extends TypedElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const host = {
-      element: this,
+    const element = {
+      node: this,
       root: this.renderRoot as ShadowRoot,
       render: () => this.requestUpdate(),
       notifyPage: (notification: PageNotification) => this.#notify(notification),
@@ -326,7 +326,7 @@ export class C2Warp extends TypedElement {
       },
       schemeChanged: () => this.#runtime?.dispatch({ type: 'media-changed', media: this.#mediaNow }),
     };
-    this.#runtime = new EditorRuntime(host, this.#attributes, this.#mediaNow, this.#carried);
+    this.#runtime = new EditorRuntime(element, this.#attributes, this.#mediaNow, this.#carried);
     this.requestUpdate();
   }
 

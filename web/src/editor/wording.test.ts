@@ -4,7 +4,8 @@ import { addHandle, changeHandles, selectHandles } from '../document/edits';
 import { transformGroup } from '../document/group';
 import { DEPTHS, scaledTo } from '../document/handle';
 import { WarpError } from '../error';
-import { cornerWords, depthWords, draftWords, placeWords, refusalWords, selectionName } from './wording';
+import { refusalWords } from './error_texts';
+import { cornerWords, depthWords, draftWords, placeWords, selectionName } from './wording';
 
 const empty = openDocument(newProject({ src: '', width: 8, height: 8 }, null));
 const withPoint = (id: string, document: Document, depth = 0): Document =>

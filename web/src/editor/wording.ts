@@ -1,5 +1,4 @@
-/** What people read and hear of the selection, its place and depth, of a drawing, and of what the solver refuses. */
-
+/** Texts for people about the selection, its place and depth, corners and drawings. */
 import { type Document, selectedHandles } from '../document/document';
 import { groupCentre, groupTurn } from '../document/group';
 import {
@@ -13,7 +12,6 @@ import {
   turnWords,
 } from '../document/handle';
 import type { Handle, LineHandle } from '../document/project';
-import { codeOf, handlesOf } from '../error';
 import type { Draft } from '../tools/state';
 
 export function selectionName(document: Document): string {
@@ -59,24 +57,4 @@ export function draftWords(draft: Draft | null): string {
   const [at] = draft?.corners.slice(-1) ?? [];
   const [x, y] = at?.map(Math.round) ?? [];
   return draft ? `${draft.kind}, corner ${draft.corners.length}: x ${x}, y ${y}` : 'Drawing given up';
-}
-
-/** By the codes of errors whose messages are in words of the solver and of project files. */
-const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>> = {
-  'handle-outside': (name) => `“${name}” lies outside the shape: place it on the picture.`,
-  'on-held-boundary': (name) =>
-    `“${name}” stands on the boundary, which is held: move it further inside, or free the boundary.`,
-  'bars-overlap': (name, other) =>
-    name === other
-      ? `“${name}” runs back along itself: its pieces may cross and touch, but not lie on one another.`
-      : `“${name}” and “${other}” run along each other: they may cross and touch, but not lie on one another.`,
-};
-
-/** An error in words of the editor. */
-export function refusalWords(error: Error): string {
-  const [id, other = id] = handlesOf(error);
-  const words = REFUSALS[codeOf(error)];
-  return words && id !== undefined && other !== undefined
-    ? words(nameOf({ id }), nameOf({ id: other }))
-    : error.message;
 }

@@ -2,19 +2,13 @@
  * The keys of the editor while it has the focus. Text fields keep their keys, except document commands such as save.
  */
 
+import type { EditorAccess } from '../editor/access';
 import { type CommandName, commandOfKey, commandsFor, isPreview } from '../editor/commands';
-import type { Dispatch } from '../editor/events';
-import type { EditorState } from '../editor/state';
 import { bailTarget } from '../editor/update/command';
 import { takesArrow, takesPlace, takesSpace, takesTurn } from '../editor/update/keys';
 import { takesMenuKey } from '../editor/update/menu';
 import type { Vec } from '../geometry/vec';
 import { isField, isTyped } from '../ui/untyped';
-
-export interface KeyboardHost {
-  readonly state: EditorState;
-  readonly dispatch: Dispatch;
-}
 
 const ARROWS: Readonly<Record<string, Vec>> = {
   ArrowLeft: [-1, 0],
@@ -36,14 +30,14 @@ const TURNS: Readonly<Record<string, number>> = { Comma: -1, Period: 1 };
 
 export class KeyboardInput {
   readonly #root: ShadowRoot;
-  readonly #host: KeyboardHost;
+  readonly #editor: EditorAccess;
   readonly #listening = new AbortController();
   /** The `code` of the key of a held command: its `key` depends on the keyboard layout. */
   #held: string | null = null;
 
-  constructor(root: ShadowRoot, host: KeyboardHost) {
+  constructor(root: ShadowRoot, editor: EditorAccess) {
     this.#root = root;
-    this.#host = host;
+    this.#editor = editor;
     const { signal } = this.#listening;
     // :focus-visible also matches elements that a script focused before the first click.
     const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
@@ -60,7 +54,7 @@ export class KeyboardInput {
 
   #down(event: KeyboardEvent): void {
     const target = event.target as Element;
-    if (event.defaultPrevented || this.#host.state.page.disabled) return;
+    if (event.defaultPrevented || this.#editor.state.page.disabled) return;
     // With Ctrl the menu has just closed, and the key goes on.
     if (target.closest('.context') && !event.ctrlKey && !event.metaKey) return;
     if (isField(target) && !this.#leavesField(event, target)) return;
@@ -71,7 +65,7 @@ export class KeyboardInput {
       event.preventDefault();
       return;
     }
-    const { state, dispatch } = this.#host;
+    const { state, dispatch } = this.#editor;
     const command = commandOfKey(event, commandsFor(state.page.playing, state.page.readonly));
     if (command === null || OF_CLIPBOARD.includes(command)) return;
     if (command === 'bail') {
@@ -103,7 +97,7 @@ export class KeyboardInput {
   /** Handles a key of the stage. Returns whether the key was one. */
   #stageKey(event: KeyboardEvent, target: Element): boolean {
     if (event.ctrlKey || event.metaKey) return false;
-    const { state, dispatch } = this.#host;
+    const { state, dispatch } = this.#editor;
     const turn = TURNS[event.code];
     const ten = event.shiftKey;
     if (event.altKey) {
@@ -131,8 +125,8 @@ export class KeyboardInput {
 
   /** While Space is held, presses pan. Returns whether the key was handled. */
   #holdSpace(held: boolean): boolean {
-    if (!takesSpace(this.#host.state)) return false;
-    this.#host.dispatch({ type: 'space-held', held });
+    if (!takesSpace(this.#editor.state)) return false;
+    this.#editor.dispatch({ type: 'space-held', held });
     return true;
   }
 
@@ -142,13 +136,13 @@ export class KeyboardInput {
       // A focused button would be clicked by the release of Space.
       if (held && (event.target as Element).closest('.stage')) event.preventDefault();
     }
-    if (event.code === this.#held) this.#host.dispatch({ type: 'preview-held', command: null });
+    if (event.code === this.#held) this.#editor.dispatch({ type: 'preview-held', command: null });
   }
 
   /** Without the focus no `keyup` arrives: held keys count as released. */
   #releaseAll({ relatedTarget }: FocusEvent): void {
     if (this.#root.contains(relatedTarget as Node | null)) return;
     this.#holdSpace(false);
-    this.#host.dispatch({ type: 'preview-held', command: null });
+    this.#editor.dispatch({ type: 'preview-held', command: null });
   }
 }

@@ -9,22 +9,13 @@
  * Places are CSS pixels of the stage, at any scale of the page.
  */
 
-import type { Dispatch } from '../editor/events';
+import type { EditorAccess } from '../editor/access';
 import { holdsAt } from '../editor/hit_areas';
 import type { StagePointer } from '../editor/stage_pointer';
-import type { EditorState } from '../editor/state';
 import { opensMenu } from '../editor/update/menu';
 import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
 import { clientToStage } from '../ui/client';
-
-/** What the pointer works on. */
-export interface PointerHost {
-  readonly state: EditorState;
-  readonly dispatch: Dispatch;
-  /** Commits a number that is being typed, before a press changes the selection that it belongs to. */
-  leaveField(): void;
-}
 
 /** Zoom per wheel pixel; a notch of a mouse wheel (100 to 120 px) zooms by about a fifth. */
 const WHEEL_ZOOM = 0.0018;
@@ -58,7 +49,8 @@ interface Click {
 
 export class PointerInput {
   readonly #stage: HTMLElement;
-  readonly #host: PointerHost;
+  readonly #editor: EditorAccess;
+  readonly #leaveField: () => void;
   readonly #owner: Owner;
   readonly #listening = new AbortController();
   readonly #fingers = new Map<number, Vec>();
@@ -75,18 +67,24 @@ export class PointerInput {
   /** The press that has brought up the menu, as it began, until it moves or ends. */
   #stayed: { readonly id: number; readonly pointer: StagePointer } | null = null;
 
-  constructor(stage: HTMLElement, host: PointerHost, owner: Owner) {
+  /** @param leaveField commits a number that is being typed, before a press changes the selection it belongs to. */
+  constructor(stage: HTMLElement, editor: EditorAccess, owner: Owner, leaveField: () => void) {
     this.#stage = stage;
-    this.#host = host;
+    this.#editor = editor;
+    this.#leaveField = leaveField;
     this.#owner = owner;
     const { signal } = this.#listening;
     stage.addEventListener('pointerdown', (event) => this.#down(event), { signal });
     stage.addEventListener('pointermove', (event) => this.#move(event), { signal });
     stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
     stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
-    stage.addEventListener('pointerleave', () => host.dispatch({ type: 'pointer-hovered', pointer: null }), {
-      signal,
-    });
+    stage.addEventListener(
+      'pointerleave',
+      () => editor.dispatch({ type: 'pointer-hovered', pointer: null }),
+      {
+        signal,
+      },
+    );
     stage.addEventListener('contextmenu', (event) => this.#menu(event), { signal });
     if (owner === 'page') {
       stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
@@ -119,7 +117,7 @@ export class PointerInput {
     this.#stage.setPointerCapture(event.pointerId);
     if (event.pointerType === 'touch') this.#fingers.set(event.pointerId, this.#place(event));
     if (this.#fingers.size > 1) {
-      if (this.#pressing !== null) this.#host.dispatch({ type: 'press-cancelled' });
+      if (this.#pressing !== null) this.#editor.dispatch({ type: 'press-cancelled' });
       this.#pressing = null;
       this.#clicked = null;
       this.#navigating = true;
@@ -128,7 +126,7 @@ export class PointerInput {
     if (this.#pressing !== null) return;
     this.#pressing = event.pointerId;
     this.#button = event.button === 1 ? 4 : 1;
-    const pans = this.#host.state.pointer.space || event.button === 1;
+    const pans = this.#editor.state.pointer.space || event.button === 1;
     this.#begun = pans ? null : this.#place(event);
     const pointer = this.#pointer(event);
     this.#press(pointer, pans);
@@ -162,22 +160,22 @@ export class PointerInput {
     } else if (event.pointerId === this.#pressing) {
       // The release was missed, or came while another button was held.
       if (event.pointerType === 'mouse' && !(event.buttons & this.#button)) this.#up(event);
-      else this.#host.dispatch({ type: 'press-moved', pointer });
+      else this.#editor.dispatch({ type: 'press-moved', pointer });
     } else if (event.pointerType !== 'touch') {
-      this.#host.dispatch({ type: 'pointer-hovered', pointer });
+      this.#editor.dispatch({ type: 'pointer-hovered', pointer });
     }
   }
 
   #up(event: PointerEvent): void {
     this.#lift(event);
     const pointer = this.#pointer(event);
-    if (this.#beside && !this.#slips(this.#beside, pointer)) this.#host.dispatch({ type: 'page-clicked' });
+    if (this.#beside && !this.#slips(this.#beside, pointer)) this.#editor.dispatch({ type: 'page-clicked' });
     this.#beside = null;
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
-    this.#host.dispatch({ type: 'press-ended', pointer });
+    this.#editor.dispatch({ type: 'press-ended', pointer });
     if (this.#owner === 'editor' && this.#isSecond(pointer, event.timeStamp))
-      this.#host.dispatch({ type: 'double-pressed', pointer });
+      this.#editor.dispatch({ type: 'double-pressed', pointer });
   }
 
   /** Whether a press that ends now makes a double click with the one before; of three presses, only the second does. */
@@ -198,7 +196,7 @@ export class PointerInput {
   }
 
   #leave(event: PointerEvent): void {
-    if (this.#pressing !== null) this.#host.dispatch({ type: 'press-cancelled' });
+    if (this.#pressing !== null) this.#editor.dispatch({ type: 'press-cancelled' });
     this.#beside = event.button === 0 && this.#pressing === null ? this.#place(event) : null;
     this.#pressing = null;
   }
@@ -214,7 +212,7 @@ export class PointerInput {
     if (event.pointerId !== this.#pressing) return;
     this.#pressing = null;
     this.#clicked = null;
-    this.#host.dispatch({ type: 'press-cancelled' });
+    this.#editor.dispatch({ type: 'press-cancelled' });
   }
 
   /**
@@ -229,9 +227,9 @@ export class PointerInput {
   }
 
   #openMenu(pointer: StagePointer, staying: boolean): boolean {
-    const { state, dispatch, leaveField } = this.#host;
+    const { state, dispatch } = this.#editor;
     if (!opensMenu(state, pointer, staying)) return false;
-    leaveField();
+    this.#leaveField();
     dispatch({ type: 'menu-asked', pointer, resting: staying });
     clearTimeout(this.#holding);
     this.#pressing = null;
@@ -250,7 +248,7 @@ export class PointerInput {
     const before = [...this.#fingers.values()];
     this.#fingers.set(event.pointerId, this.#place(event));
     const after = [...this.#fingers.values()];
-    const { camera } = this.#host.state.view;
+    const { camera } = this.#editor.state.view;
     const [a, b] = before;
     const [c, d] = after;
     if (a && b && c && d) this.#look(pinched(camera, [a, b], [c, d]));
@@ -261,11 +259,12 @@ export class PointerInput {
     event.preventDefault();
     this.#roll(event);
     // Keeps a dragged handle under the pointer.
-    if (this.#pressing !== null) this.#host.dispatch({ type: 'press-moved', pointer: this.#pointer(event) });
+    if (this.#pressing !== null)
+      this.#editor.dispatch({ type: 'press-moved', pointer: this.#pointer(event) });
   }
 
   #roll(event: WheelEvent): void {
-    const { camera } = this.#host.state.view;
+    const { camera } = this.#editor.state.view;
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
     const unit = lines ? LINE_PX : 1;
     const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
@@ -278,18 +277,18 @@ export class PointerInput {
   }
 
   #press(pointer: StagePointer, pans: boolean): void {
-    this.#host.leaveField();
-    this.#host.dispatch({ type: 'press-began', pointer, pans });
+    this.#leaveField();
+    this.#editor.dispatch({ type: 'press-began', pointer, pans });
   }
 
   /** Whether a press there would hold something. */
   #holds(pointer: StagePointer): boolean {
-    this.#host.dispatch({ type: 'pointer-noted', coarse: pointer.coarse });
-    return holdsAt(this.#host.state, pointer);
+    this.#editor.dispatch({ type: 'pointer-noted', coarse: pointer.coarse });
+    return holdsAt(this.#editor.state, pointer);
   }
 
   #look(camera: Camera): void {
-    this.#host.dispatch({ type: 'camera-moved', camera });
+    this.#editor.dispatch({ type: 'camera-moved', camera });
   }
 
   #place(event: MouseEvent): Vec {

@@ -1,7 +1,6 @@
 /** The stage on the page: its size, the input on it, and places on it. */
 
-import type { Dispatch } from '../editor/events';
-import type { EditorState } from '../editor/state';
+import type { EditorAccess } from '../editor/access';
 import { toImage, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 import { KeyboardInput } from '../input/keyboard';
@@ -9,24 +8,20 @@ import { PointerInput } from '../input/pointer';
 import { clientToStage, stageToClient } from '../ui/client';
 import type { Focus } from './focus';
 
-export interface CanvasViewHost {
-  readonly state: EditorState;
-  readonly dispatch: Dispatch;
-  readonly focus: Focus;
-}
-
 export class CanvasView {
   readonly #root: ShadowRoot;
   readonly #stage: HTMLElement;
-  readonly #host: CanvasViewHost;
+  readonly #editor: EditorAccess;
+  readonly #focus: Focus;
   readonly #observer: ResizeObserver;
   #pointer: PointerInput;
   #keyboard: KeyboardInput;
 
-  constructor(root: ShadowRoot, stage: HTMLElement, host: CanvasViewHost) {
+  constructor(root: ShadowRoot, stage: HTMLElement, editor: EditorAccess, focus: Focus) {
     this.#root = root;
     this.#stage = stage;
-    this.#host = host;
+    this.#editor = editor;
+    this.#focus = focus;
     this.#observer = new ResizeObserver(([entry]) => entry && this.#resized(entry.contentRect));
     this.#observer.observe(stage);
     this.measure();
@@ -35,12 +30,12 @@ export class CanvasView {
 
   /** The place of the picture, image pixels, at a place in the window. */
   imageAt(client: Vec): Vec {
-    return toImage(this.#host.state.view.camera, clientToStage(this.#stage, client));
+    return toImage(this.#editor.state.view.camera, clientToStage(this.#stage, client));
   }
 
   /** The place in the window of a place of the picture, image pixels. */
   clientAt(image: Vec): Vec {
-    return stageToClient(this.#stage, toStage(this.#host.state.view.camera, image));
+    return stageToClient(this.#stage, toStage(this.#editor.state.view.camera, image));
   }
 
   /** Takes the size of the stage. */
@@ -64,21 +59,14 @@ export class CanvasView {
   }
 
   #listen(): [PointerInput, KeyboardInput] {
-    const host = this.#host;
-    const { dispatch, focus } = host;
-    const pointer = {
-      get state() {
-        return host.state;
-      },
-      dispatch,
-      leaveField: () => focus.leaveField(),
-    };
-    const owner = host.state.page.playing ? 'page' : 'editor';
-    return [new PointerInput(this.#stage, pointer, owner), new KeyboardInput(this.#root, host)];
+    const editor = this.#editor;
+    const owner = editor.state.page.playing ? 'page' : 'editor';
+    const pointer = new PointerInput(this.#stage, editor, owner, () => this.#focus.leaveField());
+    return [pointer, new KeyboardInput(this.#root, editor)];
   }
 
   #resized({ width, height }: { readonly width: number; readonly height: number }): void {
-    const typing = this.#host.focus.isInField;
-    this.#host.dispatch({ type: 'stage-resized', size: { width, height }, typing });
+    const typing = this.#focus.isInField;
+    this.#editor.dispatch({ type: 'stage-resized', size: { width, height }, typing });
   }
 }

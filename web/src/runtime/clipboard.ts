@@ -6,19 +6,12 @@
  * been copied.
  */
 import { isPose, poseText } from '../document/pose_text';
+import type { EditorAccess } from '../editor/access';
 import { keyHint } from '../editor/commands';
-import type { Dispatch } from '../editor/events';
 import { NO_POSE, notCopiedText, notReadText } from '../editor/notice_texts';
 import { mayEdit, mayReceive } from '../editor/permissions';
-import type { EditorState } from '../editor/state';
 import { copiedHandles } from '../editor/update/command';
 import type { Focus } from './focus';
-
-export interface ClipboardHost {
-  readonly state: EditorState;
-  readonly dispatch: Dispatch;
-  readonly focus: Focus;
-}
 
 /** The pose that any element of the page copied last, and whether nothing else can have been copied since. */
 const last: { text: string | null; newest: boolean } = { text: null, newest: false };
@@ -29,12 +22,14 @@ const keysOf = (command: 'copy' | 'paste'): string | null =>
 
 export class Clipboard {
   readonly #element: HTMLElement;
-  readonly #host: ClipboardHost;
+  readonly #editor: EditorAccess;
+  readonly #focus: Focus;
   readonly #listening = new AbortController();
 
-  constructor(element: HTMLElement, host: ClipboardHost) {
+  constructor(element: HTMLElement, editor: EditorAccess, focus: Focus) {
     this.#element = element;
-    this.#host = host;
+    this.#editor = editor;
+    this.#focus = focus;
     const { signal } = this.#listening;
     const other = () => {
       last.newest = false;
@@ -94,7 +89,7 @@ export class Clipboard {
     if (!clipboardData || !this.#concerns(event)) return;
     const files = [...clipboardData.files];
     if (files.length > 0) {
-      this.#host.dispatch({
+      this.#editor.dispatch({
         type: 'files-received',
         files: files.map((file) => ({ name: file.name, file })),
       });
@@ -104,27 +99,27 @@ export class Clipboard {
 
   /** The pose to copy; null leaves the copy to the browser. */
   #copied(): string | null {
-    const { state, dispatch, focus } = this.#host;
+    const { state, dispatch } = this.#editor;
     const handles = copiedHandles(state);
-    if (focus.isOnText || handles.length === 0) return null;
+    if (this.#focus.isOnText || handles.length === 0) return null;
     dispatch({ type: 'pose-copied' });
     return poseText(handles);
   }
 
   /** Pastes a text if it is a pose. Returns whether it is. */
   #pasted(text: string): boolean {
-    const { state, dispatch, focus } = this.#host;
-    if (!mayEdit(state) || focus.isInField || !isPose(text)) return false;
+    const { state, dispatch } = this.#editor;
+    if (!mayEdit(state) || this.#focus.isInField || !isPose(text)) return false;
     dispatch({ type: 'text-pasted', text });
     return true;
   }
 
   #inform(text: string): void {
-    this.#host.dispatch({ type: 'person-informed', text });
+    this.#editor.dispatch({ type: 'person-informed', text });
   }
 
   #concerns(event: Event): boolean {
-    const { state } = this.#host;
+    const { state } = this.#editor;
     return mayReceive(state) && !event.defaultPrevented && Boolean(this.#element.shadowRoot?.activeElement);
   }
 }

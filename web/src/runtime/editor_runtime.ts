@@ -35,9 +35,9 @@ import { Storage } from './storage';
 import { Store } from './store';
 import { Timers } from './timers';
 
-/** The element that the editor runs in. */
-export interface RuntimeHost {
-  readonly element: HTMLElement;
+/** The element that the editor runs in, and its answers to the editor. */
+export interface EditorElement {
+  readonly node: HTMLElement;
   readonly root: ShadowRoot;
   /** The state has changed: render it. */
   render(): void;
@@ -50,7 +50,7 @@ export interface RuntimeHost {
 export class EditorRuntime {
   readonly canvas = document.createElement('canvas');
   readonly dispatch: (event: EditorEvent) => void;
-  readonly #host: RuntimeHost;
+  readonly #element: EditorElement;
   readonly #store: Store;
   readonly #pictures = new Pictures();
   readonly #solver: Solver;
@@ -70,8 +70,8 @@ export class EditorRuntime {
   #view: CanvasView | null = null;
   #frames: Frames | null = null;
 
-  constructor(host: RuntimeHost, page: PageAttributes, media: Media, carried: Carried) {
-    this.#host = host;
+  constructor(element: EditorElement, page: PageAttributes, media: Media, carried: Carried) {
+    this.#element = element;
     this.#store = new Store(initialState(page, media, initialOpening(carried)), {
       changed: (state, event) => this.#changed(state, event),
       carryOut: (effect) => carryOut(effect, resources),
@@ -82,19 +82,19 @@ export class EditorRuntime {
     this.#files = new Files(dispatch, this.#pictures, this.#solver);
     this.#storage = new Storage(dispatch);
     this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
-    this.#focus = new Focus(host.root);
+    this.#focus = new Focus(element.root);
     this.#focus.watch(dispatch, this.#listening.signal);
-    this.#focusKeeper = new FocusKeeper(host.element);
-    this.#menu = new MenuPopover(host.root, () => dispatch({ type: 'menu-command-run', command: null }));
+    this.#focusKeeper = new FocusKeeper(element.node);
+    this.#menu = new MenuPopover(element.root, () => dispatch({ type: 'menu-command-run', command: null }));
     const receive = (files: readonly NamedFile[]) => dispatch({ type: 'files-received', files });
-    this.#drop = new DropTarget(host.element, () => mayReceive(this.state), receive);
-    this.#clipboard = new Clipboard(host.element, this.#inputHost);
+    this.#drop = new DropTarget(element.node, () => mayReceive(this.state), receive);
+    this.#clipboard = new Clipboard(element.node, this.#store, this.#focus);
     this.#media = new MediaWatcher({
-      schemeChanged: () => host.schemeChanged(),
+      schemeChanged: () => element.schemeChanged(),
       pixelRatioChanged: () => this.#frames?.request(),
     });
     this.#reach = new ReachCache(() => this.#frames?.request());
-    const resources = this.#resourcesOf(host);
+    const resources = this.#resourcesOf(element);
   }
 
   get state(): EditorState {
@@ -108,11 +108,11 @@ export class EditorRuntime {
 
   /** Starts input and drawing, once the stage is on the page, and opens the first content. */
   attach(stage: HTMLElement, work: Carried['work']): void {
-    this.#view = new CanvasView(this.#host.root, stage, this.#inputHost);
+    this.#view = new CanvasView(this.#element.root, stage, this.#store, this.#focus);
     try {
       this.#frames = new Frames(this.canvas, {
         frame: () => this.#frame(),
-        seen: () => this.#host.render(),
+        seen: () => this.#element.render(),
         failed: (error) => this.dispatch({ type: 'error-reported', error: asError(error) }),
       });
     } catch (error) {
@@ -211,7 +211,7 @@ export class EditorRuntime {
     this.#solver.freeUnused(state);
     this.#frames?.request();
     // An animation out of sight is rendered once it is seen.
-    if (event.type !== 'handles-posed' || this.#frames?.seen) this.#host.render();
+    if (event.type !== 'handles-posed' || this.#frames?.seen) this.#element.render();
   }
 
   #frame(): Frame {
@@ -266,21 +266,10 @@ export class EditorRuntime {
     if (selection) this.dispatch({ type: 'handles-selected', ids: selection });
   }
 
-  get #inputHost() {
+  #resourcesOf(element: EditorElement): Resources {
     const runtime = this;
     return {
-      get state() {
-        return runtime.state;
-      },
-      dispatch: this.dispatch,
-      focus: this.#focus,
-    };
-  }
-
-  #resourcesOf(host: RuntimeHost): Resources {
-    const runtime = this;
-    return {
-      root: host.root,
+      root: element.root,
       get state() {
         return runtime.state;
       },
@@ -295,10 +284,10 @@ export class EditorRuntime {
       solver: this.#solver,
       storage: this.#storage,
       timers: this.#timers,
-      notifyPage: (notification) => host.notifyPage(notification),
+      notifyPage: (notification) => element.notifyPage(notification),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
-      setTheme: (theme) => host.setTheme(theme),
+      setTheme: (theme) => element.setTheme(theme),
     };
   }
 }

@@ -3,11 +3,11 @@
 import { solveKey } from '../../document/solved';
 import { asError, isAbort, isEngineFailure } from '../../error';
 import type { Emit } from '../effects';
+import { refusalWords } from '../error_texts';
 import type { Notice, NoticesState } from '../notice';
 import { mayChange } from '../permissions';
 import { type EditorState, projectOf } from '../state';
 import type { Task, TaskName } from '../task';
-import { refusalWords } from '../wording';
 import type { Handlers } from './handlers';
 
 /** Long enough to read a sentence twice. */

@@ -2,9 +2,9 @@
 import { openDocument } from '../../document/document';
 import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
+import { inEditorWords } from '../error_texts';
 import type { Trial } from '../opening_state';
 import { fits, misfit, type Picture } from '../picture';
-import { inEditorWords } from '../refusal_texts';
 import { type EditorState, projectOf } from '../state';
 import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
