@@ -59,7 +59,7 @@ test('the pose of one handle is pasted to it, or to the selected ones', async ({
   await editor.handle('left hand').focus();
   await editor.waitForSolve(() => page.keyboard.press('Delete'));
   await paste(page);
-  await expect(page.getByText('There is no handle here for the pose of left hand.')).toBeVisible();
+  await expect(page.getByText('No handle here matches the pose of left hand.')).toBeVisible();
 });
 
 test('poses are copied and pasted with the focus on a switch', async ({ page }) => {

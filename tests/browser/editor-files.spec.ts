@@ -307,7 +307,7 @@ test('full storage is reported once, and again after a success', async ({ page }
   await page.keyboard.press('p');
   await expect(editor.notice).toBeHidden();
   await page.keyboard.press('Enter');
-  await expect(editor.notice).toContainText('Your work is not kept in this browser');
+  await expect(editor.notice).toContainText('Your work is not stored in this browser');
   await dismiss.click();
   await page.keyboard.press('ArrowRight');
   await editor.waitFrames();
@@ -422,7 +422,7 @@ test('the last change of two tabs is restored completely', async ({ page, contex
   await second.dragHandle('right hand', { x: -20, y: -40 });
   const later = { picture: 'gingerbread.png', step: 'Move right hand' };
   await expect.poll(() => second.storedWork()).toMatchObject(later);
-  const told = page.getByText('Something was changed in another tab since');
+  const told = page.getByText('Another tab has changed this work');
   await expect(told).toBeVisible();
   for (const tab of [page, other]) {
     await tab.reload();

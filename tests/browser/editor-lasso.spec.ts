@@ -35,14 +35,14 @@ test('only the inside of a lasso bends; undo restores the handles outside', asyn
   await editor.dragHandle('head', { x: 30, y: 20 });
   const bent = await editor.screenshot(at(512, 260));
   await page.keyboard.press('l');
-  await expect(editor.button('Draw around what bends')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Draw around the part that bends')).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.handle('head')).toBeHidden();
   await expect
     .poll(async () => meanDifference(bent, await editor.screenshot(at(512, 260))))
     .toBeGreaterThan(3);
 
   await draw(editor, around(at));
-  await expect(page.getByText('4 handles lay outside of the lasso, and are gone.')).toBeVisible();
+  await expect(page.getByText('4 handles outside the lasso were removed.')).toBeVisible();
   expect(await ids(editor)).toEqual(['head']);
   const { kind, rings } = await domain(editor);
   expect(kind).toBe('polygon');
@@ -92,9 +92,9 @@ test('an empty lasso and a handle outside the lasso are rejected', async ({ page
   const at = await editor.fromImage('head', [512, 260]);
   await page.keyboard.press('l');
   await draw(editor, [at(-300, 500), at(-200, 500), at(-200, 600), at(-300, 600)]);
-  await expect(page.getByText('The lasso holds nothing')).toBeVisible();
+  await expect(page.getByText('The lasso is empty')).toBeVisible();
   expect((await domain(editor)).kind).toBe('alpha');
-  await expect(editor.button('Draw around what bends')).toHaveAttribute('aria-pressed', 'true');
+  await expect(editor.button('Draw around the part that bends')).toHaveAttribute('aria-pressed', 'true');
 
   await draw(editor, around(at));
   await expect.poll(() => ids(editor)).toEqual(['head']);

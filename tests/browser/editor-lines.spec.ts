@@ -401,7 +401,7 @@ test('a bar beside the picture is rejected, and its draft stays', async ({ page 
   await page.mouse.click(leg.x, leg.y);
   await page.keyboard.press('Enter');
   await expect(editor.handle('bar 1')).toBeVisible();
-  await expect(page.getByText('Only the part of bar 1 on the picture bends it')).toBeVisible();
+  await expect(page.getByText('Part of bar 1 lies outside the picture')).toBeVisible();
 });
 
 test('a rejected bar returns as a draft, and later changes stay', async ({ page }) => {

@@ -72,7 +72,7 @@ test('mirroring all handles flips the pose; unmatched ones are reported', async 
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('m');
-  await expect(page.getByText('The other side is the same')).toBeVisible();
+  await expect(page.getByText('Both sides are the same already')).toBeVisible();
   await expect(editor.button(/^Undo/)).toBeDisabled();
 
   await editor.dragHandle('head', { x: 40, y: 0 });
@@ -104,7 +104,7 @@ test('mirroring all handles flips the pose; unmatched ones are reported', async 
   await expect(editor.handles).toHaveCount(1);
   await editor.handle('left hand').focus();
   await page.keyboard.press('m');
-  await expect(page.getByText('There is nothing to hold on the other side of left hand.')).toBeVisible();
+  await expect(page.getByText('The picture has nothing on the other side of left hand.')).toBeVisible();
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   await expect(editor.handles).toHaveCount(1);
 });

@@ -20,7 +20,7 @@
  *
  * | event | |
  * |---|---|
- * | `ready` | once after each connection, when the initial content is open, absent, failed or overtaken |
+ * | `ready` | once after each connection, when the initial content is open, absent, failed or superseded |
  * | `load` | a picture is open and solved, unless a person opened it |
  * | `input` | during a drag; `detail.project` is a copy of the project |
  * | `change` | a step was done, undone or redone, by a person or a method; `detail.project` is a copy of the project |

@@ -51,7 +51,7 @@ export function bending(
           </div>`
         : nothing
     }
-    ${toggle('Keep turns rigid', 'What lies between two turns does not shrink.', blendOf(project) === 'rigid', model, (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }))}
+    ${toggle('Keep turns rigid', 'The picture does not shrink between two turns.', blendOf(project) === 'rigid', model, (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }))}
     ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => dispatch({ type: 'fold-guard-switched', on }))}
@@ -67,7 +67,7 @@ export function bending(
 
 /** The way back from a lasso to the whole picture. */
 const lassoed = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`<div class="switch">
-  <span class="text">Lasso<span class="faint">Only what it holds bends.</span></span>
+  <span class="text">Lasso<span class="faint">Only the part inside bends.</span></span>
   <button
     type="button"
     class="button toggle"

@@ -45,7 +45,7 @@ const FIELDS: readonly HandleField[] = [
     digits: 2,
     least: DEPTHS.least,
     most: DEPTHS.most,
-    tip: `What lies over what, from ${DEPTHS.least} at the back to ${DEPTHS.most} in front`,
+    tip: `Drawing order, from ${DEPTHS.least} at the back to ${DEPTHS.most} in front`,
     read: depthOf,
   },
 ];
@@ -100,7 +100,7 @@ function automaticToggle(
     type="button"
     class="button toggle"
     part="button"
-    data-tip=${all ? 'Turns with what is around it' : 'Let it turn by itself'}
+    data-tip=${all ? 'Turns with the picture around it' : 'Let it turn by itself'}
     aria-label="Auto turn"
     aria-pressed=${all ? 'true' : free > 0 ? 'mixed' : 'false'}
     ?disabled=${model.readonly}

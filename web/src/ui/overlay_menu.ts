@@ -8,12 +8,12 @@ import { icon } from './icons';
 /** The name and the tooltip of each overlay. */
 const TEXTS = {
   mesh: ['Mesh', 'The triangles that the picture is drawn with'],
-  cells: ['Cells', 'What is nearest to each handle, virtual ones too'],
-  sites: ['Virtual handles', 'What moves the picture between your handles'],
-  graph: ['Cell graph', 'Which handles, virtual ones too, are neighbours'],
-  folds: ['Folds', 'Where the picture has turned over'],
-  reach: ['Reach', 'How much of a small move of the selected handles each place of the picture follows'],
-  coverage: ['Coverage', 'How many handles move each place, virtual ones too'],
+  cells: ['Cells', 'The part nearest to each handle, virtual handles included'],
+  sites: ['Virtual handles', 'Points that move the picture between your handles'],
+  graph: ['Cell graph', 'The neighbours among all handles, virtual ones included'],
+  folds: ['Folds', 'Parts of the picture that have turned over'],
+  reach: ['Reach', 'How far each place follows a small move of the selected handles'],
+  coverage: ['Coverage', 'The number of handles that move each place, virtual ones included'],
 } as const satisfies Record<OverlayName, readonly [label: string, tip: string]>;
 
 export function overlayMenu(model: EditorModel, dispatch: Dispatch): TemplateResult {

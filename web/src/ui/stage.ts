@@ -12,7 +12,7 @@ import { handleMarks } from './handle_marks';
 import { cellOverlay, foldOverlay, siteOverlay } from './overlays';
 
 /** Keys without a control of their own. */
-const KEYS = 'Arrow keys move what is selected, comma and full stop turn it, with Alt they scale it.';
+const KEYS = 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.';
 
 export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvasElement): TemplateResult {
   const { playing } = model;

@@ -17,7 +17,7 @@ function wordsOf({ press, document }: EditorModel): Partial<Record<ToolName, str
   const lines = {
     bar: `Drag a bar, or ${press} its corners`,
     polygon: `Draw a polygon: ${press} its corners`,
-    lasso: `Draw around what bends: drag, or ${press} corners`,
+    lasso: `Draw around the part that bends: drag, or ${press} corners`,
   };
   if (document.project.handles.length > 0) return lines;
   return {

@@ -174,8 +174,7 @@ function exportPicture(state: EditorState, grow: boolean, emit: Emit): EditorSta
   return beginTask(state, { name: 'export', label: 'Exporting', cancellable: false }, emit);
 }
 
-const CUT =
-  'What reaches beyond the frame of the picture is cut off in the PNG, which has the size of the original.';
+const CUT = 'The PNG has the size of the original. The part beyond the frame is cut off in the PNG.';
 
 export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pasted' | 'export-ended'> = {
   'command-run': (state, { command, menu = null }, emit) => {
