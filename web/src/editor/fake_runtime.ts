@@ -10,11 +10,12 @@ import { add, subtract, type Vec } from '../geometry/vec';
 import type { Deformation, GroupWay, LimitedPose } from './deformation';
 import type { EditorEffect } from './effects';
 import type { EditorEvent } from './events';
+import { initialState } from './initial_state';
 import { initialOpening, nothingCarried } from './opening_state';
 import type { Media, PageAttributes } from './page';
 import type { Picture } from './picture';
 import type { Solution } from './solution';
-import { type EditorState, initialState } from './state';
+import type { EditorState } from './state';
 import { update } from './update';
 
 export const PAGE: PageAttributes = {

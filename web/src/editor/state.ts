@@ -5,13 +5,12 @@
  * The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
  */
 import type { Document } from '../document/document';
-import { newProject, openDocument } from '../document/document';
-import { type History, historyOf } from '../document/history';
+import type { History } from '../document/history';
 import type { Handle, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
-import { initialTools, type Tools } from '../tools/machine';
+import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
@@ -110,64 +109,6 @@ export interface PoseChecks {
   readonly beyond: boolean;
   /** The parts of handles outside the domain, as a key. */
   readonly outside: string;
-}
-
-const emptyDocument: Document = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
-
-export function initialState(page: PageAttributes, media: Media, opening: OpeningState): EditorState {
-  const stage = { width: 1, height: 1 };
-  return {
-    page,
-    media,
-    picture: null,
-    pixelated: false,
-    document: {
-      history: historyOf({ past: [], present: emptyDocument, future: [] }),
-      drawn: null,
-      travelled: null,
-      refused: [],
-      posedByPage: [],
-      touched: false,
-      reported: { selection: [], undo: null, redo: null },
-    },
-    tools: initialTools,
-    guard: { on: false, allowed: null, holding: false, reached: null },
-    opening,
-    solution: {
-      shown: null,
-      recent: [],
-      wanted: null,
-      stage: null,
-      failed: false,
-      ready: false,
-      borders: null,
-    },
-    stage,
-    view: { camera: { scale: 1, x: 0, y: 0 }, stage, fitted: true, besideSheet: false },
-    widened: false,
-    display: {
-      overlays: NO_OVERLAYS,
-      preview: null,
-      settings: false,
-      numbers: false,
-      box: null,
-      crosshair: null,
-    },
-    pointer: { coarse: media.coarse, hovered: null, last: null, onHandle: false, space: false },
-    focus: { on: 'nothing', handle: null, corner: null },
-    menu: null,
-    notices: { offer: null, error: null, passing: null, announcement: '', tasks: [] },
-    autosave: {
-      key: null,
-      restoring: false,
-      unread: false,
-      step: '',
-      untold: false,
-      overwritten: false,
-      failing: false,
-    },
-    checks: { pending: false, folds: 0, beyond: false, outside: '' },
-  };
 }
 
 export const documentOf = ({ document }: EditorState): Document => document.history.present;

@@ -1,0 +1,66 @@
+/** The state of an editor before its first event. */
+import { type Document, newProject, openDocument } from '../document/document';
+import { historyOf } from '../document/history';
+import { initialTools } from '../tools/machine';
+import type { OpeningState } from './opening_state';
+import { NO_OVERLAYS } from './overlays';
+import type { Media, PageAttributes } from './page';
+import type { EditorState } from './state';
+
+const emptyDocument: Document = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
+
+export function initialState(page: PageAttributes, media: Media, opening: OpeningState): EditorState {
+  const stage = { width: 1, height: 1 };
+  return {
+    page,
+    media,
+    picture: null,
+    pixelated: false,
+    document: {
+      history: historyOf({ past: [], present: emptyDocument, future: [] }),
+      drawn: null,
+      travelled: null,
+      refused: [],
+      posedByPage: [],
+      touched: false,
+      reported: { selection: [], undo: null, redo: null },
+    },
+    tools: initialTools,
+    guard: { on: false, allowed: null, holding: false, reached: null },
+    opening,
+    solution: {
+      shown: null,
+      recent: [],
+      wanted: null,
+      stage: null,
+      failed: false,
+      ready: false,
+      borders: null,
+    },
+    stage,
+    view: { camera: { scale: 1, x: 0, y: 0 }, stage, fitted: true, besideSheet: false },
+    widened: false,
+    display: {
+      overlays: NO_OVERLAYS,
+      preview: null,
+      settings: false,
+      numbers: false,
+      box: null,
+      crosshair: null,
+    },
+    pointer: { coarse: media.coarse, hovered: null, last: null, onHandle: false, space: false },
+    focus: { on: 'nothing', handle: null, corner: null },
+    menu: null,
+    notices: { offer: null, error: null, passing: null, announcement: '', tasks: [] },
+    autosave: {
+      key: null,
+      restoring: false,
+      unread: false,
+      step: '',
+      untold: false,
+      overwritten: false,
+      failing: false,
+    },
+    checks: { pending: false, folds: 0, beyond: false, outside: '' },
+  };
+}
