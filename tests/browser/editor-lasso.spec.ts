@@ -154,11 +154,11 @@ test('the lasso panel offers to hold the boundary', async ({ page }) => {
   await page.keyboard.press('l');
   // All handles lie inside.
   await draw(editor, [at(10, 10), at(1014, 10), at(1014, 1270), at(10, 1270)]);
-  await expect(page.getByText('Where it moves away, it leaves a gap.')).toBeVisible();
+  await expect(page.getByText('It leaves a gap where it moves away.')).toBeVisible();
   expect(await ids(editor)).toHaveLength(5);
   await editor.button('Hold its boundary').click();
   await expect(editor.switch('Hold the boundary')).toBeChecked();
-  await expect(page.getByText('Where it moves away, it leaves a gap.')).toBeHidden();
+  await expect(page.getByText('It leaves a gap where it moves away.')).toBeHidden();
 });
 
 test('a lasso begun with Alt cuts a hole; a separate one adds a part', async ({ page }) => {
