@@ -188,6 +188,7 @@ for (const [what, files] of [
       first.y,
       second.y,
     ]);
+    await expect.poll(async () => (await editor.storedWork()).step).toBe('Move right hand');
     await page.reload();
     await editor.ready();
     expect((await editor.shownPose('right hand')).y).toBe(second.y);
