@@ -5,57 +5,9 @@ import { decode, encode } from 'fast-png';
 import type { Handle } from '../../web/src/document/project';
 import type { C2Warp } from '../../web/src/element';
 import { bytes, Editor, meanDifference, SAME } from './editor';
+import { bring, disc, png, project } from './files';
 import { expect, test } from './fixtures';
 import { WorkerReplies } from './worker_replies';
-
-/** Returns a small picture: an opaque disc, or a transparent one. */
-function disc(size: number, radius = size * 0.4): Buffer {
-  const data = new Uint8Array(size * size * 4);
-  for (let pixel = 0; pixel < size * size; pixel++) {
-    const [x, y] = [(pixel % size) + 0.5 - size / 2, Math.floor(pixel / size) + 0.5 - size / 2];
-    data.set([200, 80, 40, Math.hypot(x, y) < radius ? 255 : 0], pixel * 4);
-  }
-  return Buffer.from(encode({ width: size, height: size, data, channels: 4 }));
-}
-
-const png = (name: string, buffer: Buffer) => ({ name, mimeType: 'image/png', buffer });
-
-const project = (value: unknown, name = 'other.c2warp.json') => ({
-  name,
-  mimeType: 'application/json',
-  buffer: Buffer.from(typeof value === 'string' ? value : JSON.stringify(value)),
-});
-
-/** Dispatches `event` on the editor with files, like a drop or a paste. */
-async function bring(
-  editor: Editor,
-  event: 'drop' | 'paste',
-  ...files: readonly ReturnType<typeof png>[]
-): Promise<void> {
-  await editor.page.locator('c2-warp').evaluate(
-    (element, { event, files }) => {
-      const transfer = new DataTransfer();
-      for (const { name, type, base64 } of files) {
-        const content = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-        transfer.items.add(new File([content], name, { type }));
-      }
-      const init = { bubbles: true, cancelable: true, composed: true };
-      element.dispatchEvent(
-        event === 'drop'
-          ? new DragEvent('drop', { ...init, dataTransfer: transfer })
-          : new ClipboardEvent('paste', { ...init, clipboardData: transfer }),
-      );
-    },
-    {
-      event,
-      files: files.map(({ name, mimeType: type, buffer }) => ({
-        name,
-        type,
-        base64: buffer.toString('base64'),
-      })),
-    },
-  );
-}
 
 test('a saved project opens exactly as it was', async ({ page }) => {
   const editor = await Editor.open(page);

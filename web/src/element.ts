@@ -64,9 +64,9 @@ import {
   posedHandle,
 } from './document/project';
 import type { PageNotification } from './editor/effects';
-import type { NamedFile } from './editor/events';
 import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
 import type { Media, PageAttributes } from './editor/page';
+import type { NamedFile } from './editor/picture';
 import { documentOf, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
 import type { HandlePose, NewHandle, WarpOptions } from './element/api';

@@ -1,8 +1,8 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
 import type { Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
-import type { EditorEvent, NamedFile } from './events';
-import type { Picture } from './picture';
+import type { EditorEvent } from './events';
+import type { NamedFile, Picture } from './picture';
 import type { Solution } from './solution';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
@@ -40,8 +40,8 @@ export type EditorEffect =
   | {
       readonly type: 'read';
       readonly id: number;
-      /** An address, which tells the name too, or a file. */
-      readonly picture: string | NamedFile | null;
+      /** An address, which tells the name too, or files: the first that is a picture is read. Empty for no picture. */
+      readonly pictures: readonly (string | NamedFile)[];
       readonly project: ProjectSource | null;
     }
   | { readonly type: 'abandon-read'; readonly id: number }

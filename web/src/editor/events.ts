@@ -17,7 +17,7 @@ import type { MenuState } from './menu_state';
 import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
 import type { OverlayName } from './overlays';
 import type { Media, PageAttributes } from './page';
-import type { Picture, SourceFile } from './picture';
+import type { NamedFile, Picture } from './picture';
 import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { TaskName } from './task';
@@ -31,12 +31,6 @@ export type Field = 'x' | 'y' | 'rotation' | 'scale' | 'depth';
 export type NumberChange =
   | { readonly to: number }
   | { readonly by: number; readonly least: number; readonly most: number };
-
-/** A file with its name, as it was chosen, dropped or pasted. */
-export interface NamedFile {
-  readonly name: string;
-  readonly file: SourceFile;
-}
 
 type PageEvent =
   | { readonly type: 'page-changed'; readonly page: PageAttributes }

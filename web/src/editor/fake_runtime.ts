@@ -13,7 +13,7 @@ import type { EditorEvent } from './events';
 import { initialState } from './initial_state';
 import { initialOpening, nothingCarried } from './opening_state';
 import type { Media, PageAttributes } from './page';
-import type { Picture } from './picture';
+import type { Picture, SourceFile } from './picture';
 import type { Solution } from './solution';
 import type { EditorState } from './state';
 import { update } from './update';
@@ -31,9 +31,18 @@ export const PAGE: PageAttributes = {
 
 export const MEDIA: Media = { dark: false, coarse: false, platform: 'Linux' };
 
+const files = new Map<string, SourceFile>();
+
+/** The one file of a name. */
+export function testFile(name: string): SourceFile {
+  const file = files.get(name) ?? { size: 1, type: 'image/png' };
+  files.set(name, file);
+  return file;
+}
+
 export const testPicture = (name = 'cat.png'): Picture => ({
   name,
-  file: { size: 1, type: 'image/png' },
+  file: testFile(name),
   width: 400,
   height: 300,
   alphaThreshold: null,

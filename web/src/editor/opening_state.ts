@@ -9,13 +9,13 @@
  * once the newer picture is open, so that work is never lost to a file that cannot be opened.
  */
 import type { Project, ProjectFile } from '../document/project';
-import type { Picture } from './picture';
+import type { NamedFile, Picture } from './picture';
 import type { Work, WorkSnapshot } from './work';
 
 /** Who asked for a picture, and so who is told of the result. */
 export type Purpose =
-  /** A person, by picker, drop or paste. `ignored` are names of further files. */
-  | { readonly by: 'person'; readonly ignored: readonly string[] }
+  /** A person, by picker, drop or paste. `received` are all files but the project: one of them is opened. */
+  | { readonly by: 'person'; readonly received: readonly NamedFile[] }
   /** A person goes back to parked work. */
   | { readonly by: 'back'; readonly work: WorkSnapshot }
   /** The page, by `load()`. `usesPageProject`: with the project that the page set before. */

@@ -10,6 +10,14 @@ export interface SourceFile {
   readonly type: string;
 }
 
+/** A file with its name, as it was chosen, dropped or pasted. */
+export interface NamedFile {
+  readonly name: string;
+  readonly file: SourceFile;
+  /** A dropped folder. */
+  readonly folder?: boolean;
+}
+
 export interface Picture extends Size {
   /** The file name that the project file refers to. */
   readonly name: string;
@@ -25,6 +33,13 @@ export interface Picture extends Size {
 
 export const fits = (picture: Size, project: Project): boolean =>
   picture.width === project.image.width && picture.height === project.image.height;
+
+/** Whether a project was made for this very picture: of its size, and of its name where the project has one. */
+export const belongs = (picture: Pick<Picture, 'name'> & Size, project: Project): boolean =>
+  fits(picture, project) && ['', picture.name].includes(fileNameOf(project.image.src));
+
+/** The last part of a path: project files may lie in another folder than their pictures. */
+const fileNameOf = (src: string): string => src.split(/[/\\]/).at(-1) ?? '';
 
 /** The error for a project that belongs to a picture of another size; null if the size fits. */
 export function misfit(picture: Picture, project: Project): WarpError | null {

@@ -1,5 +1,5 @@
 /** Files dropped on the element. */
-import type { NamedFile } from '../editor/events';
+import type { NamedFile } from '../editor/picture';
 
 export class DropTarget {
   readonly #listening = new AbortController();
@@ -28,10 +28,12 @@ export class DropTarget {
       'drop',
       (event) => {
         mark(false);
-        const files = event.dataTransfer?.files;
-        if (!accepts() || !files?.length) return;
+        const { dataTransfer } = event;
+        if (!accepts() || !dataTransfer?.files.length) return;
         event.preventDefault();
-        receive([...files].map((file) => ({ name: file.name, file })));
+        const folders = foldersIn(dataTransfer);
+        const files = [...dataTransfer.files];
+        receive(files.map((file, k) => ({ name: file.name, file, folder: folders[k] ?? false })));
       },
       { signal },
     );
@@ -41,3 +43,9 @@ export class DropTarget {
     this.#listening.abort();
   }
 }
+
+/** Which of the files, in their order, are folders: browsers list a folder like a file. */
+const foldersIn = ({ items }: DataTransfer): readonly boolean[] =>
+  [...items]
+    .filter(({ kind }) => kind === 'file')
+    .map((item) => item.webkitGetAsEntry()?.isDirectory ?? false);

@@ -5,13 +5,13 @@
 import type { Pixels } from '../compute/solution';
 import type { ProjectFile } from '../document/project';
 import type { EditorEffect, PageNotification } from '../editor/effects';
-import type { EditorEvent, NamedFile } from '../editor/events';
+import type { EditorEvent } from '../editor/events';
 import { isLassoing } from '../editor/hit_areas';
 import { initialState } from '../editor/initial_state';
 import { type Carried, initialOpening } from '../editor/opening_state';
 import type { Media, PageAttributes } from '../editor/page';
 import { mayReceive } from '../editor/permissions';
-import { misfit } from '../editor/picture';
+import { misfit, type NamedFile } from '../editor/picture';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { asError } from '../error';

@@ -42,7 +42,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     solver.usePicture(effect.picture && pictures.pixelsOf(effect.picture)),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
   'find-borders': (effect, { solver }) => solver.findBorders(effect.solution),
-  read: (effect, { files }) => files.read(effect.id, effect.picture, effect.project),
+  read: (effect, { files }) => files.read(effect.id, effect.pictures, effect.project),
   'abandon-read': (effect, { files }) => files.abandon(effect.id),
   'settle-load': (effect, resources) => resources.settleLoad(effect.reply, effect.error),
   'adopt-page-project': (effect, resources) => resources.adoptPageProject(effect),

@@ -3,7 +3,8 @@
 import type { Project } from '../document/project';
 import { projectText } from '../document/project_text';
 import type { ProjectSource } from '../editor/effects';
-import type { Dispatch, NamedFile } from '../editor/events';
+import type { Dispatch } from '../editor/events';
+import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
 import { encodePng } from '../io/encode';
@@ -25,15 +26,21 @@ export class Files {
   }
 
   /** Reads a picture, a project, or both. */
-  async read(id: number, source: string | NamedFile | null, given: ProjectSource | null): Promise<void> {
+  async read(
+    id: number,
+    sources: readonly (string | NamedFile)[],
+    given: ProjectSource | null,
+  ): Promise<void> {
     const controller = new AbortController();
     this.#reads.set(id, controller);
     const { signal } = controller;
     try {
-      const named = typeof source === 'string' ? await fetched(source, signal) : source;
+      const files = await Promise.all(
+        sources.map((source) => (typeof source === 'string' ? fetched(source, signal) : source)),
+      );
       const project = given && !signal.aborted ? await this.#project(given, signal) : null;
       if (signal.aborted) return;
-      const picture = named && (await this.#pictures.read(named.file, named.name));
+      const picture = files.length > 0 ? await this.#firstPicture(files, signal) : null;
       if (picture && signal.aborted) this.#pictures.drop(picture);
       if (signal.aborted) return;
       this.#dispatch({ type: 'read-ended', id, picture, project });
@@ -42,6 +49,20 @@ export class Files {
     } finally {
       this.#reads.delete(id);
     }
+  }
+
+  /** The first file that is a picture. @throws WarpError about the first file if none is. */
+  async #firstPicture(files: readonly NamedFile[], signal: AbortSignal): Promise<Picture> {
+    let refusal: unknown;
+    for (const { file, name } of files) {
+      signal.throwIfAborted();
+      try {
+        return await this.#pictures.read(file, name);
+      } catch (error) {
+        refusal ??= error;
+      }
+    }
+    throw refusal;
   }
 
   abandon(id: number): void {

@@ -32,7 +32,8 @@ export function notify(state: EditorState, given: Notice, emit: Emit): EditorSta
   const notice = joined(state.notices.passing, given);
   const cleared = withoutPassing(state, emit);
   const { kind, action, passes = !action } = notice;
-  if (!passes) return withNotices(cleared, { offer: notice });
+  // An older error would hide the offer.
+  if (!passes) return withNotices(cleared, { offer: notice, error: null });
   if (kind === 'error') return withNotices(cleared, { error: notice });
   startPassing(notice, emit);
   return withNotices(cleared, { passing: notice });

@@ -3,7 +3,8 @@ import { addHandle } from '../../document/edits';
 import type { Project } from '../../document/project';
 import { WarpError } from '../../error';
 import type { EditorEffect } from '../effects';
-import { FakeRuntime, PAGE, testPicture } from '../fake_runtime';
+import { FakeRuntime, PAGE, testFile, testPicture } from '../fake_runtime';
+import type { NamedFile } from '../picture';
 import { documentOf, projectOf } from '../state';
 import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
@@ -19,8 +20,11 @@ const opened = (): FakeRuntime => {
   runtime.open(cat);
   return runtime;
 };
-const drop = (runtime: FakeRuntime, name = 'dog.png') =>
-  runtime.dispatch({ type: 'files-received', files: [{ name, file: { size: 1, type: '' } }] });
+const file = (name: string, type = '') => ({ name, file: { size: 1, type } });
+const drop = (runtime: FakeRuntime, ...names: readonly string[]) => {
+  const files = (names.length > 0 ? names : ['dog.png']).map((name) => ({ name, file: testFile(name) }));
+  runtime.dispatch({ type: 'files-received', files });
+};
 const placeHandle = (runtime: FakeRuntime, id = 'a') => {
   const handle = { id, kind: 'point', rest: [50, 50], posed: [60, 50] } as const;
   runtime.dispatch({ type: 'handle-added', handle });
@@ -168,16 +172,133 @@ describe('a project file alone', () => {
     expect(projectOf(runtime.state).samples).toBe(2000);
   });
 
-  it('waits for its picture, and takes the next one of its size', () => {
+  const waiting = (src = 'poses/cat.png') => {
     const runtime = new FakeRuntime();
     drop(runtime, 'pose.json');
-    const image = { src: 'cat.png', width: 400, height: 300 };
+    const image = { src, width: 400, height: 300 };
     runtime.read(null, { ...projectOf(runtime.state), image, samples: 2000 });
-    expect(shownNotice(runtime.state)?.text).toContain('pose.json belongs to the picture cat.png');
-    drop(runtime, 'cat.png');
+    return runtime;
+  };
+  const opens = (runtime: FakeRuntime, name: string, project: Project | null = null) => {
+    drop(runtime, ...(project ? [name, 'other.json'] : [name]));
+    runtime.read(testPicture(name), project);
+    runtime.solve();
+  };
+  const asks = ({ state }: FakeRuntime) => shownNotice(state)?.action?.label === 'Open picture';
+  const other = { ...projectOf(opened().state), samples: 3000 };
+
+  it('waits for its picture, and goes with it', () => {
+    const runtime = waiting();
+    expect(shownNotice(runtime.state)?.text).toContain('pose.json belongs to the picture poses/cat.png');
+    opens(runtime, 'cat.png');
+    expect(projectOf(runtime.state).samples).toBe(2000);
+    expect(asks(runtime)).toBe(false);
+  });
+
+  it('goes with any picture of its size if it names none', () => {
+    const runtime = waiting('');
+    opens(runtime, 'dog.png');
+    expect(projectOf(runtime.state).samples).toBe(2000);
+  });
+
+  it('does not go with another picture of the same size, and waits on', () => {
+    const runtime = waiting();
+    opens(runtime, 'dog.png');
+    expect(projectOf(runtime.state).samples).not.toBe(2000);
+    expect(asks(runtime)).toBe(true);
+    opens(runtime, 'cat.png');
+    expect(projectOf(runtime.state).samples).toBe(2000);
+  });
+
+  it('does not go with a picture of the page', () => {
+    const runtime = waiting();
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'cat.png', project: null });
     runtime.read(cat);
     runtime.solve();
+    expect(projectOf(runtime.state).samples).not.toBe(2000);
+    expect(asks(runtime)).toBe(true);
+  });
+
+  it('waits no more once a project comes with its picture', () => {
+    const runtime = waiting();
+    opens(runtime, 'cat.png', other);
+    expect(projectOf(runtime.state).samples).toBe(3000);
+    expect(asks(runtime)).toBe(false);
+    opens(runtime, 'cat.png');
+    expect(projectOf(runtime.state).samples).toBe(10000);
+  });
+
+  it('waits on when the project that came with its picture is refused', () => {
+    const runtime = waiting();
+    drop(runtime, 'cat.png', 'other.json');
+    runtime.read(cat, withHandle(other));
+    runtime.refuse(refusal);
+    opens(runtime, 'cat.png');
     expect(projectOf(runtime.state).samples).toBe(2000);
+  });
+
+  it('waits no more once another is adopted', () => {
+    const runtime = opened();
+    drop(runtime, 'pose.json');
+    const image = { src: 'fox.png', width: 9, height: 9 };
+    runtime.read(null, { ...projectOf(runtime.state), image });
+    expect(asks(runtime)).toBe(true);
+    drop(runtime, 'other.json');
+    runtime.read(null, other);
+    runtime.solve();
+    expect(projectOf(runtime.state).samples).toBe(3000);
+    opens(runtime, 'dog.png');
+    expect(asks(runtime)).toBe(false);
+  });
+
+  it('asks for its picture although an older error is shown', () => {
+    const runtime = opened();
+    drop(runtime, 'other.json');
+    runtime.failRead(new WarpError('project', 'other.json: format: missing'));
+    expect(shownNotice(runtime.state)?.kind).toBe('error');
+    drop(runtime, 'pose.json');
+    runtime.read(null, { ...other, image: { src: 'fox.png', width: 9, height: 9 } });
+    expect(asks(runtime)).toBe(true);
+    runtime.dispatch({ type: 'notice-dismissed' });
+    expect(shownNotice(runtime.state)).toBeNull();
+  });
+});
+
+describe('several files', () => {
+  const receive = (...files: readonly NamedFile[]) => {
+    const runtime = new FakeRuntime();
+    runtime.dispatch({ type: 'files-received', files });
+    return runtime;
+  };
+  const candidates = (runtime: FakeRuntime) =>
+    effects(runtime, 'read').flatMap(({ pictures }) => pictures.map((each) => (each as NamedFile).name));
+  const folder = { ...file('holiday'), folder: true };
+  const note = file('note.txt', 'text/plain');
+  const hidden = file('.hidden');
+  const picture = { name: 'cat.png', file: testFile('cat.png') };
+
+  it('try those that may be pictures, in their order', () => {
+    const runtime = receive(note, hidden, folder, file('dog.png', 'image/png'), picture);
+    expect(candidates(runtime)).toEqual(['.hidden', 'dog.png', 'cat.png']);
+  });
+
+  it('are named except for the one that opens', () => {
+    const runtime = receive(note, folder, hidden, picture);
+    runtime.read(cat);
+    runtime.solve();
+    expect(runtime.state.picture).toBe(cat);
+    expect(shownNotice(runtime.state)?.text).toContain('note.txt and 2 more were not opened');
+  });
+
+  it('open a project beside them, but no folder with the name of one', () => {
+    const runtime = receive({ ...file('old.json'), folder: true }, file('pose.json'), picture);
+    expect(effects(runtime, 'read')).toMatchObject([{ project: { named: { name: 'pose.json' } } }]);
+    expect(candidates(runtime)).toEqual(['cat.png']);
+  });
+
+  it('of which none may be a picture are refused by the first', () => {
+    expect(candidates(receive(note, file('film.mp4', 'video/mp4')))).toEqual(['note.txt']);
+    expect(candidates(receive(folder))).toEqual(['holiday']);
   });
 });
 

@@ -4,6 +4,7 @@ import type { Emit } from '../effects';
 import { notOpenedText } from '../notice_texts';
 import type { OpenOutcome, OpenRequest, Purpose, Restoring } from '../opening_state';
 import { attributesPending } from '../opening_state';
+import type { NamedFile } from '../picture';
 import { documentOf, type EditorState } from '../state';
 import { isWorkedOn } from '../work';
 import { saveWork, stepKey, withAutosave } from './autosave';
@@ -22,7 +23,9 @@ function endRequest(
 ): EditorState {
   switch (purpose.by) {
     case 'person':
-      return outcome === 'opened' ? filesOpened(state, purpose.ignored, emit) : failed(state, outcome, emit);
+      return outcome === 'opened'
+        ? filesOpened(state, unopened(state, purpose.received), emit)
+        : failed(state, outcome, emit);
     case 'back':
       return outcome === 'opened' ? filesOpened(state, [], emit) : failed(state, outcome, emit);
     case 'load':
@@ -68,6 +71,10 @@ const isOfProject = (outcome: OpenOutcome): boolean =>
   !isAbort(outcome) &&
   !isEngineFailure(outcome) &&
   !['address', 'file', 'picture'].includes(codeOf(outcome));
+
+/** The names of received files other than the open picture. */
+const unopened = ({ picture }: EditorState, received: readonly NamedFile[]): readonly string[] =>
+  received.filter(({ file }) => file !== picture?.file).map(({ name }) => name);
 
 /** Names ignored files. Chooses the point tool for a picture without handles, and the other way round. */
 function filesOpened(before: EditorState, ignored: readonly string[], emit: Emit): EditorState {

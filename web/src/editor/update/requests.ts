@@ -1,8 +1,8 @@
 /** Requests to open something: by files, by the page, by the attributes, and by earlier work. */
 import type { ProjectFile } from '../../document/project';
 import type { Emit, ProjectSource } from '../effects';
-import type { NamedFile } from '../events';
 import type { OpeningState, Purpose, Restoring } from '../opening_state';
+import type { NamedFile } from '../picture';
 import type { EditorState } from '../state';
 import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
@@ -15,7 +15,7 @@ export const withOpening = (state: EditorState, change: Partial<OpeningState>): 
 });
 
 interface Read {
-  readonly picture: string | NamedFile;
+  readonly pictures: readonly (string | NamedFile)[];
   readonly project?: ProjectSource | null;
   readonly work?: WorkSnapshot;
 }
@@ -27,7 +27,7 @@ export function requestPicture(state: EditorState, purpose: Purpose, read: Read,
     emit({ type: 'abandon-read', id: reading.id });
     emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
   }
-  emit({ type: 'read', id, picture: read.picture, project: read.project ?? null });
+  emit({ type: 'read', id, pictures: read.pictures, project: read.project ?? null });
   const request = { id, purpose, work: read.work ?? null };
   return withOpening(state, { reading: request, nextId: id + 1, overtaken: true });
 }
@@ -37,7 +37,7 @@ export function requestAttributes(state: EditorState, src: string, emit: Emit): 
   const { pageProject, revision, overtaken } = state.opening;
   const { projectSource } = state.page;
   const project = pageProject ? { object: pageProject } : projectSource ? { address: projectSource } : null;
-  const requested = requestPicture(state, { by: 'attributes', revision }, { picture: src, project }, emit);
+  const requested = requestPicture(state, { by: 'attributes', revision }, { pictures: [src], project }, emit);
   return state.opening.startup.phase === 'done' ? requested : withOpening(requested, { overtaken });
 }
 
@@ -49,28 +49,36 @@ export function restore(
   emit: Emit,
 ): EditorState {
   const id = state.opening.nextId;
-  emit({ type: 'read', id, picture: { name: work.name, file: work.file }, project: null });
+  emit({ type: 'read', id, pictures: [{ name: work.name, file: work.file }], project: null });
   const restoring: Restoring = { id, work, from, phase: 'reading' };
   const guard = { ...state.guard, on: work.guarded, holding: false };
   return withOpening({ ...state, guard }, { restoring, nextId: id + 1 });
 }
 
+const isProject = ({ name, file }: NamedFile): boolean =>
+  /\.json$/i.test(name) || file.type === 'application/json';
+
+/** The files to be tried as a picture. If nothing may be one, the first says in its refusal why. */
+function pictureCandidates(files: readonly NamedFile[]): readonly NamedFile[] {
+  // Files of unknown types, such as hidden ones, may be pictures too.
+  const possible = files.filter(({ file, folder }) => !folder && /^(image\/.*)?$/.test(file.type));
+  const candidates = possible.length > 0 ? possible : files.slice(0, 1);
+  return candidates.map((candidate) => ({ ...candidate, name: candidate.name || 'pasted.png' }));
+}
+
 function receiveFiles(state: EditorState, files: readonly NamedFile[], emit: Emit): EditorState {
-  const isProject = ({ name, file }: NamedFile) => /\.json$/i.test(name) || file.type === 'application/json';
-  // A file that is not JSON counts as a picture.
-  const picture = files.find((file) => !isProject(file));
-  const project = files.find(isProject);
-  const ignored = files.filter((file) => file !== picture && file !== project).map(({ name }) => name);
-  if (picture) {
-    const named = { file: picture.file, name: picture.name || 'pasted.png' };
+  const project = files.find((file) => isProject(file) && (!file.folder || files.length === 1));
+  const received = files.filter((file) => file !== project);
+  const pictures = pictureCandidates(received.filter((file) => !isProject(file)));
+  if (pictures.length > 0) {
     const source = project ? { named: project } : null;
-    return requestPicture(state, { by: 'person', ignored }, { picture: named, project: source }, emit);
+    return requestPicture(state, { by: 'person', received }, { pictures, project: source }, emit);
   }
   if (!project) return state;
   // A project alone does not supersede a picture that is being opened.
   const id = state.opening.nextId;
-  emit({ type: 'read', id, picture: null, project: { named: project } });
-  const read = { id, name: project.name, ignored };
+  emit({ type: 'read', id, pictures: [], project: { named: project } });
+  const read = { id, name: project.name, ignored: received.map(({ name }) => name) };
   return withOpening(state, { nextId: id + 1, readingProjects: [...state.opening.readingProjects, read] });
 }
 
@@ -85,7 +93,7 @@ function retry(state: EditorState, emit: Emit): EditorState {
     return requestPicture(
       state,
       { by: 'retry' },
-      { picture: { name: work.name, file: work.file }, work },
+      { pictures: [{ name: work.name, file: work.file }], work },
       emit,
     );
   }
@@ -109,7 +117,7 @@ export const requestHandlers: Handlers<
     return requestPicture(
       state,
       purpose,
-      { picture: source, project: projectSource(project ?? pageProject) },
+      { pictures: [source], project: projectSource(project ?? pageProject) },
       emit,
     );
   },
@@ -122,7 +130,7 @@ export const requestHandlers: Handlers<
     requestPicture(
       state,
       { by: 'back', work },
-      { picture: { name: work.name, file: work.file }, work },
+      { pictures: [{ name: work.name, file: work.file }], work },
       emit,
     ),
   'picture-asked': (state, _, emit) => {

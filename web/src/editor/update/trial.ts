@@ -4,7 +4,7 @@ import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
 import { inEditorWords } from '../error_texts';
 import type { Trial } from '../opening_state';
-import { fits, misfit, type Picture } from '../picture';
+import { belongs, fits, misfit, type Picture } from '../picture';
 import { type EditorState, projectOf } from '../state';
 import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
@@ -20,7 +20,9 @@ function tryRequested(before: EditorState, picture: Picture, given: Project | nu
   const { reading: request, awaiting } = before.opening;
   if (!request) return before;
   let state = withOpening(before, { reading: null });
-  const awaited = awaiting && fits(picture, awaiting.project) ? awaiting.project : null;
+  // A picture of the page is never one that a person was asked for.
+  const isAwaited = awaiting && request.purpose.by === 'person' && belongs(picture, awaiting.project);
+  const awaited = isAwaited ? awaiting.project : null;
   const project = request.work ? null : (given ?? awaited);
   const error = project && misfit(picture, project);
   if (error) {
@@ -84,7 +86,10 @@ function suspendRestoring(state: EditorState, emit: Emit): EditorState {
 /** Ends the trial of a picture that is solved. */
 export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): EditorState {
   const { restoring } = before.opening;
-  let state = withOpening(before, { trial: null, restoring: null, parked: trial.parked });
+  // A person who brings another project together with its picture no longer waits.
+  const waits = !(trial.withProject && trial.request?.purpose.by === 'person');
+  const awaiting = waits ? before.opening.awaiting : null;
+  let state = withOpening(before, { trial: null, restoring: null, parked: trial.parked, awaiting });
   state = offerNext(saveOpened(applyPageSettings(state, trial.withProject, emit), emit), emit);
   emit({ type: 'prepare-export' });
   if (trial.request) {
@@ -160,7 +165,7 @@ function askForPicture(state: EditorState, emit: Emit): EditorState {
 /** Applies a project file without a picture to the open picture if the size fits. Otherwise asks for its picture. */
 function openProject(state: EditorState, name: string, project: Project, emit: Emit): EditorState {
   if (state.picture && fits(state.picture, project)) {
-    return step(state, `Open ${name}`, openDocument(project), emit);
+    return step(withOpening(state, { awaiting: null }), `Open ${name}`, openDocument(project), emit);
   }
   return askForPicture(withOpening(state, { awaiting: { name, project } }), emit);
 }
