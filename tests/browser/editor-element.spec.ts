@@ -1,8 +1,8 @@
 /** `<c2-warp>` on other pages: attributes, methods, events, and the release of resources. */
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
-import { Editor, meanDifference } from './editor';
+import { Editor, meanDifference, type Position } from './editor';
 import { expect, test } from './fixtures';
 import { WorkerReplies } from './worker_replies';
 
@@ -765,3 +765,63 @@ test('the open work stays if the solver dies on another picture', async ({ page 
   await editor.button('Undo: move left hand').click();
   await expect.poll(() => editor.shownPose('left hand')).toMatchObject({ x: 124, y: 516 });
 });
+
+const TRANSFORMS = {
+  'turned by 4°': { transform: 'rotate(-4deg)' },
+  'turned by 20°': { transform: 'rotate(20deg)' },
+  mirrored: { transform: 'scale(-1, 1)' },
+  'seen in perspective': { transform: 'perspective(900px) rotateY(25deg) rotateX(10deg)' },
+  'scaled and zoomed': { transform: 'scale(0.8, 0.6)', zoom: '1.25' },
+};
+
+/** Returns the exact centre of a handle: its bounding box has another one in perspective. */
+const trueCentre = (handle: Locator): Promise<Position> =>
+  handle.evaluate((button) => {
+    const mark = document.createElement('i');
+    Object.assign(mark.style, { position: 'absolute', left: '50%', top: '50%' });
+    button.append(mark);
+    const { x, y } = mark.getBoundingClientRect();
+    mark.remove();
+    return { x, y };
+  });
+
+for (const [name, style] of Object.entries(TRANSFORMS)) {
+  test(`handles are dragged where they are seen in an element that is ${name}`, async ({ page }) => {
+    await page.setViewportSize({ width: 1200, height: 900 });
+    const editor = await Editor.open(page);
+    const warp = page.locator('c2-warp');
+    await warp.evaluate((element, style) => {
+      const size = {
+        position: 'absolute',
+        inset: '60px auto auto 60px',
+        width: '901.5px',
+        height: '640.25px',
+      };
+      Object.assign((element as C2Warp).style, size, style);
+    }, style);
+    await editor.settled(() => editor.position('head'));
+    for (const handle of ['head', 'left hand', 'right hand', 'left foot', 'right foot']) {
+      const at = await trueCentre(editor.handle(handle));
+      const { x, y } = await editor.shownPose(handle);
+      const { client, back } = await warp.evaluate(
+        (element, { at, image }) => {
+          const warp = element as C2Warp;
+          const client = warp.imageToClient(image);
+          const there = warp.clientToImage([at.x, at.y]);
+          return { client, back: there && warp.imageToClient(there) };
+        },
+        { at, image: [x, y] as const },
+      );
+      for (const [u = 0, v = 0] of [client ?? [], back ?? []])
+        expect(Math.hypot(u - at.x, v - at.y)).toBeLessThan(0.5);
+      const goal = { x: at.x + 13, y: at.y - 12 };
+      await editor.drag(at, { x: 13, y: -12 });
+      await expect
+        .poll(async () => {
+          const now = await trueCentre(editor.handle(handle));
+          return Math.hypot(now.x - goal.x, now.y - goal.y);
+        })
+        .toBeLessThan(0.5);
+    }
+  });
+}

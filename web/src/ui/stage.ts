@@ -3,6 +3,7 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { crosshair, selectionBox } from './aims';
+import { cornerMarks } from './client';
 import { cssCursor } from './cursor';
 import { domainMarks } from './domain';
 import { draftMarks } from './drawing';
@@ -26,7 +27,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
     aria-description=${model.picture && handled && !model.readonly ? KEYS : nothing}
     .style=${`cursor: ${cssCursor(model.cursor)}`}
   >
-    ${canvas}
+    ${canvas} ${cornerMarks()}
     <svg class="marks" aria-hidden="true">
       ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
       ${crosshair(model)}

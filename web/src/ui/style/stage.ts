@@ -33,6 +33,20 @@ export const stageStyle = css`
     height: 100%;
     pointer-events: none;
   }
+  .corner-mark {
+    position: absolute;
+    inset: 0 auto auto 0;
+    pointer-events: none;
+  }
+  .corner-mark:nth-of-type(2) {
+    inset: 0 0 auto auto;
+  }
+  .corner-mark:nth-of-type(3) {
+    inset: auto 0 0 auto;
+  }
+  .corner-mark:nth-of-type(4) {
+    inset: auto auto 0 0;
+  }
   .stage.previewing :is(.marks, .handles) {
     opacity: 0;
   }
