@@ -227,3 +227,95 @@ for (const width of [320, 390]) {
     expect(Math.min(...widths)).toBeGreaterThan(24);
   });
 }
+
+/** Sends an event of a pen. */
+const pen = (session: CDPSession, type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', at: Position) =>
+  session.send('Input.dispatchMouseEvent', {
+    type,
+    ...at,
+    pointerType: 'pen',
+    button: 'left',
+    buttons: type === 'mouseReleased' ? 0 : 1,
+    clickCount: 1,
+  });
+
+/** Puts palms on the screen, or lifts them all. */
+const palms = (session: CDPSession, ...places: readonly Position[]) =>
+  session.send('Input.dispatchTouchEvent', {
+    type: places.length > 0 ? 'touchStart' : 'touchEnd',
+    touchPoints: places.map((at, id) => ({ ...at, id })),
+  });
+
+/** Waits until the right hand is at a place. */
+const expectHand = (editor: Editor, { x, y }: Position) =>
+  expect
+    .poll(async () => {
+      const now = await editor.position('right hand');
+      return Math.hypot(now.x - x, now.y - y);
+    })
+    .toBeLessThan(0.1);
+
+test('palms that come during the drag of a pen do not disturb it', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const session = await fingers(page);
+  const [hand, zoom] = [await editor.position('right hand'), await editor.zoom()];
+  const palm = beside(hand, -80, 150);
+  await pen(session, 'mousePressed', hand);
+  await pen(session, 'mouseMoved', beside(hand, -5, -20));
+  await palms(session, palm);
+  await pen(session, 'mouseMoved', beside(hand, -10, -40));
+  await palms(session, palm, beside(palm, 60, 20));
+  await pen(session, 'mouseMoved', beside(hand, -20, -60));
+  await pen(session, 'mouseReleased', beside(hand, -20, -60));
+  await palms(session);
+  await expectHand(editor, beside(hand, -20, -60));
+  expect(await editor.zoom()).toBe(zoom);
+  await expect(editor.button('Undo: move right hand')).toBeEnabled();
+});
+
+test('a pen works while a palm rests, and the palm edits nothing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const session = await fingers(page);
+  const hand = await editor.position('right hand');
+  await editor.button('Add a point handle').tap();
+  const belly = beside(await editor.position('head'), 0, 140);
+  await palms(session, belly);
+  await expect(editor.handles).toHaveCount(6);
+  await pen(session, 'mousePressed', hand);
+  await expect(editor.handles).toHaveCount(5);
+  await pen(session, 'mouseMoved', beside(hand, -5, -20));
+  await pen(session, 'mouseMoved', beside(hand, -20, -60));
+  await pen(session, 'mouseReleased', beside(hand, -20, -60));
+  await palms(session);
+  await expectHand(editor, beside(hand, -20, -60));
+  await expect(editor.handles).toHaveCount(5);
+});
+
+test('a palm that has brought up the menu gives way to a pen', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const session = await fingers(page);
+  const [hand, head] = [await editor.position('right hand'), await editor.position('head')];
+  await palms(session, head);
+  await expect(page.getByRole('menu')).toBeVisible();
+  await pen(session, 'mousePressed', hand);
+  await expect(page.getByRole('menu')).toBeHidden();
+  await pen(session, 'mouseMoved', beside(hand, -20, -60));
+  await pen(session, 'mouseReleased', beside(hand, -20, -60));
+  await palms(session);
+  await expectHand(editor, beside(hand, -20, -60));
+});
+
+test('two fingers navigate again once the pen has left', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const session = await fingers(page);
+  const [hand, zoom] = [await editor.position('right hand'), await editor.zoom()];
+  await pen(session, 'mousePressed', hand);
+  await pen(session, 'mouseReleased', hand);
+  await session.send('Input.dispatchMouseEvent', { type: 'mouseMoved', x: 30, y: 20, pointerType: 'pen' });
+  const second = beside(hand, -120, 40);
+  await touch(session, [
+    [hand, second],
+    [beside(hand, 20, -40), beside(second, -40, 60)],
+  ]);
+  await expect.poll(() => editor.zoom()).toBeGreaterThan(zoom * 1.2);
+});

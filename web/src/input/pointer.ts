@@ -5,6 +5,8 @@
  * cancels the press of the first: two fingers never edit. A right click, or a finger that stays, asks for the menu. If
  * that finger then moves, its press goes on.
  *
+ * While a pen is near, touches are those of the hand that holds it, and count for nothing.
+ *
  * With the owner `page`, the page keeps all gestures that hold no handle: it scrolls, zooms, and shows its own menu.
  * Places are CSS pixels of the stage, at any scale of the page.
  */
@@ -13,19 +15,12 @@ import type { EditorAccess } from '../editor/access';
 import { holdsAt } from '../editor/hit_areas';
 import type { StagePointer } from '../editor/stage_pointer';
 import { opensMenu } from '../editor/update/menu';
-import { type Camera, panned, pinched, scaledAt } from '../geometry/camera';
+import { type Camera, panned, pinched } from '../geometry/camera';
 import { distance, subtract, type Vec } from '../geometry/vec';
 import { clientToStage } from '../ui/client';
+import { type Click, isDoubleClick } from './double_click';
+import { wheeled } from './wheel';
 
-/** Zoom per wheel pixel; a notch of a mouse wheel (100 to 120 px) zooms by about a fifth. */
-const WHEEL_ZOOM = 0.0018;
-/** Zoom per pixel of a touchpad pinch, which arrives as wheel events with Ctrl and small deltas. */
-const PINCH_ZOOM = 0.01;
-/** Pixels per line of a wheel that counts lines; three lines are a notch. */
-const LINE_PX = 36;
-
-/** Two presses within this time and distance are a double click. CSS pixels, for a mouse and for a finger. */
-const TWICE = { ms: 500, fine: 4, coarse: 24 } as const;
 /** A press that moves farther than this is a drag, here as in the tools. CSS pixels. */
 const SLIP = { fine: 3, coarse: 8 } as const;
 
@@ -35,17 +30,10 @@ const HOLD_MS = 500;
 /** Who receives the gestures that hold nothing. */
 export type Owner = 'editor' | 'page';
 
-const kindOf = ({ coarse }: StagePointer): 'coarse' | 'fine' => (coarse ? 'coarse' : 'fine');
-
 /** Once the browser has begun to scroll, its touch events cannot be cancelled. */
 const prevent = (event: Event): void => {
   if (event.cancelable) event.preventDefault();
 };
-
-interface Click {
-  readonly place: Vec;
-  readonly time: number;
-}
 
 export class PointerInput {
   readonly #stage: HTMLElement;
@@ -63,6 +51,8 @@ export class PointerInput {
   #beside: Vec | null = null;
   #clicked: Click | null = null;
   #navigating = false;
+  /** Whether a pen is on the stage, or hovers over it. */
+  #penIsNear = false;
   #holding: ReturnType<typeof setTimeout> | undefined;
   /** The press that has brought up the menu, as it began, until it moves or ends. */
   #stayed: { readonly id: number; readonly pointer: StagePointer } | null = null;
@@ -78,13 +68,8 @@ export class PointerInput {
     stage.addEventListener('pointermove', (event) => this.#move(event), { signal });
     stage.addEventListener('pointerup', (event) => this.#up(event), { signal });
     stage.addEventListener('pointercancel', (event) => this.#cancel(event), { signal });
-    stage.addEventListener(
-      'pointerleave',
-      () => editor.dispatch({ type: 'pointer-hovered', pointer: null }),
-      {
-        signal,
-      },
-    );
+    stage.addEventListener('pointerenter', (event) => this.#enter(event), { signal });
+    stage.addEventListener('pointerleave', (event) => this.#exit(event), { signal });
     stage.addEventListener('contextmenu', (event) => this.#menu(event), { signal });
     if (owner === 'page') {
       stage.addEventListener('touchstart', (event) => this.#keep(event), { signal, passive: false });
@@ -100,11 +85,26 @@ export class PointerInput {
     this.#listening.abort();
   }
 
+  #enter({ pointerType }: PointerEvent): void {
+    if (pointerType === 'pen') this.#penIsNear = true;
+  }
+
+  #exit({ pointerType }: PointerEvent): void {
+    if (pointerType === 'pen') this.#penIsNear = false;
+    this.#editor.dispatch({ type: 'pointer-hovered', pointer: null });
+  }
+
   #down(event: PointerEvent): void {
+    if (event.pointerType === 'touch' && this.#penIsNear) {
+      event.preventDefault();
+      return;
+    }
     clearTimeout(this.#holding);
+    const palmStayed = this.#stayed?.pointer.coarse === true;
     this.#stayed = null;
-    // One that was prevented has closed a menu.
-    if (event.defaultPrevented) return;
+    if (event.pointerType === 'pen') this.#takePen();
+    // One that was prevented has closed a menu. A pen goes on if its palm has brought that up.
+    if (event.defaultPrevented && !(event.pointerType === 'pen' && palmStayed)) return;
     // The focus stays where it was while the menu is open.
     if (event.button === 2 && this.#owner === 'editor') event.preventDefault();
     if (event.button > 1) return;
@@ -134,6 +134,18 @@ export class PointerInput {
       this.#holding = setTimeout(() => this.#stay(event.pointerId, pointer), HOLD_MS);
   }
 
+  /** Forgets the touches before a pen: those of its palm. They end without an effect. */
+  #takePen(): void {
+    this.#penIsNear = true;
+    if (this.#pressing !== null && this.#fingers.has(this.#pressing)) {
+      this.#editor.dispatch({ type: 'press-cancelled' });
+      this.#pressing = null;
+    }
+    this.#fingers.clear();
+    this.#beside = null;
+    this.#navigating = false;
+  }
+
   #stay(id: number, pointer: StagePointer): void {
     if (this.#openMenu(pointer, true)) this.#stayed = { id, pointer };
   }
@@ -148,16 +160,17 @@ export class PointerInput {
   }
 
   #slips(begun: Vec, pointer: StagePointer): boolean {
-    return distance(begun, pointer.stage) > SLIP[kindOf(pointer)];
+    return distance(begun, pointer.stage) > (pointer.coarse ? SLIP.coarse : SLIP.fine);
   }
 
   #move(event: PointerEvent): void {
     const pointer = this.#pointer(event);
-    if (this.#begun && this.#slips(this.#begun, pointer)) clearTimeout(this.#holding);
+    const isPress = () => event.pointerId === this.#pressing;
+    if (isPress() && this.#begun && this.#slips(this.#begun, pointer)) clearTimeout(this.#holding);
     this.#goOn(event, pointer);
     if (this.#navigating && this.#fingers.has(event.pointerId)) {
       this.#navigate(event);
-    } else if (event.pointerId === this.#pressing) {
+    } else if (isPress()) {
       // The release was missed, or came while another button was held.
       if (event.pointerType === 'mouse' && !(event.buttons & this.#button)) this.#up(event);
       else this.#editor.dispatch({ type: 'press-moved', pointer });
@@ -180,13 +193,11 @@ export class PointerInput {
 
   /** Whether a press that ends now makes a double click with the one before; of three presses, only the second does. */
   #isSecond(pointer: StagePointer, time: number): boolean {
-    const { stage } = pointer;
-    const [begun, before, kind] = [this.#begun, this.#clicked, kindOf(pointer)] as const;
-    const isNear = before !== null && distance(before.place, stage) <= TWICE[kind];
-    const second = isNear && time - before.time <= TWICE.ms;
-    const isClick = begun !== null && !this.#slips(begun, pointer);
-    this.#clicked = isClick && !second ? { place: stage, time } : null;
-    return isClick && second;
+    const isClick = this.#begun !== null && !this.#slips(this.#begun, pointer);
+    const click = { place: pointer.stage, time };
+    const second = isClick && isDoubleClick(this.#clicked, click, pointer.coarse);
+    this.#clicked = isClick && !second ? click : null;
+    return second;
   }
 
   /** Whether the page receives a press: with the owner `page`, by other buttons or fingers, or beside handles. */
@@ -238,7 +249,7 @@ export class PointerInput {
   }
 
   #lift(event: PointerEvent): void {
-    clearTimeout(this.#holding);
+    if (event.pointerId === this.#pressing) clearTimeout(this.#holding);
     if (this.#stayed?.id === event.pointerId) this.#stayed = null;
     this.#fingers.delete(event.pointerId);
     if (this.#fingers.size === 0) this.#navigating = false;
@@ -257,23 +268,10 @@ export class PointerInput {
 
   #wheel(event: WheelEvent): void {
     event.preventDefault();
-    this.#roll(event);
+    this.#look(wheeled(this.#editor.state.view.camera, event, this.#place(event)));
     // Keeps a dragged handle under the pointer.
     if (this.#pressing !== null)
       this.#editor.dispatch({ type: 'press-moved', pointer: this.#pointer(event) });
-  }
-
-  #roll(event: WheelEvent): void {
-    const { camera } = this.#editor.state.view;
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
-    const unit = lines ? LINE_PX : 1;
-    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
-    if (event.ctrlKey || event.metaKey) {
-      const rate = !lines && Math.abs(dy) < 50 ? PINCH_ZOOM : WHEEL_ZOOM;
-      this.#look(scaledAt(camera, camera.scale * Math.exp(-dy * rate), this.#place(event)));
-    } else {
-      this.#look(panned(camera, event.shiftKey && dx === 0 ? [-dy, 0] : [-dx, -dy]));
-    }
   }
 
   #press(pointer: StagePointer, pans: boolean): void {
