@@ -825,3 +825,21 @@ for (const [name, style] of Object.entries(TRANSFORMS)) {
     }
   });
 }
+
+test('a lost graphics context is told of until it is restored, and loses nothing', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const hand = await editor.position('right hand');
+  const goal = { x: hand.x, y: hand.y - 70 };
+  const lose = await page.locator('c2-warp').evaluateHandle((element) => {
+    const canvas = element.shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+    return canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+  });
+  await lose.evaluate((context) => context?.loseContext());
+  await expect(editor.notice).toContainText('The graphics card is gone');
+  await editor.dragHandle('right hand', { x: 0, y: -70 });
+  await expect.poll(async () => (await editor.position('right hand')).y).toBeLessThan(goal.y + 1);
+  const before = await editor.screenshot(goal);
+  await lose.evaluate((context) => context?.restoreContext());
+  await expect(editor.notice).toBeHidden();
+  await expect.poll(async () => meanDifference(before, await editor.screenshot(goal))).toBeGreaterThan(10);
+});

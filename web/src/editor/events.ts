@@ -170,6 +170,9 @@ type SolverEvent =
   | { readonly type: 'solve-refused'; readonly key: string; readonly error: Error; readonly failed: boolean }
   | { readonly type: 'borders-found'; readonly solution: Solution; readonly borders: CellBorders };
 
+/** The graphics context of the canvas: without one nothing can be drawn. */
+type GraphicsEvent = { readonly type: 'graphics-lost' | 'graphics-restored' };
+
 export type EditorEvent =
   | PageEvent
   | PointerEvent
@@ -181,7 +184,8 @@ export type EditorEvent =
   | ClipboardEvent
   | FileEvent
   | StorageEvent
-  | SolverEvent;
+  | SolverEvent
+  | GraphicsEvent;
 
 export type Dispatch = (event: EditorEvent) => void;
 

@@ -51,7 +51,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     pointer: { coarse: media.coarse, hovered: null, last: null, onHandle: false, space: false },
     focus: { on: 'nothing', handle: null, corner: null },
     menu: null,
-    notices: { offer: null, error: null, passing: null, announcement: '', tasks: [] },
+    notices: { offer: null, error: null, passing: null, graphics: null, announcement: '', tasks: [] },
     autosave: {
       key: null,
       restoring: false,

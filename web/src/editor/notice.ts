@@ -24,6 +24,8 @@ export interface NoticesState {
   readonly offer: Notice | null;
   readonly error: Notice | null;
   readonly passing: Notice | null;
+  /** The picture cannot be drawn. Shown after an error and before an offer, until the graphics card is back. */
+  readonly graphics: Notice | null;
   /** The last text for screen readers. */
   readonly announcement: string;
   /** The newest last. */

@@ -18,6 +18,16 @@ export const NOT_KEPT =
 export const OVERWRITTEN =
   'Another tab has changed this work. A reload shows the version of that tab. A change here replaces it.';
 
+const GRAPHICS_LOST = 'The graphics card is gone, so the picture cannot be shown.';
+
+/** @param stored whether a reload brings the work back; null without work that could be lost. */
+export function graphicsLostText(stored: boolean | null): string {
+  if (stored === null) return `${GRAPHICS_LOST} Reload the page.`;
+  return stored
+    ? `${GRAPHICS_LOST} Nothing is lost: reload the page.`
+    : `${GRAPHICS_LOST} Nothing is lost yet: save the project, then reload the page.`;
+}
+
 const listed = new Intl.ListFormat('en-GB');
 
 /** Names in a sentence. Of many names only the first few, since a long notice would cover the picture. */

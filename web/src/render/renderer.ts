@@ -23,6 +23,8 @@ export class Renderer {
   #blend: Blend = 'linear';
   #triangles: Uint32Array | null = null;
 
+  /** Called when the context is lost: until `onrestore`, drawing does nothing. */
+  onlose: (() => void) | null = null;
   /** Called when the picture must be drawn again: the context was restored, or `wake` was called. */
   onrestore: (() => void) | null = null;
 
@@ -143,6 +145,7 @@ export class Renderer {
     // The browser restores the context only after this call.
     event.preventDefault();
     this.#painter = undefined;
+    this.onlose?.();
   }
 
   #restore(): void {

@@ -114,6 +114,8 @@ export class EditorRuntime {
       this.#frames = new Frames(this.canvas, {
         frame: () => this.#frame(),
         seen: () => this.#element.render(),
+        lost: () => this.dispatch({ type: 'graphics-lost' }),
+        restored: () => this.dispatch({ type: 'graphics-restored' }),
         failed: (error) => this.dispatch({ type: 'error-reported', error: asError(error) }),
       });
     } catch (error) {

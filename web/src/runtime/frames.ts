@@ -25,6 +25,9 @@ export interface FramesListener {
   frame(): Frame;
   /** The canvas is in sight again. */
   seen(): void;
+  /** The graphics context is lost, or can be drawn on again. */
+  lost(): void;
+  restored(): void;
   failed(error: unknown): void;
 }
 
@@ -43,7 +46,9 @@ export class Frames {
   constructor(canvas: HTMLCanvasElement, listener: FramesListener) {
     this.#listener = listener;
     this.#renderer = new Renderer(canvas);
-    this.#renderer.onrestore = () => this.redraw();
+    this.#renderer.onlose = () => listener.lost();
+    this.#renderer.onrestore = () => this.#restored();
+    if (this.#renderer.lost) listener.lost();
     this.#observer = new IntersectionObserver((entries) => this.#observed(entries), { rootMargin: MARGIN });
     this.#observer.observe(canvas);
   }
@@ -80,6 +85,11 @@ export class Frames {
     if (!returns) return;
     this.redraw();
     this.#listener.seen();
+  }
+
+  #restored(): void {
+    this.#listener.restored();
+    this.redraw();
   }
 
   #draw(): void {

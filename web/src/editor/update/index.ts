@@ -11,6 +11,7 @@ import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
 import { requestBorders } from './display';
 import { focusHandlers } from './focus';
+import { graphicsHandlers, tellOfLostGraphics } from './graphics';
 import type { Handlers } from './handlers';
 import { keyHandlers } from './keys';
 import { lassoHandlers } from './lasso';
@@ -37,6 +38,8 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
         return endMerging(state);
       case 'pose-check':
         return checkPose(state);
+      case 'graphics':
+        return tellOfLostGraphics(state);
     }
   },
 };
@@ -46,6 +49,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...commandHandlers,
   ...controlHandlers,
   ...focusHandlers,
+  ...graphicsHandlers,
   ...keyHandlers,
   ...lassoHandlers,
   ...menuHandlers,

@@ -22,7 +22,9 @@ const withNotices = (state: EditorState, change: Partial<NoticesState>): EditorS
 
 /** The notice on screen. A page that plays shows only errors. */
 export const shownNotice = ({ page, notices }: EditorState): Notice | null =>
-  page.playing ? notices.error : (notices.passing ?? notices.error ?? notices.offer);
+  page.playing
+    ? (notices.error ?? notices.graphics)
+    : (notices.passing ?? notices.error ?? notices.graphics ?? notices.offer);
 
 /** The newest task under way. */
 export const currentTask = ({ notices }: EditorState): Task | null => notices.tasks.at(-1) ?? null;
@@ -91,8 +93,16 @@ export const clearNotices = (state: EditorState, emit: Emit): EditorState =>
 export function dismiss(state: EditorState, emit: Emit): EditorState {
   const notice = shownNotice(state);
   if (notice === state.notices.passing) return withoutPassing(state, emit);
+  if (notice === state.notices.graphics) return withoutGraphicsNotice(state);
   return withNotices(state, notice === state.notices.error ? { error: null } : { offer: null });
 }
+
+/** Shows that nothing can be drawn. Other pictures do not close this notice: they are not drawn either. */
+export const notifyOfGraphics = (state: EditorState, text: string): EditorState =>
+  withNotices(state, { graphics: { kind: 'error', text } });
+
+export const withoutGraphicsNotice = (state: EditorState): EditorState =>
+  state.notices.graphics ? withNotices(state, { graphics: null }) : state;
 
 /** Shows a task, in place of one of the same name. */
 export const beginTask = (state: EditorState, task: Task, emit: Emit): EditorState =>
