@@ -3,6 +3,9 @@
 /** The code of a failure of the solver itself, not of its input. */
 export const ENGINE = 'engine';
 
+/** The code of a request that the solver broke at, for example for want of memory. Its input is to blame. */
+export const TOO_MUCH = 'too-much';
+
 export interface WarpErrorOptions extends ErrorOptions {
   /** Ids of the handles that the message names. */
   readonly handles?: readonly string[];

@@ -33,7 +33,7 @@ export class Engine {
     try {
       return new Engine(new Link(() => startWorker(worker), module));
     } catch (error) {
-      const message = `The solver could not be started: ${error}`;
+      const message = 'The solver could not be started: this browser or this page does not allow workers.';
       throw new WarpError(ENGINE, message, { cause: error });
     }
   }

@@ -76,7 +76,7 @@ describe('Link', () => {
     void link.send('picture', PICTURE);
     worker(0).reply({ id: 1, kind: 'done', body: null });
     const warp = link.send('warp', { project: '{}', scale: 1, grow: false, pixelated: false });
-    worker(0).reply({ kind: 'died', message: 'unreachable' });
+    worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
     expect(worker(0).ended).toBe(true);
     expect(worker(1).requests()).toEqual([
       { id: 0, name: 'picture', body: PICTURE },
@@ -89,19 +89,30 @@ describe('Link', () => {
   it('gives up a request that ends two workers, and serves the next by a third', async () => {
     const { link, worker, workers } = linked();
     const solve = link.send('solve', { project: 'bad' });
-    worker(0).reply({ kind: 'died', message: 'unreachable' });
-    worker(1).reply({ kind: 'died', message: 'unreachable' });
-    await expect(solve).rejects.toMatchObject({ code: 'engine' });
+    worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
+    worker(1).reply({ kind: 'died', started: true, message: 'unreachable' });
+    await expect(solve).rejects.toMatchObject({ code: 'too-much' });
+    // No words of the browser reach a person.
+    await expect(solve).rejects.toThrow('This is more than the solver can do in this browser.');
     expect(workers).toHaveLength(2);
     void link.send('warp', { project: 'good', scale: 1, grow: false, pixelated: false });
     expect(worker(2).requests()).toHaveLength(1);
   });
 
+  it('blames no request for a worker that never started', async () => {
+    const { link, worker } = linked();
+    const solve = link.send('solve', { project: 'good' });
+    worker(0).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
+    worker(1).reply({ kind: 'died', started: false, message: 'CompileError: bad magic' });
+    await expect(solve).rejects.toMatchObject({ code: 'engine', cause: 'CompileError: bad magic' });
+    await expect(solve).rejects.toThrow('its worker could not be started');
+  });
+
   it('does not restart for a picture that nobody asks about any more', () => {
     const { link, worker, workers } = linked();
     link.send('picture', PICTURE).catch(() => {});
-    worker(0).reply({ kind: 'died', message: 'unreachable' });
-    worker(1).reply({ kind: 'died', message: 'unreachable' });
+    worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
+    worker(1).reply({ kind: 'died', started: true, message: 'unreachable' });
     expect(workers).toHaveLength(2);
   });
 
@@ -115,7 +126,7 @@ describe('Link', () => {
     const { postMessage } = FakeWorker.prototype;
     worker(0).postMessage = postMessage;
     const solve = link.send('solve', { project: '{}' });
-    worker(0).reply({ kind: 'died', message: 'unreachable' });
+    worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
     expect(
       worker(1)
         .requests()

@@ -5,7 +5,7 @@
  * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
  * pending at two deaths is rejected.
  */
-import { ENGINE, WarpError } from '../error';
+import { ENGINE, TOO_MUCH, WarpError } from '../error';
 import { failureError, superseded } from './errors';
 import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
 import type { Stage } from './solution';
@@ -28,8 +28,17 @@ interface Pending {
 
 const DEATHS_ALLOWED = 1;
 
-/** Browsers do not say why. */
-const NOT_STARTED = 'its worker could not be started: is the file there, and does the page allow it?';
+/** For people, who cannot use the reasons that browsers give. */
+const NOT_STARTED =
+  'The solver failed: its worker could not be started: is the file there, and does the page allow it?';
+
+/** Why a request broke the solver: nearly always for want of memory. */
+const BROKE: Readonly<Record<Name, string>> = {
+  picture: 'The picture needs more memory than this browser gives: scale it down.',
+  solve: 'This is more than the solver can do in this browser.',
+  warp: 'The picture needs more memory to be drawn than this browser gives.',
+  cells: 'The cells are more than the solver can do in this browser.',
+};
 
 export class Link {
   readonly #spawn: () => Port;
@@ -93,7 +102,7 @@ export class Link {
     this.#port = port;
     port.onmessage = ({ data }) => this.#receive(data);
     // The worker script threw outside of a request, or did not load.
-    port.onerror = (event) => this.#replace(event.message || NOT_STARTED);
+    port.onerror = (event) => this.#replace(false, event.message);
     port.postMessage({ module: this.#module });
     const requests = [...this.#pending.values()].map(({ request }) => request);
     if (this.#picture && !requests.some(({ name }) => name === 'picture')) {
@@ -113,7 +122,7 @@ export class Link {
 
   #receive(reply: Reply): void {
     if (reply.kind === 'died') {
-      this.#replace(reply.message);
+      this.#replace(reply.started, reply.message);
       return;
     }
     const pending = this.#pending.get(reply.id);
@@ -128,14 +137,19 @@ export class Link {
     else pending.reject(reply.failure.code === SUPERSEDED ? superseded() : failureError(reply.failure));
   }
 
-  #replace(reason: string): void {
+  /** @param started the worker had started, so that a request is to blame. */
+  #replace(started: boolean, cause: string): void {
     this.#stop();
     for (const [id, pending] of this.#pending) {
       pending.deaths += 1;
       if (pending.deaths <= DEATHS_ALLOWED) continue;
       this.#pending.delete(id);
       if (pending.request.name === 'picture') this.#picture = undefined;
-      pending.reject(new WarpError(ENGINE, `The solver failed: ${reason}`));
+      pending.reject(
+        started
+          ? new WarpError(TOO_MUCH, BROKE[pending.request.name], { cause })
+          : new WarpError(ENGINE, NOT_STARTED, { cause }),
+      );
     }
     // A successor without requests could die of the same picture again and again.
     if (this.#pending.size > 0) this.#start();

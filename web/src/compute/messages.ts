@@ -45,8 +45,8 @@ export type Reply =
   | { readonly id: number; readonly kind: 'done'; readonly body: Messages[Name][1] }
   | { readonly id: number; readonly kind: 'progress'; readonly stage: Stage }
   | { readonly id: number; readonly kind: 'failed'; readonly failure: Failure }
-  /** The module panicked: the worker must be replaced. */
-  | { readonly kind: 'died'; readonly message: string };
+  /** The module panicked: the worker must be replaced. `started`: it had a session, so a request is to blame. */
+  | { readonly kind: 'died'; readonly started: boolean; readonly message: string };
 
 /** Code of the failure that answers a superseded solve. */
 export const SUPERSEDED = 'superseded';

@@ -13,9 +13,20 @@ const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>
       : `“${name}” and “${other}” run along each other: they may cross and touch, but not lie on one another.`,
 };
 
-/** An error in words of the editor. */
-export function refusalWords(error: Error): string {
+/** The same for errors that name no handle. */
+const SENTENCES: Readonly<Record<string, string>> = {
+  'too-much': 'This is more than the solver can do in this browser.',
+  'too-much-memory': 'This needs more memory than a browser has: use fewer handles, or less detail.',
+  'too-many-sites':
+    'The handles are too close to one another, or too many: move some apart, or use less detail.',
+  'held-too-fine': 'This outline has too many corners to be held: draw a simpler one, or let it move.',
+};
+
+/** @param reverted the step that caused the error was taken back. */
+export function refusalWords(error: Error, reverted = false): string {
   const [id, other = id] = handlesOf(error);
+  const sentence = SENTENCES[codeOf(error)];
+  if (sentence !== undefined) return reverted ? `${sentence} The step was taken back.` : sentence;
   const words = REFUSALS[codeOf(error)];
   return words && id !== undefined && other !== undefined
     ? words(nameOf({ id }), nameOf({ id: other }))
@@ -26,6 +37,7 @@ export function refusalWords(error: Error): string {
 const TEXTS: Readonly<Record<string, string>> = {
   'nothing-opaque': 'nothing in this picture is opaque enough to be warped.',
   domain: 'the outline of this picture has too many corners to be warped: smooth its transparency.',
+  'too-much': 'this picture is more than the solver can do in this browser.',
 };
 
 /** The error in words for the editor, with the same `code`; other errors are returned unchanged. */

@@ -19,7 +19,7 @@ const queue = new Queue<Boot | Request>(async (message) => {
     if ('module' in message) await boot(message.module);
     else await answer(message);
   } catch (error) {
-    post({ kind: 'died', message: String(error) });
+    post({ kind: 'died', started: session !== undefined, message: String(error) });
   }
 });
 

@@ -58,8 +58,10 @@ export const informOfStep = (state: EditorState, text: string, emit: Emit): Edit
 /**
  * Shows an error in the words of the editor, and passes it to the page as it is. A failure of the solver itself can be
  * retried. Ignores AbortErrors: superseded work is no error.
+ *
+ * @param reverted the step that caused the error was taken back.
  */
-export function report(state: EditorState, thrown: unknown, emit: Emit): EditorState {
+export function report(state: EditorState, thrown: unknown, emit: Emit, reverted = false): EditorState {
   const error = asError(thrown);
   if (isAbort(error)) return state;
   const isUnsolved = state.solution.shown?.key !== solveKey(projectOf(state));
@@ -67,7 +69,7 @@ export function report(state: EditorState, thrown: unknown, emit: Emit): EditorS
     isEngineFailure(error) && isUnsolved
       ? ({ action: { label: 'Try again', event: { type: 'retry-asked' } }, passes: true } as const)
       : {};
-  const next = notify(state, { kind: 'error', text: refusalWords(error), ...retry }, emit);
+  const next = notify(state, { kind: 'error', text: refusalWords(error, reverted), ...retry }, emit);
   emit({ type: 'notify-page', notification: { type: 'error', error } });
   return next;
 }

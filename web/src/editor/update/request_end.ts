@@ -110,7 +110,11 @@ function endRestore(
   // Without a solver nothing can be opened.
   const unread =
     from === 'storage' && outcome instanceof Error && !isEngineFailure(outcome) && !isAbort(outcome);
-  if (unread) return startAttributes(park(withAutosave(state, { unread: true }), work), null, outcome, emit);
+  if (unread) {
+    // Work that the solver breaks at is parked, and its picture is open without handles: the next visit opens that.
+    const kept = withAutosave(state, { unread: state.picture === null });
+    return startAttributes(park(kept, work), null, outcome, emit);
+  }
   return finishStartup(failed(state, outcome, emit), null, emit);
 }
 

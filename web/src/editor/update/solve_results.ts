@@ -1,8 +1,8 @@
 /**
  * Results of solves.
  *
- * Nothing that the solver refuses stays. A handle that cannot be solved is reverted throughout the history, even in a
- * document that was just opened. Any other edit is reverted together with later ones.
+ * Nothing that the solver refuses, or breaks at, stays. A handle that cannot be solved is reverted throughout the
+ * history, even in a document that was just opened. Any other edit is reverted together with later ones.
  */
 import { handlesOf } from '../../error';
 import type { Emit } from '../effects';
@@ -37,7 +37,7 @@ function refused(state: EditorState, key: string, error: Error, emit: Emit): Edi
   // Restored work may contain a step that was never solved: only that step goes.
   if (trial && !changed) return endTrialRejected(reverted, trial, error, true, emit);
   const next = !changed && !reverted.solution.shown ? closePicture(reverted, emit) : reverted;
-  return report(next, error, emit);
+  return report(next, error, emit, changed);
 }
 
 function failed(before: EditorState, error: Error, emit: Emit): EditorState {

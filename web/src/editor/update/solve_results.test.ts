@@ -1,0 +1,88 @@
+import { describe, expect, it } from 'vitest';
+import { undoLabel } from '../../document/history';
+import { TOO_MUCH, WarpError } from '../../error';
+import { FakeRuntime, testPicture } from '../fake_runtime';
+import { documentOf, projectOf } from '../state';
+import type { WorkSnapshot } from '../work';
+import { snapshotOf } from './autosave';
+import { shownNotice } from './notices';
+
+const tooMuch = new WarpError(TOO_MUCH, 'This is more than the solver can do in this browser.', {
+  cause: 'RuntimeError: unreachable',
+});
+
+const opened = (): FakeRuntime => {
+  const runtime = new FakeRuntime();
+  runtime.open();
+  const handle = { id: 'a', kind: 'point', rest: [50, 50], posed: [60, 50] } as const;
+  runtime.dispatch({ type: 'handle-added', handle });
+  runtime.solve();
+  return runtime;
+};
+
+/** The work with the boundary held, which the solver breaks at. */
+function heldWork(): WorkSnapshot {
+  const runtime = opened();
+  runtime.dispatch({ type: 'boundary-switched', held: true });
+  const work = snapshotOf(runtime.state);
+  if (!work) throw new Error('nothing is open');
+  return work;
+}
+
+function restored(work: WorkSnapshot): FakeRuntime {
+  const runtime = new FakeRuntime();
+  runtime.dispatch({ type: 'autosave-key-set', key: 'here' });
+  runtime.dispatch({ type: 'started', work: null });
+  runtime.dispatch({ type: 'storage-read', stored: { work, parked: [] } });
+  runtime.read(testPicture());
+  return runtime;
+}
+
+describe('a step that the solver breaks at', () => {
+  it('is taken back with one sentence and no retry', () => {
+    const runtime = opened();
+    const before = documentOf(runtime.state);
+    runtime.dispatch({ type: 'boundary-switched', held: true });
+    runtime.refuse(tooMuch);
+    expect(documentOf(runtime.state)).toBe(before);
+    expect(undoLabel(runtime.state.document.history)).not.toBe('Hold the boundary');
+    const notice = shownNotice(runtime.state);
+    expect(notice?.text).toBe(
+      'This is more than the solver can do in this browser. The step was taken back.',
+    );
+    expect(notice?.action).toBeUndefined();
+  });
+
+  it('is taken back for any refusal, with the words of the editor', () => {
+    for (const code of ['too-much-memory', 'too-many-sites', 'held-too-fine']) {
+      const runtime = opened();
+      runtime.dispatch({ type: 'boundary-switched', held: true });
+      runtime.refuse(new WarpError(code, 'lower pose.density, or set fix_boundary to false'));
+      expect(projectOf(runtime.state).fix_boundary).toBe(false);
+      expect(shownNotice(runtime.state)?.text).toMatch(/^This|^The .+ The step was taken back\.$/);
+      expect(shownNotice(runtime.state)?.text).not.toMatch(/pose|fix_boundary/);
+    }
+  });
+
+  it('is taken back from stored work, which is stored without it', () => {
+    const runtime = restored(heldWork());
+    runtime.refuse(tooMuch);
+    runtime.solve();
+    expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: false, handles: [{ id: 'a' }] });
+    const stored = runtime.effects.findLast((effect) => effect.type === 'store');
+    expect(stored?.work.record.present.project.fix_boundary).toBe(false);
+  });
+
+  it('is parked with its work if there is no earlier step to go back to', () => {
+    const work = heldWork();
+    const runtime = restored({ ...work, record: { ...work.record, past: [] } });
+    runtime.refuse(tooMuch);
+    runtime.solve();
+    expect(projectOf(runtime.state).handles).toEqual([]);
+    expect(runtime.state.opening.parked).toHaveLength(1);
+    // The next visit opens the picture without handles, and does not fail again.
+    const stored = runtime.effects.findLast((effect) => effect.type === 'store');
+    expect(stored?.work.record.present.project.handles).toEqual([]);
+    expect(stored?.parked).toHaveLength(1);
+  });
+});
