@@ -67,7 +67,7 @@ test('poses are copied and pasted with the focus on a switch', async ({ page }) 
   await editor.dragHandle('left hand', { x: 30, y: -80 });
   const moved = await posed(editor, 'left-hand');
   await page.keyboard.press('Escape');
-  await editor.switch('Keep turns rigid').focus();
+  await editor.switch('Hold the boundary').focus();
   await copy(page);
   expect(await clipped(page)).toContain('c2warp-pose/1');
   await page.keyboard.press('Control+z');

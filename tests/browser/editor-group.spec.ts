@@ -179,7 +179,7 @@ test('comma and full stop turn the group, and scale it with Alt', async ({ page 
 
 test('past half a turn the group keeps turning, in the harmonic mode too', async ({ page }) => {
   const editor = await opened(page, []);
-  await editor.waitForSolve(() => editor.button('Smooth').click());
+  await editor.waitForSolve(() => editor.button('By hand').click());
   const places = [
     [512, 640],
     [250, 560],

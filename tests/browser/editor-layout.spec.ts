@@ -241,7 +241,7 @@ test('forced colours show the selection', async ({ page }) => {
   await expect.poll(ground(page.locator('c2-warp .item').filter({ hasText: 'head' }))).toBe(chosen);
   await page.locator('c2-warp summary').click();
   await expect.poll(ground(editor.button('Rigid'))).toBe(chosen);
-  await expect.poll(ground(editor.button('Smooth'))).not.toBe(chosen);
+  await expect.poll(ground(editor.button('By hand'))).not.toBe(chosen);
   await editor.switch('Stop at folds').click();
   await expect.poll(ground(editor.switch('Stop at folds'))).toBe(chosen);
 });

@@ -34,10 +34,10 @@ const legend = (editor: Editor) => editor.page.getByRole('img', { name: /yellow 
 
 const NAMES = ['left hand', 'right hand', 'head', 'left foot', 'right foot'] as const;
 
-for (const mode of ['Rigid', 'Smooth'] as const) {
+for (const mode of ['Rigid', 'By hand'] as const) {
   test(`${mode}: selected handles are hot, others cold; none without selection`, async ({ page }) => {
     const editor = await Editor.open(page);
-    if (mode === 'Smooth') await editor.waitForSolve(() => editor.button('Smooth').click());
+    if (mode === 'By hand') await editor.waitForSolve(() => editor.button('By hand').click());
     const places = Object.fromEntries(
       await Promise.all(NAMES.map(async (name) => [name, await editor.position(name)] as const)),
     ) as Record<(typeof NAMES)[number], Position>;

@@ -1,4 +1,4 @@
-/** The rigid mode: automatic turns, pinned turns, and the switch to the smooth mode. */
+/** The rigid mode: automatic turns, pinned turns, and the switch to turns by hand. */
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -64,12 +64,12 @@ test('the bending mode changes with one click and one undo step', async ({ page 
       const { pose, weighting } = (element as C2Warp).project;
       return [pose?.mode, pose?.density, weighting?.support];
     });
-  const [rigid, smooth] = ['Rigid', 'Smooth'].map((name) => page.getByRole('button', { name, exact: true }));
-  if (!rigid || !smooth) throw new Error('two ways to bend');
+  const [rigid, byHand] = ['Rigid', 'By hand'].map((name) => page.getByRole('button', { name, exact: true }));
+  if (!rigid || !byHand) throw new Error('two ways to bend');
   await expect(rigid).toHaveAttribute('aria-pressed', 'true');
-  await smooth.focus();
+  await byHand.focus();
   await page.keyboard.press('Enter');
-  await expect(smooth).toHaveAttribute('aria-pressed', 'true');
+  await expect(byHand).toHaveAttribute('aria-pressed', 'true');
   await expect(page.getByRole('group', { name: 'Detail' })).toBeHidden();
   await expect.poll(() => settings()).toEqual(['harmonic', 0, 'paper']);
 
@@ -84,33 +84,48 @@ test('the bending mode changes with one click and one undo step', async ({ page 
 
 test('bending settings collapse with a selection; press and key open them', async ({ page }) => {
   const editor = await Editor.open(page);
-  const smooth = page.getByRole('button', { name: 'Smooth', exact: true });
-  await expect(smooth).toBeVisible();
+  const byHand = page.getByRole('button', { name: 'By hand', exact: true });
+  await expect(byHand).toBeVisible();
   await editor.handle('head').click();
-  await expect(smooth).toBeHidden();
+  await expect(byHand).toBeHidden();
   const line = page.locator('c2-warp summary').filter({ hasText: 'Bending' });
   await expect(line).toContainText('rigid, medium');
   await line.click();
-  await expect(smooth).toBeVisible();
+  await expect(byHand).toBeVisible();
   await editor.handle('left hand').click();
-  await expect(smooth).toBeVisible();
+  await expect(byHand).toBeVisible();
   await line.focus();
   await page.keyboard.press('Enter');
-  await expect(smooth).toBeHidden();
+  await expect(byHand).toBeHidden();
   await expect(editor.handle('left hand')).toHaveAttribute('aria-pressed', 'true');
   await editor.button('Draw a bar').click();
-  await expect(smooth).toBeVisible();
+  await expect(byHand).toBeVisible();
 });
 
-test('a switch keeps turns rigid, as one step without a solve', async ({ page }) => {
+test('by hand, a switch keeps widths, as one step without a solve', async ({ page }) => {
   const editor = await Editor.open(page);
   const project = () =>
     page.locator('c2-warp').evaluate((element) => (element as HTMLElementTagNameMap['c2-warp']).project);
-  await editor.switch('Keep turns rigid').click();
-  await expect(editor.switch('Keep turns rigid')).toBeChecked();
+  await expect(editor.switch('Keep widths')).toBeHidden();
+  await editor.waitForSolve(() => editor.button('By hand').click());
+  await editor.switch('Keep widths').click();
+  await expect(editor.switch('Keep widths')).toBeChecked();
   await expect.poll(async () => (await project()).pose?.blend).toBe('rigid');
   await editor.dragHandle('right hand', { x: -10, y: -80 });
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   await expect.poll(async () => (await project()).pose?.blend).not.toBe('rigid');
+});
+
+test('by hand keeps the turns that are shown, and rigid frees them again', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('right hand', { x: -60, y: -110 });
+  await expect.poll(() => turn(editor)).toBeLessThan(-15);
+  const shown = await editor.settled(() => turn(editor));
+  await page.keyboard.press('Escape');
+  await editor.waitForSolve(() => editor.button('By hand').click());
+  await expect.poll(() => rotationInFile(editor, 'right-hand')).toBeCloseTo(shown, 1);
+  await expect(page.getByRole('button', { name: /^\d+ creases?\./ })).toBeHidden();
+  await editor.waitForSolve(() => editor.button('Rigid').click());
+  await expect.poll(() => rotationInFile(editor, 'right-hand')).toBe('auto');
 });

@@ -11,6 +11,8 @@ const point = (id: string, rotation?: PointHandle['rotation']): PointHandle => (
   ...(rotation === undefined ? {} : { rotation }),
 });
 
+const rotations = ({ handles }: Project) => handles.map(({ rotation }) => rotation);
+
 const fresh = newProject({ src: 'a.png', width: 8, height: 8 }, null);
 
 describe('the mode of bending', () => {
@@ -21,7 +23,8 @@ describe('the mode of bending', () => {
   });
 
   it('harmonic has the supports of the paper and no virtual sites', () => {
-    const project = withMode({ ...fresh, handles: [point('a', 'auto'), point('b', 30)] }, 'harmonic');
+    const handles = [point('a', 'auto'), point('b', 30)];
+    const project = withMode({ ...fresh, handles }, 'harmonic');
     expect(project.pose).toEqual({ mode: 'harmonic', blend: 'linear', density: 0 });
     expect(project.weighting).toEqual({ ...fresh.weighting, support: 'paper' });
     expect(project.handles.map(({ rotation }) => rotation)).toEqual([0, 30]);
@@ -37,17 +40,26 @@ describe('the mode of bending', () => {
     ]);
   });
 
-  it('has its last detail and unturned points when it is chosen again', () => {
+  it('harmonic keeps the turns that automatic points show', () => {
+    const handles = [point('a', 'auto'), point('b', 'auto'), point('c', 0)];
+    const turns = new Map([
+      ['a', -63.25],
+      ['c', 5],
+    ]);
+    expect(rotations(withMode({ ...fresh, handles }, 'harmonic', turns))).toEqual([-63.25, 0, 0]);
+  });
+
+  it('has its last detail and automatic points when it is chosen again', () => {
     const before = withDetail({ ...fresh, handles: [point('a', 0), point('b', 'auto')] }, 'fine');
-    const away = withMode(before, 'harmonic');
-    expect(away.handles.map(({ rotation }) => rotation)).toEqual([0, 0]);
-    const added = { ...away, handles: [...away.handles, point('c', 0)] };
-    const back = withMode(added, 'rigid', before);
+    const after = withMode(before, 'harmonic', new Map([['b', -63]]));
+    expect(rotations(after)).toEqual([0, -63]);
+    const added = { ...after, handles: [...after.handles, point('c', 0)] };
+    const back = withMode(added, 'rigid', undefined, { before, after });
     expect(detailOf(back)).toBe('fine');
-    expect(back.handles.map(({ rotation }) => rotation)).toEqual([0, 'auto', 'auto']);
+    expect(rotations(back)).toEqual([0, 'auto', 'auto']);
     // Points that were turned in the other mode keep their turn.
-    const turned = { ...away, handles: [point('a', 12), point('b', 0)] };
-    expect(withMode(turned, 'rigid', before).handles.map(({ rotation }) => rotation)).toEqual([12, 'auto']);
+    const turned = { ...after, handles: [point('a', 12), point('b', -60)] };
+    expect(rotations(withMode(turned, 'rigid', undefined, { before, after }))).toEqual([12, -60]);
   });
 
   it('is harmonic by default', () => {

@@ -6,6 +6,7 @@
  */
 import type { Blend } from '../geometry/skin';
 import { EDITOR_SETTINGS, PAPER_SETTINGS } from './generated/settings';
+import { isLine, rotationOf, type Turns, turnedTo, withAutoRotation } from './handle';
 import type { Handle, PoseMode, Project, Rotation } from './project';
 
 /** Virtual sites to request. More of them bend a rigid picture more finely. */
@@ -30,22 +31,45 @@ export const withBlend = (project: Project, blend: Blend): Project => ({
 /** The rotation of an unturned point. */
 export const restingRotation = (project: Project): Rotation => SETTINGS[modeOf(project)].rotation;
 
+/** A way back to a mode: the last project in it, and the first one after it. */
+export interface ModeReturn {
+  readonly before: Project;
+  readonly after: Project;
+}
+
 /**
- * Returns the project in another mode. Unturned points take that mode's resting rotation. The others keep their turn.
+ * Returns the project in another mode. No shown turn changes on the way to harmonic: automatic points take the turn
+ * that they have. On the way to rigid, unturned points become automatic.
  *
- * @param last the last project in that mode. Its detail and the rotations of its unturned points are restored.
+ * @param turns the turns of automatic points.
+ * @param back restores the detail of the last project in that mode, and the rotations that the way from it changed.
  */
-export function withMode(project: Project, mode: PoseMode, last: Project | null = null): Project {
-  const { support, density, rotation } = SETTINGS[mode];
-  const before = new Map(last?.handles.filter(isUnturned).map((handle) => [handle.id, handle.rotation]));
-  const resting = ({ id }: Handle) => before.get(id) ?? rotation;
+export function withMode(
+  project: Project,
+  mode: PoseMode,
+  turns?: Turns,
+  back: ModeReturn | null = null,
+): Project {
+  const { support, density } = SETTINGS[mode];
+  const rotated =
+    mode === 'rigid' ? freed(back) : (handle: Handle) => turnedTo(handle, rotationOf(handle, turns));
   return {
     ...project,
     weighting: { ...project.weighting, support },
-    pose: { ...project.pose, mode, density: last?.pose?.density ?? density },
-    handles: project.handles.map((handle) =>
-      isUnturned(handle) ? { ...handle, rotation: resting(handle) } : handle,
-    ),
+    pose: { ...project.pose, mode, density: back?.before.pose?.density ?? density },
+    handles: project.handles.map((handle) => (isLine(handle) ? handle : rotated(handle))),
+  };
+}
+
+/** Makes points automatic as they were, if nobody has turned them since. */
+function freed(back: ModeReturn | null): (handle: Handle) => Handle {
+  const rotations = ({ handles }: Project) =>
+    new Map(handles.map((handle) => [handle.id, handle.rotation ?? 0]));
+  const [before, after] = [back?.before, back?.after].map((project) => project && rotations(project));
+  return (handle) => {
+    const { id, rotation = 0 } = handle;
+    const last = after?.get(id) === rotation ? before?.get(id) : undefined;
+    return last === 'auto' || (last === undefined && rotation === 0) ? withAutoRotation(handle) : handle;
   };
 }
 
@@ -57,6 +81,3 @@ export const withDetail = (project: Project, detail: Detail): Project => ({
   ...project,
   pose: { ...project.pose, density: DETAILS[detail] },
 });
-
-const isUnturned = ({ kind, rotation = 0 }: Handle): boolean =>
-  kind === 'point' && (rotation === 0 || rotation === 'auto');

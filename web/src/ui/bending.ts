@@ -10,7 +10,7 @@ import { icon } from './icons';
 
 const MODES = {
   rigid: { word: 'Rigid', note: 'Shapes keep their form: an arm bends as an arm does.' },
-  harmonic: { word: 'Smooth', note: 'You turn the handles, and their motions blend, as in the paper.' },
+  harmonic: { word: 'By hand', note: 'You turn the handles, and their motions blend, as in the paper.' },
 } as const satisfies Record<PoseMode, object>;
 
 const DETAIL_WORDS = { coarse: 'Coarse', medium: 'Medium', fine: 'Fine' } as const satisfies Record<
@@ -49,9 +49,14 @@ export function bending(
               ),
             )}
           </div>`
-        : nothing
+        : toggle(
+            'Keep widths',
+            'Limbs do not shrink between two turns.',
+            blendOf(project) === 'rigid',
+            model,
+            (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }),
+          )
     }
-    ${toggle('Keep turns rigid', 'The picture does not shrink between two turns.', blendOf(project) === 'rigid', model, (on) => dispatch({ type: 'blend-chosen', blend: on ? 'rigid' : 'linear' }))}
     ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => dispatch({ type: 'fold-guard-switched', on }))}

@@ -40,7 +40,7 @@ import { documentOf, type EditorState, projectOf } from '../state';
 import { cornerWords, depthWords, handleWords, placeWords, selectionName } from '../wording';
 import { announce, informOfStep } from './notices';
 import { select } from './selection';
-import { commitStep, lastProject, step } from './steps';
+import { commitStep, modeReturn, step } from './steps';
 
 /** The number that a change makes of the current one. */
 export const changedNumber = (change: NumberChange, now: number): number =>
@@ -159,7 +159,7 @@ export function raise(state: EditorState, by: number, emit: Emit): EditorState {
 export const setBlend = (state: EditorState, blend: Blend, emit: Emit): EditorState =>
   step(
     state,
-    blend === 'rigid' ? 'Keep turns rigid' : 'Blend turns linearly',
+    blend === 'rigid' ? 'Keep widths' : 'Let widths change',
     { ...documentOf(state), project: withBlend(projectOf(state), blend) },
     emit,
   );
@@ -202,10 +202,11 @@ export function setAutomatic(state: EditorState, on: boolean, emit: Emit): Edito
 
 /** Changes the pose mode, with the settings that belong to it. */
 export function setPoseMode(state: EditorState, mode: PoseMode, emit: Emit): EditorState {
-  if (mode === modeOf(projectOf(state))) return state;
-  const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend smoothly';
-  const last = lastProject(state, (project) => modeOf(project) === mode);
-  return step(state, label, { ...documentOf(state), project: withMode(projectOf(state), mode, last) }, emit);
+  const present = projectOf(state);
+  if (mode === modeOf(present)) return state;
+  const label = mode === 'rigid' ? 'Bend rigidly' : 'Bend by hand';
+  const project = withMode(present, mode, turnsOf(state), modeReturn(state, mode));
+  return step(state, label, { ...documentOf(state), project }, emit);
 }
 
 export const setDetail = (state: EditorState, detail: Detail, emit: Emit): EditorState =>

@@ -1,8 +1,9 @@
 /** Undo steps: edits, undo and redo, and changes by the page. */
+import { type ModeReturn, modeOf } from '../../document/bending';
 import { type Document, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
-import type { Handle, Project } from '../../document/project';
+import type { Handle, PoseMode } from '../../document/project';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
 import type { Emit } from '../effects';
 import { type EditorState, selectionOf } from '../state';
@@ -77,10 +78,12 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   return announce(edited(travelled, 'change', emit), `${way === 'undo' ? 'Undone' : 'Redone'}: ${label}`);
 }
 
-/** The last project before the present one for which `is` holds. */
-export function lastProject(state: EditorState, is: (project: Project) => boolean): Project | null {
+/** The last project in a mode other than the present one, and the project after it; null if there is none. */
+export function modeReturn(state: EditorState, mode: PoseMode): ModeReturn | null {
   const { values, at } = history.timeline(state.document.history);
-  return values.slice(0, at).findLast(({ project }) => is(project))?.project ?? null;
+  const last = values.slice(0, at).findLastIndex(({ project }) => modeOf(project) === mode);
+  const [before, after] = [values[last]?.project, values[last + 1]?.project];
+  return before && after ? { before, after } : null;
 }
 
 /** Keeps the next nudge from merging into the last step. */
