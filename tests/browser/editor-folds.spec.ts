@@ -1,4 +1,5 @@
-/** Folds of the picture, the guard against them, and depth order. */
+/** Creases of the picture, the guard against them, and depth order. */
+import type { Locator } from '@playwright/test';
 import { Editor } from './editor';
 import { expect, test } from './fixtures';
 
@@ -11,26 +12,60 @@ async function push(editor: Editor, share: number): Promise<void> {
   await editor.page.mouse.move(goal.x, goal.y, { steps: 8 });
 }
 
-test('a warning counts the folds, and a press shows them', async ({ page }) => {
-  const editor = await Editor.open(page);
-  const warning = page.getByRole('button', { name: /triangles? folded/ });
-  await expect(warning).toBeHidden();
+/** Folds the arm: by hand it does not turn when it is pushed. */
+async function crease(editor: Editor): Promise<void> {
+  await editor.waitForSolve(() => editor.button('By hand').click());
   await push(editor, 1);
-  await page.mouse.up();
+}
+
+const warningOf = (editor: Editor) => editor.page.getByRole('button', { name: /^\d+ creases?\./ });
+
+test('a warning counts the creases, rings mark them, a press shows them', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const warning = warningOf(editor);
+  const [rings, shown] = ['.crease-place', 'path.creases'].map((name) => page.locator(`c2-warp ${name}`));
+  await expect(warning).toBeHidden();
+  await crease(editor);
   await expect(warning).toBeVisible();
-  await expect(page.locator('c2-warp path.folds')).toHaveCount(0);
+  await expect(rings as Locator).toHaveCount(0);
+  await page.mouse.up();
+  await expect((rings as Locator).first()).toBeAttached();
+  await expect(shown as Locator).toHaveCount(0);
   await warning.click();
-  await expect(page.locator('c2-warp path.folds')).toHaveCount(2);
+  await expect(shown as Locator).toHaveCount(2);
   await editor.button('Overlays').click();
-  await expect(page.getByRole('checkbox', { name: 'Folds' })).toBeChecked();
+  await expect(page.getByRole('checkbox', { name: 'Creases' })).toBeChecked();
   await page.keyboard.press('Escape');
   await editor.button('Undo: move right hand').click();
   await expect(warning).toBeHidden();
-  await expect(page.locator('c2-warp path.folds')).toHaveCount(0);
+  await expect(shown as Locator).toHaveCount(0);
+  await expect(rings as Locator).toHaveCount(0);
+});
+
+test('a press zooms to the creases, and shows them', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await crease(editor);
+  await page.mouse.up();
+  const zoom = page.getByRole('button', { name: /^Zoom to the (next )?crease$/ });
+  const scale = async () => Number.parseInt(await page.locator('c2-warp .percent').innerText(), 10);
+  const before = await scale();
+  await zoom.click();
+  await expect.poll(scale).toBeGreaterThan(before);
+  await expect(page.locator('c2-warp path.creases')).toHaveCount(2);
+  // The shown triangles lie in the middle of the stage.
+  const [creases, stage] = [page.locator('c2-warp path.creases').first(), page.locator('c2-warp .stage')];
+  const boxes = await Promise.all([creases.boundingBox(), stage.boundingBox()]);
+  const [[x, y], [middleX, middleY]] = boxes.map((box) => [
+    (box?.x ?? 0) + (box?.width ?? 0) / 2,
+    (box?.y ?? 0) + (box?.height ?? 0) / 2,
+  ]) as [number[], number[]];
+  expect(Math.abs((x ?? 0) - (middleX ?? 0))).toBeLessThan(200);
+  expect(Math.abs((y ?? 0) - (middleY ?? 0))).toBeLessThan(200);
 });
 
 test('the guard stops a drag at a fold, and releases it on the way back', async ({ page }) => {
   const editor = await Editor.open(page);
+  await editor.waitForSolve(() => editor.button('By hand').click());
   await editor.switch('Stop at folds').click();
   const rest = await editor.position('right hand');
   await push(editor, 1);
@@ -40,23 +75,32 @@ test('the guard stops a drag at a fold, and releases it on the way back', async 
   const held = await editor.settled(() => editor.position('right hand'));
   expect(held.x).toBeGreaterThan(head.x + 20);
   expect(held.x).toBeLessThan(rest.x - 10);
+  // A ghost shows where the pointer asks the handle to go.
+  const ghost = page.locator('c2-warp .asked.held');
+  await expect(ghost.getByText('would fold here')).toBeVisible();
+  const shape = await ghost.locator('.shape').boundingBox();
+  expect(Math.abs((shape?.x ?? 0) + (shape?.width ?? 0) / 2 - head.x)).toBeLessThan(3);
   // The pointer is back at a position without folds: the handle follows it again.
   await page.mouse.move(rest.x - 8, rest.y + 2);
   await expect.poll(async () => (await editor.position('right hand')).x).toBeCloseTo(rest.x - 8, 0);
   await expect(stopped).toBeHidden();
+  await expect(page.locator('c2-warp .asked')).toHaveCount(0);
   await page.mouse.move(head.x, rest.y + 30, { steps: 4 });
+  await expect(ghost).toBeVisible();
   await page.mouse.up();
-  await expect(page.getByRole('button', { name: /triangles? folded/ })).toBeHidden();
+  await expect(page.locator('c2-warp .asked')).toHaveCSS('opacity', '0');
+  await expect(warningOf(editor)).toBeHidden();
   await expect(stopped).toBeHidden();
   // The drag is one step.
   await editor.button('Undo: move right hand').click();
-  await expect(editor.button('Undo')).toBeDisabled();
+  await expect(editor.button('Undo: bend by hand')).toBeVisible();
   await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
 });
 
 test('the guard is off by default, and stops numbers and keys too', async ({ page }) => {
   const editor = await Editor.open(page);
   await expect(editor.switch('Stop at folds')).not.toBeChecked();
+  await editor.waitForSolve(() => editor.button('By hand').click());
   await editor.switch('Stop at folds').click();
   await editor.handle('right hand').click();
   await editor.field('x').fill('512');

@@ -109,29 +109,28 @@ impl PosedPicture {
         self.0.bends(DVec2::new(x, y))
     }
 
-    /// The number of triangles that the present pose turns over.
-    pub fn fold_count(&self) -> usize {
-        self.0.fold_count(usize::MAX)
+    /// The visible creases of the present pose × 5, from the largest: least x and y, greatest x and y, area.
+    pub fn creases(&self) -> Vec<f64> {
+        self.0.creases().iter().flat_map(|crease| edges(crease.bounds).into_iter().chain([crease.area])).collect()
     }
 
-    /// Triangles × 3: those that the present pose turns over.
-    pub fn folded_triangles(&self) -> Vec<u32> {
-        self.0.folded_triangles().flatten().collect()
+    /// Triangles × 3: those of the visible creases.
+    pub fn creased_triangles(&self) -> Vec<u32> {
+        self.0.creases().iter().flat_map(|crease| &crease.triangles).flatten().copied().collect()
     }
 
-    /// The number of triangles that any pose turns over, counted up to `limit` + 1; infinite for a pose that
-    /// cannot be made.
+    /// The number of triangles in the visible creases of any pose; infinite for a pose that cannot be made.
     ///
     /// # Errors
     /// For a malformed array.
-    pub fn fold_count_of(&self, poses: &[f64], rigid: bool, limit: f64) -> Result<f64, JsValue> {
-        let count = self.0.fold_count_of(&read(poses)?, blend(rigid), limit as usize);
+    pub fn fold_count_of(&self, poses: &[f64], rigid: bool) -> Result<f64, JsValue> {
+        let count = self.0.fold_count_of(&read(poses)?, blend(rigid));
         Ok(count.map_or(f64::INFINITY, |count| count as f64))
     }
 
-    /// The farthest poses between two with at most `allowed` folds: the fraction of the way, then the poses.
-    /// `turns` has for each handle its turn at the start and at the end, and 1 if its rotation is a number, else
-    /// 0.
+    /// The farthest poses between two with at most `allowed` triangles in visible creases: the fraction of the way,
+    /// then the poses. `turns` has for each handle its turn at the start and at the end, and 1 if its rotation is a
+    /// number, else 0.
     ///
     /// # Errors
     /// For a malformed array.

@@ -387,6 +387,6 @@ impl Solution {
     #[must_use]
     pub fn folded_triangles(&self, pose: &Pose) -> usize {
         let posed = self.posed_vertices(pose);
-        FoldingMesh::new(&self.mesh.vertices, &self.mesh.triangles, self.samples).count(&posed, usize::MAX)
+        FoldingMesh::new(&self.mesh.vertices, &self.mesh.triangles, self.samples).folded(&posed).count()
     }
 }

@@ -8,6 +8,7 @@
 import type { Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type { Box } from '../geometry/box';
+import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 import type { CellBorders } from './solution';
@@ -21,12 +22,12 @@ export interface PosedPicture {
    */
   pose(project: Project): Pose;
 
-  /** The number of triangles that a pose turns over, counted up to `limit` + 1; infinite if no such pose exists. */
-  foldCount(project: Project, limit?: number): number;
+  /** The number of triangles in the visible creases of a pose; infinite if no such pose exists. */
+  foldCount(project: Project): number;
 
   /**
-   * The farthest pose on the way between two poses that folds at most `allowed` triangles, within 2⁻⁸ of the way.
-   * Each handle moves straight and turns steadily. The pose of `from` is taken to be allowed.
+   * The farthest pose on the way between two poses with at most `allowed` triangles in visible creases, within 2⁻⁸ of
+   * the way. Each handle moves straight and turns steadily. The pose of `from` is taken to be allowed.
    */
   foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose;
 
@@ -68,11 +69,11 @@ export interface Pose {
   readonly positions: Float32Array<ArrayBuffer>;
   /** The turn of each automatic handle, rounded as in the document. */
   readonly turns: Turns;
-  /** The number of triangles that are turned over, without the rim. */
-  readonly foldCount: number;
+  /** Where the picture is visibly turned over, from the largest. */
+  readonly creases: readonly Crease[];
 
-  /** Triangles × 3: those that are turned over. */
-  foldedTriangles(): Uint32Array<ArrayBuffer>;
+  /** Triangles × 3: those of the creases. */
+  creasedTriangles(): Uint32Array<ArrayBuffer>;
   /** Where a point of the original goes; null outside the mesh. */
   map(rest: Vec): MappedPoint | null;
   /** The point of the original that is drawn at a place; null beside the picture. */

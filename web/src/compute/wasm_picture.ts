@@ -10,6 +10,7 @@ import type { Project } from '../document/project';
 import { followedHandles } from '../document/solved';
 import { groupWay, handleWay } from '../document/ways';
 import type { Box } from '../geometry/box';
+import type { Crease } from '../geometry/crease';
 import { MOST_COVERAGE } from '../geometry/heat';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import { siteTurn } from '../geometry/skin';
@@ -49,8 +50,8 @@ class WasmPicture implements PosedPicture {
     return pose;
   }
 
-  foldCount(project: Project, limit = Number.POSITIVE_INFINITY): number {
-    return this.#module.fold_count_of(projectPoses(this.#solved, project), isRigid(project), limit);
+  foldCount(project: Project): number {
+    return this.#module.fold_count_of(projectPoses(this.#solved, project), isRigid(project));
   }
 
   foldLimit(from: Project, to: Project, turns: Turns, allowed: number): LimitedPose {
@@ -145,7 +146,7 @@ class WasmPose implements Pose {
   motions = new Float32Array();
   #positions: Float32Array<ArrayBuffer> | undefined;
   #turns: Turns | undefined;
-  #foldCount: number | undefined;
+  #creases: readonly Crease[] | undefined;
 
   constructor(picture: WasmPicture, project: Project, handles: Float64Array) {
     this.#picture = picture;
@@ -167,13 +168,13 @@ class WasmPose implements Pose {
     return this.#turns;
   }
 
-  get foldCount(): number {
-    this.#foldCount ??= this.#module.fold_count();
-    return this.#foldCount;
+  get creases(): readonly Crease[] {
+    this.#creases ??= asCreases(this.#module.creases());
+    return this.#creases;
   }
 
-  foldedTriangles(): Uint32Array<ArrayBuffer> {
-    return this.#module.folded_triangles();
+  creasedTriangles(): Uint32Array<ArrayBuffer> {
+    return this.#module.creased_triangles();
   }
 
   map([x, y]: Vec): MappedPoint | null {
@@ -219,6 +220,13 @@ function asPlacement(numbers: Float64Array | undefined): Placement | null {
   const [restX = 0, restY = 0, posedX = 0, posedY = 0, rotation = 0, scale = 1] = numbers;
   return { rest: [restX, restY], posed: [posedX, posedY], rotation, scale };
 }
+
+/** @param numbers Creases × 5: the edges of the box, and the area. */
+const asCreases = (numbers: Float64Array): readonly Crease[] =>
+  Array.from({ length: numbers.length / 5 }, (_, index) => {
+    const [left = 0, top = 0, right = 0, bottom = 0, area = 0] = numbers.subarray(5 * index);
+    return { box: { min: [left, top], max: [right, bottom] }, area };
+  });
 
 function asBox(edges: Float64Array | undefined): Box | null {
   if (!edges) return null;

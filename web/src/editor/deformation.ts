@@ -8,6 +8,7 @@
 import type { Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type { Box } from '../geometry/box';
+import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 
@@ -21,8 +22,8 @@ export interface SiteGraph {
   readonly places: Float32Array;
 }
 
-/** Some triangles of the posed mesh. */
-export interface FoldedMesh {
+/** The triangles of the creases. */
+export interface CreasedMesh {
   /** Vertices × 2. */
   readonly posed: Float32Array;
   /** Triangles × 3. */
@@ -67,15 +68,15 @@ export interface Deformation {
   siteGraph(project: Project): SiteGraph | null;
   /** Pieces × 2 ends × 2: where the pose puts the borders between cells. */
   posedBorders(project: Project, borders: CellBorders): Float32Array;
-  /** The triangles that the pose turns over; null if there are none. */
-  foldedMesh(project: Project): FoldedMesh | null;
-  /** The number of triangles that the pose turns over. */
+  /** The triangles that the pose visibly turns over; null if there are none. */
+  creasedMesh(project: Project): CreasedMesh | null;
+  /** The places where the pose visibly turns the picture over, from the largest. */
+  creases(project: Project): readonly Crease[];
+  /** The number of triangles in visible creases; infinite for a pose that cannot be computed. */
   foldCount(project: Project): number;
-  /** The number of folded triangles, counted up to `limit` + 1; infinite for a pose that cannot be computed. */
-  foldCountUpTo(project: Project, limit: number): number;
   /**
-   * The farthest pose on the way between two poses that folds at most `allowed` triangles. Returns `to` itself if all
-   * of the way is allowed. The pose of `from` counts as allowed.
+   * The farthest pose on the way between two poses with at most `allowed` triangles in visible creases. Returns `to`
+   * itself if all of the way is allowed. The pose of `from` counts as allowed.
    */
   foldLimit(from: Project, to: Project, allowed: number): LimitedPose;
   /** The same for handles that turn and scale together about one centre. */

@@ -83,6 +83,7 @@ type ControlEvent =
   | { readonly type: 'lasso-removed' }
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
+  | { readonly type: 'crease-zoomed' }
   | { readonly type: 'pixel-art-switched'; readonly on: boolean }
   | { readonly type: 'drawing-finished' | 'corner-taken-back' | 'theme-switched' }
   | { readonly type: 'settings-opened'; readonly open: boolean }

@@ -6,6 +6,7 @@
 import { groupCentre } from '../document/group';
 import { anchor, rotationOf, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
+import type { Crease } from '../geometry/crease';
 import { add, subtract, type Vec } from '../geometry/vec';
 import type { Deformation, GroupWay, LimitedPose } from './deformation';
 import type { EditorEffect } from './effects';
@@ -66,12 +67,13 @@ class PlaneDeformation implements Deformation {
     return new Map(handles.map((handle) => [handle.id, rotationOf(handle)]));
   }
 
-  foldCount({ handles }: Project): number {
-    return handles.filter((handle) => anchor(handle)[0] > 1000).length;
+  creases({ handles }: Project): readonly Crease[] {
+    const box = { min: [0, 0], max: [4, 4] } as const;
+    return handles.filter((handle) => anchor(handle)[0] > 1000).map(() => ({ box, area: 16 }));
   }
 
-  foldCountUpTo(project: Project): number {
-    return this.foldCount(project);
+  foldCount(project: Project): number {
+    return this.creases(project).length;
   }
 
   foldLimit(from: Project, to: Project, allowed: number): LimitedPose {
@@ -105,7 +107,7 @@ class PlaneDeformation implements Deformation {
     return new Float32Array();
   }
 
-  foldedMesh(): null {
+  creasedMesh(): null {
     return null;
   }
 }

@@ -18,7 +18,7 @@ const foldsOf = (document: Document): number => foldsAt(place(document));
 
 /** Everything beyond x = 10 folds once, beyond 20 twice. A limit lies exactly where the next fold begins. */
 const FOLDS: FoldLimiter = {
-  foldCountUpTo: (project) => foldsOf({ project, selection: [] }),
+  foldCount: (project) => foldsOf({ project, selection: [] }),
   foldLimit: (from, to, allowed) => {
     if (foldsOf({ project: to, selection: [] }) <= allowed) return { project: to, fraction: 1 };
     const end = allowed === 0 ? 10 : 20;
@@ -39,7 +39,7 @@ describe('the guard against folds', () => {
     return result.document;
   };
   beforeEach(() => {
-    guard = { on: true, allowed: null, holding: false, reached: null };
+    guard = { on: true, allowed: null, holding: false, asked: null, reached: null };
   });
 
   it('lets everything pass while it is off', () => {
@@ -53,9 +53,16 @@ describe('the guard against folds', () => {
     const held = limited(start, moveHandles(start, ['a'], [16, 0]));
     expect(place(held)).toBe(10);
     expect(guard.holding).toBe(true);
+    expect(guard.asked?.handles[0]?.posed).toEqual([16, 0]);
     expect(place(limited(held, moveHandles(start, ['a'], [6, 0])))).toBe(6);
-    expect(guard.holding).toBe(false);
-    expect(endGuarding(guard)).toEqual({ on: true, allowed: null, holding: false, reached: null });
+    expect([guard.holding, guard.asked]).toEqual([false, null]);
+    expect(endGuarding(guard)).toEqual({
+      on: true,
+      allowed: null,
+      holding: false,
+      asked: null,
+      reached: null,
+    });
   });
 
   it('keeps the folds that exist, and stops at more', () => {

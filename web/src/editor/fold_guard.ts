@@ -1,19 +1,23 @@
 /**
- * The guard against folds: a drag, a turn, a nudge or a typed number goes only as far as it adds no folds.
+ * The guard against folds: a drag, a turn, a nudge or a typed number goes only as far as it adds no
+ * visible folds.
  *
  * The solver bisects between the last allowed pose and the wanted one for the farthest pose without more folds than
  * before. Cost: some ten poses and passes over all triangles, a few milliseconds in all.
  */
 import type { Document } from '../document/document';
 import type { GroupTransform, PosedDocument } from '../document/group';
+import type { Project } from '../document/project';
 import type { Deformation } from './deformation';
 
 export interface FoldGuard {
   readonly on: boolean;
-  /** The number of folds allowed during a drag; null between drags. */
+  /** The number of folded triangles allowed during a drag; null between drags. */
   readonly allowed: number | null;
   /** Whether the last change was limited. */
   readonly holding: boolean;
+  /** The project that was asked for when a change was last limited. Stays after a drag, so that its mark fades. */
+  readonly asked: Project | null;
   /** How far a group transform of this drag has gone. */
   readonly reached: GroupTransform | null;
 }
@@ -24,11 +28,12 @@ export interface Guarded {
 }
 
 /** The questions of the guard; null before the first solution, when nothing folds. */
-export type FoldLimiter = Pick<Deformation, 'foldCountUpTo' | 'foldLimit' | 'groupFoldLimit'> | null;
+export type FoldLimiter = Pick<Deformation, 'foldCount' | 'foldLimit' | 'groupFoldLimit'> | null;
 
 export const beginGuarding = (guard: FoldGuard, { project }: Document, folds: FoldLimiter): FoldGuard => ({
   ...guard,
-  allowed: guard.on && folds ? folds.foldCountUpTo(project, Number.POSITIVE_INFINITY) : null,
+  allowed: guard.on && folds ? folds.foldCount(project) : null,
+  asked: null,
   reached: null,
 });
 
@@ -50,20 +55,20 @@ export function guarded(
 ): Guarded {
   const { document, transform = null } = wanted;
   if (!guard.on || !folds) return { document, guard };
-  const allowed = guard.allowed ?? folds.foldCountUpTo(present.project, Number.POSITIVE_INFINITY);
+  const allowed = guard.allowed ?? folds.foldCount(present.project);
   const start = transform && startOf(guard, transform);
   const { project, fraction } =
     transform && start
       ? folds.groupFoldLimit({ ...ofOrigin(transform), to: document.project, start, end: transform }, allowed)
       : folds.foldLimit(present.project, document.project, allowed);
   if (project === document.project)
-    return { document, guard: { ...guard, holding: false, reached: transform } };
+    return { document, guard: { ...guard, holding: false, asked: null, reached: transform } };
   const reached = transform && start ? between(transform, start, fraction) : guard.reached;
   // Equal after rounding: the same object makes no undo step.
   const same = JSON.stringify(project.handles) === JSON.stringify(present.project.handles);
   return {
     document: same ? present : { ...document, project },
-    guard: { ...guard, holding: true, reached },
+    guard: { ...guard, holding: true, asked: document.project, reached },
   };
 }
 

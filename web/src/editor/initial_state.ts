@@ -26,7 +26,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       reported: { selection: [], undo: null, redo: null },
     },
     tools: initialTools,
-    guard: { on: false, allowed: null, holding: false, reached: null },
+    guard: { on: false, allowed: null, holding: false, asked: null, reached: null },
     opening,
     solution: {
       shown: null,
@@ -46,6 +46,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       settings: false,
       numbers: false,
       box: null,
+      zoomedCrease: -1,
       crosshair: null,
     },
     pointer: { coarse: media.coarse, hovered: null, last: null, onHandle: false, space: false },
@@ -61,6 +62,6 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       overwritten: false,
       failing: false,
     },
-    checks: { pending: false, folds: 0, beyond: false, outside: '' },
+    checks: { pending: false, creases: [], beyond: false, outside: '' },
   };
 }

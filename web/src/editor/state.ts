@@ -9,6 +9,7 @@ import type { History } from '../document/history';
 import type { Handle, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
+import type { Crease } from '../geometry/crease';
 import type { Vec } from '../geometry/vec';
 import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
@@ -83,6 +84,8 @@ export interface DisplayState {
   readonly numbers: boolean;
   /** The selection box being drawn, image pixels. */
   readonly box: Box | null;
+  /** Index of the crease that the view was last zoomed to; −1 before the first. */
+  readonly zoomedCrease: number;
   /** Where the keyboard would place a handle, image pixels; null until an arrow key moves it. */
   readonly crosshair: Vec | null;
 }
@@ -103,8 +106,8 @@ export interface PointerState {
 /** Faults of the pose that a person may overlook, as of the last check. */
 export interface PoseChecks {
   readonly pending: boolean;
-  /** The number of triangles that the pose turns over. */
-  readonly folds: number;
+  /** Where the pose visibly turns the picture over, from the largest. */
+  readonly creases: readonly Crease[];
   /** Part of the posed picture lies outside the picture's frame, which bounds the export. */
   readonly beyond: boolean;
   /** The parts of handles outside the domain, as a key. */

@@ -13,13 +13,16 @@ import {
   toImage,
   toStage,
 } from '../geometry/camera';
-import type { Vec } from '../geometry/vec';
+import { add, midpoint, subtract, type Vec } from '../geometry/vec';
 import { insetsOf } from './insets';
 import { type EditorState, projectOf, selectionOf } from './state';
 import type { ViewState } from './view_state';
 
 /** Image pixels beyond the frame that rounding alone may cause. */
 const SLACK = 0.5;
+
+/** Half of the least side of a box that the view zooms to, image pixels. */
+const LEAST_HALF_SHOWN = 40;
 
 /** Zoom factor of one step of the zoom buttons. */
 const NOTCH = Math.SQRT2;
@@ -83,6 +86,14 @@ export const zoom = (state: EditorState, notches: number): EditorState =>
     state,
     scaledAt(state.view.camera, state.view.camera.scale * NOTCH ** notches, viewMiddle(state)),
   );
+
+/** Zooms to a box of the picture with as much again around it. */
+export function showBox(state: EditorState, { min, max }: Box): EditorState {
+  const centre = midpoint(min, max);
+  const half = Math.max(LEAST_HALF_SHOWN, max[0] - min[0], max[1] - min[1]);
+  const around: Box = { min: subtract(centre, [half, half]), max: add(centre, [half, half]) };
+  return moveCamera(state, fitted(around, state.stage, insets(state)));
+}
 
 /** Pans by the shortest way until no card covers a point of the picture. */
 export function reveal(state: EditorState, at: Vec): EditorState {

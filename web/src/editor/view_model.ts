@@ -3,15 +3,17 @@ import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
 import { anchor, isLine, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
+import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
-import type { Vec } from '../geometry/vec';
+import type { Crease } from '../geometry/crease';
+import { distance, type Vec } from '../geometry/vec';
 import { draftOf, hasTakenCorners, isPressing, type ToolName, waitingDrafts } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
 import { canRun } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
-import type { FoldedMesh, SiteGraph } from './deformation';
+import type { CreasedMesh, SiteGraph } from './deformation';
 import { gripsOf, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
@@ -59,15 +61,17 @@ export interface EditorModel {
   readonly sites: SiteGraph | null;
   /** Pieces × 2 ends × 2: the borders between cells, while they are shown and known. */
   readonly borders: Float32Array | null;
-  /** Triangles that have turned over, while they are shown. */
-  readonly folded: FoldedMesh | null;
-  /** The number of triangles that have turned over. */
-  readonly folds: number;
+  /** The triangles of the creases, while they are shown. */
+  readonly creased: CreasedMesh | null;
+  /** Where the picture is visibly turned over, from the largest. */
+  readonly creases: readonly Crease[];
   /** Part of the posed picture lies beyond the picture's frame, which bounds the export. */
   readonly beyond: boolean;
   /** The guard against folds is on, and whether it holds a drag back now. */
   readonly guarded: boolean;
   readonly holding: boolean;
+  /** The selected handles where the guard does not let them go, as of its last stop. */
+  readonly asked: readonly Handle[];
   /** Whether the picture is drawn as pixel art; null where it is too large for that. */
   readonly pixelated: boolean | null;
   /** The focused corner, of the only selected handle. */
@@ -139,11 +143,12 @@ export function viewModel(state: EditorState): EditorModel {
       shown && overlays.cells && borders?.of === shown && borders.pieces
         ? shown.deformation.posedBorders(project, borders.pieces)
         : null,
-    folded: shown && overlays.folds ? shown.deformation.foldedMesh(project) : null,
-    folds: overlays.folds || guard.on ? (shown?.deformation.foldCount(project) ?? 0) : checks.folds,
+    creased: shown && overlays.creases ? shown.deformation.creasedMesh(project) : null,
+    creases: overlays.creases || guard.on ? (shown?.deformation.creases(project) ?? []) : checks.creases,
     beyond: checks.beyond,
     guarded: guard.on,
     holding: guard.holding,
+    asked: askedHandles(state),
     pixelated: picture?.isSmall ? state.pixelated : null,
     corner: cornerInHand(state),
     settings: display.settings,
@@ -170,6 +175,22 @@ function cornerInHand(state: EditorState): number | null {
   if (!only || !corner || corner.id !== only.id || others.length > 0 || !isLine(only)) return null;
   return corner.index < only.posed.length ? corner.index : null;
 }
+
+/** The handles of the selection that the guard stopped, where they were asked to go. */
+function askedHandles(state: EditorState): readonly Handle[] {
+  const { asked } = state.guard;
+  if (!asked) return NONE;
+  const { selection, project } = documentOf(state);
+  const present = new Map(project.handles.map((handle) => [handle.id, handle]));
+  return asked.handles.filter(
+    (handle) => selection.includes(handle.id) && !isSamePlace(handle, present.get(handle.id)),
+  );
+}
+
+const NONE: readonly Handle[] = [];
+
+const isSamePlace = (a: Handle, b: Handle | undefined): boolean =>
+  b !== undefined && distance(anchor(a), anchor(b)) < 0.5;
 
 /** Room for the hint beside a handle, CSS pixels. */
 const HINT_CSS_PX = 170;

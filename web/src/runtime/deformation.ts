@@ -5,13 +5,14 @@ import type { Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type {
   CellBorders,
+  CreasedMesh,
   Deformation,
-  FoldedMesh,
   GroupWay,
   LimitedPose,
   SiteGraph,
 } from '../editor/deformation';
 import type { Box } from '../geometry/box';
+import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import { MOTION_STRIDE } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
@@ -70,18 +71,18 @@ export class SolutionDeformation implements Deformation {
     return this.pose(project)?.borders(borders) ?? new Float32Array();
   }
 
-  foldedMesh(project: Project): FoldedMesh | null {
+  creasedMesh(project: Project): CreasedMesh | null {
     const pose = this.pose(project);
-    if (!pose || pose.foldCount === 0) return null;
-    return { posed: pose.positions, triangles: pose.foldedTriangles() };
+    if (!pose || pose.creases.length === 0) return null;
+    return { posed: pose.positions, triangles: pose.creasedTriangles() };
+  }
+
+  creases(project: Project): readonly Crease[] {
+    return this.pose(project)?.creases ?? [];
   }
 
   foldCount(project: Project): number {
-    return this.pose(project)?.foldCount ?? 0;
-  }
-
-  foldCountUpTo(project: Project, limit: number): number {
-    return this.#picture.foldCount(project, limit);
+    return this.#picture.foldCount(project);
   }
 
   foldLimit(from: Project, to: Project, allowed: number): LimitedPose {

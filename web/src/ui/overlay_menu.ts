@@ -11,7 +11,7 @@ const TEXTS = {
   cells: ['Cells', 'The part nearest to each handle, virtual handles included'],
   sites: ['Virtual handles', 'Points that move the picture between your handles'],
   graph: ['Cell graph', 'The neighbours among all handles, virtual ones included'],
-  folds: ['Folds', 'Parts of the picture that have turned over'],
+  creases: ['Creases', 'Places where the picture has turned over'],
   reach: ['Reach', 'How far each place follows a small move of the selected handles'],
   coverage: ['Coverage', 'The number of handles that move each place, virtual ones included'],
 } as const satisfies Record<OverlayName, readonly [label: string, tip: string]>;

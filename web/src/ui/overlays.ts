@@ -1,7 +1,7 @@
-/** Cells, virtual sites, the cell graph and folds, drawn over the posed picture. */
+/** Cells, virtual sites, the cell graph and creases, drawn over the posed picture. */
 
 import { nothing, type SVGTemplateResult, svg } from 'lit';
-import type { FoldedMesh, SiteGraph } from '../editor/deformation';
+import type { CreasedMesh, SiteGraph } from '../editor/deformation';
 import type { OverlayFlags } from '../editor/overlays';
 import { type Camera, toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
@@ -24,12 +24,12 @@ export function cellOverlay(borders: Float32Array | null, camera: Camera): Overl
   return outlined('cells', path(borders.length / 2, 2, through(borders, camera)));
 }
 
-export function foldOverlay(folded: FoldedMesh | null, camera: Camera): Overlay {
-  if (!folded) return nothing;
-  const { posed, triangles } = folded;
+export function creaseOverlay(creased: CreasedMesh | null, camera: Camera): Overlay {
+  if (!creased) return nothing;
+  const { posed, triangles } = creased;
   const vertex = through(posed, camera);
   return outlined(
-    'folds',
+    'creases',
     path(triangles.length, 3, (at) => vertex(triangles[at] ?? 0)),
   );
 }

@@ -3,14 +3,16 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { crosshair, selectionBox } from './aims';
+import { askedMarks } from './asked_marks';
 import { cornerMarks } from './client';
+import { creaseMarks } from './crease_marks';
 import { cssCursor } from './cursor';
 import { domainMarks } from './domain';
 import { draftMarks } from './drawing';
 import { frame } from './frame';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
-import { cellOverlay, foldOverlay, siteOverlay } from './overlays';
+import { cellOverlay, creaseOverlay, siteOverlay } from './overlays';
 
 /** Keys without a control of their own. */
 const KEYS = 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.';
@@ -40,7 +42,8 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
   ${model.playing ? nothing : frame(model)} ${cellOverlay(model.borders, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
-  ${foldOverlay(model.folded, model.camera)} ${handled ? handleMarks(model) : nothing} ${selectionBox(model)}`;
+  ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)}
+  ${selectionBox(model)}`;
 
 /** The picture for screen readers while the editor is inert. */
 export const disabledStage = (model: EditorModel): TemplateResult =>

@@ -19,8 +19,8 @@ export function statusLine(model: EditorModel, dispatch: Dispatch): TemplateResu
     <span class="solved">
       ${model.task ? progress(model.task, model, dispatch) : model.solved ? solved(model) : nothing}
     </span>
-    ${folds(model, dispatch)}
-    <span class="spoken" role="status">${model.folds > 0 ? 'A part of the picture is folded' : ''}</span>
+    ${creases(model, dispatch)}
+    <span class="spoken" role="status">${model.creases.length > 0 ? 'The picture has creases' : ''}</span>
     <span class="private" title="Pictures are opened, warped and saved on this machine only.">
       ${icon('lock')}Nothing leaves your browser
     </span>
@@ -33,23 +33,39 @@ export function statusLine(model: EditorModel, dispatch: Dispatch): TemplateResu
   </div>`;
 }
 
-/** A quiet warning of folds. A press shows or hides them. It also says when the guard stops a drag. */
-function folds(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
-  const { folds: count, holding, overlays } = model;
-  if (count === 0 && !holding) return nothing;
-  const [number, what] = counted(count, 'triangle').split(' ');
-  const text = holding ? 'Stopped at a fold' : `${number} ${what} folded`;
-  const tip = overlays.folds ? 'Hide the folds' : 'Show the folds';
+/** A quiet warning of creases. One press shows or hides them, another zooms to the next one. */
+function creases(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
+  const { creases: places, holding, overlays } = model;
+  if (places.length === 0 && !holding) return nothing;
+  const text = holding ? 'Stopped at a fold' : counted(places.length, 'crease');
+  const tip = overlays.creases ? 'Hide the creases' : 'Show the creases';
+  return html`<span class="creased">
+    <button
+      type="button"
+      class="button shown ${holding ? 'holding' : ''}"
+      part="button"
+      data-tip=${tip}
+      aria-label="${text}. ${tip}"
+      aria-pressed=${String(overlays.creases)}
+      @click=${() => dispatch({ type: 'overlay-switched', overlay: 'creases', on: !overlays.creases })}
+    >
+      ${icon('fold')}<span>${text}</span>
+    </button>
+    ${places.length > 0 && !holding ? zoomButton(places.length, dispatch) : nothing}
+  </span>`;
+}
+
+function zoomButton(count: number, dispatch: Dispatch): TemplateResult {
+  const label = count > 1 ? 'Zoom to the next crease' : 'Zoom to the crease';
   return html`<button
     type="button"
-    class="button folded ${holding ? 'holding' : ''}"
+    class="button"
     part="button"
-    data-tip=${tip}
-    aria-label="${text}. ${tip}"
-    aria-pressed=${String(overlays.folds)}
-    @click=${() => dispatch({ type: 'overlay-switched', overlay: 'folds', on: !overlays.folds })}
+    data-tip=${label}
+    aria-label=${label}
+    @click=${() => dispatch({ type: 'crease-zoomed' })}
   >
-    ${icon('fold')}<span>${holding ? text : html`${number} <span class="what">${what}</span> folded`}</span>
+    ${icon('magnifier')}
   </button>`;
 }
 

@@ -11,7 +11,8 @@
 //!
 //! - `posed_picture`: all of it for one solution, without the solution itself.
 //! - `placement`: where a handle can be placed.
-//! - `folds`, `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
+//! - `folds`, `creases`: where the picture turns over.
+//! - `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
 //! - `reach`, `coverage`, `bounds`, `borders`: what the overlays show.
 //!
 //! Cost: a blend visits the supports over each vertex; everything else is linear in the mesh.
@@ -19,6 +20,7 @@
 mod borders;
 mod bounds;
 mod coverage;
+mod creases;
 mod drawing_order;
 mod dual;
 mod fold_guard;
@@ -35,6 +37,7 @@ mod triangle;
 mod way;
 
 pub use bounds::Bounds;
+pub use creases::Crease;
 pub(crate) use drawing_order::{depths, drawing_order};
 pub use fold_guard::FoldLimit;
 pub(crate) use folds::FoldingMesh;

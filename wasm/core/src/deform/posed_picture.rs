@@ -11,9 +11,10 @@ use std::{borrow::Cow, cell::OnceCell};
 use glam::DVec2;
 
 use super::{
-    Bounds, Correspondence, FoldLimit, GroupWay, HandlePose, HandleWay, Pose,
+    Bounds, Correspondence, Crease, FoldLimit, GroupWay, HandlePose, HandleWay, Pose,
     borders::posed_borders,
     coverage::coverage,
+    creases::creases,
     drawing_order::{depths, drawing_order},
     fold_guard::fold_limit,
     folds::FoldingMesh,
@@ -59,11 +60,12 @@ pub struct PosedPicture {
     order: Order,
 }
 
-/// The present pose, and its vertices once they are asked for.
+/// The present pose, and its vertices and creases once they are asked for.
 #[derive(Debug, Default)]
 struct Present {
     pose: Option<Pose>,
     posed: OnceCell<Vec<DVec2>>,
+    creases: OnceCell<Vec<Crease>>,
 }
 
 /// The triangles of the present depths.
@@ -195,28 +197,27 @@ impl PosedPicture {
         placement(both, &self.mesh.triangles, self.mesh.samples, rest, 0.0).is_some_and(|place| place.posed == rest)
     }
 
-    /// The number of triangles that the present pose turns over, counted up to `limit` + 1.
+    /// The places where the present pose visibly turns the picture over, from the largest.
     #[must_use]
-    pub fn fold_count(&self, limit: usize) -> usize {
-        self.folding.count(self.posed_vertices(), limit)
+    pub fn creases(&self) -> &[Crease] {
+        self.present.creases.get_or_init(|| self.creases_of(self.posed_vertices()))
     }
 
-    /// The triangles that the present pose turns over.
-    pub fn folded_triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
-        self.folding.folded(self.posed_vertices())
-    }
-
-    /// The number of triangles that any pose turns over, counted up to `limit` + 1.
+    /// The number of triangles in the visible creases of any pose.
     ///
     /// # Errors
     /// Those of [`set_pose`](Self::set_pose).
-    pub fn fold_count_of(&self, poses: &[HandlePose], blend: Blend, limit: usize) -> Result<usize, Error> {
+    pub fn fold_count_of(&self, poses: &[HandlePose], blend: Blend) -> Result<usize, Error> {
         let posed = self.pose(poses, blend)?.blend_all(&self.mesh.vertices, &self.mesh.weights);
-        Ok(self.folding.count(&posed, limit))
+        Ok(self.creases_of(&posed).iter().map(|crease| crease.triangles.len()).sum())
     }
 
-    /// The farthest poses between two that fold at most `allowed` triangles. Those at the start are taken to be
-    /// allowed; a pose that cannot be made is not.
+    fn creases_of(&self, posed: &[DVec2]) -> Vec<Crease> {
+        creases(posed, &self.folding.folded(posed).collect::<Vec<_>>())
+    }
+
+    /// The farthest poses between two with at most `allowed` triangles in visible creases. Those at the start are
+    /// taken to be allowed; a pose that cannot be made is not.
     #[must_use]
     pub fn fold_limit(&self, way: &HandleWay, blend: Blend, allowed: usize) -> FoldLimit {
         self.limit(way, blend, allowed)
@@ -229,7 +230,7 @@ impl PosedPicture {
     }
 
     fn limit(&self, way: &dyn Way, blend: Blend, allowed: usize) -> FoldLimit {
-        fold_limit(way, &mut |poses| self.fold_count_of(poses, blend, allowed).is_ok_and(|count| count <= allowed))
+        fold_limit(way, &mut |poses| self.fold_count_of(poses, blend).is_ok_and(|count| count <= allowed))
     }
 
     /// How much of a move of the `selected` handles each vertex follows: 1 moves as far as they do, 0 stays.

@@ -6,7 +6,7 @@ import type { EditorState } from '../state';
 import { contain, reveal } from '../view';
 import { saveWork } from './autosave';
 import { finish, focus } from './corners';
-import { holdPreview, openNumbers, openSettings, switchOverlay } from './display';
+import { holdPreview, openNumbers, openSettings, switchOverlay, zoomToCrease } from './display';
 import {
   setAutomatic,
   setBlend,
@@ -26,7 +26,7 @@ const edit = (state: EditorState, change: () => EditorState): EditorState =>
   mayEdit(state) ? change() : state;
 
 const setGuard = (state: EditorState, on: boolean, emit: Emit): EditorState =>
-  saveWork({ ...state, guard: { ...state.guard, on, holding: false } }, emit);
+  saveWork({ ...state, guard: { ...state.guard, on, holding: false, asked: null } }, emit);
 
 export const controlHandlers: Handlers<
   | 'preview-held'
@@ -49,6 +49,7 @@ export const controlHandlers: Handlers<
   | 'handles-selected'
   | 'handle-toggled'
   | 'handle-focus-asked'
+  | 'crease-zoomed'
   | 'place-revealed'
 > = {
   'preview-held': (state, { command }) => holdPreview(state, command),
@@ -80,5 +81,6 @@ export const controlHandlers: Handlers<
     focus(emit, id);
     return state;
   },
+  'crease-zoomed': zoomToCrease,
   'place-revealed': (state, { at }) => (state.page.playing ? contain(state, [at]) : reveal(state, at)),
 };

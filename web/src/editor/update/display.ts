@@ -3,6 +3,7 @@ import type { PreviewCommand } from '../commands';
 import type { Emit } from '../effects';
 import type { OverlayFlags, OverlayName } from '../overlays';
 import type { DisplayState, EditorState } from '../state';
+import { showBox } from '../view';
 import { withSolution } from './solve_request';
 
 /** Only one of two heat maps is shown. */
@@ -19,6 +20,15 @@ const withDisplay = (state: EditorState, change: Partial<DisplayState>): EditorS
 export function switchOverlay(state: EditorState, overlay: OverlayName, on: boolean): EditorState {
   const { overlays } = state.display;
   return withDisplay(state, { overlays: { ...overlays, ...(on && REPLACES[overlay]), [overlay]: on } });
+}
+
+/** Shows the creases and zooms to the next one. */
+export function zoomToCrease(state: EditorState): EditorState {
+  const { creases } = state.checks;
+  const next = (state.display.zoomedCrease + 1) % creases.length;
+  const crease = creases[next];
+  if (!crease) return state;
+  return showBox(switchOverlay(withDisplay(state, { zoomedCrease: next }), 'creases', true), crease.box);
 }
 
 /** Shows the picture without handles while a key or button is held; null shows everything. */

@@ -1,8 +1,9 @@
 /**
- * Checks for faults that a person may overlook: folds, parts of the picture outside its frame, and handles partly
+ * Checks for faults that a person may overlook: creases, parts of the picture outside its frame, and handles partly
  * outside the picture.
  *
- * Folds and the frame need a pass over the whole mesh. It is made a few times a second during a drag and once after it.
+ * Creases and the frame need a pass over the whole mesh. It is made a few times a second during a drag, and once after
+ * it.
  */
 import { handleById } from '../../document/document';
 import { ringsOf } from '../../document/domain';
@@ -24,8 +25,11 @@ export function schedulePoseCheck(state: EditorState, emit: Emit): EditorState {
 }
 
 export function checkPose(state: EditorState): EditorState {
-  const folds = state.solution.shown?.deformation.foldCount(projectOf(state)) ?? 0;
-  return { ...state, checks: { ...state.checks, pending: false, folds, beyond: reachesBeyondFrame(state) } };
+  const creases = state.solution.shown?.deformation.creases(projectOf(state)) ?? [];
+  return {
+    ...state,
+    checks: { ...state.checks, pending: false, creases, beyond: reachesBeyondFrame(state) },
+  };
 }
 
 /** Names the handles that lie partly outside the picture, when a solve finds others than the solve before. */

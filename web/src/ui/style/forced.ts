@@ -18,7 +18,7 @@ export const forcedStyle = css`
     .button.toggle[aria-pressed='true'],
     .button.segment[aria-pressed='true'],
     .button.finish:not(:disabled),
-    .status .folded[aria-pressed='true'],
+    .status .creased [aria-pressed='true'],
     .item[aria-pressed='true'],
     .entry:focus:not([aria-disabled]) {
       forced-color-adjust: none;

@@ -88,6 +88,32 @@ export const marksStyle = css`
   .line-handle.selected .body {
     opacity: 0.16;
   }
+  .asked {
+    stroke: var(--_casing);
+    stroke-width: 1.75;
+    opacity: 0;
+    transition: opacity 0.5s ease-in;
+  }
+  .asked.held {
+    opacity: 1;
+    transition: none;
+  }
+  .asked .shape {
+    stroke: #c2410c;
+    stroke-width: 2.5;
+    stroke-dasharray: 4 4;
+    fill: #fff9;
+  }
+  .asked .words {
+    fill: #26272b;
+    stroke: none;
+  }
+  .asked text {
+    fill: #fff;
+    font-size: 13px;
+    font-weight: 500;
+    text-anchor: middle;
+  }
   .box {
     fill: color-mix(in srgb, var(--_accent) 14%, transparent);
     stroke: var(--_accent);

@@ -1,18 +1,44 @@
-/** Folds, cells, the cell graph and virtual sites. */
+/** Creases, cells, the cell graph and virtual sites. */
 import { css } from 'lit';
 
 export const overlaysStyle = css`
   /* Folded triangles have almost no width, so the stroke must show them. */
-  .folds {
+  .creases {
     fill: #f0250f;
     stroke: #f0250f;
     stroke-width: 2.5;
     stroke-linejoin: round;
   }
-  .folds.pale {
+  .creases.pale {
     fill: none;
     stroke: #fffc;
     stroke-width: 6;
+  }
+  .crease-place {
+    stroke: #fff;
+    stroke-width: 2;
+    filter: drop-shadow(0 0 1.5px #f0250f) drop-shadow(0 0 1.5px #f0250f);
+  }
+  .crease-place circle {
+    transform-box: fill-box;
+    transform-origin: center;
+    /* Users must be able to stop motion that lasts more than five seconds (WCAG 2.2.2). */
+    animation: pulse 1.5s ease-out 3 both;
+  }
+  @keyframes pulse {
+    from {
+      scale: 0.35;
+      opacity: 1;
+    }
+    to {
+      scale: 1;
+      opacity: 0;
+    }
+  }
+  @media (prefers-reduced-motion: reduce) {
+    .crease-place circle {
+      animation: none;
+    }
   }
   .cells {
     fill: none;

@@ -40,14 +40,22 @@ export const statusStyle = css`
   .view {
     gap: 0;
   }
-  .status .folded {
-    gap: 5px;
-    padding: 0 8px;
+  .creased {
+    display: flex;
+    gap: 2px;
+    min-width: 0;
+  }
+  .status .creased .button {
     color: var(--_warning);
     font-size: 12px;
     font-weight: 600;
   }
-  .status .folded[aria-pressed='true'] {
+  .status .creased .shown {
+    gap: 5px;
+    min-width: 0;
+    padding: 0 8px;
+  }
+  .status .creased [aria-pressed='true'] {
     background: color-mix(in srgb, var(--_warning) 12%, transparent);
     color: var(--_warning);
     box-shadow: inset 0 0 0 1.5px currentcolor;
@@ -58,7 +66,7 @@ export const statusStyle = css`
     color: var(--_text);
   }
   @container shell (width < 1100px) {
-    .status:has(.folded) .private {
+    .status:has(.creased) .private {
       display: none;
     }
   }
@@ -72,20 +80,14 @@ export const statusStyle = css`
     .solved {
       display: none;
     }
-    .status:has(.folded) {
+    .status:has(.creased) {
       justify-content: space-between;
       gap: 0;
     }
-    .status:has(.folded) .percent {
+    .status:has(.creased) .percent {
       display: none;
     }
-    .folded {
-      min-width: 0;
-    }
-    .folded .what {
-      display: none;
-    }
-    .folded span {
+    .creased .shown span {
       overflow: hidden;
       text-overflow: ellipsis;
     }
