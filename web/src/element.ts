@@ -320,6 +320,7 @@ export class C2Warp extends TypedElement {
       node: this,
       root: this.renderRoot as ShadowRoot,
       render: () => this.requestUpdate(),
+      rendered: () => this.updateComplete,
       notifyPage: (notification: PageNotification) => this.#notify(notification),
       setTheme: (theme: 'light' | 'dark') => {
         this.theme = theme;

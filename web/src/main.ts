@@ -11,8 +11,8 @@ if (editor) {
     const { theme } = editor;
     if (theme) stored((storage) => storage.setItem(THEME, theme));
   }).observe(editor, { attributeFilter: [THEME] });
-  // Keys then work before the first click.
-  editor.addEventListener('ready', () => editor.focus({ preventScroll: true }), { once: true });
+  // Keys then work before the first click, and before the picture is open.
+  editor.updateComplete.then(() => editor.focus({ preventScroll: true }));
 }
 
 /** Returns the result of `ask` on the browser's storage, or `null` if the browser refuses storage. */

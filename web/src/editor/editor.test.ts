@@ -5,24 +5,11 @@ import { WarpError } from '../error';
 import { COMMANDS, type CommandName } from './commands';
 import type { EditorEvent } from './events';
 import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
+import { among, randomOf } from './random';
 import { documentOf } from './state';
 import { viewModel } from './view_model';
 
-/** A small generator with a fixed seed (mulberry32): the same sequences in every run. */
-function randomOf(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
-}
-
 type Step = (runtime: FakeRuntime, random: () => number) => void;
-
-const among = <T>(list: readonly T[], random: () => number): T =>
-  list[Math.floor(random() * list.length)] as T;
 
 const pointerOf = (random: () => number) => ({
   stage: [Math.round(random() * 420 - 10), Math.round(random() * 320 - 10)] as const,

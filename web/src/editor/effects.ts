@@ -78,6 +78,8 @@ export type EditorEffect =
   | { readonly type: 'hide-menu' }
   | { readonly type: 'toggle-keys' }
   | { readonly type: 'set-theme'; readonly theme: 'light' | 'dark' }
+  /** Answered by `input-released`, once the page shows the state. */
+  | { readonly type: 'release-input' }
   | { readonly type: 'start-timer'; readonly timer: Timer; readonly ms: number }
   | { readonly type: 'stop-timer'; readonly timer: Timer };
 

@@ -171,6 +171,9 @@ type SolverEvent =
   | { readonly type: 'solve-refused'; readonly key: string; readonly error: Error; readonly failed: boolean }
   | { readonly type: 'borders-found'; readonly solution: Solution; readonly borders: CellBorders };
 
+/** The next input that has waited for its picture is carried out. */
+type WaitingEvent = { readonly type: 'input-released' };
+
 /** The graphics context of the canvas: without one nothing can be drawn. */
 type GraphicsEvent = { readonly type: 'graphics-lost' | 'graphics-restored' };
 
@@ -186,7 +189,8 @@ export type EditorEvent =
   | FileEvent
   | StorageEvent
   | SolverEvent
-  | GraphicsEvent;
+  | GraphicsEvent
+  | WaitingEvent;
 
 export type Dispatch = (event: EditorEvent) => void;
 

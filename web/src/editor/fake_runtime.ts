@@ -147,6 +147,7 @@ export class FakeRuntime {
     this.state = state;
     this.effects.push(...effects);
     this.pending.push(...effects.filter(isAnswered));
+    if (effects.some(({ type }) => type === 'release-input')) this.dispatch({ type: 'input-released' });
   }
 
   /** Opens a picture and solves it. */

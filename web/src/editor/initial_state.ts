@@ -28,6 +28,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     tools: initialTools,
     guard: { on: false, allowed: null, holding: false, asked: null, reached: null },
     opening,
+    waiting: [],
     solution: {
       shown: null,
       recent: [],

@@ -8,7 +8,9 @@
  * Bringing earlier work back is a request of its own lane. A newer request *suspends* it. It is superseded only
  * once the newer picture is open, so that work is never lost to a file that cannot be opened.
  */
+import type { Document } from '../document/document';
 import type { Project, ProjectFile } from '../document/project';
+import type { ToolName } from '../tools/machine';
 import type { NamedFile, Picture } from './picture';
 import type { Work, WorkSnapshot } from './work';
 
@@ -52,8 +54,10 @@ export interface Trial {
   readonly withProject: boolean;
   /** The picture came without a project or work. */
   readonly fresh: boolean;
-  /** The picture and the work to return to. */
-  readonly before: { readonly picture: Picture; readonly work: Work } | null;
+  /** The document that was put on the stage with the picture. */
+  readonly opened: Document;
+  /** The picture, the work and the tool to return to. */
+  readonly before: { readonly picture: Picture; readonly work: Work; readonly tool: ToolName } | null;
   /** Parked work once the picture is open. */
   readonly parked: readonly WorkSnapshot[];
 }

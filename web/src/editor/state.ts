@@ -15,6 +15,7 @@ import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
+import type { EditorEvent } from './events';
 import type { Focus } from './focus';
 import type { FoldGuard } from './fold_guard';
 import type { MenuState } from './menu_state';
@@ -38,6 +39,8 @@ export interface EditorState {
   readonly tools: Tools;
   readonly guard: FoldGuard;
   readonly opening: OpeningState;
+  /** A person's input for the picture that is being opened, in its order. */
+  readonly waiting: readonly EditorEvent[];
   readonly solution: SolutionState;
   /** CSS pixels. */
   readonly stage: Size;

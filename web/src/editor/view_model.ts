@@ -25,6 +25,7 @@ import { documentOf, type EditorState, overlaysOf, projectOf } from './state';
 import type { Task } from './task';
 import { currentTask, shownNotice } from './update/notices';
 import { isInView } from './view';
+import { awaitsPicture, toolToCome, waitingPlaces } from './waiting_input';
 
 export interface EditorModel {
   readonly document: Document;
@@ -32,6 +33,10 @@ export interface EditorModel {
   readonly picture: Picture | null;
   /** A picture is being opened. */
   readonly opening: boolean;
+  /** The next picture is still to come, and input waits for it. */
+  readonly awaiting: boolean;
+  /** Where waiting presses began, CSS pixels of the stage. */
+  readonly waitingPlaces: readonly Vec[];
   readonly tool: ToolName;
   readonly readonly: boolean;
   /** Shows only the picture and its handles, or only the picture where `readonly`. */
@@ -120,7 +125,9 @@ export function viewModel(state: EditorState): EditorModel {
     },
     picture,
     opening: isOpening(state.opening),
-    tool: tools.tool,
+    awaiting: awaitsPicture(state),
+    waitingPlaces: waitingPlaces(state),
+    tool: toolToCome(state),
     readonly: page.readonly,
     disabled: page.disabled,
     playing: page.playing,

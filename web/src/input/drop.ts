@@ -31,6 +31,8 @@ export class DropTarget {
         const { dataTransfer } = event;
         if (!accepts() || !dataTransfer?.files.length) return;
         event.preventDefault();
+        // What is typed next is for the picture.
+        if (!element.matches(':focus-within')) element.focus({ preventScroll: true });
         const folders = foldersIn(dataTransfer);
         const files = [...dataTransfer.files];
         receive(files.map((file, k) => ({ name: file.name, file, folder: folders[k] ?? false })));

@@ -4,7 +4,7 @@
 
 import type { EditorAccess } from '../editor/access';
 import { type CommandName, commandOfKey, commandsFor, isPreview } from '../editor/commands';
-import { bailTarget } from '../editor/update/command';
+import { takesBail } from '../editor/update/command';
 import { takesArrow, takesPlace, takesSpace, takesTurn } from '../editor/update/keys';
 import { takesMenuKey } from '../editor/update/menu';
 import type { Vec } from '../geometry/vec';
@@ -69,7 +69,7 @@ export class KeyboardInput {
     const command = commandOfKey(event, commandsFor(state.page.playing, state.page.readonly));
     if (command === null || OF_CLIPBOARD.includes(command)) return;
     if (command === 'bail') {
-      if (!bailTarget(state)) return;
+      if (!takesBail(state)) return;
       event.preventDefault();
       dispatch({ type: 'command-run', command });
       return;

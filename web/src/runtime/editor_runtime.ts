@@ -42,6 +42,8 @@ export interface EditorElement {
   readonly root: ShadowRoot;
   /** The state has changed: render it. */
   render(): void;
+  /** Resolves once the last state is rendered. */
+  rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
   setTheme(theme: 'light' | 'dark'): void;
   /** The system switched between light and dark colours. */
@@ -291,6 +293,7 @@ export class EditorRuntime {
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),
       setTheme: (theme) => element.setTheme(theme),
+      releaseInput: () => element.rendered().then(() => this.dispatch({ type: 'input-released' })),
     };
   }
 }

@@ -30,6 +30,7 @@ export interface Resources {
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
   setTheme(theme: 'light' | 'dark'): void;
+  releaseInput(): void;
 }
 
 type EffectOf<T extends EditorEffect['type']> = Extract<EditorEffect, { readonly type: T }>;
@@ -64,6 +65,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'hide-menu': (_, { menu }) => menu.hide(),
   'toggle-keys': (_, { root }) => root.querySelector<HTMLElement>('#keys')?.togglePopover(),
   'set-theme': (effect, resources) => resources.setTheme(effect.theme),
+  'release-input': (_, resources) => resources.releaseInput(),
   'start-timer': (effect, { timers }) => timers.start(effect.timer, effect.ms),
   'stop-timer': (effect, { timers }) => timers.stop(effect.timer),
 };

@@ -1,4 +1,4 @@
-/** Aims over the picture: the box of a drag over empty space, and the crosshair of the keyboard. */
+/** Aims over the picture: the box of a drag, the crosshair of the keyboard, and presses that wait for their picture. */
 import { nothing, type SVGTemplateResult, svg } from 'lit';
 import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
@@ -19,3 +19,7 @@ export function crosshair({ crosshair: at, camera }: EditorModel): SVGTemplateRe
     <path class="under" d="M-14 0H14M0 -14V14"/><path d="M-14 0H14M0 -14V14"/>
   </g>`;
 }
+
+/** The presses that wait: people see that none of them is lost. */
+export const waitingMarks = ({ waitingPlaces }: EditorModel): readonly SVGTemplateResult[] =>
+  waitingPlaces.map(([x, y]) => svg`<circle class="early" cx=${x} cy=${y} r="4.5"/>`);

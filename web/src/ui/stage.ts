@@ -1,8 +1,9 @@
 /** The stage: the picture with its overlays and handles, for editing, posing or only viewing. */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { classMap } from 'lit/directives/class-map.js';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
-import { crosshair, selectionBox } from './aims';
+import { crosshair, selectionBox, waitingMarks } from './aims';
 import { askedMarks } from './asked_marks';
 import { cornerMarks } from './client';
 import { creaseMarks } from './crease_marks';
@@ -21,7 +22,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
   const { playing } = model;
   const handled = !(playing && model.readonly);
   return html`<div
-    class="stage ${model.hint ? 'inviting' : ''} ${model.preview ? 'previewing' : ''}"
+    class=${classMap({ stage: true, inviting: model.hint !== null, previewing: model.preview !== null, awaiting: model.awaiting })}
     part="stage"
     tabindex=${handled ? (playing ? -1 : 0) : nothing}
     role=${handled ? 'application' : 'img'}
@@ -32,7 +33,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
     ${canvas} ${cornerMarks()}
     <svg class="marks" aria-hidden="true">
       ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
-      ${crosshair(model)}
+      ${crosshair(model)} ${waitingMarks(model)}
     </svg>
     ${handled && model.tool !== 'lasso' ? handleButtons(model, dispatch) : nothing}
   </div>`;

@@ -17,7 +17,7 @@ const timed = (ms: number): string =>
 export function statusLine(model: EditorModel, dispatch: Dispatch): TemplateResult {
   return html`<div class="status" part="status" role="group" aria-label="Status">
     <span class="solved">
-      ${model.task ? progress(model.task, model, dispatch) : model.solved ? solved(model) : nothing}
+      ${model.task ? progress(model.task, model, dispatch) : model.awaiting ? OPENING : solved(model)}
     </span>
     ${creases(model, dispatch)}
     <span class="spoken" role="status">${model.creases.length > 0 ? 'The picture has creases' : ''}</span>
@@ -69,6 +69,8 @@ function zoomButton(count: number, dispatch: Dispatch): TemplateResult {
   </button>`;
 }
 
+const OPENING = html`<span class="spinner" aria-hidden="true"></span>Opening…`;
+
 const progress = (
   { name, label, cancellable }: Task,
   { readonly }: EditorModel,
@@ -77,8 +79,8 @@ const progress = (
   html`<span class="spinner" aria-hidden="true"></span>${label}
     ${cancellable && !readonly ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'task-cancelled', task: name })}>Cancel</button>` : nothing}`;
 
-function solved(model: EditorModel): TemplateResult {
-  if (!model.solved) return html``;
+function solved(model: EditorModel): TemplateResult | typeof nothing {
+  if (!model.solved) return nothing;
   const { samples, virtualSites, ms } = model.solved;
   const size = model.picture ? `${model.picture.width} × ${model.picture.height} px` : '';
   return html`<span class="size">${size}</span> <span>${counted(samples, 'sample')}</span>

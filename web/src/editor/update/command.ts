@@ -128,10 +128,8 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   bail: (state, emit) => bail(state, emit),
 };
 
-/** What Escape would cancel or dismiss: the innermost thing in progress; null leaves Escape to the page. */
-export function bailTarget(
-  state: EditorState,
-): 'press' | 'crosshair' | 'settings' | 'notice' | 'selection' | null {
+/** What Escape would cancel or dismiss: the innermost thing in progress. */
+function bailTarget(state: EditorState): 'press' | 'crosshair' | 'settings' | 'notice' | 'selection' | null {
   const notice = shownNotice(state);
   if (isPressing(state.tools) || isDrawing(state)) return 'press';
   if (state.display.crosshair) return 'crosshair';
@@ -140,6 +138,10 @@ export function bailTarget(
   if (selectionOf(state).length > 0) return 'selection';
   return notice ? 'notice' : null;
 }
+
+/** Whether Escape is the editor's. Waiting input may begin something that it ends. */
+export const takesBail = (state: EditorState): boolean =>
+  state.waiting.length > 0 || bailTarget(state) !== null;
 
 function bail(state: EditorState, emit: Emit): EditorState {
   switch (bailTarget(state)) {

@@ -6,6 +6,7 @@
 import type { EditorEffect, Emit } from '../effects';
 import type { EditorEvent } from '../events';
 import type { EditorState } from '../state';
+import { waits } from '../waiting_input';
 import { autosaveHandlers } from './autosave';
 import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
@@ -26,6 +27,7 @@ import { showStage } from './solve_request';
 import { solveHandlers } from './solve_results';
 import { endMerging } from './steps';
 import { trialHandlers } from './trial';
+import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
 
 const timerHandlers: Handlers<'timer-elapsed'> = {
   'timer-elapsed': (state, { timer }, emit) => {
@@ -61,6 +63,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...solveHandlers,
   ...timerHandlers,
   ...trialHandlers,
+  ...waitingHandlers,
 };
 
 export interface Update {
@@ -71,12 +74,14 @@ export interface Update {
 
 export function update(before: EditorState, event: EditorEvent): Update {
   const effects: EditorEffect[] = [];
-  const events: EditorEvent[] = [event];
+  const events: EditorEvent[] = [];
   const emit: Emit = (effect) => {
     if (effect.type === 'follow-up') events.push(effect.event);
     else effects.push(effect);
   };
   let state = before;
+  if (waits(before, event)) state = keepWaiting(before, event, emit);
+  else events.push(event);
   for (let next = events.shift(); next; next = events.shift()) state = reduce(state, next, emit);
   return { state: settled(state, emit), effects };
 }
@@ -87,5 +92,6 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
   return handle(state, event, emit);
 }
 
-/** What follows from any state: the hover under a camera that moved, and borders that are to be shown. */
-const settled = (state: EditorState, emit: Emit): EditorState => requestBorders(followCamera(state), emit);
+/** What follows from any state: the hover under a camera that moved, borders to be shown, and input to be released. */
+const settled = (state: EditorState, emit: Emit): EditorState =>
+  askForRelease(requestBorders(followCamera(state), emit), emit);

@@ -10,6 +10,7 @@ import { contextWithoutHandles, toolContext } from '../hit_areas';
 import { mayEdit } from '../permissions';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { moveCamera } from '../view';
+import { awaitsPicture } from '../waiting_input';
 import { finish, focus } from './corners';
 import { nudge, nudgeCorner, turn } from './edits';
 import type { Handlers } from './handlers';
@@ -32,8 +33,10 @@ function arrowTarget(state: EditorState): 'corner' | 'handles' | 'crosshair' | '
 }
 
 export const takesArrow = (state: EditorState): boolean => arrowTarget(state) !== null;
-export const takesTurn = (state: EditorState): boolean => mayEdit(state) && selectionOf(state).length > 0;
-export const takesPlace = (state: EditorState): boolean => mayEdit(state) && places(state.tools.tool);
+export const takesTurn = (state: EditorState): boolean =>
+  awaitsPicture(state) || (mayEdit(state) && selectionOf(state).length > 0);
+export const takesPlace = (state: EditorState): boolean =>
+  awaitsPicture(state) || (mayEdit(state) && places(state.tools.tool));
 export const takesSpace = ({ page }: EditorState): boolean => !page.playing;
 
 function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {

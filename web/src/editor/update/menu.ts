@@ -14,6 +14,7 @@ import { mayEdit } from '../permissions';
 import type { StagePointer } from '../stage_pointer';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { reveal } from '../view';
+import { awaitsPicture } from '../waiting_input';
 import { selectionName } from '../wording';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
@@ -26,7 +27,9 @@ import { select } from './selection';
 function hasMenu(state: EditorState): boolean {
   const { tools, display } = state;
   const drawing = drawingsOf(tools).some(({ kind }) => kind === tools.tool);
-  return mayEdit(state) && display.preview === null && !isLassoing(state) && !drawing;
+  return (
+    mayEdit(state) && !awaitsPicture(state) && display.preview === null && !isLassoing(state) && !drawing
+  );
 }
 
 /** The part under a place that a menu would be about. */

@@ -155,6 +155,21 @@ describe('edited work', () => {
     expect(runtime.state.opening.parked).toEqual([]);
   });
 
+  it('is parked with the drag that is in hand', () => {
+    const runtime = opened();
+    const at = (x: number) => ({ stage: [x, 150] as const, shift: false, alt: false, coarse: false });
+    runtime.dispatch({ type: 'command-run', command: 'point' });
+    runtime.dispatch({ type: 'press-began', pointer: at(200), pans: false });
+    runtime.dispatch({ type: 'press-moved', pointer: at(260) });
+    drop(runtime);
+    runtime.read(dog);
+    runtime.solve();
+    runtime.dispatch({ type: 'press-ended', pointer: at(260) });
+    const [work] = runtime.state.opening.parked;
+    expect(work?.record.past.map(({ label }) => label)).toEqual(['Add handle']);
+    expect(projectOf(runtime.state).handles).toEqual([]);
+  });
+
   it('is not parked when it was never edited', () => {
     const runtime = opened();
     drop(runtime);

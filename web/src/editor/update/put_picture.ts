@@ -19,7 +19,8 @@ export function freshWork({ name: src, width, height, alphaThreshold }: Picture)
 export function putPicture(state: EditorState, picture: Picture, work: Work, emit: Emit): EditorState {
   const pixelated = work.pixelated ?? picture.isPixelArt;
   const shown = showPicture({ ...state, pixelated }, picture, emit);
-  return openWork(openView(shown, work.view), work, emit);
+  // Fitted beside the sheet of this selection, not of the previous picture's.
+  return openView(openWork(shown, work, emit), work.view);
 }
 
 /** Empties the stage. */

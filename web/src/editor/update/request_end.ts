@@ -12,6 +12,7 @@ import { withDocument } from './document_slice';
 import type { Handlers } from './handlers';
 import { inform, report } from './notices';
 import { requestAttributes, restore, withOpening } from './requests';
+import { chooseByHandles } from './tool_choice';
 
 const notifyLoad = (emit: Emit): void => emit({ type: 'notify-page', notification: { type: 'load' } });
 
@@ -76,17 +77,14 @@ const isOfProject = (outcome: OpenOutcome): boolean =>
 const unopened = ({ picture }: EditorState, received: readonly NamedFile[]): readonly string[] =>
   received.filter(({ file }) => file !== picture?.file).map(({ name }) => name);
 
-/** Names ignored files. Chooses the point tool for a picture without handles, and the other way round. */
-function filesOpened(before: EditorState, ignored: readonly string[], emit: Emit): EditorState {
-  const state = ignored.length > 0 ? inform(before, notOpenedText(ignored), emit) : before;
-  if (!state.picture || state.page.tool) return state;
-  const bare = documentOf(state).project.handles.length === 0;
-  const { tool } = state.tools;
-  if (bare && tool === 'select')
-    emit({ type: 'follow-up', event: { type: 'command-run', command: 'point' } });
-  if (!bare && tool === 'point')
-    emit({ type: 'follow-up', event: { type: 'command-run', command: 'select' } });
-  return state;
+/** Names ignored files. */
+const filesOpened = (state: EditorState, ignored: readonly string[], emit: Emit): EditorState =>
+  ignored.length > 0 ? inform(state, notOpenedText(ignored), emit) : state;
+
+/** Drops the input for a picture that is refused, unless a newer one is being opened. */
+function withoutInput(state: EditorState, outcome: OpenOutcome): EditorState {
+  const { reading, trial } = state.opening;
+  return outcome instanceof Error && !reading && !trial ? { ...state, waiting: [] } : state;
 }
 
 function endRestore(
@@ -167,7 +165,9 @@ export const requestEndHandlers: Handlers<
     });
     return restore(restoring, work, 'storage', emit);
   },
-  'request-ended': (state, { request, outcome }, emit) => endRequest(state, request, outcome, emit),
-  'restore-ended': (state, { restoring, outcome }, emit) => endRestore(state, restoring, outcome, emit),
-  'files-opened': (state, { ignored }, emit) => filesOpened(state, ignored, emit),
+  'request-ended': (state, { request, outcome }, emit) =>
+    endRequest(withoutInput(state, outcome), request, outcome, emit),
+  'restore-ended': (state, { restoring, outcome }, emit) =>
+    endRestore(withoutInput(state, outcome), restoring, outcome, emit),
+  'files-opened': (state, { ignored }, emit) => chooseByHandles(filesOpened(state, ignored, emit), emit),
 };

@@ -29,7 +29,9 @@ export function requestPicture(state: EditorState, purpose: Purpose, read: Read,
   }
   emit({ type: 'read', id, pictures: read.pictures, project: read.project ?? null });
   const request = { id, purpose, work: read.work ?? null };
-  return withOpening(state, { reading: request, nextId: id + 1, overtaken: true });
+  // Input for a picture that a person no longer asks for.
+  const waiting = purpose.by === 'person' || purpose.by === 'back' ? [] : state.waiting;
+  return withOpening({ ...state, waiting }, { reading: request, nextId: id + 1, overtaken: true });
 }
 
 /** Reads what the attributes name, with the project that the page set before, if any. */

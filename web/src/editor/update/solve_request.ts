@@ -1,8 +1,9 @@
 /** Requests of solutions: immediate if a recent one serves, else by the solver. The newest request wins. */
 import { solveKey } from '../../document/solved';
+import { draftOf, isPressing } from '../../tools/machine';
 import type { Emit } from '../effects';
 import type { Solution, SolutionState, SolveStage } from '../solution';
-import { type EditorState, projectOf } from '../state';
+import { documentOf, type EditorState, projectOf } from '../state';
 import { refitView } from '../view';
 import { saveOpened } from './autosave';
 import { beginTask, closeRetryNotice, endTask } from './notices';
@@ -41,8 +42,17 @@ export function showSolution(state: EditorState, solution: Solution, emit: Emit)
   const first = state.solution.shown === null;
   let next = withSolution(endStages(state, emit), { shown: solution, ready: true });
   next = checkSolution(closeRetryNotice(next), solution.report, emit);
+  if (!first) return next;
   // The bounds of the posed picture are known only now.
-  return first ? saveOpened(refitView(next), emit) : next;
+  return saveOpened(isInHand(next) ? next : refitView(next), emit);
+}
+
+/** Whether a person works on a picture that is just being opened: it must not move under the pointer. */
+function isInHand(state: EditorState): boolean {
+  const { opening, waiting, tools } = state;
+  if (!opening.trial) return false;
+  const isDrawing = isPressing(tools) || draftOf(tools) !== null;
+  return isDrawing || waiting.length > 0 || documentOf(state) !== opening.trial.opened;
 }
 
 /** Begins a stage of a solve. It is shown once the solve has taken noticeably long. */

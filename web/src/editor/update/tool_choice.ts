@@ -3,7 +3,7 @@ import { chooseTool, draws, places, type ToolName } from '../../tools/machine';
 import { COMMANDS } from '../commands';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
-import type { EditorState } from '../state';
+import { type EditorState, projectOf } from '../state';
 import { announce } from './notices';
 import { applyTools } from './press';
 import { select } from './selection';
@@ -29,6 +29,17 @@ export function takeTool(state: EditorState, tool: ToolName, emit: Emit): Editor
   // Arrows and Enter place with it.
   if (places(tool)) focusStage(emit);
   return announce(next, COMMANDS[tool].label);
+}
+
+/** Chooses the point tool for an opened picture without handles, and the select tool for one with handles. */
+export function chooseByHandles(state: EditorState, emit: Emit): EditorState {
+  const { picture, page, tools } = state;
+  if (!picture || page.tool || (tools.tool !== 'select' && tools.tool !== 'point')) return state;
+  const tool = projectOf(state).handles.length === 0 ? 'point' : 'select';
+  const next = tool === tools.tool ? state : takeTool(state, tool, emit);
+  return next.tools.tool === tools.tool
+    ? state
+    : announce(next, `${picture.name} is open. ${COMMANDS[tool].label}`);
 }
 
 const isOnHandles = ({ focus }: EditorState): boolean => focus.on === 'handle' || focus.on === 'corner';

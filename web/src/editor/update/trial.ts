@@ -3,23 +3,26 @@ import { openDocument } from '../../document/document';
 import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
 import { inEditorWords } from '../error_texts';
-import type { Trial } from '../opening_state';
+import type { Purpose, Trial } from '../opening_state';
 import { belongs, fits, misfit, type Picture } from '../picture';
 import { type EditorState, projectOf } from '../state';
 import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
 import type { Handlers } from './handlers';
 import { notify } from './notices';
+import { endPressKeepingChanges } from './press';
 import { closePicture, freshWork, putPicture } from './put_picture';
 import { restore, withOpening } from './requests';
 import { select } from './selection';
 import { step } from './steps';
+import { choose, chooseByHandles } from './tool_choice';
 
 /** Starts the trial of a picture that was read for the newest request. */
 function tryRequested(before: EditorState, picture: Picture, given: Project | null, emit: Emit): EditorState {
   const { reading: request, awaiting } = before.opening;
   if (!request) return before;
-  let state = withOpening(before, { reading: null });
+  // A drag in hand is part of the work that gives way.
+  let state = withOpening(endPressKeepingChanges(before, emit), { reading: null });
   // A picture of the page is never one that a person was asked for.
   const isAwaited = awaiting && request.purpose.by === 'person' && belongs(picture, awaiting.project);
   const awaited = isAwaited ? awaiting.project : null;
@@ -33,13 +36,10 @@ function tryRequested(before: EditorState, picture: Picture, given: Project | nu
   const present = project && { project, selection: [] };
   const work = request.work ?? (present && { record: { past: [], present, future: [] } });
   const parked = parkedBy(state, request.purpose.by === 'back' ? request.work : null, request.purpose.by);
-  return startTrial(
-    state,
-    { request, withProject: given !== null, fresh: work === null, parked },
-    picture,
-    work ?? freshWork(picture),
-    emit,
-  );
+  const trial = { request, withProject: given !== null, fresh: work === null, parked };
+  const tried = startTrial(state, trial, picture, work ?? freshWork(picture), emit);
+  // Not once it is solved: by then the person may have chosen another tool.
+  return isOfPerson(request.purpose) ? chooseByHandles(tried, emit) : tried;
 }
 
 /** The parked work once a picture of this purpose is open: a person's edited picture is parked, not lost. */
@@ -51,9 +51,11 @@ function parkedBy(state: EditorState, back: WorkSnapshot | null, by: string): re
   return replaced && isWorkedOn(replaced) ? [...others, replaced] : others;
 }
 
+const isOfPerson = ({ by }: Purpose): boolean => by === 'person' || by === 'back';
+
 function startTrial(
   before: EditorState,
-  trial: Omit<Trial, 'before'>,
+  trial: Omit<Trial, 'before' | 'opened'>,
   picture: Picture,
   work: Work,
   emit: Emit,
@@ -64,8 +66,12 @@ function startTrial(
   // A picture that is opened once more because it could not be solved is no way back from itself.
   const again = state.picture?.file === picture.file && !state.solution.shown;
   const last = again ? null : state.picture;
-  const way = last && !superseded ? { picture: last, work: workOf(state) } : (superseded?.before ?? null);
-  return putPicture(withOpening(state, { trial: { ...trial, before: way } }), picture, work, emit);
+  const way =
+    last && !superseded
+      ? { picture: last, work: workOf(state), tool: state.tools.tool }
+      : (superseded?.before ?? null);
+  const begun = { ...trial, opened: work.record.present, before: way };
+  return putPicture(withOpening(state, { trial: begun }), picture, work, emit);
 }
 
 function superseding(state: EditorState, { request }: Trial, emit: Emit): EditorState {
@@ -115,8 +121,10 @@ export function endTrialRejected(
   const { picture } = before;
   const { restoring } = before.opening;
   let state = withOpening(before, { trial: null });
-  if (trial.before) state = putPicture(state, trial.before.picture, trial.before.work, emit);
-  else if (refused && picture && projectOf(state).handles.length > 0) {
+  if (trial.before) {
+    const { picture, work, tool } = trial.before;
+    state = choose(putPicture(state, picture, work, emit), tool, emit);
+  } else if (refused && picture && projectOf(state).handles.length > 0) {
     state = putPicture(state, picture, freshWork(picture), emit);
   } else if (refused) state = closePicture(state, emit);
   state = offerNext(state, emit);

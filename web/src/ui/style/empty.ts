@@ -14,6 +14,8 @@ export const emptyStyle = css`
   }
   /* Most pictures load before anybody could read the text. */
   .empty.opening {
+    /* Presses are for the picture, and wait for it. */
+    pointer-events: none;
     animation: appear var(--_speed) 350ms backwards;
   }
 `;

@@ -59,6 +59,11 @@ export const marksStyle = css`
     stroke: var(--_handle);
     stroke-width: var(--_stroke);
   }
+  .early {
+    fill: var(--_handle);
+    stroke: var(--_casing);
+    stroke-width: 2;
+  }
   .crosshair {
     stroke: var(--_casing);
     stroke-width: 1.75;

@@ -50,6 +50,11 @@ export const stageStyle = css`
   .stage.previewing :is(.marks, .handles) {
     opacity: 0;
   }
+  /* Another picture is on its way, which the next press is for. A short wait is not shown. */
+  .stage.awaiting :is(canvas, .handles, .marks > :not(.early)) {
+    opacity: 0.4;
+    transition: opacity var(--_speed) 250ms;
+  }
   :host(.dropping) .stage::after {
     content: '';
     position: absolute;
