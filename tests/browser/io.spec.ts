@@ -112,9 +112,14 @@ const REFUSED: [title: string, make: () => Promise<Blob> | Blob, message: RegExp
   ['an empty file', () => new Blob([]), /^The file is empty\.$/],
   ['a text file', () => new Blob(['hello, I am no picture']), /^The file is not a picture/],
   [
+    'a TIFF picture',
+    () => new Blob(['II*\0\b\0\0\0']),
+    /^This is a TIFF picture\. Save it as PNG, JPEG or WebP\.$/,
+  ],
+  [
     'an SVG drawing',
     () => new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>']),
-    /^SVG files have no pixels/,
+    /^This is an SVG drawing\. Save it as PNG, JPEG or WebP\.$/,
   ],
   [
     'a PNG cut short',

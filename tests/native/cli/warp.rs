@@ -4,7 +4,8 @@ use std::collections::HashSet;
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageDecoder, ImageEncoder, ImageReader, RgbImage, Rgba};
+use image::codecs::webp::WebPEncoder;
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageReader, RgbImage, Rgba};
 
 use crate::command::{command, fail, succeed};
 use crate::scene_folder::SceneFolder;
@@ -158,22 +159,51 @@ fn image_option_replaces_the_picture() {
     assert!(folder.picture("out.png") == grey);
 }
 
+/// A TIFF header and one entry: tag 0x0112 (orientation), one short, 6 (a clockwise quarter turn).
+const TURNED: &[u8] = b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
+
+/// A picture that was stored sideways: red on the left, and after a clockwise quarter turn on top.
+fn sideways() -> RgbImage {
+    RgbImage::from_fn(48, 96, |x, _| if x < 24 { [250, 0, 0] } else { [0, 0, 250] }.into())
+}
+
 #[test]
 fn exif_orientation_is_applied() {
     let folder = SceneFolder::new("untouched");
-    // Stored sideways: red on the left becomes red on top after a clockwise quarter turn.
-    let sideways = RgbImage::from_fn(48, 96, |x, _| if x < 24 { [250, 0, 0] } else { [0, 0, 250] }.into());
-    // A TIFF header and one entry: tag 0x0112 (orientation), one short, 6 (a clockwise quarter turn).
-    let exif = [b"II*\0\x08\0\0\0".as_slice(), b"\x01\0", b"\x12\x01\x03\0\x01\0\0\0\x06\0\0\0", b"\0\0\0\0"].concat();
     let mut jpeg = Vec::new();
     let mut encoder = JpegEncoder::new_with_quality(&mut jpeg, 100);
-    encoder.set_exif_metadata(exif).unwrap();
-    encoder.encode_image(&sideways).unwrap();
-    folder.write("photo.jpg", jpeg);
-    succeed(folder.path(), &format!("{WARP} --image photo.jpg"));
-    let upright = folder.picture("out.png");
-    assert_eq!(upright.dimensions(), (96, 48));
-    assert!(upright.get_pixel(48, 4)[0] > 240 && upright.get_pixel(48, 44)[2] > 240);
+    encoder.set_exif_metadata(TURNED.to_vec()).unwrap();
+    encoder.encode_image(&sideways()).unwrap();
+    let mut webp = Vec::new();
+    let mut encoder = WebPEncoder::new_lossless(&mut webp);
+    encoder.set_exif_metadata([b"Exif\0\0", TURNED].concat()).unwrap();
+    encoder.write_image(&sideways(), 48, 96, ExtendedColorType::Rgb8).unwrap();
+    for file in [jpeg, webp] {
+        folder.write("photo", file);
+        succeed(folder.path(), &format!("{WARP} --image photo"));
+        let upright = folder.picture("out.png");
+        assert_eq!(upright.dimensions(), (96, 48));
+        assert!(upright.get_pixel(48, 4)[0] > 240 && upright.get_pixel(48, 44)[2] > 240);
+    }
+}
+
+#[test]
+fn jpeg_without_its_end_marker_is_read() {
+    let folder = SceneFolder::new("untouched");
+    let mut jpeg = Vec::new();
+    let picture = DynamicImage::ImageRgba8(folder.picture("strip.png"));
+    JpegEncoder::new(&mut jpeg).encode_image(&picture.into_rgb8()).unwrap();
+    folder.write("whole.jpg", &jpeg);
+    succeed(folder.path(), &format!("{WARP} --image whole.jpg"));
+    let whole = folder.picture("out.png");
+    let unmarked = &jpeg[..jpeg.len() - 2];
+    for trailer in [&b""[..], b"data of the camera"] {
+        folder.write("unmarked.jpg", [unmarked, trailer].concat());
+        succeed(folder.path(), &format!("{WARP} --image unmarked.jpg"));
+        assert!(folder.picture("out.png") == whole);
+    }
+    folder.write("unmarked.jpg", &unmarked[..unmarked.len() - 3]);
+    assert!(fail(folder.path(), &format!("{WARP} --image unmarked.jpg")).contains("damaged or truncated"));
 }
 
 #[test]

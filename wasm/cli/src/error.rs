@@ -35,8 +35,8 @@ pub(crate) enum CliError {
     PictureEmpty { path: PathBuf },
     #[error("{}: this is not a PNG, JPEG or WebP picture", path.display())]
     PictureUnknown { path: PathBuf },
-    #[error("{}: cannot read {format:?} pictures: use PNG, JPEG or WebP", path.display())]
-    PictureType { path: PathBuf, format: ImageFormat },
+    #[error("{}: this is {name}: save it as PNG, JPEG or WebP", path.display())]
+    PictureType { path: PathBuf, name: &'static str },
     #[error("{}: the picture is damaged or truncated: {reason}", path.display())]
     PictureDamaged { path: PathBuf, reason: ImageError },
     #[error("{}: {reason}", path.display())]

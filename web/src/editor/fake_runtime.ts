@@ -49,6 +49,7 @@ export const testPicture = (name = 'cat.png'): Picture => ({
   alphaThreshold: null,
   isSmall: false,
   isPixelArt: false,
+  moves: false,
 });
 
 /** Moves everything by the mean move of the handles. Handles beyond x = 1,000 fold one triangle each. */

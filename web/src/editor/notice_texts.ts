@@ -72,3 +72,6 @@ export function notOpenedText([first, ...more]: readonly string[]): string {
   const others = more.length === 0 ? `${first} was` : `${first} and ${more.length} more were`;
   return `Only one picture opens at a time: ${others} not opened.`;
 }
+
+/** @param picture the name of a file with several frames. */
+export const movesText = (picture: string): string => `${picture} moves. Only its first frame is open.`;

@@ -29,6 +29,8 @@ export interface Picture extends Size {
   readonly isSmall: boolean;
   /** Whether it looks like pixel art: small, few colours, no soft edges. */
   readonly isPixelArt: boolean;
+  /** Whether the file has several frames. The picture is the first. */
+  readonly moves: boolean;
 }
 
 export const fits = (picture: Size, project: Project): boolean =>

@@ -18,7 +18,7 @@ export class Pictures {
   /** @throws WarpError whose message begins with the file's name. */
   async read(file: SourceFile, name: string): Promise<Picture> {
     const decoded = await decodedOf(file, name);
-    const { width, height } = decoded;
+    const { width, height, moves } = decoded;
     const picture: Picture = {
       name,
       file,
@@ -27,6 +27,7 @@ export class Pictures {
       alphaThreshold: alphaThreshold(decoded),
       isSmall: isSmall(decoded),
       isPixelArt: isPixelArt(decoded),
+      moves,
     };
     this.#decoded.set(picture, decoded);
     return picture;

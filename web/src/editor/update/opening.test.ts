@@ -53,6 +53,14 @@ describe('opening a picture', () => {
     expect(runtime.state.opening).toMatchObject({ reading: null, trial: null });
   });
 
+  it('says that only the first frame of an animation is open', () => {
+    const runtime = new FakeRuntime();
+    drop(runtime, 'run.gif');
+    runtime.read({ ...testPicture('run.gif'), moves: true });
+    runtime.solve();
+    expect(shownNotice(runtime.state)?.text).toBe('run.gif moves. Only its first frame is open.');
+  });
+
   it('keeps the open picture when reading fails', () => {
     const runtime = opened();
     drop(runtime);

@@ -1,7 +1,7 @@
 /** The ends of requests: the asker is told, and the first content goes on. */
 import { codeOf, isAbort, isEngineFailure } from '../../error';
 import type { Emit } from '../effects';
-import { notOpenedText } from '../notice_texts';
+import { movesText, notOpenedText } from '../notice_texts';
 import type { OpenOutcome, OpenRequest, Purpose, Restoring } from '../opening_state';
 import { attributesPending } from '../opening_state';
 import type { NamedFile } from '../picture';
@@ -25,7 +25,7 @@ function endRequest(
   switch (purpose.by) {
     case 'person':
       return outcome === 'opened'
-        ? filesOpened(state, unopened(state, purpose.received), emit)
+        ? filesOpened(withFirstFrame(state, emit), unopened(state, purpose.received), emit)
         : failed(state, outcome, emit);
     case 'back':
       return outcome === 'opened' ? filesOpened(state, [], emit) : failed(state, outcome, emit);
@@ -76,6 +76,10 @@ const isOfProject = (outcome: OpenOutcome): boolean =>
 /** The names of received files other than the open picture. */
 const unopened = ({ picture }: EditorState, received: readonly NamedFile[]): readonly string[] =>
   received.filter(({ file }) => file !== picture?.file).map(({ name }) => name);
+
+/** Says that a file with several frames is opened as its first. */
+const withFirstFrame = (state: EditorState, emit: Emit): EditorState =>
+  state.picture?.moves ? inform(state, movesText(state.picture.name), emit) : state;
 
 /** Names ignored files. */
 const filesOpened = (state: EditorState, ignored: readonly string[], emit: Emit): EditorState =>

@@ -1,0 +1,105 @@
+//! Reads a picture file as upright, straight RGBA with its colour profile.
+//!
+//! The contents decide the type, not the name. The size is checked before any pixel is decoded. As in the editor, the
+//! orientation recorded by the camera is applied. The colour profile is not applied but kept, so that no colour is
+//! lost. `web/docs/pictures.md` compares the command with the editor.
+
+mod apng;
+mod jpeg;
+mod kind;
+mod orientation;
+mod profile;
+mod webp;
+
+use std::io::{Cursor, Read};
+use std::path::Path;
+
+use c2warp::Picture;
+use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, RgbaImage};
+
+use crate::error::CliError;
+use crate::input;
+
+/// Memory limit of decoders: enough for the largest picture at 16 bits per channel and a decoder's own copy.
+const DECODER_BYTES: u64 = 2 << 30;
+
+/// A decoded picture.
+#[derive(Debug)]
+pub(crate) struct PictureFile {
+    pub(crate) pixels: RgbaImage,
+    /// The ICC profile of RGB colours. `None` for sRGB, and for CMYK, because decoding converts it to RGB.
+    pub(crate) profile: Option<Vec<u8>>,
+}
+
+/// Reads a picture.
+pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
+    let (format, mut bytes) = read_file(path)?;
+    match format {
+        ImageFormat::Jpeg => match jpeg::end(&bytes) {
+            jpeg::End::Marked => {}
+            jpeg::End::Unmarked(end_of_scan) => return read_unmarked(path, jpeg::probes(&bytes, end_of_scan)),
+            jpeg::End::Missing => return Err(truncated(path)),
+        },
+        ImageFormat::WebP => webp::clear_stale_flags(&mut bytes),
+        _ => {}
+    }
+    decode(path, format, &bytes)
+}
+
+/// Reads a JPEG without an end marker.
+fn read_unmarked(path: &Path, [plain, filled @ ..]: [Vec<u8>; 3]) -> Result<PictureFile, CliError> {
+    let picture = decode(path, ImageFormat::Jpeg, &plain)?;
+    for probe in filled {
+        let is_same = decode(path, ImageFormat::Jpeg, &probe).is_ok_and(|other| other.pixels == picture.pixels);
+        if !is_same {
+            return Err(truncated(path));
+        }
+    }
+    Ok(picture)
+}
+
+fn decode(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<PictureFile, CliError> {
+    let damaged = |reason| CliError::PictureDamaged { path: path.to_owned(), reason };
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(DECODER_BYTES);
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(damaged)?;
+    let (width, height) = decoder.dimensions();
+    Picture::check_size(width, height).map_err(CliError::refused(path))?;
+    let orientation = orientation::recorded(&mut decoder);
+    let embedded = decoder.icc_profile().ok().flatten();
+    let first_frame = if format == ImageFormat::Png { apng::first_frame(bytes) } else { None };
+    let mut image = match first_frame {
+        Some(frame) => DynamicImage::ImageRgba8(frame.map_err(damaged)?),
+        None => DynamicImage::from_decoder(decoder).map_err(damaged)?,
+    };
+    if let Some(orientation) = orientation {
+        image.apply_orientation(orientation);
+    }
+    let described = if format == ImageFormat::Png { profile::png_profile(Cursor::new(bytes)) } else { None };
+    let profile = described.or_else(|| profile::rgb_profile(embedded?));
+    Ok(PictureFile { pixels: image.into_rgba8(), profile })
+}
+
+/// Reads a picture file and detects its type. Other files are rejected after the first bytes.
+fn read_file(path: &Path) -> Result<(ImageFormat, Vec<u8>), CliError> {
+    let mut file = input::open(path).map_err(CliError::read(path))?;
+    let mut bytes = Vec::new();
+    file.by_ref().take(kind::SIGNATURE_BYTES as u64).read_to_end(&mut bytes).map_err(CliError::read(path))?;
+    if bytes.is_empty() {
+        return Err(CliError::PictureEmpty { path: path.to_owned() });
+    }
+    let format = image::guess_format(&bytes).ok().filter(ImageFormat::reading_enabled);
+    let format = format.ok_or_else(|| match kind::name(&bytes) {
+        Some(name) => CliError::PictureType { path: path.to_owned(), name },
+        None => CliError::PictureUnknown { path: path.to_owned() },
+    })?;
+    file.read_to_end(&mut bytes).map_err(CliError::read(path))?;
+    Ok((format, bytes))
+}
+
+fn truncated(path: &Path) -> CliError {
+    let reason = ImageError::IoError(std::io::ErrorKind::UnexpectedEof.into());
+    CliError::PictureDamaged { path: path.to_owned(), reason }
+}
