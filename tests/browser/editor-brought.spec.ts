@@ -1,5 +1,6 @@
-/** What people bring to the editor: several files at once, projects whose pictures come later, addresses. */
+/** Brought to the editor: several files at once, projects whose pictures come later, addresses. */
 import { mkdir, writeFile } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor } from './editor';
 import { bring, disc, png, project } from './files';
@@ -80,4 +81,172 @@ test('a newer offer closes an older error', async ({ page }) => {
   await bring(editor, 'drop', project(posed('first', 'a.png'), 'a.c2warp.json'));
   await expect(editor.button('Open picture')).toBeVisible();
   await expect(editor.notice).toBeHidden();
+});
+
+/** Serves pictures from another origin, which other pages may read if `shared`. */
+async function elsewhere(page: Page, shared: boolean): Promise<void> {
+  await page.route('https://pictures.example/**', (route) => {
+    // Playwright adds the header where it is missing.
+    const headers = { 'Access-Control-Allow-Origin': shared ? '*' : 'https://another.example' };
+    const { pathname } = new URL(route.request().url());
+    if (pathname.endsWith('.json')) return route.fulfill({ headers, json: posed('first', 'disc.png') });
+    if (pathname.endsWith('.png'))
+      return route.fulfill({ headers, body: disc(64), contentType: 'image/png' });
+    return route.fulfill({ headers, body: '<!doctype html>', contentType: 'text/html' });
+  });
+}
+
+/** Dispatches a drop or a paste of texts, by their types. */
+async function bringTexts(
+  editor: Editor,
+  event: 'drop' | 'paste',
+  texts: Readonly<Record<string, string>>,
+): Promise<void> {
+  await editor.page.locator('c2-warp .stage').focus();
+  await editor.page.locator('c2-warp').evaluate(
+    (element, { event, texts }) => {
+      const transfer = new DataTransfer();
+      for (const [type, text] of Object.entries(texts)) transfer.setData(type, text);
+      const init = { bubbles: true, cancelable: true, composed: true };
+      element.dispatchEvent(
+        event === 'drop'
+          ? new DragEvent('drop', { ...init, dataTransfer: transfer })
+          : new ClipboardEvent('paste', { ...init, clipboardData: transfer }),
+      );
+    },
+    { event, texts },
+  );
+}
+
+const DISC = 'https://pictures.example/disc.png';
+
+test.describe('addresses', () => {
+  // The browser reports refused requests as errors.
+  test.use({ strict: undefined });
+
+  const brought: [title: string, event: 'drop' | 'paste', texts: Readonly<Record<string, string>>][] = [
+    ['a pasted address', 'paste', { 'text/plain': ` ${DISC}\n` }],
+    [
+      'pasted HTML with a picture',
+      'paste',
+      { 'text/html': `<p><img src="${DISC}"></p>`, 'text/plain': 'a disc' },
+    ],
+    ['a dropped link', 'drop', { 'text/uri-list': `# a link\r\n${DISC}`, 'text/plain': DISC }],
+    [
+      'a picture dragged out of a link',
+      'drop',
+      { 'text/uri-list': 'https://pictures.example/page', 'text/html': `<a><img src='${DISC}'></a>` },
+    ],
+    ['a pasted data URL', 'paste', { 'text/plain': `data:image/png;base64,${disc(64).toString('base64')}` }],
+  ];
+  for (const [title, event, texts] of brought) {
+    test(`${title} opens, and the work before is kept`, async ({ page }) => {
+      await elsewhere(page, true);
+      const editor = await Editor.open(page);
+      await editor.dragHandle('left hand', { x: 20, y: -40 });
+      await bringTexts(editor, event, texts);
+      await expect(editor.status).toContainText('64 × 64 px');
+      await expect(editor.button('Back to gingerbread.png')).toBeVisible();
+    });
+  }
+
+  test('a picture that its server does not share is refused in plain words', async ({ page }) => {
+    await elsewhere(page, false);
+    const editor = await Editor.open(page);
+    await bringTexts(editor, 'drop', { 'text/uri-list': DISC });
+    await expect(editor.notice).toContainText(
+      'disc.png could not be loaded. pictures.example does not let other pages read it, or cannot be reached.',
+    );
+    await expect(editor.handles).toHaveCount(5);
+  });
+
+  test('a web page in place of a picture, and a drop without a link, are named', async ({ page }) => {
+    await elsewhere(page, true);
+    const editor = await Editor.open(page);
+    await bringTexts(editor, 'paste', { 'text/plain': 'https://pictures.example/page' });
+    await expect(editor.notice).toContainText('page could not be loaded: it is a web page');
+    await editor.notice.getByRole('button', { name: 'Dismiss' }).click();
+    await bringTexts(editor, 'drop', { 'text/html': '<p>words</p>' });
+    await expect(page.getByText('There is no picture in this drop')).toBeVisible();
+  });
+
+  test('the field beside Open takes addresses of pictures and projects', async ({ page }) => {
+    await elsewhere(page, true);
+    const editor = await Editor.open(page);
+    const type = async (text: string) => {
+      await editor.button('Recent work, samples').click();
+      await page.getByRole('textbox', { name: 'Address of a picture or a project' }).fill(text);
+      await page.keyboard.press('Enter');
+    };
+    await type('disc.png');
+    await expect(editor.notice).toContainText('“disc.png” is no address of a picture');
+    await type('https://pictures.example/pose.json');
+    await expect(page.getByText('pose.json belongs to the picture disc.png')).toBeVisible();
+    await expect(editor.notice).toBeHidden();
+    await type(DISC);
+    await expect(editor.handle('first')).toBeVisible();
+  });
+
+  test('a slow address shows that it opens, and can be cancelled', async ({ page }) => {
+    let come = () => {};
+    const comes = new Promise<void>((done) => {
+      come = done;
+    });
+    await page.route('https://pictures.example/**', async (route) => {
+      await comes;
+      await route.abort();
+    });
+    const editor = await Editor.open(page);
+    await bringTexts(editor, 'paste', { 'text/plain': DISC });
+    await expect(editor.status).toContainText('Opening disc.png');
+    await expect(page.getByRole('progressbar', { name: 'Opening disc.png' })).toBeVisible();
+    await editor.status.getByRole('button', { name: 'Cancel' }).click();
+    await expect(editor.solved).toContainText('1024 × 1280 px');
+    come();
+    await expect(editor.notice).toBeHidden();
+  });
+
+  test('an address of the page that cannot be opened is refused in a notice', async ({ page }) => {
+    await page.goto('/?src=samples/missing.png');
+    const editor = new Editor(page);
+    await expect(editor.notice).toContainText('missing.png could not be loaded: the server answered 404');
+  });
+});
+
+test('the address of the page names a picture, and stored work waits', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.dragHandle('left hand', { x: 20, y: -40 });
+  await expect.poll(() => editor.storedWork()).toMatchObject({ step: 'Move left hand' });
+  await page.goto('/?src=samples/cactus.png&project=samples/cactus.c2warp.json');
+  await expect(editor.handle('left arm')).toBeVisible();
+  await expect(page).toHaveTitle('cactus.png – c2warp');
+  await editor.openRecent('gingerbread.png');
+  await expect(editor.button('Undo: move left hand')).toBeEnabled();
+});
+
+test('samples open with their handles', async ({ page }) => {
+  const editor = await Editor.open(page);
+  for (const [name, handle, count] of [
+    ['octopus', 'arm 1', 7],
+    ['cactus', 'left arm', 5],
+    ['gingerbread', 'left hand', 5],
+  ] as const) {
+    await editor.button('Recent work, samples').click();
+    await editor.button(`Open the sample ${name}`).click();
+    await expect(editor.handle(handle)).toBeVisible();
+    await expect(editor.handles).toHaveCount(count);
+    await expect(page).toHaveTitle(`${name}.png – c2warp`);
+  }
+});
+
+test('nothing is requested beyond the editor and its samples', async ({ page, baseURL }) => {
+  const origins = new Set<string>();
+  page.on('request', (request) => {
+    if (/^https?:/.test(request.url())) origins.add(new URL(request.url()).origin);
+  });
+  const editor = await Editor.open(page);
+  await editor.button('Recent work, samples').click();
+  await bring(editor, 'drop', png('disc.png', disc(64)));
+  await expect(editor.status).toContainText('64 × 64 px');
+  expect([...origins]).toEqual([baseURL]);
 });

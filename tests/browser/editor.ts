@@ -27,6 +27,8 @@ export interface StoredWork {
   readonly guarded: boolean;
   /** Whether the picture is drawn as pixel art. */
   readonly pixelated: boolean;
+  /** Whether a file holds the present project. */
+  readonly saved: boolean;
   /** Unfinished drafts. */
   readonly drawings: readonly { readonly kind: string; readonly corners: readonly unknown[] }[];
 }
@@ -178,6 +180,7 @@ export class Editor {
         selection,
         guarded,
         pixelated,
+        saved: document.saved === project,
         drawings,
       };
     }, key);
@@ -246,6 +249,16 @@ export class Editor {
     const chooser = this.page.waitForEvent('filechooser');
     await this.button('Open a picture or a project').click();
     await (await chooser).setFiles(files);
+  }
+
+  /** Reopens recent work by its menu. */
+  async openRecent(name: string): Promise<void> {
+    await this.button('Recent work, samples').click();
+    await this.page
+      .getByRole('dialog', { name: 'Recent work, samples' })
+      .getByRole('button', { name })
+      .first()
+      .click();
   }
 
   async download(name: string): Promise<Download> {

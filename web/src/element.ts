@@ -26,6 +26,7 @@
  * | `change` | a step was done, undone or redone, by a person or a method; `detail.project` is a copy of the project |
  * | `selectionchange` | `detail.selection`: the ids, whatever changed the selection |
  * | `historychange` | `detail.undo`, `detail.redo`: labels of the next undo and redo steps, or null |
+ * | `titlechange` | `detail.name`: the open picture's, or null; `detail.unsaved`: no file holds the last changes |
  * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the PNG export; null when done |
  * | `error` | `detail`: an Error that no method call can throw or reject with |
  *
@@ -65,7 +66,7 @@ import {
 } from './document/project';
 import type { PageNotification } from './editor/effects';
 import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
-import type { Media, PageAttributes } from './editor/page';
+import type { Media, PageAttributes, Sample } from './editor/page';
 import type { NamedFile } from './editor/picture';
 import { documentOf, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
@@ -79,6 +80,7 @@ import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
+export type { Sample } from './editor/page';
 export type { C2WarpProps, HandlePose, NewHandle, WarpOptions } from './element/api';
 export type { C2WarpEventMap } from './element/events';
 
@@ -97,6 +99,7 @@ export class C2Warp extends TypedElement {
     hint: {},
     hintFor: { attribute: 'hint-for' },
     autosave: {},
+    samples: { attribute: false },
   };
 
   declare src: string | null;
@@ -110,6 +113,8 @@ export class C2Warp extends TypedElement {
   declare hint: string | null;
   declare hintFor: string | null;
   declare autosave: string | null;
+  /** Pictures that the menu beside Open offers. */
+  declare samples: readonly Sample[];
 
   readonly #emit = emitter(this);
   /** Runs while the element is connected. */
@@ -133,6 +138,7 @@ export class C2Warp extends TypedElement {
     this.hint = null;
     this.hintFor = null;
     this.autosave = null;
+    this.samples = [];
     this.#adopt('project');
     this.#adopt('selection');
   }
@@ -433,9 +439,9 @@ export class C2Warp extends TypedElement {
   }
 
   get #attributes(): PageAttributes {
-    const { readonly, disabled, play: playing, tool, alt, src, projectSource } = this;
+    const { readonly, disabled, play: playing, tool, alt, src, projectSource, samples } = this;
     const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
-    return { readonly, disabled, playing, tool, alt, hint, src, projectSource };
+    return { readonly, disabled, playing, tool, alt, hint, src, projectSource, samples };
   }
 
   get #mediaNow(): Media {
@@ -474,6 +480,11 @@ export class C2Warp extends TypedElement {
       case 'historychange':
         this.#emit(type, { undo: notification.undo, redo: notification.redo });
         break;
+      case 'titlechange': {
+        const { name = null, unsaved = false } = notification.title ?? {};
+        this.#emit(type, { name, unsaved });
+        break;
+      }
       case 'progress':
         this.#emit(type, { label: notification.label });
         break;

@@ -12,6 +12,8 @@ export interface AutosaveState {
   readonly untold: boolean;
   /** Another tab was the last to store a step, and the person knows. */
   readonly overwritten: boolean;
+  /** The newest state is being stored. */
+  readonly storing: boolean;
   /** The last attempt to store work failed. */
   readonly failing: boolean;
 }

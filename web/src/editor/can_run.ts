@@ -50,6 +50,8 @@ const CONDITIONS: Partial<Readonly<Record<CommandName, (state: EditorState) => b
   lasso: isChangeable,
   open: isChangeable,
   save: isOpen,
+  'save-whole': isOpen,
+  'export-whole': isOpen,
   export: isOpen,
   'export-all': isOpen,
   compare: isOpen,

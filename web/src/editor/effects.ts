@@ -4,6 +4,7 @@ import type { Vec } from '../geometry/vec';
 import type { EditorEvent } from './events';
 import type { NamedFile, Picture } from './picture';
 import type { Solution } from './solution';
+import type { Title } from './state';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
@@ -19,6 +20,7 @@ export type PageNotification =
   | { readonly type: 'input' | 'change'; readonly project: Project }
   | { readonly type: 'selectionchange'; readonly selection: readonly string[] }
   | { readonly type: 'historychange'; readonly undo: string | null; readonly redo: string | null }
+  | { readonly type: 'titlechange'; readonly title: Title | null }
   | { readonly type: 'progress'; readonly label: string | null }
   | { readonly type: 'error'; readonly error: Error };
 
@@ -27,6 +29,12 @@ export type ProjectSource =
   | { readonly address: string }
   | { readonly object: ProjectFile }
   | { readonly named: NamedFile };
+
+/** The project that a PNG carries, and the picture that the project holds, or null. */
+export interface CarriedProject {
+  readonly project: Project;
+  readonly picture: NamedFile | null;
+}
 
 export type EditorEffect =
   /** Another event that follows at once. `update` reduces it; the runtime never sees it. */
@@ -43,6 +51,8 @@ export type EditorEffect =
       /** An address, which tells the name too, or files: the first that is a picture is read. Empty for no picture. */
       readonly pictures: readonly (string | NamedFile)[];
       readonly project: ProjectSource | null;
+      /** Whether a project in the picture is read too. */
+      readonly inside: boolean;
     }
   | { readonly type: 'abandon-read'; readonly id: number }
   /** Settles the promise of a `load()`; `error` null resolves it, 'superseded' rejects it with an AbortError. */
@@ -54,7 +64,15 @@ export type EditorEffect =
       readonly selection: readonly string[] | null;
     }
   | { readonly type: 'pick-file' }
-  | { readonly type: 'save-project'; readonly name: string; readonly project: Project }
+  /** Answered by `project-saved` with the project of the document, unless the person cancels. */
+  | {
+      readonly type: 'save-project';
+      readonly name: string;
+      readonly project: Project;
+      readonly of: Project;
+      /** The picture that the file holds too. */
+      readonly picture: NamedFile | null;
+    }
   | {
       readonly type: 'export';
       readonly name: string;
@@ -62,13 +80,21 @@ export type EditorEffect =
       readonly grow: boolean;
       /** Whether the export cuts off a part of the posed picture. */
       readonly cut: boolean;
+      readonly carried: CarriedProject;
     }
   /** Loads the PNG encoder while the person looks at the picture. */
   | { readonly type: 'prepare-export' }
   | { readonly type: 'copy-pose' | 'paste-pose' }
   | { readonly type: 'use-storage'; readonly key: string | null }
   | { readonly type: 'read-storage' }
-  | { readonly type: 'store'; readonly work: WorkSnapshot; readonly parked: readonly WorkSnapshot[] }
+  | {
+      readonly type: 'store';
+      /** Null leaves the stored work. */
+      readonly work: WorkSnapshot | null;
+      readonly recent: readonly WorkSnapshot[];
+      /** Whether the work has changed by more than a selection. Otherwise another tab's newer work stays. */
+      readonly changed: boolean;
+    }
   | { readonly type: 'tell-tabs' }
   | { readonly type: 'focus'; readonly target: FocusTarget }
   /** Commits a number that is being typed. */

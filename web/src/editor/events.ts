@@ -16,8 +16,8 @@ import type { CellBorders } from './deformation';
 import type { MenuState } from './menu_state';
 import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
 import type { OverlayName } from './overlays';
-import type { Media, PageAttributes } from './page';
-import type { NamedFile, Picture } from './picture';
+import type { Media, PageAttributes, Sample } from './page';
+import type { NamedFile, Picture, SourceFile } from './picture';
 import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { TaskName } from './task';
@@ -87,7 +87,7 @@ type ControlEvent =
   | { readonly type: 'pixel-art-switched'; readonly on: boolean }
   | { readonly type: 'drawing-finished' | 'corner-taken-back' | 'theme-switched' }
   | { readonly type: 'settings-opened'; readonly open: boolean }
-  | { readonly type: 'numbers-opened'; readonly open: boolean }
+  | { readonly type: 'numbers-opened' | 'files-menu-toggled'; readonly open: boolean }
   | { readonly type: 'handles-selected'; readonly ids: readonly string[] }
   | { readonly type: 'handle-toggled'; readonly id: string }
   | { readonly type: 'handle-focus-asked'; readonly id: string }
@@ -106,8 +106,8 @@ type FocusEvent =
 
 type NoticeEvent =
   | { readonly type: 'notice-dismissed' }
-  /** The action of the shown notice was chosen. */
-  | { readonly type: 'notice-answered' }
+  /** An action of the shown notice was chosen, the first one unless `other`. */
+  | { readonly type: 'notice-answered'; readonly other?: boolean }
   /** A pointer or the focus is on the notice, or has left it. */
   | { readonly type: 'notice-hovered'; readonly on: boolean }
   | { readonly type: 'task-cancelled'; readonly task: TaskName }
@@ -121,6 +121,11 @@ type ClipboardEvent =
 
 type FileEvent =
   | { readonly type: 'files-received'; readonly files: readonly NamedFile[] }
+  /** A person gives an address of a picture or a project, by typing, pasting or dropping it. */
+  | { readonly type: 'address-given'; readonly text: string }
+  | { readonly type: 'sample-chosen'; readonly sample: Sample }
+  /** The person gives up what is being read. */
+  | { readonly type: 'reading-cancelled' }
   | {
       readonly type: 'load-asked';
       readonly reply: number;
@@ -136,15 +141,27 @@ type FileEvent =
   | { readonly type: 'request-ended'; readonly request: OpenRequest; readonly outcome: OpenOutcome }
   | { readonly type: 'restore-ended'; readonly restoring: Restoring; readonly outcome: OpenOutcome }
   /** A person's files are open, except the ignored ones. */
-  | { readonly type: 'files-opened'; readonly ignored: readonly string[] }
+  | { readonly type: 'files-opened'; readonly ignored: readonly NamedFile[] }
   | {
       readonly type: 'read-ended';
       readonly id: number;
       readonly picture: Picture | null;
+      /** The file that the picture was found in. */
+      readonly source: SourceFile | null;
       readonly project: Project | null;
+      /** The project in the picture, which is for another one, or why it cannot be read. */
+      readonly carried: Project | Error | null;
     }
   | { readonly type: 'read-failed'; readonly id: number; readonly error: Error }
   | { readonly type: 'back-asked'; readonly work: WorkSnapshot }
+  /** The person keeps the open version of a work of two tabs. */
+  | { readonly type: 'version-kept' }
+  /** Recent work is removed from the list, by its id or all of it. */
+  | { readonly type: 'recent-removed'; readonly id: string | null }
+  /** Removed work returns to the list. */
+  | { readonly type: 'recent-put-back'; readonly works: readonly WorkSnapshot[] }
+  /** The project was saved to a file. */
+  | { readonly type: 'project-saved'; readonly project: Project }
   | { readonly type: 'picture-asked' }
   | { readonly type: 'retry-asked' }
   | {
@@ -158,9 +175,10 @@ type StorageEvent =
   | { readonly type: 'autosave-key-set'; readonly key: string | null }
   | {
       readonly type: 'storage-read';
-      readonly stored: { readonly work: WorkSnapshot; readonly parked: readonly WorkSnapshot[] } | null;
+      readonly stored: { readonly work: WorkSnapshot; readonly recent: readonly WorkSnapshot[] } | null;
     }
-  | { readonly type: 'work-stored'; readonly stored: boolean }
+  /** `newest`: no newer state waits to be stored. */
+  | { readonly type: 'work-stored'; readonly stored: boolean; readonly newest: boolean }
   | { readonly type: 'other-tab-stored' };
 
 type SolverEvent =

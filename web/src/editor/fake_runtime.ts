@@ -28,6 +28,7 @@ export const PAGE: PageAttributes = {
   hint: null,
   src: null,
   projectSource: null,
+  samples: [],
 };
 
 export const MEDIA: Media = { dark: false, coarse: false, platform: 'Linux' };
@@ -42,7 +43,9 @@ export function testFile(name: string): SourceFile {
 }
 
 export const testPicture = (name = 'cat.png'): Picture => ({
+  id: name,
   name,
+  thumbnail: '',
   file: testFile(name),
   width: 400,
   height: 300,
@@ -160,9 +163,21 @@ export class FakeRuntime {
   }
 
   /** Answers the newest pending read. */
-  read(picture: Picture | null, project: Project | null = null): void {
+  read(
+    picture: Picture | null,
+    project: Project | null = null,
+    carried: Project | Error | null = null,
+  ): void {
     const effect = this.#take('read');
-    if (effect) this.dispatch({ type: 'read-ended', id: effect.id, picture, project });
+    if (effect)
+      this.dispatch({
+        type: 'read-ended',
+        id: effect.id,
+        picture,
+        source: picture?.file ?? null,
+        project,
+        carried,
+      });
   }
 
   /** Answers the newest pending read with an error. */

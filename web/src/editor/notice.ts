@@ -6,6 +6,8 @@ export interface Notice {
   readonly kind: 'error' | 'info';
   readonly text: string;
   readonly action?: NoticeAction;
+  /** A second action. */
+  readonly other?: NoticeAction;
   /** The notice disappears by itself although it has an action. */
   readonly passes?: true;
   /** The notice is about the last step. Others about that step join it, and the next step ends it. */

@@ -15,8 +15,11 @@ export const leftOutText = (count: number): string =>
 export const NOT_KEPT =
   'Your work is not stored in this browser: its storage is full or blocked. Save the project before you leave.';
 
-export const OVERWRITTEN =
-  'Another tab has changed this work. A reload shows the version of that tab. A change here replaces it.';
+export const OTHER_TAB =
+  'Another tab has changed this work too. Both versions are kept: a reload offers them.';
+
+export const twoVersionsText = (picture: string): string =>
+  `${picture} was changed in two tabs. This is the later version.`;
 
 const GRAPHICS_LOST = 'The graphics card is gone, so the picture cannot be shown.';
 
@@ -66,6 +69,24 @@ export const notCopiedText = (keys: string | null): string =>
 /** @param keys the keys that paste; null on a device without keys. */
 export const notReadText = (keys: string | null): string =>
   `The browser blocked the clipboard: ${keys ? `press ${keys}` : 'allow it'} to paste.`;
+
+/** @param text given by a person as an address. */
+export const noAddressText = (text: string): string =>
+  text.trim() === ''
+    ? 'There is no address: type one that begins with https://'
+    : `“${text.trim().slice(0, 60)}” is no address of a picture: it must begin with https:// or data:image/.`;
+
+export const NOTHING_DROPPED = 'There is no picture in this drop, and no address of one.';
+
+/** @param why a project in a picture cannot be read, as a sentence. */
+export const notCarriedText = (picture: string, why: string): string =>
+  `${picture} opened as a picture only. ${why}`;
+
+/** @param works recent works, at least one. */
+export const removedText = ([first, ...more]: readonly { readonly name: string }[]): string =>
+  more.length === 0
+    ? `${first?.name} was removed from the list.`
+    : `${more.length + 1} pictures were removed from the list.`;
 
 /** @param files names of files that were not opened, at least one. */
 export function notOpenedText([first, ...more]: readonly string[]): string {

@@ -16,9 +16,9 @@ import type { Work, WorkSnapshot } from './work';
 
 /** Who asked for a picture, and so who is told of the result. */
 export type Purpose =
-  /** A person, by picker, drop or paste. `received` are all files but the project: one of them is opened. */
+  /** A person, by picker, drop or paste. `received` are all files but the project. Those that do not open are named. */
   | { readonly by: 'person'; readonly received: readonly NamedFile[] }
-  /** A person goes back to parked work. */
+  /** A person goes back to recent work. */
   | { readonly by: 'back'; readonly work: WorkSnapshot }
   /** The page, by `load()`. `usesPageProject`: with the project that the page set before. */
   | { readonly by: 'load'; readonly reply: number; readonly usesPageProject: ProjectFile | null }
@@ -29,6 +29,8 @@ export type Purpose =
 
 export interface OpenRequest {
   readonly id: number;
+  /** The name of the file, for people. */
+  readonly name: string;
   readonly purpose: Purpose;
   /** Earlier work on the picture, when that is reopened. */
   readonly work: WorkSnapshot | null;
@@ -52,14 +54,16 @@ export interface Trial {
   readonly request: OpenRequest | null;
   /** The picture came with a project of its own. */
   readonly withProject: boolean;
+  /** The project in the picture, which is for another one, or why it cannot be read. */
+  readonly carried: Project | Error | null;
   /** The picture came without a project or work. */
   readonly fresh: boolean;
   /** The document that was put on the stage with the picture. */
   readonly opened: Document;
   /** The picture, the work and the tool to return to. */
   readonly before: { readonly picture: Picture; readonly work: Work; readonly tool: ToolName } | null;
-  /** Parked work once the picture is open. */
-  readonly parked: readonly WorkSnapshot[];
+  /** The recent work once the picture is open. */
+  readonly recent: readonly WorkSnapshot[];
 }
 
 /**
@@ -82,7 +86,7 @@ export interface ProjectRead {
   readonly id: number;
   readonly name: string;
   /** Names of further files. */
-  readonly ignored: readonly string[];
+  readonly received: readonly NamedFile[];
 }
 
 export interface OpeningState {
@@ -99,8 +103,8 @@ export interface OpeningState {
   readonly overtaken: boolean;
   /** A project that was opened without its picture. */
   readonly awaiting: { readonly name: string; readonly project: Project } | null;
-  /** Edited pictures that were replaced by others, oldest first. */
-  readonly parked: readonly WorkSnapshot[];
+  /** Edited pictures that gave way to others, oldest first. */
+  readonly recent: readonly WorkSnapshot[];
   /** Counts changes of the attributes; `openedRevision` is the last one that was opened or refused. */
   readonly revision: number;
   readonly openedRevision: number;
@@ -112,12 +116,12 @@ export interface OpeningState {
 /** What outlives a disconnection of the element. */
 export type Carried = Pick<
   OpeningState,
-  'awaiting' | 'parked' | 'revision' | 'openedRevision' | 'pageProject' | 'pageSelection'
+  'awaiting' | 'recent' | 'revision' | 'openedRevision' | 'pageProject' | 'pageSelection'
 > & { readonly work: WorkSnapshot | null };
 
 export const nothingCarried: Carried = {
   awaiting: null,
-  parked: [],
+  recent: [],
   revision: 0,
   openedRevision: 0,
   pageProject: null,
@@ -135,6 +139,12 @@ export const initialOpening = ({ work: _, ...carried }: Carried): OpeningState =
   startup: { phase: 'waiting' },
   overtaken: false,
 });
+
+/** The name of what is being read in place of the open picture; null if nothing is. */
+export const readingName = ({ reading, readingProjects, restoring }: OpeningState): string | null =>
+  reading?.name ??
+  readingProjects.at(-1)?.name ??
+  (restoring?.phase === 'reading' ? restoring.work.name : null);
 
 /** Whether a changed attribute names something that is not open yet. */
 export const attributesPending = ({ revision, openedRevision }: OpeningState): boolean =>

@@ -16,6 +16,15 @@ export interface PageAttributes {
   /** The addresses of the picture and its project; null where the page names none. */
   readonly src: string | null;
   readonly projectSource: string | null;
+  /** Pictures that the page offers to open. */
+  readonly samples: readonly Sample[];
+}
+
+/** A picture that a page offers, with the addresses of the picture and its project. */
+export interface Sample {
+  readonly name: string;
+  readonly src: string;
+  readonly project?: string;
 }
 
 /** A hint beside the handle of this id, or beside the first handle, until the document is first changed. */

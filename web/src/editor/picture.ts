@@ -19,8 +19,12 @@ export interface NamedFile {
 }
 
 export interface Picture extends Size {
+  /** Tells apart pictures of the same name. */
+  readonly id: string;
   /** The file name that the project file refers to. */
   readonly name: string;
+  /** The address of a small picture. */
+  readonly thumbnail: string;
   /** The original file, stored for the next visit. */
   readonly file: SourceFile;
   /** The alpha threshold of a picture with transparency; null for an opaque picture. */

@@ -64,11 +64,13 @@ export interface DocumentState {
   readonly travelled: 'undo' | 'redo' | null;
   /** Handles that the solver has refused during the current press. */
   readonly refused: readonly Handle[];
+  /** The project as a file holds it. */
+  readonly saved: Project;
   /** Ids of handles that the page has posed during the current press. */
   readonly posedByPage: readonly string[];
   /** Whether the document was ever changed: the page's hint ends then. */
   readonly touched: boolean;
-  /** What the page was last told of the selection and the history. */
+  /** What the page was last told of the selection, the history and the title. */
   readonly reported: Reported;
 }
 
@@ -76,6 +78,13 @@ export interface Reported {
   readonly selection: readonly string[];
   readonly undo: string | null;
   readonly redo: string | null;
+  readonly title: Title | null;
+}
+
+/** The name of the open picture, and whether its project has changes that no file holds. */
+export interface Title {
+  readonly name: string;
+  readonly unsaved: boolean;
 }
 
 export interface DisplayState {
@@ -85,6 +94,8 @@ export interface DisplayState {
   /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
   readonly numbers: boolean;
+  /** The menu of recent work is open. */
+  readonly filesMenu: boolean;
   /** The selection box being drawn, image pixels. */
   readonly box: Box | null;
   /** Index of the crease that the view was last zoomed to; −1 before the first. */
@@ -119,6 +130,8 @@ export interface PoseChecks {
 
 export const documentOf = ({ document }: EditorState): Document => document.history.present;
 export const projectOf = (state: EditorState): Project => documentOf(state).project;
+export const isUnsaved = (state: EditorState): boolean =>
+  state.picture !== null && projectOf(state) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
 export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
   page.playing ? NO_OVERLAYS : display.overlays;

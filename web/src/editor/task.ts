@@ -1,4 +1,4 @@
-export type TaskName = 'solve' | 'export';
+export type TaskName = 'open' | 'solve' | 'export';
 
 /** A task that takes noticeable time. */
 export interface Task {

@@ -148,7 +148,7 @@ const frameOf = ({ picture }: EditorState): Box => ({
 
 const sheetIsOpen = (state: EditorState): boolean => state.display.settings || selectionOf(state).length > 0;
 
-function insets(state: EditorState, sheet = sheetIsOpen(state)): Insets {
+export function insets(state: EditorState, sheet = sheetIsOpen(state)): Insets {
   const { playing, readonly } = state.page;
   const bare = playing ? (readonly ? 'picture' : 'handles') : null;
   return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, bare });

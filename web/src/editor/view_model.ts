@@ -17,20 +17,31 @@ import type { CreasedMesh, SiteGraph } from './deformation';
 import { gripsOf, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
-import { isOpening } from './opening_state';
+import { noticeIsAside } from './notice_place';
+import { isOpening, readingName } from './opening_state';
 import type { OverlayFlags } from './overlays';
+import type { Sample } from './page';
 import type { Picture } from './picture';
 import type { SolveReport } from './solution';
-import { documentOf, type EditorState, overlaysOf, projectOf } from './state';
+import { documentOf, type EditorState, isUnsaved, overlaysOf, projectOf } from './state';
 import type { Task } from './task';
+import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
 import { isInView } from './view';
 import { awaitsPicture, toolToCome, waitingPlaces } from './waiting_input';
+import type { WorkSnapshot } from './work';
 
 export interface EditorModel {
   readonly document: Document;
   readonly turns: Turns;
   readonly picture: Picture | null;
+  /** No file holds the last changes of the project. */
+  readonly unsaved: boolean;
+  /** Whether the browser holds the newest state; null where the page stores nothing. */
+  readonly kept: boolean | null;
+  /** The newest first. */
+  readonly recent: readonly WorkSnapshot[];
+  readonly samples: readonly Sample[];
   /** A picture is being opened. */
   readonly opening: boolean;
   /** The next picture is still to come, and input waits for it. */
@@ -58,6 +69,8 @@ export interface EditorModel {
   /** The running task, once it has taken long enough to be shown. */
   readonly task: Task | null;
   readonly notice: Notice | null;
+  /** The notice is at the opposite edge, since it would cover a handle. */
+  readonly noticeAside: boolean;
   readonly hint: Hint | null;
   readonly announcement: string;
   /** The picture is shown without handles: the original, or the posed picture. */
@@ -83,6 +96,8 @@ export interface EditorModel {
   readonly corner: number | null;
   /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
+  /** The menu of recent work is open. */
+  readonly filesMenu: boolean;
   readonly numbers: boolean;
   readonly menu: MenuState | null;
   /** The line being drawn with the current tool. */
@@ -124,6 +139,10 @@ export function viewModel(state: EditorState): EditorModel {
       return turnsOf(state);
     },
     picture,
+    unsaved: isUnsaved(state),
+    kept: state.autosave.key === null ? null : isKept(state),
+    recent: state.opening.recent.toReversed(),
+    samples: page.samples,
     opening: isOpening(state.opening),
     awaiting: awaitsPicture(state),
     waitingPlaces: waitingPlaces(state),
@@ -139,8 +158,11 @@ export function viewModel(state: EditorState): EditorModel {
     undo: draft ? SET_CORNER : undoLabel(history),
     redo: hasTakenCorners(tools) ? SET_CORNER : draft ? null : redoLabel(history),
     solved: shown?.report ?? null,
-    task: currentTask(state),
+    task: currentTask(state) ?? openingTask(state),
     notice: shownNotice(state),
+    get noticeAside() {
+      return noticeIsAside(state);
+    },
     hint: hintOf(state),
     announcement: notices.announcement,
     preview: display.preview,
@@ -159,6 +181,7 @@ export function viewModel(state: EditorState): EditorModel {
     pixelated: picture?.isSmall ? state.pixelated : null,
     corner: cornerInHand(state),
     settings: display.settings,
+    filesMenu: display.filesMenu,
     numbers: display.numbers,
     menu: state.menu,
     draft,
@@ -201,6 +224,12 @@ const isSamePlace = (a: Handle, b: Handle | undefined): boolean =>
 
 /** Room for the hint beside a handle, CSS pixels. */
 const HINT_CSS_PX = 170;
+
+/** A picture that is being read while another is open. */
+function openingTask({ picture, opening }: EditorState): Task | null {
+  const name = picture && readingName(opening);
+  return name ? { name: 'open', label: `Opening ${name}`, cancellable: !opening.restoring } : null;
+}
 
 /** The page's hint, until the first change. */
 function hintOf(state: EditorState): Hint | null {

@@ -96,7 +96,7 @@ function asked({ before, project }: Opening): [FakeRuntime, readonly (() => void
     runtime.dispatch({ type: 'autosave-key-set', key: 'work' });
     runtime.dispatch({ type: 'started', work: null });
     const work = snapshotOf(last.state);
-    const stored = work && { work, parked: [] };
+    const stored = work && { work, recent: [] };
     return [runtime, [() => runtime.dispatch({ type: 'storage-read', stored }), read, () => runtime.solve()]];
   }
   runtime.dispatch({ type: 'started', work: null });

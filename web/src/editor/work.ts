@@ -1,6 +1,7 @@
-/** A person's work on one picture, as it is stored, parked and reopened. */
+/** A person's work on one picture, as it is stored, kept among recent work and reopened. */
 import type { Document } from '../document/document';
 import type { HistoryRecord } from '../document/history';
+import type { Project } from '../document/project';
 import type { Drawings } from '../tools/machine';
 import type { SourceFile } from './picture';
 import type { ViewState } from './view_state';
@@ -12,14 +13,22 @@ export interface Work {
   readonly view?: ViewState;
   /** Whether the picture is drawn as pixel art. Without it, the picture decides. */
   readonly pixelated?: boolean;
+  /** The project as a file holds it. Without it, the oldest of the history. */
+  readonly saved?: Project;
 }
 
 /** Everything needed to open a closed picture again. */
 export interface WorkSnapshot extends Work {
+  /** Tells apart works on pictures of the same name. */
+  readonly id: string;
   readonly file: SourceFile;
   readonly name: string;
+  /** The address of a small picture. */
+  readonly thumbnail: string;
   /** Whether the guard against folds was on. */
   readonly guarded: boolean;
+  /** Another tab stored this version of the open work, and the person has not chosen yet. */
+  readonly fromOtherTab?: boolean;
 }
 
 /** Whether losing the work would lose a step or a drawing. */

@@ -10,6 +10,7 @@ export interface EventDetails {
   readonly change: { readonly project: Project };
   readonly selectionchange: { readonly selection: readonly string[] };
   readonly historychange: { readonly undo: string | null; readonly redo: string | null };
+  readonly titlechange: { readonly name: string | null; readonly unsaved: boolean };
   readonly progress: { readonly label: string | null };
   readonly error: Error;
 }

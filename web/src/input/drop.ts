@@ -1,17 +1,28 @@
-/** Files dropped on the element. */
+/** Files and links dropped on the element. */
+import { addressInList, pictureInHtml } from '../editor/address';
 import type { NamedFile } from '../editor/picture';
+
+/** Receives what is dropped. */
+export interface DropReceiver {
+  files(files: readonly NamedFile[]): void;
+  /** An address; null if there is none in what was dropped. */
+  address(address: string | null): void;
+}
+
+/** The types that are taken. Browsers tell no more of them before the drop. */
+const TAKEN = ['Files', 'text/uri-list', 'text/html'];
 
 export class DropTarget {
   readonly #listening = new AbortController();
 
   /** @param accepts whether files are accepted now. */
-  constructor(element: HTMLElement, accepts: () => boolean, receive: (files: readonly NamedFile[]) => void) {
+  constructor(element: HTMLElement, accepts: () => boolean, receive: DropReceiver) {
     const { signal } = this.#listening;
     const mark = (dropping: boolean) => element.classList.toggle('dropping', dropping);
     element.addEventListener(
       'dragover',
       (event) => {
-        if (!accepts() || !event.dataTransfer?.types.includes('Files')) return;
+        if (!accepts() || !isTaken(event.dataTransfer)) return;
         event.preventDefault();
         mark(true);
       },
@@ -29,13 +40,15 @@ export class DropTarget {
       (event) => {
         mark(false);
         const { dataTransfer } = event;
-        if (!accepts() || !dataTransfer?.files.length) return;
+        if (!accepts() || !isTaken(dataTransfer)) return;
         event.preventDefault();
         // What is typed next is for the picture.
         if (!element.matches(':focus-within')) element.focus({ preventScroll: true });
-        const folders = foldersIn(dataTransfer);
         const files = [...dataTransfer.files];
-        receive(files.map((file, k) => ({ name: file.name, file, folder: folders[k] ?? false })));
+        const folders = foldersIn(dataTransfer);
+        if (files.length > 0) {
+          receive.files(files.map((file, k) => ({ name: file.name, file, folder: folders[k] ?? false })));
+        } else receive.address(addressOf(dataTransfer));
       },
       { signal },
     );
@@ -51,3 +64,10 @@ const foldersIn = ({ items }: DataTransfer): readonly boolean[] =>
   [...items]
     .filter(({ kind }) => kind === 'file')
     .map((item) => item.webkitGetAsEntry()?.isDirectory ?? false);
+
+const isTaken = (transfer: DataTransfer | null): transfer is DataTransfer =>
+  transfer?.types.some((type) => TAKEN.includes(type)) ?? false;
+
+/** The address of a dragged picture, or else of the link. */
+const addressOf = (transfer: DataTransfer): string | null =>
+  pictureInHtml(transfer.getData('text/html')) ?? addressInList(transfer.getData('text/uri-list'));

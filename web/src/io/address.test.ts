@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { fetchFile, fileName } from './address';
+import { dataFile, fetchFile, fileName } from './address';
 
 describe('fileName', () => {
   it('returns the last part of the address', () => {
@@ -21,5 +21,12 @@ describe('fetchFile', () => {
       code: 'address',
       message: expect.stringContaining('cat.png could not be loaded'),
     });
+  });
+
+  it('decodes data addresses without a request', async () => {
+    const file = dataFile('data:image/png;name=cat.png;base64,AAEC');
+    expect([file.type, ...new Uint8Array(await file.arrayBuffer())]).toEqual(['image/png', 0, 1, 2]);
+    expect(await dataFile('data:,a%20b').text()).toBe('a b');
+    expect(() => dataFile('data:image/png;base64,A*')).toThrow('The picture in the address is damaged');
   });
 });

@@ -14,24 +14,54 @@ export function fileName(address: string): string {
 }
 
 /**
- * Returns the file at a URL.
+ * Returns the file at a URL. A `data:` URL is decoded without a request, which a page's policy could forbid.
  *
  * @throws WarpError if the file cannot be loaded; AbortError if the signal is aborted.
  */
 export async function fetchFile(address: string, signal: AbortSignal): Promise<Blob> {
+  if (/^\s*data:/i.test(address)) return dataFile(address);
   try {
     const response = await fetch(address, { signal });
-    if (response.ok) return await response.blob();
-    throw new WarpError(
-      'address',
-      `${fileName(address)} could not be loaded: the server answered ${response.status}.`,
-    );
+    if (!response.ok) throw refusal(address, `the server answered ${response.status}.`);
+    if (/^text\/html\b/i.test(response.headers.get('Content-Type') ?? '')) {
+      throw refusal(address, 'it is a web page. Give the address of the picture itself.');
+    }
+    return await response.blob();
   } catch (cause) {
     if (codeOf(cause) === 'address' || signal.aborted) throw cause;
+    throw unreachable(address, cause);
+  }
+}
+
+const refusal = (address: string, why: string): WarpError =>
+  new WarpError('address', `${fileName(address)} could not be loaded: ${why}`);
+
+/** Browsers do not tell a page whether a server refuses it or cannot be reached. */
+function unreachable(address: string, cause: unknown): WarpError {
+  const [, host = null] = /^\s*https?:\/\/([^/?#]+)/i.exec(address) ?? [];
+  const advice =
+    host === null || host === globalThis.location?.host
+      ? 'Check the address and the network connection.'
+      : `${host} does not let other pages read it, or cannot be reached. Save the picture, and open the file.`;
+  return new WarpError('address', `${fileName(address)} could not be loaded. ${advice}`, { cause });
+}
+
+/** Decodes a `data:` URL (RFC 2397). @throws WarpError if it is damaged. */
+export function dataFile(address: string): Blob {
+  const [, type = '', base64, content = ''] =
+    /^\s*data:([^,;]*)(?:;[^,;]*?)*?(;base64)?,(.*)$/is.exec(address) ?? [];
+  try {
+    const bytes = base64
+      ? Uint8Array.from(atob(decodeURIComponent(content)), (character) => character.charCodeAt(0))
+      : new TextEncoder().encode(decodeURIComponent(content));
+    return new Blob([bytes], { type });
+  } catch (cause) {
     throw new WarpError(
       'address',
-      `${fileName(address)} could not be loaded. Check the address and the network connection.`,
-      { cause },
+      'The picture in the address is damaged. Copy it again, or save it as a file.',
+      {
+        cause,
+      },
     );
   }
 }

@@ -1,5 +1,5 @@
 /** Stores values by name in an IndexedDB database. Values can be anything that can be cloned, files included. */
-import { createStore, getMany, promisifyRequest, type UseStore } from 'idb-keyval';
+import { createStore, promisifyRequest, type UseStore } from 'idb-keyval';
 
 let store: UseStore | undefined;
 
@@ -9,30 +9,57 @@ function database(): UseStore {
   return store;
 }
 
-/**
- * Reads all values in one transaction.
- *
- * @throws DOMException if the browser refuses storage.
- */
-export function readStored(names: readonly string[]): Promise<readonly unknown[]> {
-  return getMany([...names], database());
+/** The names and values of one transaction. */
+export interface StoredValues {
+  get(name: string): Promise<unknown>;
+  /** The values whose names begin so, in the order of their names. */
+  under(prefix: string): Promise<readonly unknown[]>;
+  put(name: string, value: unknown): void;
+  delete(name: string): void;
 }
 
 /**
- * Writes all values in one transaction, or none.
+ * Reads and writes in one transaction: all of it, or nothing. `change` may wait for these values alone.
  *
- * @param unless More `values`, skipped if `name` already holds the value `is`.
  * @throws DOMException if the browser refuses storage or the quota is exceeded.
  */
-export function writeStored(
-  values: Readonly<Record<string, unknown>>,
-  unless: { readonly name: string; readonly is: unknown; readonly values: Readonly<Record<string, unknown>> },
-): Promise<void> {
-  return database()('readwrite', async (store) => {
-    const unchanged = (await promisifyRequest(store.get(unless.name))) === unless.is;
-    for (const [name, value] of Object.entries({ ...values, ...(unchanged ? {} : unless.values) })) {
-      store.put(value, name);
+export function inTransaction<T>(
+  mode: IDBTransactionMode,
+  change: (values: StoredValues) => Promise<T>,
+): Promise<T> {
+  return database()(mode, async (store) => {
+    const { transaction } = store;
+    const done = promisifyRequest(transaction);
+    // A failure of the change itself is reported instead.
+    done.catch(() => {});
+    try {
+      const result = await change(valuesOf(store));
+      await done;
+      return result;
+    } catch (error) {
+      // Of a transaction that has ended already, nothing is left to take back.
+      if (!transaction.error) abort(transaction);
+      throw error;
     }
-    await promisifyRequest(store.transaction);
   });
+}
+
+const valuesOf = (store: IDBObjectStore): StoredValues => ({
+  get: (name) => promisifyRequest(store.get(name)),
+  // U+FFFF sorts behind every name.
+  under: (prefix) => promisifyRequest(store.getAll(IDBKeyRange.bound(prefix, `${prefix}\uffff`))),
+  put: (name, value) => {
+    store.put(value, name);
+  },
+  delete: (name) => {
+    store.delete(name);
+  },
+});
+
+function abort(transaction: IDBTransaction): void {
+  try {
+    transaction.abort();
+  } catch {
+    // It has ended.
+  }
 }

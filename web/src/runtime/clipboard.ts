@@ -7,6 +7,7 @@
  */
 import { isPose, poseText } from '../document/pose_text';
 import type { EditorAccess } from '../editor/access';
+import { addressIn, pictureInHtml } from '../editor/address';
 import { keyHint } from '../editor/commands';
 import { NO_POSE, notCopiedText, notReadText } from '../editor/notice_texts';
 import { mayEdit, mayReceive } from '../editor/permissions';
@@ -93,7 +94,7 @@ export class Clipboard {
         type: 'files-received',
         files: files.map((file) => ({ name: file.name, file })),
       });
-    } else if (!this.#pasted(clipboardData.getData('text/plain'))) return;
+    } else if (!this.#pasted(clipboardData.getData('text/plain'), clipboardData.getData('text/html'))) return;
     event.preventDefault();
   }
 
@@ -106,11 +107,17 @@ export class Clipboard {
     return poseText(handles);
   }
 
-  /** Pastes a text if it is a pose. Returns whether it is. */
-  #pasted(text: string): boolean {
+  /** Pastes a text that is a pose, or opens what it leads to. Returns whether it is or does. */
+  #pasted(text: string, html = ''): boolean {
     const { state, dispatch } = this.#editor;
-    if (!mayEdit(state) || this.#focus.isInField || !isPose(text)) return false;
-    dispatch({ type: 'text-pasted', text });
+    if (this.#focus.isInField) return false;
+    if (isPose(text)) {
+      if (mayEdit(state)) dispatch({ type: 'text-pasted', text });
+      return mayEdit(state);
+    }
+    const address = pictureInHtml(html) ?? addressIn(text);
+    if (!address || !mayReceive(state)) return false;
+    dispatch({ type: 'address-given', text: address });
     return true;
   }
 

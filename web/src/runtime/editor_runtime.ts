@@ -8,6 +8,7 @@ import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
 import { isLassoing } from '../editor/hit_areas';
 import { initialState } from '../editor/initial_state';
+import { NOTHING_DROPPED } from '../editor/notice_texts';
 import { type Carried, initialOpening } from '../editor/opening_state';
 import type { Media, PageAttributes } from '../editor/page';
 import { mayReceive } from '../editor/permissions';
@@ -19,7 +20,7 @@ import { deviceView } from '../geometry/camera';
 import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
-import { DropTarget } from '../input/drop';
+import { type DropReceiver, DropTarget } from '../input/drop';
 import { CanvasView } from './canvas_view';
 import { Clipboard } from './clipboard';
 import { carryOut, type Resources } from './effects';
@@ -89,7 +90,15 @@ export class EditorRuntime {
     this.#focus.watch(dispatch, this.#listening.signal);
     this.#focusKeeper = new FocusKeeper(element.node);
     this.#menu = new MenuPopover(element.root, () => dispatch({ type: 'menu-command-run', command: null }));
-    const receive = (files: readonly NamedFile[]) => dispatch({ type: 'files-received', files });
+    const receive: DropReceiver = {
+      files: (files) => dispatch({ type: 'files-received', files }),
+      address: (text) =>
+        dispatch(
+          text === null
+            ? { type: 'person-informed', text: NOTHING_DROPPED }
+            : { type: 'address-given', text },
+        ),
+    };
     this.#drop = new DropTarget(element.node, () => mayReceive(this.state), receive);
     this.#clipboard = new Clipboard(element.node, this.#store, this.#focus);
     this.#media = new MediaWatcher({
@@ -185,9 +194,9 @@ export class EditorRuntime {
 
   /** What the next runtime of the element continues with. */
   carried(before: Carried): Carried {
-    const { awaiting, parked, revision, openedRevision, pageProject, pageSelection } = this.state.opening;
+    const { awaiting, recent, revision, openedRevision, pageProject, pageSelection } = this.state.opening;
     const work = snapshotOf(this.state) ?? before.work;
-    return { awaiting, parked, revision, openedRevision, pageProject, pageSelection, work };
+    return { awaiting, recent, revision, openedRevision, pageProject, pageSelection, work };
   }
 
   dispose(): void {

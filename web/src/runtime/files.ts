@@ -2,14 +2,16 @@
 
 import type { Project } from '../document/project';
 import { projectText } from '../document/project_text';
-import type { ProjectSource } from '../editor/effects';
-import type { Dispatch } from '../editor/events';
+import type { CarriedProject, ProjectSource } from '../editor/effects';
+import type { Dispatch, EventOf } from '../editor/events';
 import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
 import { encodePng } from '../io/encode';
 import { openFile, saveFile } from '../io/files';
+import { textIn, withText } from '../io/png_text';
 import { readBytes } from '../io/read';
+import { joinedProject, KEYWORD, splitProject } from './carried';
 import { type Pictures, withFileName } from './pictures';
 import type { Solver } from './solver';
 
@@ -25,11 +27,16 @@ export class Files {
     this.#solver = solver;
   }
 
-  /** Reads a picture, a project, or both. */
+  /**
+   * Reads a picture, a project, or both.
+   *
+   * @param inside whether a project in a picture is read too.
+   */
   async read(
     id: number,
     sources: readonly (string | NamedFile)[],
     given: ProjectSource | null,
+    inside: boolean,
   ): Promise<void> {
     const controller = new AbortController();
     this.#reads.set(id, controller);
@@ -38,16 +45,35 @@ export class Files {
       const files = await Promise.all(
         sources.map((source) => (typeof source === 'string' ? fetched(source, signal) : source)),
       );
-      const project = given && !signal.aborted ? await this.#project(given, signal) : null;
+      const { project, picture: own } =
+        given && !signal.aborted ? await this.#project(given, signal) : NO_PROJECT;
       if (signal.aborted) return;
-      const picture = files.length > 0 ? await this.#firstPicture(files, signal) : null;
-      if (picture && signal.aborted) this.#pictures.drop(picture);
+      const pictures = files.length > 0 ? files : own ? [own] : [];
+      const picture = pictures.length > 0 ? await this.#firstPicture(pictures, signal) : null;
+      const read =
+        picture && inside && !project ? await this.#inside(picture) : { picture, project, carried: null };
+      if (read.picture && signal.aborted) this.#pictures.drop(read.picture);
       if (signal.aborted) return;
-      this.#dispatch({ type: 'read-ended', id, picture, project });
+      this.#dispatch({ type: 'read-ended', id, source: picture?.file ?? null, ...read });
     } catch (error) {
       if (!signal.aborted) this.#dispatch({ type: 'read-failed', id, error: asError(error) });
     } finally {
       this.#reads.delete(id);
+    }
+  }
+
+  /** Reads the project in a picture: with the picture that it holds, if any. */
+  async #inside(picture: Picture): Promise<Pick<EventOf<'read-ended'>, 'picture' | 'project' | 'carried'>> {
+    try {
+      const text = textIn(await readBytes(picture.file as Blob), KEYWORD);
+      if (text === null) return { picture, project: null, carried: null };
+      const { project, picture: own } = await this.#parsed(text);
+      if (!own) return { picture, project: null, carried: project };
+      const original = await this.#pictures.read(own.file, own.name);
+      this.#pictures.drop(picture);
+      return { picture: original, project, carried: null };
+    } catch (error) {
+      return { picture, project: null, carried: asError(error) };
     }
   }
 
@@ -79,9 +105,16 @@ export class Files {
     }
   }
 
-  async saveProject(name: string, project: Project): Promise<void> {
+  /**
+   * @param of the same project in the document, which then counts as saved.
+   * @param picture to be held in the file.
+   */
+  async saveProject(name: string, project: Project, of: Project, picture: NamedFile | null): Promise<void> {
     try {
-      await saveFile(new Blob([projectText(project)], { type: 'application/json' }), name, 'project');
+      const text = this.#text(project, picture).then(
+        (text) => new Blob([text], { type: 'application/json' }),
+      );
+      if (await saveFile(text, name, 'project')) this.#dispatch({ type: 'project-saved', project: of });
     } catch (error) {
       this.#dispatch({ type: 'error-reported', error: asError(error) });
     }
@@ -94,9 +127,13 @@ export class Files {
     grow: boolean,
     pixelated: boolean,
     cut: boolean,
+    carried: CarriedProject,
   ): Promise<void> {
     try {
-      const saved = await saveFile(this.#png(project, grow, pixelated), name, 'png');
+      const png = this.#png(project, grow, pixelated);
+      const text = this.#text(carried.project, carried.picture);
+      const file = Promise.all([png, text]).then(([png, text]) => withText(png, KEYWORD, text));
+      const saved = await saveFile(file, name, 'png');
       this.#dispatch({ type: 'export-ended', saved, cut, error: null });
     } catch (error) {
       this.#dispatch({ type: 'export-ended', saved: false, cut, error: asError(error) });
@@ -107,26 +144,39 @@ export class Files {
     for (const controller of this.#reads.values()) controller.abort();
   }
 
+  async #text(project: Project, picture: NamedFile | null): Promise<string> {
+    return projectText(picture ? await joinedProject(project, picture) : project);
+  }
+
   async #png(project: Project, grow: boolean, pixelated: boolean): Promise<Blob> {
     const { width, height, rgba } = await this.#solver.warp(project, 1, grow, pixelated);
     return encodePng(width, height, rgba);
   }
 
-  async #project(given: ProjectSource, signal: AbortSignal): Promise<Project> {
-    if ('object' in given) return this.#solver.readProject(JSON.stringify(given.object));
-    if ('address' in given) {
-      const file = await fetchFile(given.address, signal);
-      return this.#solver.readProject(await file.text());
-    }
+  async #project(given: ProjectSource, signal: AbortSignal): Promise<ReadProject> {
+    if ('object' in given) return this.#parsed(JSON.stringify(given.object));
+    if ('address' in given) return this.#parsed(await (await fetchFile(given.address, signal)).text());
     const { name, file } = given.named;
     try {
-      const text = new TextDecoder().decode(await readBytes(file as Blob));
-      return await this.#solver.readProject(text);
+      return await this.#parsed(new TextDecoder().decode(await readBytes(file as Blob)));
     } catch (error) {
       throw withFileName(name, error);
     }
   }
+
+  async #parsed(text: string): Promise<ReadProject> {
+    const split = splitProject(text);
+    return { project: await this.#solver.readProject(split.text), picture: split.picture };
+  }
 }
+
+/** A project, and the picture that its file holds. */
+interface ReadProject {
+  readonly project: Project;
+  readonly picture: NamedFile | null;
+}
+
+const NO_PROJECT = { project: null, picture: null };
 
 const fetched = async (address: string, signal: AbortSignal): Promise<NamedFile> => ({
   name: fileName(address),

@@ -20,7 +20,9 @@ export class Pictures {
     const decoded = await decodedOf(file, name);
     const { width, height, moves } = decoded;
     const picture: Picture = {
+      id: `${performance.timeOrigin + performance.now()}`,
       name,
+      thumbnail: thumbnailOf(decoded.bitmap),
       file,
       width,
       height,
@@ -54,6 +56,21 @@ export class Pictures {
       this.#decoded.delete(picture);
     }
   }
+}
+
+/** The longer side of a thumbnail: twice its size on screen, for fine displays. */
+const THUMBNAIL = 96;
+
+/** The address of a small picture; empty if this browser cannot draw one. */
+function thumbnailOf(bitmap: ImageBitmap): string {
+  const scale = Math.min(1, THUMBNAIL / Math.max(bitmap.width, bitmap.height));
+  const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(side * scale)));
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const context = canvas.getContext('2d');
+  if (!context) return '';
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+  return canvas.toDataURL('image/webp', 0.8);
 }
 
 async function decodedOf(file: SourceFile, name: string): Promise<DecodedPicture> {

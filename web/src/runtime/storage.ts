@@ -16,7 +16,9 @@ export class Storage {
   use(key: string | null): void {
     this.dispose();
     if (key === null) return;
-    this.#work = new StoredWork(key, (stored) => this.#dispatch({ type: 'work-stored', stored }));
+    this.#work = new StoredWork(key, (stored, newest) =>
+      this.#dispatch({ type: 'work-stored', stored, newest }),
+    );
     this.#tabs = new BroadcastChannel(`c2warp/${key}`);
     this.#tabs.addEventListener('message', () => this.#dispatch({ type: 'other-tab-stored' }));
   }
@@ -26,8 +28,8 @@ export class Storage {
     this.#dispatch({ type: 'storage-read', stored });
   }
 
-  store(work: WorkSnapshot, parked: readonly WorkSnapshot[]): void {
-    this.#work?.write(work, parked);
+  store(work: WorkSnapshot | null, recent: readonly WorkSnapshot[], changed: boolean): void {
+    this.#work?.write(work, recent, changed);
   }
 
   tellTabs(): void {

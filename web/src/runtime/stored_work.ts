@@ -1,99 +1,159 @@
 /**
  * The work stored under one key of the browser's storage: picture, document with history, unfinished drawings,
- * settings, and the last edited pictures before that. The picture is written once. Tabs share the key: the last change
- * of any of them is read, picture and document together.
+ * settings, and recent work. A picture is written once.
+ *
+ * Tabs share the key. The last change of any of them is read, picture and document together. A tab that replaces the
+ * work of another keeps it among the recent work, as a version from that tab: nothing is lost.
  *
  * If the browser refuses storage, as in some private windows, or has no more of it, nothing is stored and nothing
  * fails. The owner hears of it.
  */
-import type { WorkSnapshot } from '../editor/work';
-import { readStored, writeStored } from '../io/storage';
+import { bounded } from '../editor/recent';
+import { isWorkedOn, type WorkSnapshot } from '../editor/work';
+import { inTransaction, type StoredValues } from '../io/storage';
 
 /** A picture and its documents carry the same mark. */
-interface StoredPicture extends Pick<WorkSnapshot, 'file' | 'name'> {
+type StoredPicture = Pick<WorkSnapshot, 'id' | 'file' | 'name' | 'thumbnail'> & { readonly mark: string };
+
+type StoredDocument = Pick<WorkSnapshot, 'record' | 'drawings' | 'pixelated' | 'guarded' | 'saved'> & {
   readonly mark: string;
+  /** The tab that wrote it, and a name for this version. */
+  readonly writer: string;
+  readonly version: string;
+};
+
+/** `kept`: when it was stored, in ms. */
+type StoredRecent = WorkSnapshot & { readonly kept: number };
+
+interface Waiting {
+  readonly work: WorkSnapshot | null;
+  readonly recent: readonly WorkSnapshot[];
+  readonly changed: boolean;
 }
 
-/** `guarded`, `drawings` and `pixelated` are missing in documents stored by older versions. */
-interface StoredDocument
-  extends Pick<WorkSnapshot, 'record' | 'drawings' | 'pixelated'>,
-    Partial<Pick<WorkSnapshot, 'guarded'>> {
-  readonly mark: string;
-}
-
-/** Only the last few parked works are stored: each takes as much room as its file. */
-const MAX_PARKED = 3;
+const unique = (): string => `${performance.timeOrigin + performance.now()}-${Math.random()}`;
 
 export class StoredWork {
   readonly #key: string;
-  readonly #stored: (stored: boolean) => void;
+  readonly #stored: (stored: boolean, newest: boolean) => void;
+  readonly #writer = unique();
   #file: WorkSnapshot['file'] | null = null;
   /** Identifies the picture, so that a document is never restored with another tab's picture. */
   #mark = '';
-  #writing: Promise<void> = Promise.resolve();
-  #next: readonly [work: WorkSnapshot, parked: readonly WorkSnapshot[]] | null = null;
-  /** The parked works that were stored last. */
-  #parked: readonly WorkSnapshot[] | null = null;
+  /** The stored version that this tab knows. */
+  #version: string | undefined;
+  #writes = 0;
+  #busy: Promise<unknown> = Promise.resolve();
+  #next: Waiting | null = null;
+  /** The recent works that were stored last, by their ids. */
+  #recent: ReadonlyMap<string, WorkSnapshot> = new Map();
 
-  /** @param stored called after each attempt to store a state. */
-  constructor(key: string, stored: (stored: boolean) => void) {
+  /** @param stored called after each attempt to store a state; `newest`: no newer state waits. */
+  constructor(key: string, stored: (stored: boolean, newest: boolean) => void) {
     this.#key = key;
     this.#stored = stored;
   }
 
   /** Null if nothing is stored, or the browser refuses to read. */
-  async read(): Promise<{ readonly work: WorkSnapshot; readonly parked: readonly WorkSnapshot[] } | null> {
+  async read(): Promise<{ readonly work: WorkSnapshot; readonly recent: readonly WorkSnapshot[] } | null> {
+    const reading = inTransaction('readonly', async (values) => ({
+      ...(await this.#current(values)),
+      recent: (await values.under(`${this.#key}/recent/`)) as readonly StoredRecent[],
+    }));
+    // Writes wait for it: they depend on the result.
+    this.#busy = reading.catch(() => {});
     try {
-      const names = ['picture', 'document', 'left'].map((name) => `${this.#key}/${name}`);
-      const [picture, document, parked = []] = (await readStored(names)) as [
-        StoredPicture?,
-        StoredDocument?,
-        (readonly WorkSnapshot[])?,
-      ];
-      if (!picture || picture.mark !== document?.mark) return null;
-      const { file, name, mark } = picture;
-      [this.#file, this.#mark] = [file, mark];
-      const { record, drawings = [], guarded = false, pixelated } = document;
-      const work = { file, name, record, drawings, guarded, ...(pixelated !== undefined && { pixelated }) };
-      this.#parked = parked;
-      return { work, parked };
+      const { picture, document, recent } = await reading;
+      if (!picture || !document) return null;
+      [this.#file, this.#mark, this.#version] = [picture.file, picture.mark, document.version];
+      const known = [...recent].sort((a, b) => a.kept - b.kept).map(({ kept: _, ...work }) => work);
+      this.#recent = byId(known);
+      return { work: joined(picture, document), recent: bounded(known) };
     } catch {
       return null;
     }
   }
 
   /** Writes a state. While one is being written, only the newest of the waiting states is kept. */
-  write(work: WorkSnapshot, parked: readonly WorkSnapshot[]): void {
-    const idle = this.#next === null;
-    this.#next = [work, parked];
-    if (idle) this.#writing = this.#writing.then(() => this.#writeNext());
+  write(work: WorkSnapshot | null, recent: readonly WorkSnapshot[], changed: boolean): void {
+    const before = this.#next;
+    this.#next = { work: work ?? before?.work ?? null, recent, changed: changed || before?.changed === true };
+    if (!before) this.#busy = this.#busy.then(() => this.#writeNext());
   }
 
   async #writeNext(): Promise<void> {
     const next = this.#next;
     this.#next = null;
     if (!next) return;
-    const [{ file, name, record, drawings = [], guarded, pixelated }, parked] = next;
-    if (file !== this.#file)
-      [this.#file, this.#mark] = [file, `${performance.timeOrigin}+${performance.now()}`];
-    const mark = this.#mark;
-    const markName = `${this.#key}/mark`;
-    const picture: StoredPicture = { file, name, mark };
-    const settings = { guarded, ...(pixelated !== undefined && { pixelated }) };
-    const document: StoredDocument = { record, drawings, ...settings, mark };
     try {
-      await writeStored(
-        {
-          [`${this.#key}/document`]: document,
-          ...(parked !== this.#parked && { [`${this.#key}/left`]: parked.slice(-MAX_PARKED) }),
-        },
-        { name: markName, is: mark, values: { [`${this.#key}/picture`]: picture, [markName]: mark } },
-      );
-      this.#parked = parked;
-      this.#stored(true);
+      const version = await inTransaction('readwrite', async (values) => {
+        this.#putRecent(values, next.recent);
+        return next.work && this.#putWork(values, next.work, next.changed);
+      });
+      if (version) this.#version = version;
+      this.#recent = byId(next.recent);
+      this.#stored(true, this.#next === null);
     } catch {
       // Storage is full or refused: editing goes on.
-      this.#stored(false);
+      this.#stored(false, this.#next === null);
     }
   }
+
+  /** Writes the changes alone, since other tabs may have added to the list. */
+  #putRecent(values: StoredValues, recent: readonly WorkSnapshot[]): void {
+    const now = byId(recent);
+    for (const id of this.#recent.keys()) if (!now.has(id)) values.delete(this.#nameOf(id));
+    const kept = Date.now();
+    [...now.values()].forEach((work, k) => {
+      // A thousandth apart, so that the order survives.
+      if (this.#recent.get(work.id) !== work)
+        values.put(this.#nameOf(work.id), { ...work, kept: kept + k / 1000 });
+    });
+  }
+
+  /** Returns the version that it writes; null if another tab's newer work stays. */
+  async #putWork(values: StoredValues, work: WorkSnapshot, changed: boolean): Promise<string | null> {
+    const { picture, document } = await this.#current(values);
+    if (picture && document && document.version !== this.#version) {
+      if (!changed) return null;
+      const theirs = joined(picture, document);
+      if (isWorkedOn(theirs)) this.#putVersion(values, theirs, document.writer);
+    }
+    // An earlier version of this tab is part of this one.
+    values.delete(this.#nameOf(this.#writer));
+    const { id, file, name, thumbnail, record, drawings = [], guarded, pixelated, saved } = work;
+    if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
+    const mark = this.#mark;
+    if (picture?.mark !== mark) values.put(`${this.#key}/picture`, { id, file, name, thumbnail, mark });
+    // A selection makes no other version.
+    const known = document && !changed ? document.version : null;
+    const version = known ?? `${this.#writer}/${++this.#writes}`;
+    const settings = { guarded, ...(pixelated !== undefined && { pixelated }), ...(saved && { saved }) };
+    const writer = this.#writer;
+    values.put(`${this.#key}/document`, { record, drawings, ...settings, mark, writer, version });
+    return version;
+  }
+
+  #putVersion(values: StoredValues, work: WorkSnapshot, id: string): void {
+    values.put(this.#nameOf(id), { ...work, id, fromOtherTab: true, kept: Date.now() });
+  }
+
+  /** The stored picture and its document; neither if they do not belong together. */
+  async #current(values: StoredValues): Promise<{ picture?: StoredPicture; document?: StoredDocument }> {
+    const picture = (await values.get(`${this.#key}/picture`)) as StoredPicture | undefined;
+    const document = (await values.get(`${this.#key}/document`)) as StoredDocument | undefined;
+    return picture && document && picture.mark === document.mark ? { picture, document } : {};
+  }
+
+  #nameOf(id: string): string {
+    return `${this.#key}/recent/${id}`;
+  }
+}
+
+const byId = (works: readonly WorkSnapshot[]): ReadonlyMap<string, WorkSnapshot> =>
+  new Map(works.map((work) => [work.id, work]));
+
+function joined({ mark: _, ...picture }: StoredPicture, document: StoredDocument): WorkSnapshot {
+  const { mark, writer, version, ...rest } = document;
+  return { ...picture, ...rest };
 }

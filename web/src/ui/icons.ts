@@ -59,6 +59,8 @@ export const icon = (name: IconName): TemplateResult => html`<svg
 /** Icons of commands whose name no icon has. */
 const COMMAND_ICONS = {
   'export-all': 'export',
+  'export-whole': 'export',
+  'save-whole': 'save',
   'reset-all': 'reset',
   'add-point': 'point',
   'select-all': 'select',

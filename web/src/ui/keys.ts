@@ -61,7 +61,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'preview',
     ],
   ],
-  ['Document', ['open', 'save', 'export', 'export-all', 'undo', 'redo']],
+  ['Document', ['open', 'save', 'save-whole', 'export', 'export-all', 'undo', 'redo']],
 ];
 
 export const keysButton = (): TemplateResult => html`<button

@@ -5,6 +5,7 @@
  */
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Dispatch } from '../editor/events';
+import type { NoticeAction } from '../editor/notice';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
 import { shortened } from './shortened';
@@ -14,17 +15,34 @@ export const notice = (model: EditorModel, dispatch: Dispatch): TemplateResult =
 
 function card(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
   if (!model.notice) return nothing;
-  const { kind, text, action } = model.notice;
-  return html`<div class="notice card ${kind}" part="notice" role=${kind === 'error' ? 'alert' : nothing}
+  const { kind, text, action, other } = model.notice;
+  // Out of the way of a drag.
+  const place = `${model.noticeAside ? 'aside' : ''} ${model.pressing ? 'away' : ''}`;
+  return html`<div class="notice card ${kind} ${place}" part="notice" role=${kind === 'error' ? 'alert' : nothing}
     @pointerenter=${() => dispatch({ type: 'notice-hovered', on: true })}
     @pointerleave=${() => dispatch({ type: 'notice-hovered', on: false })}
     @focusin=${() => dispatch({ type: 'notice-hovered', on: true })}
     @focusout=${() => dispatch({ type: 'notice-hovered', on: false })}
   >
     <p title=${text}>${shortened(text)}</p>
-    ${action ? html`<button type="button" class="link" ?disabled=${model.readonly && kind === 'info' && !action.readsOnly} @click=${() => dispatch({ type: 'notice-answered' })}>${shortened(action.label)}</button>` : nothing}
+    ${action ? answer(action, false, model, dispatch) : nothing} ${other ? answer(other, true, model, dispatch) : nothing}
     <button type="button" class="button small" aria-label="Dismiss" @click=${() => dispatch({ type: 'notice-dismissed' })}>
       ${icon('close')}
     </button>
   </div>`;
 }
+
+const answer = (
+  { label, readsOnly }: NoticeAction,
+  other: boolean,
+  { readonly, notice }: EditorModel,
+  dispatch: Dispatch,
+): TemplateResult =>
+  html`<button
+    type="button"
+    class="link"
+    ?disabled=${readonly && notice?.kind === 'info' && !readsOnly}
+    @click=${() => dispatch({ type: 'notice-answered', other })}
+  >
+    ${shortened(label)}
+  </button>`;

@@ -3,6 +3,7 @@ import { html, type TemplateResult } from 'lit';
 import type { Dispatch } from '../editor/events';
 import { OVERLAYS, type OverlayName } from '../editor/overlays';
 import type { EditorModel } from '../editor/view_model';
+import { placeBelowButton } from './below_button';
 import { icon } from './icons';
 
 /** The name and the tooltip of each overlay. */
@@ -60,18 +61,4 @@ export function overlayMenu(model: EditorModel, dispatch: Dispatch): TemplateRes
       )}
     </div>
   </div>`;
-}
-
-/** Room for the menu within the window, and between it and its button. CSS pixels. */
-const WIDTH = 220;
-const GAP = 6;
-
-/** Places a popover below its button. It lies in the top layer, so its coordinates are those of the window. */
-function placeBelowButton(event: Event): void {
-  const popover = event.currentTarget as HTMLElement;
-  const button = popover.previousElementSibling;
-  if (!button) return;
-  const { left, bottom } = button.getBoundingClientRect();
-  popover.style.left = `${Math.min(left, innerWidth - WIDTH)}px`;
-  popover.style.top = `${bottom + GAP}px`;
 }

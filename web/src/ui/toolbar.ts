@@ -1,9 +1,10 @@
 /** The bar at the top: documents, history, overlays, and the name of the picture. */
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import type { CommandName } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { commandButton, type Look } from './command_button';
+import { filesMenu } from './files_menu';
 import { holdButton } from './hold_button';
 import { icon } from './icons';
 import { keysButton } from './keys';
@@ -14,7 +15,7 @@ export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
   return html`<div class="top" part="toolbar" role="group" aria-label="Document">
     <span class="brand" aria-hidden="true">c<sup>2</sup>warp</span>
     <div class="group">
-      ${command('open', { text: 'Open' })}
+      ${command('open', { text: 'Open' })} ${filesMenu(model, dispatch)}
       ${command('save', { text: 'Save' })}
       ${command('export', { text: 'Export' })}
     </div>
@@ -26,13 +27,24 @@ export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
       ${command('reset-all')}
       ${holdButton('compare', model, dispatch)} ${overlayMenu(model, dispatch)}
     </div>
-    <span class="title" title=${model.picture?.name ?? ''}>${model.picture?.name ?? ''}</span>
+    ${title(model)}
     ${keysButton()} ${themeButton(model, dispatch)}
   </div>`;
 }
 
 const told = (verb: string, label: string | null): string =>
   label === null ? verb : `${verb}: ${label.charAt(0).toLowerCase()}${label.slice(1)}`;
+
+function title({ picture, unsaved, kept }: EditorModel): TemplateResult {
+  const name = picture?.name ?? '';
+  const state = unsaved ? (kept ? 'Unsaved, kept in this browser' : 'Unsaved') : '';
+  const tip = [name, unsaved ? 'no file holds the last changes' : '', kept ? 'kept in this browser' : '']
+    .filter(Boolean)
+    .join(', ');
+  return html`<span class="title ${unsaved ? 'unsaved' : ''}" title=${tip}>
+    <span class="name">${name}</span>${state ? html`<span class="kept">${state}</span>` : nothing}
+  </span>`;
+}
 
 function themeButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const label = model.dark ? 'Light colours' : 'Dark colours';

@@ -1,12 +1,13 @@
 /** Autosave: the work is stored under a key after each step, and tabs that share the key hear of it. */
 
-import { recordOf } from '../../document/history';
+import { recordOf, timeline } from '../../document/history';
 import { drawingsOf } from '../../tools/machine';
 import type { AutosaveState } from '../autosave_state';
 import type { Emit } from '../effects';
-import { NOT_KEPT, OVERWRITTEN } from '../notice_texts';
+import { NOT_KEPT, OTHER_TAB } from '../notice_texts';
 import type { EditorState } from '../state';
 import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
+import { withDocument } from './document_slice';
 import type { Handlers } from './handlers';
 import { inform, notify } from './notices';
 
@@ -20,6 +21,7 @@ export const workOf = ({ document, tools, view, pixelated }: EditorState): Work 
   drawings: drawingsOf(tools),
   view,
   pixelated,
+  saved: document.saved,
 });
 
 /** The open picture and its work; during a trial, the previous ones. */
@@ -27,23 +29,35 @@ export function snapshotOf(state: EditorState): WorkSnapshot | null {
   const { picture, opening, guard } = state;
   const open = opening.trial ? opening.trial.before : picture && { picture, work: workOf(state) };
   if (!open) return null;
-  const { file, name } = open.picture;
-  return { file, name, ...open.work, guarded: guard.on };
+  const { id, file, name, thumbnail } = open.picture;
+  return { id, file, name, thumbnail, ...open.work, guarded: guard.on };
 }
 
-/** Identifies a step. Selecting something is no step. */
-export const stepKey = ({ name, record: { past, future } }: WorkSnapshot): string =>
-  [name, past.length, past.at(-1)?.label, future.length].join();
+/** Identifies a step or a corner of a drawing. Selecting something is no step. */
+export const stepKey = ({ name, record: { past, future }, drawings = [] }: WorkSnapshot): string =>
+  [name, past.length, past.at(-1)?.label, future.length, ...drawings.map((one) => one.corners.length)].join();
 
 /** Stores the open work. */
 export function saveWork(state: EditorState, emit: Emit): EditorState {
   const work = snapshotOf(state);
-  const { unread, step, untold, key } = state.autosave;
+  const { unread, step, key } = state.autosave;
   if (!work || (unread && !isWorkedOn(work))) return state;
-  if (key !== null) emit({ type: 'store', work, parked: state.opening.parked });
   const now = stepKey(work);
-  return withAutosave(state, { unread: false, step: now, untold: untold || now !== step });
+  const untold = state.autosave.untold || now !== step;
+  if (key !== null) emit({ type: 'store', work, recent: state.opening.recent, changed: untold });
+  return withAutosave(state, { unread: false, step: now, untold, storing: key !== null });
 }
+
+/** Stores the recent work alone. */
+export function saveRecent(state: EditorState, emit: Emit): EditorState {
+  const { recent } = state.opening;
+  if (state.autosave.key !== null) emit({ type: 'store', work: null, recent, changed: false });
+  return state;
+}
+
+/** Whether the browser holds the newest state of the open work. */
+export const isKept = ({ autosave }: EditorState): boolean =>
+  autosave.key !== null && !autosave.storing && !autosave.failing;
 
 /**
  * Stores a picture that was just opened. Restored work is stored already, or newer work of another tab has replaced it.
@@ -51,16 +65,19 @@ export function saveWork(state: EditorState, emit: Emit): EditorState {
 export const saveOpened = (state: EditorState, emit: Emit): EditorState =>
   state.autosave.restoring ? state : saveWork(state, emit);
 
-export const autosaveHandlers: Handlers<'autosave-key-set' | 'work-stored' | 'other-tab-stored'> = {
+export const autosaveHandlers: Handlers<
+  'autosave-key-set' | 'work-stored' | 'other-tab-stored' | 'project-saved'
+> = {
   'autosave-key-set': (state, { key }, emit) => {
     emit({ type: 'use-storage', key });
     return saveWork(withAutosave(state, { key, unread: false }), emit);
   },
-  'work-stored': (state, { stored }, emit) => {
+  'work-stored': (before, { stored, newest }, emit) => {
+    const state = newest ? withAutosave(before, { storing: false }) : before;
     if (stored) {
-      if (state.autosave.untold) emit({ type: 'tell-tabs' });
-      const told = state.autosave.untold ? { untold: false, overwritten: false } : {};
-      return withAutosave(state, { failing: false, ...told });
+      const tells = newest && state.autosave.untold;
+      if (tells) emit({ type: 'tell-tabs' });
+      return withAutosave(state, { failing: false, ...(tells && { untold: false, overwritten: false }) });
     }
     const work = snapshotOf(state);
     // A picture that was opened and not touched is no loss.
@@ -68,10 +85,15 @@ export const autosaveHandlers: Handlers<'autosave-key-set' | 'work-stored' | 'ot
     const next = withAutosave(state, { failing: true });
     return state.page.playing ? next : notify(next, { kind: 'error', text: NOT_KEPT }, emit);
   },
+  'project-saved': (state, { project }, emit) => {
+    // Another picture may have been opened while the person chose a file.
+    const isOpen = timeline(state.document.history).values.some((document) => document.project === project);
+    return isOpen ? saveWork(withDocument(state, { saved: project }), emit) : state;
+  },
   'other-tab-stored': (state, _, emit) => {
     const work = snapshotOf(state);
     if (state.autosave.overwritten || !work || !isWorkedOn(work)) return state;
-    return inform(withAutosave(state, { overwritten: true }), OVERWRITTEN, emit);
+    return inform(withAutosave(state, { overwritten: true }), OTHER_TAB, emit);
   },
 };
 

@@ -2,7 +2,7 @@
 
 import { selectedHandles } from '../../document/document';
 import { parsePose } from '../../document/pose_text';
-import type { Handle } from '../../document/project';
+import type { Handle, Project } from '../../document/project';
 import {
   bailOut,
   cancelPress,
@@ -63,14 +63,11 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   lasso: (state, emit) => takeTool(state, 'lasso', emit),
   hand: (state, emit) => takeTool(state, 'hand', emit),
   open: effect('pick-file'),
-  save: (state, emit) => {
-    const project = projectOf(state);
-    const image = { ...project.image, src: state.picture?.name ?? project.image.src };
-    emit({ type: 'save-project', name: `${stem(image.src)}.c2warp.json`, project: { ...project, image } });
-    return state;
-  },
-  export: (state, emit) => exportPicture(state, false, emit),
-  'export-all': (state, emit) => exportPicture(state, true, emit),
+  save: (state, emit) => save(state, false, emit),
+  'save-whole': (state, emit) => save(state, true, emit),
+  export: (state, emit) => exportPicture(state, { grow: false, whole: false }, emit),
+  'export-all': (state, emit) => exportPicture(state, { grow: true, whole: false }, emit),
+  'export-whole': (state, emit) => exportPicture(state, { grow: false, whole: true }, emit),
   // During a drawing, undo takes back its last corner.
   undo: edit((state, emit, menu) => (isDrawing(state) ? takeBack(state, emit, menu) : undo(state, emit))),
   redo: edit((state, emit) =>
@@ -167,12 +164,34 @@ export function copiedHandles(state: EditorState): readonly Handle[] {
   return selected.length > 0 ? selected : projectOf(state).handles;
 }
 
-function exportPicture(state: EditorState, grow: boolean, emit: Emit): EditorState {
+/** The project with the name of the open picture, for a file. */
+function projectForFile(state: EditorState): Project {
+  const project = projectOf(state);
+  return { ...project, image: { ...project.image, src: state.picture?.name ?? project.image.src } };
+}
+
+/** @param whole the file holds the picture too. */
+function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
+  const project = projectForFile(state);
+  const name = `${stem(project.image.src)}.c2warp.json`;
+  emit({ type: 'save-project', name, project, of: projectOf(state), picture: whole ? state.picture : null });
+  return state;
+}
+
+interface ExportOptions {
+  /** Everything that is bent beyond the frame is exported too. */
+  readonly grow: boolean;
+  /** The file holds the original picture too. */
+  readonly whole: boolean;
+}
+
+function exportPicture(state: EditorState, { grow, whole }: ExportOptions, emit: Emit): EditorState {
   const { picture } = state;
   if (!picture) return state;
+  const carried = { project: projectForFile(state), picture: whole ? picture : null };
   const name = `${stem(picture.name)}-warped${grow ? '-all' : ''}.png`;
   const cut = !grow && reachesBeyondFrame(state);
-  emit({ type: 'export', name, project: projectOf(state), grow, cut });
+  emit({ type: 'export', name, project: projectOf(state), grow, cut, carried });
   return beginTask(state, { name: 'export', label: 'Exporting', cancellable: false }, emit);
 }
 

@@ -75,5 +75,5 @@ function notifyPage(state: EditorState, kind: ChangeKind, emit: Emit): EditorSta
   if (now.undo !== reported.undo || now.redo !== reported.redo) {
     notify({ type: 'historychange', undo: now.undo, redo: now.redo });
   }
-  return withDocument(state, { reported: now });
+  return withDocument(state, { reported: { ...reported, ...now } });
 }

@@ -21,11 +21,13 @@ import { dismiss, noticeHandlers } from './notices';
 import { pageHandlers } from './page';
 import { followCamera, pointerHandlers } from './pointer';
 import { checkPose } from './pose_checks';
+import { recentHandlers } from './recent';
 import { requestEndHandlers } from './request_end';
 import { requestHandlers } from './requests';
 import { showStage } from './solve_request';
 import { solveHandlers } from './solve_results';
 import { endMerging } from './steps';
+import { reportTitle } from './title';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
 
@@ -58,6 +60,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...noticeHandlers,
   ...pageHandlers,
   ...pointerHandlers,
+  ...recentHandlers,
   ...requestEndHandlers,
   ...requestHandlers,
   ...solveHandlers,
@@ -92,6 +95,6 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
   return handle(state, event, emit);
 }
 
-/** What follows from any state: the hover under a camera that moved, borders to be shown, and input to be released. */
+/** Follows from any state: the hover under a moved camera, borders to be shown, input to be released, the title. */
 const settled = (state: EditorState, emit: Emit): EditorState =>
-  askForRelease(requestBorders(followCamera(state), emit), emit);
+  reportTitle(askForRelease(requestBorders(followCamera(state), emit), emit), emit);

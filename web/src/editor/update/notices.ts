@@ -145,9 +145,10 @@ export const noticeHandlers: Handlers<
   | 'number-refused'
 > = {
   'notice-dismissed': (state, _, emit) => dismiss(state, emit),
-  'notice-answered': (state, _, emit) => {
+  'notice-answered': (state, { other }, emit) => {
     const notice = shownNotice(state);
-    const { kind, action } = notice ?? {};
+    const { kind } = notice ?? {};
+    const action = other ? notice?.other : notice?.action;
     if (!action || (kind === 'info' && !action.readsOnly && !mayChange(state))) return state;
     emit({ type: 'follow-up', event: action.event });
     return dismiss(state, emit);

@@ -160,7 +160,7 @@ describe('edited work', () => {
     runtime.read(testPicture('cat.png'));
     runtime.solve();
     expect(projectOf(runtime.state).handles).toHaveLength(1);
-    expect(runtime.state.opening.parked).toEqual([]);
+    expect(runtime.state.opening.recent).toEqual([]);
   });
 
   it('is parked with the drag that is in hand', () => {
@@ -173,7 +173,7 @@ describe('edited work', () => {
     runtime.read(dog);
     runtime.solve();
     runtime.dispatch({ type: 'press-ended', pointer: at(260) });
-    const [work] = runtime.state.opening.parked;
+    const [work] = runtime.state.opening.recent;
     expect(work?.record.past.map(({ label }) => label)).toEqual(['Add handle']);
     expect(projectOf(runtime.state).handles).toEqual([]);
   });
@@ -183,7 +183,7 @@ describe('edited work', () => {
     drop(runtime);
     runtime.read(dog);
     runtime.solve();
-    expect(runtime.state.opening.parked).toEqual([]);
+    expect(runtime.state.opening.recent).toEqual([]);
   });
 });
 
@@ -287,6 +287,46 @@ describe('a project file alone', () => {
   });
 });
 
+describe('a file with all', () => {
+  const other = { ...projectOf(opened().state), samples: 3000 };
+
+  it('opens the picture that a project holds, in place of one being read', () => {
+    const runtime = opened();
+    placeHandle(runtime);
+    drop(runtime, 'fox.png');
+    drop(runtime, 'whole.json');
+    runtime.read(dog, other);
+    runtime.solve();
+    expect(runtime.state.picture).toBe(dog);
+    expect(projectOf(runtime.state).samples).toBe(3000);
+    expect(runtime.state.opening).toMatchObject({ reading: null, readingProjects: [] });
+    expect(runtime.state.opening.recent.map(({ name }) => name)).toEqual(['cat.png']);
+  });
+
+  it('asks for the picture that the project in a picture is for', () => {
+    const runtime = opened();
+    drop(runtime, 'dog.png');
+    runtime.read(dog, null, { ...other, image: { src: 'fox.png', width: 400, height: 300 } });
+    runtime.solve();
+    expect(projectOf(runtime.state).samples).toBe(10000);
+    expect(shownNotice(runtime.state)?.text).toContain('dog.png belongs to the picture fox.png');
+    drop(runtime, 'fox.png');
+    runtime.read(testPicture('fox.png'));
+    runtime.solve();
+    expect(projectOf(runtime.state).samples).toBe(3000);
+  });
+
+  it('opens as a picture where its project is damaged, and says so', () => {
+    const runtime = opened();
+    drop(runtime, 'dog.png');
+    runtime.read(dog, null, new WarpError('project', 'The project in this picture is damaged.'));
+    runtime.solve();
+    expect(runtime.state.picture).toBe(dog);
+    const text = 'dog.png opened as a picture only. The project in this picture is damaged.';
+    expect(shownNotice(runtime.state)?.text).toBe(text);
+  });
+});
+
 describe('several files', () => {
   const receive = (...files: readonly NamedFile[]) => {
     const runtime = new FakeRuntime();
@@ -329,7 +369,7 @@ describe('the first content', () => {
   const stored = () => {
     const other = opened();
     placeHandle(other);
-    return { work: workOn('stored.png', other), parked: [] };
+    return { work: workOn('stored.png', other), recent: [] };
   };
   const started = (src: string | null = 'sample.png') => {
     const runtime = new FakeRuntime({ ...PAGE, src });
@@ -369,7 +409,7 @@ describe('the first content', () => {
     runtime.read(testPicture('sample.png'));
     runtime.solve();
     expect(runtime.state.picture?.name).toBe('sample.png');
-    expect(runtime.state.opening.parked.map(({ name }) => name)).toEqual(['stored.png']);
+    expect(runtime.state.opening.recent.map(({ name }) => name)).toEqual(['stored.png']);
     expect(shownNotice(runtime.state)?.text).toContain('damaged');
   });
 
@@ -380,7 +420,7 @@ describe('the first content', () => {
     runtime.read(dog);
     runtime.solve();
     expect(runtime.state.picture).toBe(dog);
-    expect(runtime.state.opening.parked.map(({ name }) => name)).toEqual(['stored.png']);
+    expect(runtime.state.opening.recent.map(({ name }) => name)).toEqual(['stored.png']);
   });
 
   it('comes back when a newer picture is refused before it was there', () => {

@@ -80,7 +80,8 @@ export const pageHandlers: Handlers<
   'handle-removed': (state, { id }, emit) =>
     step(state, 'Delete handle', removeHandles(documentOf(state), [id]), emit),
   'handles-posed': (state, { handles }, emit) => poseForPage(state, handles, emit),
-  'project-adopted': (state, { project }, emit) => step(state, 'Set project', openDocument(project), emit),
+  'project-adopted': (state, { project }, emit) =>
+    step(withDocument(state, { saved: project }), 'Set project', openDocument(project), emit),
   'page-project-set': (state, { project }) => withOpening(state, { pageProject: project }),
   'selection-set': (state, { ids }, emit) =>
     state.picture && state.opening.revision === state.opening.openedRevision

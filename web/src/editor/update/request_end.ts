@@ -5,6 +5,7 @@ import { movesText, notOpenedText } from '../notice_texts';
 import type { OpenOutcome, OpenRequest, Purpose, Restoring } from '../opening_state';
 import { attributesPending } from '../opening_state';
 import type { NamedFile } from '../picture';
+import { bounded } from '../recent';
 import { documentOf, type EditorState } from '../state';
 import { isWorkedOn } from '../work';
 import { saveWork, stepKey, withAutosave } from './autosave';
@@ -25,7 +26,7 @@ function endRequest(
   switch (purpose.by) {
     case 'person':
       return outcome === 'opened'
-        ? filesOpened(withFirstFrame(state, emit), unopened(state, purpose.received), emit)
+        ? filesOpened(withFirstFrame(state, emit), purpose.received, emit)
         : failed(state, outcome, emit);
     case 'back':
       return outcome === 'opened' ? filesOpened(state, [], emit) : failed(state, outcome, emit);
@@ -73,17 +74,13 @@ const isOfProject = (outcome: OpenOutcome): boolean =>
   !isEngineFailure(outcome) &&
   !['address', 'file', 'picture'].includes(codeOf(outcome));
 
-/** The names of received files other than the open picture. */
-const unopened = ({ picture }: EditorState, received: readonly NamedFile[]): readonly string[] =>
-  received.filter(({ file }) => file !== picture?.file).map(({ name }) => name);
-
 /** Says that a file with several frames is opened as its first. */
 const withFirstFrame = (state: EditorState, emit: Emit): EditorState =>
   state.picture?.moves ? inform(state, movesText(state.picture.name), emit) : state;
 
 /** Names ignored files. */
-const filesOpened = (state: EditorState, ignored: readonly string[], emit: Emit): EditorState =>
-  ignored.length > 0 ? inform(state, notOpenedText(ignored), emit) : state;
+const filesOpened = (state: EditorState, ignored: readonly NamedFile[], emit: Emit): EditorState =>
+  ignored.length > 0 ? inform(state, notOpenedText(ignored.map(({ name }) => name)), emit) : state;
 
 /** Drops the input for a picture that is refused, unless a newer one is being opened. */
 function withoutInput(state: EditorState, outcome: OpenOutcome): EditorState {
@@ -121,7 +118,7 @@ function endRestore(
 }
 
 const park = (state: EditorState, work: Restoring['work']): EditorState =>
-  withOpening(state, { parked: [...state.opening.parked, work] });
+  withOpening(state, { recent: bounded([...state.opening.recent, work]) });
 
 function startAttributes(
   state: EditorState,
@@ -159,8 +156,8 @@ export const requestEndHandlers: Handlers<
   'storage-read': (state, { stored }, emit) => {
     if (state.opening.startup.phase !== 'storage') return state;
     if (!stored) return startAttributes(state, null, null, emit);
-    const { work, parked } = stored;
-    const known = withAutosave(withOpening(state, { parked }), { step: stepKey(work) });
+    const { work, recent } = stored;
+    const known = withAutosave(withOpening(state, { recent }), { step: stepKey(work) });
     // Another picture was opened meanwhile: the work waits beside it.
     if (state.opening.overtaken)
       return finishStartup(isWorkedOn(work) ? park(known, work) : known, null, emit);

@@ -1,12 +1,15 @@
 /** Requests to open something: by files, by the page, by the attributes, and by earlier work. */
 import type { ProjectFile } from '../../document/project';
+import { addressIn, nameIn, namesProject } from '../address';
 import type { Emit, ProjectSource } from '../effects';
-import type { OpeningState, Purpose, Restoring } from '../opening_state';
+import { noAddressText } from '../notice_texts';
+import type { OpeningState, ProjectRead, Purpose, Restoring } from '../opening_state';
 import type { NamedFile } from '../picture';
 import type { EditorState } from '../state';
 import type { WorkSnapshot } from '../work';
 import { snapshotOf } from './autosave';
 import type { Handlers } from './handlers';
+import { announce, notify } from './notices';
 import { requestSolution } from './solve_request';
 
 export const withOpening = (state: EditorState, change: Partial<OpeningState>): EditorState => ({
@@ -27,8 +30,11 @@ export function requestPicture(state: EditorState, purpose: Purpose, read: Read,
     emit({ type: 'abandon-read', id: reading.id });
     emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
   }
-  emit({ type: 'read', id, pictures: read.pictures, project: read.project ?? null });
-  const request = { id, purpose, work: read.work ?? null };
+  const inside = purpose.by === 'person';
+  emit({ type: 'read', id, pictures: read.pictures, project: read.project ?? null, inside });
+  const [first] = read.pictures;
+  const name = typeof first === 'string' ? nameIn(first) : (first?.name ?? '');
+  const request = { id, name, purpose, work: read.work ?? null };
   // Input for a picture that a person no longer asks for.
   const waiting = purpose.by === 'person' || purpose.by === 'back' ? [] : state.waiting;
   return withOpening({ ...state, waiting }, { reading: request, nextId: id + 1, overtaken: true });
@@ -51,7 +57,7 @@ export function restore(
   emit: Emit,
 ): EditorState {
   const id = state.opening.nextId;
-  emit({ type: 'read', id, pictures: [{ name: work.name, file: work.file }], project: null });
+  emit({ type: 'read', id, pictures: [{ name: work.name, file: work.file }], project: null, inside: false });
   const restoring: Restoring = { id, work, from, phase: 'reading' };
   const guard = { ...state.guard, on: work.guarded, holding: false };
   return withOpening({ ...state, guard }, { restoring, nextId: id + 1 });
@@ -77,11 +83,38 @@ function receiveFiles(state: EditorState, files: readonly NamedFile[], emit: Emi
     return requestPicture(state, { by: 'person', received }, { pictures, project: source }, emit);
   }
   if (!project) return state;
-  // A project alone does not supersede a picture that is being opened.
-  const id = state.opening.nextId;
-  emit({ type: 'read', id, pictures: [], project: { named: project } });
-  const read = { id, name: project.name, ignored: received.map(({ name }) => name) };
-  return withOpening(state, { nextId: id + 1, readingProjects: [...state.opening.readingProjects, read] });
+  return readProject(state, { name: project.name, received }, { named: project }, emit);
+}
+
+/** Reads a project alone. That does not supersede a picture that is being opened. */
+function readProject(
+  state: EditorState,
+  read: Omit<ProjectRead, 'id'>,
+  project: ProjectSource,
+  emit: Emit,
+): EditorState {
+  const { nextId: id, readingProjects } = state.opening;
+  emit({ type: 'read', id, pictures: [], project, inside: false });
+  return withOpening(state, { nextId: id + 1, readingProjects: [...readingProjects, { id, ...read }] });
+}
+
+function openAddress(state: EditorState, text: string, emit: Emit): EditorState {
+  const address = addressIn(text);
+  if (!address) return notify(state, { kind: 'error', text: noAddressText(text) }, emit);
+  if (namesProject(address))
+    return readProject(state, { name: nameIn(address), received: [] }, { address }, emit);
+  return requestPicture(state, { by: 'person', received: [] }, { pictures: [address] }, emit);
+}
+
+/** Gives up what is being read for a person or a page. What was open before stays. */
+function cancelReading(state: EditorState, emit: Emit): EditorState {
+  const { reading, readingProjects } = state.opening;
+  for (const { id } of reading ? [reading, ...readingProjects] : readingProjects)
+    emit({ type: 'abandon-read', id });
+  if (reading) {
+    emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
+  }
+  return announce(withOpening(state, { reading: null, readingProjects: [] }), 'Cancelled');
 }
 
 const projectSource = (project: string | ProjectFile | null): ProjectSource | null =>
@@ -105,6 +138,9 @@ function retry(state: EditorState, emit: Emit): EditorState {
 
 export const requestHandlers: Handlers<
   | 'files-received'
+  | 'address-given'
+  | 'sample-chosen'
+  | 'reading-cancelled'
   | 'load-asked'
   | 'source-changed'
   | 'source-asked'
@@ -113,6 +149,12 @@ export const requestHandlers: Handlers<
   | 'retry-asked'
 > = {
   'files-received': (state, { files }, emit) => receiveFiles(state, files, emit),
+  'address-given': (state, { text }, emit) => openAddress(state, text, emit),
+  'sample-chosen': (state, { sample: { src, project } }, emit) => {
+    const source = project === undefined ? null : { address: project };
+    return requestPicture(state, { by: 'person', received: [] }, { pictures: [src], project: source }, emit);
+  },
+  'reading-cancelled': (state, _, emit) => cancelReading(state, emit),
   'load-asked': (state, { reply, source, project }, emit) => {
     const { pageProject } = state.opening;
     const purpose = { by: 'load', reply, usesPageProject: project ? null : pageProject } as const;

@@ -33,7 +33,7 @@ function restored(work: WorkSnapshot): FakeRuntime {
   const runtime = new FakeRuntime();
   runtime.dispatch({ type: 'autosave-key-set', key: 'here' });
   runtime.dispatch({ type: 'started', work: null });
-  runtime.dispatch({ type: 'storage-read', stored: { work, parked: [] } });
+  runtime.dispatch({ type: 'storage-read', stored: { work, recent: [] } });
   runtime.read(testPicture());
   return runtime;
 }
@@ -70,7 +70,7 @@ describe('a step that the solver breaks at', () => {
     runtime.solve();
     expect(projectOf(runtime.state)).toMatchObject({ fix_boundary: false, handles: [{ id: 'a' }] });
     const stored = runtime.effects.findLast((effect) => effect.type === 'store');
-    expect(stored?.work.record.present.project.fix_boundary).toBe(false);
+    expect(stored?.work?.record.present.project.fix_boundary).toBe(false);
   });
 
   it('is parked with its work if there is no earlier step to go back to', () => {
@@ -79,10 +79,10 @@ describe('a step that the solver breaks at', () => {
     runtime.refuse(tooMuch);
     runtime.solve();
     expect(projectOf(runtime.state).handles).toEqual([]);
-    expect(runtime.state.opening.parked).toHaveLength(1);
+    expect(runtime.state.opening.recent).toHaveLength(1);
     // The next visit opens the picture without handles, and does not fail again.
     const stored = runtime.effects.findLast((effect) => effect.type === 'store');
-    expect(stored?.work.record.present.project.handles).toEqual([]);
-    expect(stored?.parked).toHaveLength(1);
+    expect(stored?.work?.record.present.project.handles).toEqual([]);
+    expect(stored?.recent).toHaveLength(1);
   });
 });

@@ -72,6 +72,8 @@ export const solveHandlers: Handlers<
     state.solution.borders?.of === solution
       ? withSolution(state, { borders: { of: solution, pieces: borders } })
       : state,
-  'task-cancelled': (state, { task }, emit) =>
-    task === 'solve' && mayChange(state) ? cancelSolve(state, emit) : state,
+  'task-cancelled': (state, { task }, emit) => {
+    if (task === 'open') emit({ type: 'follow-up', event: { type: 'reading-cancelled' } });
+    return task === 'solve' && mayChange(state) ? cancelSolve(state, emit) : state;
+  },
 };

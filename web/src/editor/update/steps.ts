@@ -15,12 +15,13 @@ import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
 
 /** Opens work: a document with its history and its unfinished drawings. */
-export function openWork(state: EditorState, { record, drawings }: Work, emit: Emit): EditorState {
+export function openWork(state: EditorState, { record, drawings, saved }: Work, emit: Emit): EditorState {
   const rested = endPress(state, restoreDrawings(state.tools, drawings), emit);
   const opened = withDocument(guardEnded(rested), {
     drawn: null,
     travelled: null,
     history: history.historyOf(record),
+    saved: saved ?? (record.past[0]?.value ?? record.present).project,
   });
   return edited(opened, 'open', emit);
 }

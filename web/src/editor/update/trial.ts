@@ -3,13 +3,17 @@ import { openDocument } from '../../document/document';
 import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
 import { inEditorWords } from '../error_texts';
-import type { Purpose, Trial } from '../opening_state';
-import { belongs, fits, misfit, type Picture } from '../picture';
+import type { EventOf } from '../events';
+import { notCarriedText, twoVersionsText } from '../notice_texts';
+import type { OpeningState, OpenRequest, ProjectRead, Purpose, Trial } from '../opening_state';
+import { belongs, fits, misfit, type Picture, type SourceFile } from '../picture';
+import { otherVersion, withReplaced } from '../recent';
 import { type EditorState, projectOf } from '../state';
-import { isWorkedOn, type Work, type WorkSnapshot } from '../work';
+import type { Work, WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
+import { withDocument } from './document_slice';
 import type { Handlers } from './handlers';
-import { notify } from './notices';
+import { inform, notify } from './notices';
 import { endPressKeepingChanges } from './press';
 import { closePicture, freshWork, putPicture } from './put_picture';
 import { restore, withOpening } from './requests';
@@ -17,10 +21,18 @@ import { select } from './selection';
 import { step } from './steps';
 import { choose, chooseByHandles } from './tool_choice';
 
+/** What was read. */
+type Opened = Pick<EventOf<'read-ended'>, 'source' | 'project' | 'carried'> & { readonly picture: Picture };
+
 /** Starts the trial of a picture that was read for the newest request. */
-function tryRequested(before: EditorState, picture: Picture, given: Project | null, emit: Emit): EditorState {
-  const { reading: request, awaiting } = before.opening;
-  if (!request) return before;
+function tryRequested(
+  before: EditorState,
+  { picture, source, project: given, carried }: Opened,
+  emit: Emit,
+): EditorState {
+  const { reading, awaiting } = before.opening;
+  if (!reading) return before;
+  const request = withoutOpened(reading, source);
   // A drag in hand is part of the work that gives way.
   let state = withOpening(endPressKeepingChanges(before, emit), { reading: null });
   // A picture of the page is never one that a person was asked for.
@@ -35,20 +47,29 @@ function tryRequested(before: EditorState, picture: Picture, given: Project | nu
   if (project && project === awaited) state = withOpening(state, { awaiting: null });
   const present = project && { project, selection: [] };
   const work = request.work ?? (present && { record: { past: [], present, future: [] } });
-  const parked = parkedBy(state, request.purpose.by === 'back' ? request.work : null, request.purpose.by);
-  const trial = { request, withProject: given !== null, fresh: work === null, parked };
+  const recent = recentAfter(state, request.purpose.by === 'back' ? request.work : null, request.purpose.by);
+  const trial = { request, withProject: given !== null, carried, fresh: work === null, recent };
   const tried = startTrial(state, trial, picture, work ?? freshWork(picture), emit);
   // Not once it is solved: by then the person may have chosen another tool.
   return isOfPerson(request.purpose) ? chooseByHandles(tried, emit) : tried;
 }
 
-/** The parked work once a picture of this purpose is open: a person's edited picture is parked, not lost. */
-function parkedBy(state: EditorState, back: WorkSnapshot | null, by: string): readonly WorkSnapshot[] {
-  const { parked, restoring } = state.opening;
-  if (by !== 'person' && by !== 'back') return parked;
-  const others = parked.filter((other) => other !== back);
-  const replaced = restoring?.work ?? snapshotOf(state);
-  return replaced && isWorkedOn(replaced) ? [...others, replaced] : others;
+/** The recent work once a picture of this purpose is open: the edited picture that it replaces is not lost. */
+function recentAfter(state: EditorState, back: WorkSnapshot | null, by: string): readonly WorkSnapshot[] {
+  const { recent, restoring } = state.opening;
+  if (by !== 'person' && by !== 'back') return recent;
+  const others = recent.filter(({ id }) => id !== back?.id);
+  return withReplaced(others, restoring?.work ?? snapshotOf(state));
+}
+
+/** Of a person's files, those that do not open. */
+function withoutOpened(request: OpenRequest, source: SourceFile | null): OpenRequest {
+  const { purpose } = request;
+  if (purpose.by !== 'person') return request;
+  return {
+    ...request,
+    purpose: { ...purpose, received: purpose.received.filter(({ file }) => file !== source) },
+  };
 }
 
 const isOfPerson = ({ by }: Purpose): boolean => by === 'person' || by === 'back';
@@ -89,14 +110,23 @@ function suspendRestoring(state: EditorState, emit: Emit): EditorState {
   return withOpening(state, { restoring: { ...restoring, phase: 'suspended' } });
 }
 
+/** A project in the picture waits for the picture that it is for. */
+function awaitingAfter({ picture, opening }: EditorState, { carried }: Trial): OpeningState['awaiting'] {
+  if (!picture || !carried || carried instanceof Error) return opening.awaiting;
+  return { name: picture.name, project: carried };
+}
+
 /** Ends the trial of a picture that is solved. */
 export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): EditorState {
   const { restoring } = before.opening;
   // A person who brings another project together with its picture no longer waits.
   const waits = !(trial.withProject && trial.request?.purpose.by === 'person');
-  const awaiting = waits ? before.opening.awaiting : null;
-  let state = withOpening(before, { trial: null, restoring: null, parked: trial.parked, awaiting });
+  const awaiting = waits ? awaitingAfter(before, trial) : null;
+  let state = withOpening(before, { trial: null, restoring: null, recent: trial.recent, awaiting });
   state = offerNext(saveOpened(applyPageSettings(state, trial.withProject, emit), emit), emit);
+  if (trial.carried instanceof Error && state.picture) {
+    state = inform(state, notCarriedText(state.picture.name, trial.carried.message), emit);
+  }
   emit({ type: 'prepare-export' });
   if (trial.request) {
     emit({ type: 'follow-up', event: { type: 'request-ended', request: trial.request, outcome: 'opened' } });
@@ -149,14 +179,22 @@ function applyPageSettings(state: EditorState, withProject: boolean, emit: Emit)
   return next;
 }
 
-/** Offers the way back to the last parked work, or else asks for the picture of a waiting project. */
+/** Asks for the picture of a waiting project, or offers the other version of a work, or the way back. */
 function offerNext(state: EditorState, emit: Emit): EditorState {
-  const { picture } = state;
-  const last = state.opening.parked.at(-1);
-  if (!last) return askForPicture(state, emit);
+  const { picture, opening, page } = state;
+  if (opening.awaiting) return askForPicture(state, emit);
   if (!picture) return state;
+  const version = otherVersion(opening.recent, picture);
+  if (version) {
+    const action = { label: 'Show the other version', event: { type: 'back-asked', work: version } } as const;
+    const other = { label: 'Keep this one', event: { type: 'version-kept' } } as const;
+    return notify(state, { kind: 'info', text: twoVersionsText(picture.name), action, other }, emit);
+  }
+  const last = opening.recent.at(-1);
+  if (!last || page.playing) return state;
   const action = { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } } as const;
-  return notify(state, { kind: 'info', text: `${picture.name} is open.`, action }, emit);
+  const text = `${picture.name} is open.`;
+  return notify(state, { kind: 'info', text, action, ofStep: true, passes: true }, emit);
 }
 
 /** Asks for the picture of the waiting project. */
@@ -173,24 +211,54 @@ function askForPicture(state: EditorState, emit: Emit): EditorState {
 /** Applies a project file without a picture to the open picture if the size fits. Otherwise asks for its picture. */
 function openProject(state: EditorState, name: string, project: Project, emit: Emit): EditorState {
   if (state.picture && fits(state.picture, project)) {
-    return step(withOpening(state, { awaiting: null }), `Open ${name}`, openDocument(project), emit);
+    const next = withDocument(withOpening(state, { awaiting: null }), { saved: project });
+    return step(next, `Open ${name}`, openDocument(project), emit);
   }
   return askForPicture(withOpening(state, { awaiting: { name, project } }), emit);
 }
 
+/** Opens a project file that holds its picture, in place of the picture being read. */
+function tryProjectWithPicture(
+  state: EditorState,
+  read: ProjectRead,
+  opened: Opened,
+  emit: Emit,
+): EditorState {
+  const { reading } = state.opening;
+  if (reading) {
+    emit({ type: 'abandon-read', id: reading.id });
+    emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
+  }
+  const request = {
+    id: read.id,
+    name: read.name,
+    purpose: { by: 'person', received: read.received },
+    work: null,
+  } as const;
+  return tryRequested(withOpening(state, { reading: request, overtaken: true }), opened, emit);
+}
+
 export const trialHandlers: Handlers<'read-ended' | 'read-failed'> = {
-  'read-ended': (state, { id, picture, project }, emit) => {
+  'read-ended': (state, { id, picture, source, project, carried }, emit) => {
     const { reading, restoring, readingProjects } = state.opening;
-    if (picture && reading?.id === id) return tryRequested(state, picture, project, emit);
+    if (picture && reading?.id === id)
+      return tryRequested(state, { picture, source, project, carried }, emit);
     if (picture && restoring?.id === id && restoring.phase === 'reading') {
       const solving = withOpening(state, { restoring: { ...restoring, phase: 'solving' } });
-      const trial = { request: null, withProject: false, fresh: false, parked: state.opening.parked };
+      const trial = {
+        request: null,
+        withProject: false,
+        carried: null,
+        fresh: false,
+        recent: state.opening.recent,
+      };
       return startTrial(solving, trial, picture, restoring.work, emit);
     }
     const read = readingProjects.find((other) => other.id === id);
     if (!read || !project) return state;
     const rest = withOpening(state, { readingProjects: readingProjects.filter((other) => other !== read) });
-    emit({ type: 'follow-up', event: { type: 'files-opened', ignored: read.ignored } });
+    if (picture) return tryProjectWithPicture(rest, read, { picture, source, project, carried }, emit);
+    emit({ type: 'follow-up', event: { type: 'files-opened', ignored: read.received } });
     return openProject(rest, read.name, project, emit);
   },
   'read-failed': (state, { id, error }, emit) => {

@@ -10,6 +10,7 @@ import { buttonsStyle } from './buttons';
 import { drawingStyle } from './drawing';
 import { emptyStyle } from './empty';
 import { fieldsStyle } from './fields';
+import { filesMenuStyle } from './files_menu';
 import { floatingStyle } from './floating';
 import { forcedStyle } from './forced';
 import { handleListStyle } from './handle_list';
@@ -43,6 +44,7 @@ export const editorStyle = [
   shellStyle,
   toolbarStyle,
   menuStyle,
+  filesMenuStyle,
   keysStyle,
   toolStripStyle,
   panelStyle,

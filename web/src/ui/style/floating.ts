@@ -24,6 +24,13 @@ export const floatingStyle = css`
       bottom: 70px;
     }
   }
+  @container ${notPhone} {
+    .notices .notice.aside,
+    :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
+      top: 16px;
+      bottom: auto;
+    }
+  }
   @container ${phone} {
     .hint:not(.bubble) {
       bottom: 84px;
@@ -35,13 +42,25 @@ export const floatingStyle = css`
       top: 12px;
       bottom: auto;
     }
+    .notice.aside {
+      top: auto;
+      bottom: 84px;
+    }
+    :is(.draft-bar, .hint:not(.bubble)) ~ .notices .notice.aside {
+      bottom: 134px;
+    }
     /* Clear of the sheet in every layout, and of each other. */
     .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) {
       top: 12px;
       bottom: auto;
     }
+    .panel.open:not(.high) ~ .notices .notice.aside {
+      top: 12px;
+      bottom: auto;
+    }
     .panel.open:not(.high) ~ :is(.hint:not(.bubble), .draft-bar) ~ .notices .notice {
       top: 72px;
+      bottom: auto;
     }
     .panel.high ~ .notices .notice {
       top: auto;

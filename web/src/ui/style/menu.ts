@@ -7,6 +7,7 @@ export const menuStyle = css`
     position: relative;
   }
   .popover {
+    --_width: 208;
     position: fixed;
     inset: auto;
     margin: 0;

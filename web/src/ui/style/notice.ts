@@ -14,6 +14,11 @@ export const noticeStyle = css`
     border-left: 4px solid var(--_accent);
     overflow-wrap: anywhere;
     animation: appear var(--_speed);
+    transition: opacity var(--_speed);
+  }
+  .notice.away {
+    opacity: 0.15;
+    pointer-events: none;
   }
   .notice.error {
     border-left-color: var(--_danger);

@@ -33,13 +33,37 @@ export const toolbarStyle = css`
   }
   .title {
     flex: 1;
+    display: flex;
+    justify-content: flex-end;
+    align-items: baseline;
+    gap: 8px;
     min-width: 0;
-    overflow: hidden;
     padding: 0 8px;
     color: var(--_faint);
-    text-align: right;
-    text-overflow: ellipsis;
     white-space: nowrap;
+  }
+  .title > * {
+    overflow: hidden;
+    text-overflow: ellipsis;
+  }
+  .title .name {
+    min-width: 3em;
+  }
+  .title .kept {
+    flex: 0 100 auto;
+    min-width: 0;
+    font-size: 12px;
+  }
+  /* The mark of unsaved changes: beside the name, and on phones at the button that saves. */
+  .title.unsaved .name::before {
+    content: '';
+    display: inline-block;
+    width: 7px;
+    height: 7px;
+    margin-right: 7px;
+    border-radius: 50%;
+    background: var(--_accent);
+    vertical-align: 1px;
   }
   @container ${narrow} {
     .word {
@@ -60,13 +84,25 @@ export const toolbarStyle = css`
       display: contents;
     }
     .top .menu,
-    .top .button {
+    .top .group > .button,
+    .top > .button,
+    .top .menu > .button {
       flex: 0 1 44px;
       min-width: 0;
       padding: 0;
     }
-    .top .menu .button {
+    .top .menu > .button {
       width: 100%;
+    }
+    .top:has(.title.unsaved) [data-command='save']::after {
+      content: '';
+      position: absolute;
+      top: 9px;
+      right: calc(50% - 14px);
+      width: 7px;
+      height: 7px;
+      border-radius: 50%;
+      background: var(--_accent);
     }
     .brand,
     .title,

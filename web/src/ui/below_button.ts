@@ -1,0 +1,16 @@
+/** The place of a menu below its button. */
+
+/** Room between a menu and its button, and between it and the window's edge, CSS pixels. */
+const GAP = 6;
+
+/** Places a popover below its button, as it opens. In the top layer, coordinates are those of the window. */
+export function placeBelowButton(event: Event): void {
+  const popover = event.currentTarget as HTMLElement;
+  const button = popover.previousElementSibling;
+  if (!button) return;
+  const { left, bottom } = button.getBoundingClientRect();
+  // The width is known from the style sheet alone, since the menu is not shown yet.
+  const width = Number.parseFloat(getComputedStyle(popover).getPropertyValue('--_width'));
+  popover.style.left = `${Math.max(GAP, Math.min(left, innerWidth - width - GAP))}px`;
+  popover.style.top = `${bottom + GAP}px`;
+}

@@ -1,0 +1,120 @@
+/** The menu beside Open. */
+import { css } from 'lit';
+import { phone } from './layouts';
+
+export const filesMenuStyle = css`
+  .files {
+    --_width: 300;
+    width: min(300px, calc(100vw - 12px));
+    max-height: calc(100dvh - 70px);
+    padding: 12px;
+    overflow: auto;
+  }
+  .files h2 {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    min-height: 28px;
+    margin: 0 0 4px;
+  }
+  .files section {
+    margin-top: 10px;
+  }
+  .files p {
+    margin: 0;
+  }
+  .files .address {
+    display: flex;
+    gap: 6px;
+  }
+  .files .address input {
+    flex: 1;
+    min-width: 0;
+    height: var(--_control);
+    padding: 0 10px;
+    border: 1px solid var(--_bound);
+    border-radius: var(--_radius-control);
+    background: var(--_surface);
+    color: inherit;
+    font: inherit;
+  }
+  .files .address .button {
+    padding: 0 12px;
+    background: var(--_raised);
+    font-weight: 600;
+  }
+  .files .samples {
+    display: grid;
+    grid-template-columns: repeat(3, 1fr);
+    gap: 4px;
+    margin: 0 -6px;
+  }
+  .files .samples .button {
+    flex-direction: column;
+    height: auto;
+    padding: 6px 2px;
+    gap: 4px;
+    font-size: 12px;
+  }
+  .files .samples img {
+    width: 72px;
+    height: 72px;
+  }
+  .files ul {
+    margin: 0 -6px;
+    padding: 0;
+    list-style: none;
+  }
+  .files li {
+    display: flex;
+    align-items: center;
+    border-radius: var(--_radius-item);
+  }
+  .files .pick {
+    flex: 1;
+    min-width: 0;
+    height: auto;
+    padding: 4px 6px;
+    gap: 10px;
+    justify-content: flex-start;
+  }
+  .files .name {
+    flex: 1;
+    min-width: 0;
+    overflow: hidden;
+    text-align: left;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .files .pick .faint {
+    font-size: 12px;
+  }
+  .files :is(img, .no-thumbnail) {
+    flex: none;
+    width: 40px;
+    height: 40px;
+    object-fit: contain;
+    border-radius: 4px;
+    background: var(--_ground);
+  }
+  .button.slim {
+    min-width: 22px;
+    padding: 0 3px;
+    margin-left: -4px;
+  }
+  @media (pointer: coarse) {
+    .files .address input {
+      height: var(--_finger);
+      font-size: 16px;
+    }
+    .button.slim {
+      min-width: var(--_finger);
+      margin-left: 0;
+    }
+  }
+  @container ${phone} {
+    .button.slim {
+      margin-left: 0;
+    }
+  }
+`;
