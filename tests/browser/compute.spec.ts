@@ -176,7 +176,7 @@ test('a new picture supersedes an export that has not begun', async ({ page }) =
       () => 'warped',
       (error: Error) => error.name,
     );
-    engine.setPicture(256, 256, new Uint8Array(256 * 256 * 4).fill(255));
+    engine.setPicture(harness.pixelSource(256, 256, new Uint8Array(256 * 256 * 4).fill(255)));
     const { rgba } = await engine.warp({ ...project, handles: [] });
     return [await first, rgba[0]];
   }, project);
@@ -210,7 +210,7 @@ test.describe('compared with the command line', () => {
       const file = await (await fetch('/samples/gingerbread.png')).blob();
       const picture = await harness.decodePicture(file);
       const engine = await harness.Engine.start();
-      engine.setPicture(picture.width, picture.height, picture.rgba);
+      engine.setPicture(picture);
       const project = engine.checkProject(text);
       const solution = await engine.solve(project);
       const { motions } = engine.posedPicture(solution, project).pose(project);

@@ -4,6 +4,7 @@ import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, meanDifference, type Position } from './editor';
 import { expect, test } from './fixtures';
+import { denyPictureWorker } from './picture_worker';
 import { WorkerReplies } from './worker_replies';
 
 /** Returns the mean of red minus blue in a part of the drawing, in 255ths. */
@@ -179,8 +180,8 @@ test('removal releases the context; reinsertion restores the document', async ({
 
 test('elements that are created and removed leave no resources', async ({ page }) => {
   await Editor.open(page);
-  // One solver, and one PNG writer for the whole page.
-  await expect.poll(() => page.workers().length).toBe(2);
+  // One solver, and for the whole page one reader of pictures and one PNG writer.
+  await expect.poll(() => page.workers().length).toBe(3);
   await page.evaluate(async () => {
     const gone: WeakRef<Element>[] = [];
     for (let k = 0; k < 5; k++) {
@@ -199,11 +200,13 @@ test('elements that are created and removed leave no resources', async ({ page }
     );
   };
   await expect.poll(left).toBe(0);
-  await expect.poll(() => page.workers().length).toBe(2);
+  await expect.poll(() => page.workers().length).toBe(3);
 });
 
 test('removal while a picture opens closes both pictures', async ({ page }) => {
   const replies = await WorkerReplies.intercept(page);
+  // Otherwise a worker makes the bitmaps, out of reach of the test.
+  await denyPictureWorker(page);
   await page.addInitScript(() => {
     const opened: ImageBitmap[] = [];
     const create = globalThis.createImageBitmap.bind(globalThis) as (blob: Blob) => Promise<ImageBitmap>;
@@ -737,7 +740,7 @@ test('the open work stays if the solver dies on another picture', async ({ page 
     globalThis.Worker = class extends Worker {
       constructor(url: string | URL, options?: WorkerOptions) {
         super(url, options);
-        if (!String(url).includes('png')) workers.push(this);
+        if (!/png|picture/.test(String(url))) workers.push(this);
       }
     };
     Object.assign(globalThis, { workers });

@@ -7,6 +7,7 @@ import type { C2Warp } from '../../web/src/element';
 import { bytes, Editor, meanDifference, SAME } from './editor';
 import { bring, disc, png, project } from './files';
 import { expect, test } from './fixtures';
+import { denyPictureWorker } from './picture_worker';
 import { WorkerReplies } from './worker_replies';
 
 test('a saved project opens exactly as it was', async ({ page }) => {
@@ -273,8 +274,9 @@ test('full storage is reported once, and again after a success', async ({ page }
 });
 
 /** Makes the browser fail to decode pictures this many times, from the next page load on. */
-const undecoded = (page: Page, times: number) =>
-  page.addInitScript((times) => {
+const undecoded = async (page: Page, times: number) => {
+  await denyPictureWorker(page);
+  await page.addInitScript((times) => {
     const { createImageBitmap } = globalThis;
     let left = times;
     globalThis.createImageBitmap = (async (...given: [ImageBitmapSource]) => {
@@ -282,6 +284,7 @@ const undecoded = (page: Page, times: number) =>
       return createImageBitmap(...given);
     }) as typeof createImageBitmap;
   }, times);
+};
 
 test('stored work that fails to open is reported, and opens later', async ({ page }) => {
   const editor = await Editor.open(page);

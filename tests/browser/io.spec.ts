@@ -60,6 +60,71 @@ for (const browser of ['a photograph', 'a photograph that the browser makes no b
     expect(decoded).toBe(1);
   });
 
+test('the editor decodes pictures in a worker, with the same result as the page', async ({ page }) => {
+  const { differing, inPage, inWorker } = await page.evaluate(async () => {
+    const file = await harness.drawnPicture(300);
+    const { bitmap: _, preview: __, rgba: expected, ...decoded } = await harness.decodePicture(file);
+    const stop = () => Promise.reject(new Error('the page decoded it'));
+    Object.assign(globalThis, { createImageBitmap: stop });
+    const { rgba, ...opened } = await harness.openedPicture(file);
+    return {
+      differing: rgba.reduce((count, value, i) => count + (value === expected[i] ? 0 : 1), 0),
+      inPage: decoded,
+      inWorker: opened,
+    };
+  });
+  expect(differing).toBe(0);
+  expect(inWorker).toMatchObject({
+    width: inPage.width,
+    height: inPage.height,
+    shown: [300, 300],
+    previewed: null,
+  });
+});
+
+test('without a worker the page decodes pictures', async ({ page }) => {
+  const size = await page.evaluate(async () => {
+    const denied = class {
+      constructor() {
+        throw new DOMException('denied', 'SecurityError');
+      }
+    };
+    Object.assign(globalThis, { Worker: denied });
+    const { width, rgba } = await harness.openedPicture(await harness.drawnPicture(64));
+    return [width, rgba.length];
+  });
+  expect(size).toEqual([64, 64 * 64 * 4]);
+});
+
+test('a picture beyond the largest texture is shown smaller, and keeps its pixels', async ({ page }) => {
+  const { width, length, shown, previewed, last } = await page.evaluate(async () => {
+    const [width, height] = [12_000, 500];
+    const pixels = new Uint8Array(width * height * 4).fill(255);
+    pixels.set([1, 2, 3, 255], pixels.length - 4);
+    const file = await harness.encodePng(width, height, pixels);
+    const { rgba, shown, previewed } = await harness.openedPicture(file);
+    return { width, length: rgba.length, shown, previewed, last: [...rgba.slice(-4)] };
+  });
+  expect(length).toBe(width * 500 * 4);
+  expect(last).toEqual([1, 2, 3, 255]);
+  // The software renderer of the tests has textures of 8,192 px.
+  expect(shown?.[0]).toBe(8192);
+  expect(previewed).toBeNull();
+});
+
+test('reading a picture can be stopped', async ({ page }) => {
+  const name = await page.evaluate(async () => {
+    const reading = new AbortController();
+    const opened = harness.openedPicture(await harness.drawnPicture(2000), reading.signal);
+    reading.abort();
+    return opened.then(
+      () => 'opened',
+      (error: Error) => error.name,
+    );
+  });
+  expect(name).toBe('AbortError');
+});
+
 test('a PNG worker that fails is replaced', async ({ page }) => {
   const [message, ended, size] = await page.evaluate(async () => {
     let ended = 0;

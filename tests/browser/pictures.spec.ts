@@ -49,7 +49,7 @@ function opened(page: Page): Promise<Result[]> {
       Promise.all(
         files.map(async (file): Promise<Result> => {
           try {
-            const { width, height, rgba, moves } = await harness.decodePicture(
+            const { width, height, rgba, moves } = await harness.openedPicture(
               new Blob([Uint8Array.from(file)]),
             );
             return { size: [width, height], pixels: [...rgba], moves };

@@ -6,11 +6,38 @@ test.beforeEach(async ({ page }) => {
   await page.goto('/harness/');
 });
 
+test('a large picture is drawn from its preview until its last part is uploaded', async ({ page }) => {
+  const colours = await page.evaluate(async () => {
+    const filled = async (width: number, height: number, colour: string) => {
+      const canvas = new OffscreenCanvas(width, height);
+      const context = canvas.getContext('2d');
+      if (!context) throw new Error('no 2D canvas');
+      context.fillStyle = colour;
+      context.fillRect(0, 0, width, height);
+      return createImageBitmap(canvas);
+    };
+    const renderer = new harness.Renderer(document.createElement('canvas'));
+    const [bitmap, preview] = [await filled(2500, 2000, '#0f0'), await filled(50, 40, '#f00')];
+    renderer.setPicture({ width: 5000, height: 4000, bitmap, preview });
+    const view = { scale: 0.01, x: 0, y: 0, width: 50, height: 40 };
+    const shown = () => [...renderer.readPixels(view).slice(4 * 1025, 4 * 1025 + 4)];
+    const colours = [shown()];
+    let parts = 0;
+    while (renderer.isLoading) {
+      renderer.load();
+      parts += 1;
+    }
+    return [...colours, [parts], shown()];
+  });
+  expect(colours).toEqual([[255, 0, 0, 255], [3], [0, 255, 0, 255]]);
+});
+
 test('draws the unwarped picture without a solution', async ({ page }) => {
   const differing = await page.evaluate(async () => {
-    const { bitmap, rgba } = await harness.decodePicture(await harness.drawnPicture(64));
+    const picture = await harness.decodePicture(await harness.drawnPicture(64));
+    const { rgba } = picture;
     const renderer = new harness.Renderer(document.createElement('canvas'));
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     const drawn = renderer.readPixels({ scale: 1, x: 0, y: 0, width: 64, height: 64 });
     return drawn.filter((value, i) => {
       const alpha = (rgba[i | 3] ?? 0) / 255;
@@ -23,9 +50,9 @@ test('draws the unwarped picture without a solution', async ({ page }) => {
 test('blends motions by weight, and keeps vertices without weights (eq. 1)', async ({ page }) => {
   const corners = await page.evaluate(async () => {
     const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
-    const { bitmap } = await harness.decodePicture(white);
+    const picture = await harness.decodePicture(white);
     const renderer = new harness.Renderer(document.createElement('canvas'));
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     // Two separate triangles. The first blends a shift by (16, 0) at 1/4 with one by (0, 16) at 3/4; the second rests.
     renderer.setSolution({
       positions: new Float32Array([0, 0, 8, 0, 0, 8, 24, 24, 32, 24, 24, 32]),
@@ -50,9 +77,9 @@ test('turns clockwise for positive angles, about the site’s rest position', as
     const rgba = new Uint8Array(16 * 16 * 4);
     // A red mark right of the centre.
     for (let y = 7; y < 9; y++) for (let x = 12; x < 14; x++) rgba.set([255, 0, 0, 255], (y * 16 + x) * 4);
-    const { bitmap } = await harness.decodePicture(await harness.encodePng(16, 16, rgba));
+    const picture = await harness.decodePicture(await harness.encodePng(16, 16, rgba));
     const renderer = new harness.Renderer(document.createElement('canvas'));
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     renderer.setSolution({
       positions: new Float32Array([0, 0, 16, 0, 0, 16, 16, 16]),
       triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
@@ -71,9 +98,9 @@ test('turns clockwise for positive angles, about the site’s rest position', as
 test('leaves no seam between triangles', async ({ page }) => {
   const holes = await page.evaluate(async () => {
     const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
-    const { bitmap } = await harness.decodePicture(white);
+    const picture = await harness.decodePicture(white);
     const renderer = new harness.Renderer(document.createElement('canvas'));
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     const [positions, triangles]: number[][] = [[], []];
     const n = 20;
     for (let j = 0; j <= n; j++) {
@@ -100,9 +127,9 @@ test('leaves no seam between triangles', async ({ page }) => {
 test('draws pixels as squares above 400 %, or on request', async ({ page }) => {
   const { row, soft, pixelated } = await page.evaluate(async () => {
     const rgba = Uint8Array.from({ length: 64 }, (_, i) => (i % 4 === 3 || (i >> 2) % 2 ? 255 : 0));
-    const { bitmap } = await harness.decodePicture(await harness.encodePng(4, 4, rgba));
+    const picture = await harness.decodePicture(await harness.encodePng(4, 4, rgba));
     const renderer = new harness.Renderer(document.createElement('canvas'));
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     const drawn = (scale: number, pixelated?: boolean) => {
       const size = 4 * scale;
       const view = { scale, x: 0, y: 0, width: size, height: size, ...(pixelated && { pixelated }) };
@@ -120,10 +147,10 @@ test('draws pixels as squares above 400 %, or on request', async ({ page }) => {
 
 test('draws the same after a context loss', async ({ page }) => {
   const result = await page.evaluate(async () => {
-    const { bitmap } = await harness.decodePicture(await harness.drawnPicture(64));
+    const picture = await harness.decodePicture(await harness.drawnPicture(64));
     const canvas = document.createElement('canvas');
     const renderer = new harness.Renderer(canvas);
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     renderer.setSolution({
       positions: new Float32Array([0, 0, 64, 0, 0, 64, 64, 64]),
       triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
@@ -174,10 +201,10 @@ test('many renderers share few contexts, and survive sleep and context loss', as
     const view = { scale: 1, x: 0, y: 0, width: 8, height: 8 };
     const made = Array.from({ length: 20 }, async (_, shade) => {
       const rgba = Uint8Array.from({ length: 256 }, (_, i) => (i % 4 === 3 ? 255 : 10 * shade));
-      const { bitmap } = await harness.decodePicture(await harness.encodePng(8, 8, rgba));
+      const picture = await harness.decodePicture(await harness.encodePng(8, 8, rgba));
       const canvas = document.createElement('canvas');
       const renderer = new harness.Renderer(canvas);
-      renderer.setPicture(bitmap);
+      renderer.setPicture(picture);
       return { canvas, renderer };
     });
     const all = await Promise.all(made);
@@ -224,9 +251,9 @@ test('draws a heat map with isolines at tenths and a bold one at one half', asyn
       { length: 10 * 2 * 4 },
       (_, at) => ((at >> 2) % 10 < 8 ? [128, 128, 128, 255] : [0, 0, 0, 0])[at % 4] ?? 0,
     );
-    const { bitmap } = await harness.decodePicture(await harness.encodePng(10, 2, rgba));
+    const picture = await harness.decodePicture(await harness.encodePng(10, 2, rgba));
     const renderer = new harness.Renderer(document.createElement('canvas'));
-    renderer.setPicture(bitmap);
+    renderer.setPicture(picture);
     renderer.setSolution({
       positions: new Float32Array([0, 0, 10, 0, 0, 2, 10, 2]),
       triangles: new Uint32Array([0, 1, 2, 2, 1, 3]),
@@ -299,9 +326,9 @@ for (const blend of ['linear', 'rigid'] as const) {
     const alphas = await page.evaluate(
       async ({ mesh, motions, blend, px, py }) => {
         const white = await harness.encodePng(8, 8, new Uint8Array(256).fill(255));
-        const { bitmap } = await harness.decodePicture(white);
+        const picture = await harness.decodePicture(white);
         const renderer = new harness.Renderer(document.createElement('canvas'));
-        renderer.setPicture(bitmap);
+        renderer.setPicture(picture);
         renderer.setSolution({
           positions: Float32Array.from(mesh.positions),
           triangles: Uint32Array.from(mesh.triangles),

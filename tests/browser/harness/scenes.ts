@@ -1,21 +1,21 @@
 /** Draws pictures by WebGL and by the solver, for comparison. */
 import { Engine } from '../../../web/src/compute/engine';
 import type { Project } from '../../../web/src/document/project';
-import { decodePicture } from '../../../web/src/io/decode';
 import { encodePng } from '../../../web/src/io/encode';
 import { Renderer } from '../../../web/src/render/renderer';
 import { drawnPicture } from './drawn_picture';
+import { decodePicture } from './pictures';
 
 /** Draws a project by WebGL and by the solver's rasteriser. Returns PNG files in base64, in straight alpha. */
 export async function drawnTwice(project: Project, file: Blob, scale: number) {
   const picture = await decodePicture(file);
   const engine = await Engine.start();
-  engine.setPicture(picture.width, picture.height, picture.rgba);
+  engine.setPicture(picture);
   const solution = await engine.solve(project);
   const pose = engine.posedPicture(solution, project).pose(project);
 
   const renderer = new Renderer(document.createElement('canvas'));
-  renderer.setPicture(picture.bitmap);
+  renderer.setPicture(picture);
   renderer.setSolution(solution);
   renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles);
   const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
@@ -48,6 +48,6 @@ function base64(blob: Blob): Promise<string> {
 export async function startedEngine(): Promise<Engine> {
   const picture = await decodePicture(await drawnPicture());
   const engine = await Engine.start();
-  engine.setPicture(picture.width, picture.height, picture.rgba);
+  engine.setPicture(picture);
   return engine;
 }

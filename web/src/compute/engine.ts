@@ -13,7 +13,7 @@ import { Link } from './link';
 import type { Messages } from './messages';
 import { checkedProject, loadModule } from './module';
 import type { PosedPicture } from './posed_picture';
-import type { CellBorders, Pixels, SolutionData, Stage } from './solution';
+import type { CellBorders, PixelSource, Pixels, SolutionData, Stage } from './solution';
 import { createPosedPicture } from './wasm_picture';
 import worker from './worker/worker?worker&url';
 
@@ -38,11 +38,11 @@ export class Engine {
     }
   }
 
-  /** Sets the picture of all later calls, in straight alpha. If the solver refuses it, those calls reject. */
-  setPicture(width: number, height: number, rgba: Uint8Array<ArrayBuffer>): void {
+  /** Sets the picture of all later calls. If the solver refuses it, those calls reject. */
+  setPicture(pixels: PixelSource): void {
     this.#newestSolve += 1;
     this.#link.abandon('solve');
-    this.#picture = this.#link.send('picture', { width, height, rgba });
+    this.#picture = this.#link.send('picture', pixels);
     this.#picture.catch(() => {});
   }
 

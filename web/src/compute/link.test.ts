@@ -26,7 +26,8 @@ class FakeWorker implements Port {
   }
 }
 
-const PICTURE = { width: 2, height: 2, rgba: new Uint8Array(16) };
+const PIXELS = { width: 2, height: 2, rgba: new Uint8Array(16) };
+const PICTURE = { width: 2, height: 2, sendTo: () => {} };
 
 function linked() {
   const workers: FakeWorker[] = [];
@@ -48,10 +49,10 @@ describe('Link', () => {
     const { link, worker } = linked();
     const first = link.send('picture', PICTURE);
     const second = link.send('warp', { project: '{}', scale: 1, grow: false, pixelated: false });
-    worker(0).reply({ id: 2, kind: 'done', body: PICTURE });
+    worker(0).reply({ id: 2, kind: 'done', body: PIXELS });
     worker(0).reply({ id: 1, kind: 'done', body: null });
     expect(await first).toBeNull();
-    expect(await second).toBe(PICTURE);
+    expect(await second).toBe(PIXELS);
   });
 
   it('passes on the code and the message of a failure, and the handles that it names', async () => {
@@ -61,6 +62,17 @@ describe('Link', () => {
     worker(0).reply({ id: 1, kind: 'failed', failure });
     await expect(solve).rejects.toMatchObject(failure);
     await expect(solve).rejects.toBeInstanceOf(WarpError);
+  });
+
+  it('asks the source of a picture to send the pixels to each worker', () => {
+    const { link, worker } = linked();
+    const ports: MessagePort[] = [];
+    void link.send('picture', { ...PICTURE, sendTo: (port) => ports.push(port) });
+    void link.send('solve', { project: '{}' });
+    worker(0).reply({ kind: 'died', started: false, message: 'unreachable' });
+    expect(worker(1).requests()).toHaveLength(2);
+    expect(new Set(ports).size).toBe(2);
+    for (const port of ports) port.close();
   });
 
   it('ignores what comes for an abandoned request', async () => {
@@ -79,11 +91,11 @@ describe('Link', () => {
     worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
     expect(worker(0).ended).toBe(true);
     expect(worker(1).requests()).toEqual([
-      { id: 0, name: 'picture', body: PICTURE },
+      { id: 0, name: 'picture', body: { width: 2, height: 2, pixels: expect.any(MessagePort) } },
       { id: 2, name: 'warp', body: { project: '{}', scale: 1, grow: false, pixelated: false } },
     ]);
-    worker(1).reply({ id: 2, kind: 'done', body: PICTURE });
-    expect(await warp).toBe(PICTURE);
+    worker(1).reply({ id: 2, kind: 'done', body: PIXELS });
+    expect(await warp).toBe(PIXELS);
   });
 
   it('gives up a request that ends two workers, and serves the next by a third', async () => {

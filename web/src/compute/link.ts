@@ -8,18 +8,25 @@
 import { ENGINE, TOO_MUCH, WarpError } from '../error';
 import { failureError, superseded } from './errors';
 import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
-import type { Stage } from './solution';
+import type { PixelSource, Stage } from './solution';
 
 /** The part of a Worker that is used here. */
 export interface Port {
-  postMessage(message: Boot | Request): void;
+  postMessage(message: Boot | Request, transfer?: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
+/** A request before it is sent. */
+interface Asked<N extends Name = Name> {
+  readonly id: number;
+  readonly name: N;
+  readonly body: Messages[N][0];
+}
+
 interface Pending {
-  readonly request: Request;
+  readonly request: Asked;
   readonly resolve: (body: Messages[Name][1]) => void;
   readonly reject: (reason: unknown) => void;
   readonly onProgress: ((stage: Stage) => void) | undefined;
@@ -66,9 +73,9 @@ export class Link {
     const port = this.#port ?? this.#start();
     return new Promise((resolve, reject) => {
       const id = ++this.#lastId;
-      const request = { id, name, body } as Request;
+      const request = { id, name, body };
       // Before all else: a body that cannot be sent is an answer.
-      port.postMessage(request);
+      post(port, request);
       if (name === 'picture') this.#picture = body as Messages['picture'][0];
       this.#pending.set(id, {
         request,
@@ -106,9 +113,9 @@ export class Link {
     port.postMessage({ module: this.#module });
     const requests = [...this.#pending.values()].map(({ request }) => request);
     if (this.#picture && !requests.some(({ name }) => name === 'picture')) {
-      port.postMessage({ id: 0, name: 'picture', body: this.#picture });
+      post(port, { id: 0, name: 'picture', body: this.#picture });
     }
-    for (const request of requests) port.postMessage(request);
+    for (const request of requests) post(port, request);
     return port;
   }
 
@@ -154,4 +161,17 @@ export class Link {
     // A successor without requests could die of the same picture again and again.
     if (this.#pending.size > 0) this.#start();
   }
+}
+
+/** Sends a request. The pixels of a picture come from another worker, so that the page never copies them. */
+function post(port: Port, { id, name, body }: Asked): void {
+  if (name !== 'picture') {
+    port.postMessage({ id, name, body } as Request);
+    return;
+  }
+  const source = body as PixelSource;
+  const { width, height } = source;
+  const { port1, port2 } = new MessageChannel();
+  port.postMessage({ id, name, body: { width, height, pixels: port2 } }, [port2]);
+  source.sendTo(port1);
 }

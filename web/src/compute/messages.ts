@@ -1,10 +1,10 @@
 /** The messages between page and worker. */
-import type { CellBorders, Pixels, SolutionData, Stage } from './solution';
+import type { CellBorders, PixelSource, Pixels, SolutionData, Stage } from './solution';
 
 /** Name of a request → [body, response]. Projects are sent as JSON text. */
 export interface Messages {
   /** The picture of all later requests. */
-  picture: [request: Pixels, response: null];
+  picture: [request: PixelSource, response: null];
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
   /** The warped picture at full quality. */
@@ -23,9 +23,19 @@ export interface Messages {
 
 export type Name = keyof Messages;
 
+/** A picture as it is sent. Its pixels arrive at the port, or null if the picture was released. */
+export interface SentPicture {
+  readonly width: number;
+  readonly height: number;
+  readonly pixels: MessagePort;
+}
+
+/** The body of a request as it is sent. */
+type Sent<N extends Name> = N extends 'picture' ? SentPicture : Messages[N][0];
+
 /** A request as it is sent; every reply to it repeats `id`. */
 export type Request = {
-  [N in Name]: { readonly id: number; readonly name: N; readonly body: Messages[N][0] };
+  [N in Name]: { readonly id: number; readonly name: N; readonly body: Sent<N> };
 }[Name];
 
 /** The first message to a worker: the compiled module, shared with the page. */

@@ -43,3 +43,11 @@ export interface Pixels {
   readonly height: number;
   readonly rgba: Uint8Array<ArrayBuffer>;
 }
+
+/** The pixels of a picture, wherever they are. */
+export interface PixelSource {
+  readonly width: number;
+  readonly height: number;
+  /** Sends a copy of the pixels to a port, in straight alpha, or null if the picture was released. */
+  sendTo(port: MessagePort): void;
+}

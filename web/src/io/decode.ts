@@ -3,6 +3,8 @@
  * A picture with neither keeps its exact bytes.
  *
  * Files on which browsers disagree are changed first. `web/docs/pictures.md` lists them.
+ *
+ * It runs in a worker, or in the page if the worker lacks something: see {@link Platform}.
  */
 
 import { WarpError } from '../error';
@@ -10,9 +12,16 @@ import { type Header, readHeader } from './formats/header';
 import { probes } from './formats/jpeg';
 import { withoutExif } from './formats/webp';
 import { checkSize } from './limits';
-import { straightPixels } from './pixels';
+import { type CreateContext, type DecodedImage, straightPixels } from './pixels';
 import { readBytes } from './read';
 import { turned } from './turn';
+
+/** The parts of a page that a worker may lack. */
+export interface Platform {
+  readonly createContext: CreateContext;
+  /** Decodes a file with an image element. Resolves to null if the browser or the page's policy refuses it. */
+  imageOf(file: Blob): Promise<DecodedImage | null>;
+}
 
 export interface DecodedPicture {
   /** Premultiplied, for drawing. The caller closes it. */
@@ -32,8 +41,13 @@ const INCOMPLETE = 'The picture is incomplete: the end of the file is missing. G
  *
  * @throws WarpError if the file is not a picture, is incomplete, or has an unsupported size.
  * @throws ReadError if the bytes cannot be read.
+ * @throws AbortError if the signal is aborted.
  */
-export async function decodePicture(file: Blob): Promise<DecodedPicture> {
+export async function decodePicture(
+  file: Blob,
+  platform: Platform,
+  signal: AbortSignal,
+): Promise<DecodedPicture> {
   if (file.size === 0) throw new WarpError('picture', 'The file is empty.');
   const bytes = await readBytes(file);
   const header = readHeader(bytes);
@@ -42,10 +56,11 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
   // Checked before decoding: a small file can hold more pixels than fit in memory.
   if (size) checkSize(size.width, size.height);
   if (end === 'missing') throw new WarpError('picture', INCOMPLETE);
-  if (typeof end === 'number') return await decodeUnmarked(probes(bytes, end), header);
-  if (orientation === 1) return { ...(await decode(file, header)), moves };
+  const decoder = new Decoder(header, platform, signal);
+  if (typeof end === 'number') return { ...(await decoder.decodeUnmarked(probes(bytes, end))), moves };
+  if (orientation === 1) return { ...(await decoder.decode(file)), moves };
 
-  const { bitmap, ...stored } = await decode(new Blob([withoutExif(bytes)], { type: file.type }), header);
+  const { bitmap, ...stored } = await decoder.decode(new Blob([withoutExif(bytes)], { type: file.type }));
   bitmap.close();
   const { width, height, rgba } = turned(stored, orientation);
   const data = new ImageData(new Uint8ClampedArray(rgba.buffer), width, height);
@@ -54,50 +69,9 @@ export async function decodePicture(file: Blob): Promise<DecodedPicture> {
 
 type Decoded = Omit<DecodedPicture, 'moves'>;
 
-/** Decodes a JPEG without an end marker. */
-async function decodeUnmarked([plain, ...filled]: readonly Blob[], header: Header): Promise<DecodedPicture> {
-  const picture = await decode(plain ?? new Blob(), header);
-  for (const probe of filled) {
-    const other = await decode(probe, header).catch(() => null);
-    other?.bitmap.close();
-    if (other && isSame(picture.rgba, other.rgba)) continue;
-    picture.bitmap.close();
-    throw new WarpError('picture', INCOMPLETE);
-  }
-  return { ...picture, moves: false };
-}
-
 function isSame(a: Uint8Array<ArrayBuffer>, b: Uint8Array<ArrayBuffer>): boolean {
   const [colours, others] = [new Uint32Array(a.buffer), new Uint32Array(b.buffer)];
   return colours.length === others.length && colours.every((colour, i) => colour === others[i]);
-}
-
-async function decode(file: Blob, header: Header): Promise<Decoded> {
-  const { kind } = header;
-  const straight = await bitmapOf(file, 'none', header);
-  let bitmap: ImageBitmap | undefined;
-  try {
-    checkSize(straight.width, straight.height);
-    if (kind !== 'jpeg') bitmapsKeepColours ??= await probeBitmapColours();
-    const image = kind === 'jpeg' || bitmapsKeepColours ? null : await imageOf(file);
-    const rgba = straightPixels(image ?? straight, straight.width, straight.height);
-    // The caller closes this bitmap, so nothing may fail after this line. A JPEG has no alpha: decode it once.
-    bitmap = kind === 'jpeg' ? straight : await bitmapOf(file, 'premultiply', header);
-    return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
-  } finally {
-    if (bitmap !== straight) straight.close();
-  }
-}
-
-async function bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply', header: Header) {
-  try {
-    return await createImageBitmap(file, { premultiplyAlpha });
-  } catch (cause) {
-    // Firefox fails here for some photographs with EXIF data, but decodes them in an image element.
-    const image = header.kind === 'jpeg' ? await imageOf(file) : null;
-    if (image) return await createImageBitmap(image, { premultiplyAlpha });
-    throw unreadable(header, cause);
-  }
 }
 
 /** The error for a file that the browser cannot decode. */
@@ -114,30 +88,78 @@ function unreadable({ kind, name }: Header, cause?: unknown): WarpError {
 /** Set by the first picture that can have transparency. */
 let bitmapsKeepColours: boolean | undefined;
 
-/**
- * Whether bitmaps keep the exact colours of translucent pixels. WebKit premultiplies them and divides again; its image
- * elements keep the colours.
- */
-async function probeBitmapColours(): Promise<boolean> {
-  const colour = Uint8ClampedArray.of(200, 100, 50, 1);
-  const bitmap = await createImageBitmap(new ImageData(colour, 1, 1), { premultiplyAlpha: 'none' });
-  try {
-    return straightPixels(bitmap, 1, 1).every((value, i) => value === colour[i]);
-  } finally {
-    bitmap.close();
+/** Decodes files of one kind. */
+class Decoder {
+  readonly #header: Header;
+  readonly #platform: Platform;
+  readonly #signal: AbortSignal;
+
+  constructor(header: Header, platform: Platform, signal: AbortSignal) {
+    this.#header = header;
+    this.#platform = platform;
+    this.#signal = signal;
+  }
+
+  async decode(file: Blob): Promise<Decoded> {
+    const isJpeg = this.#header.kind === 'jpeg';
+    const straight = await this.#bitmapOf(file, 'none');
+    let bitmap: ImageBitmap | undefined;
+    try {
+      checkSize(straight.width, straight.height);
+      this.#signal.throwIfAborted();
+      const image = isJpeg || (await this.#keepsColours()) ? null : await this.#platform.imageOf(file);
+      const { createContext } = this.#platform;
+      const rgba = straightPixels(image ?? straight, straight.width, straight.height, createContext);
+      this.#signal.throwIfAborted();
+      // The caller closes this bitmap, so nothing may fail after this line. A JPEG has no alpha: decode it once.
+      bitmap = isJpeg ? straight : await this.#bitmapOf(file, 'premultiply');
+      return { bitmap, width: bitmap.width, height: bitmap.height, rgba };
+    } finally {
+      if (bitmap !== straight) straight.close();
+    }
+  }
+
+  /** Decodes a JPEG without an end marker, given by its probes. */
+  async decodeUnmarked([plain, ...filled]: readonly Blob[]): Promise<Decoded> {
+    const picture = await this.decode(plain ?? new Blob());
+    for (const probe of filled) {
+      const other = await this.decode(probe).catch(() => null);
+      other?.bitmap.close();
+      if (other && isSame(picture.rgba, other.rgba)) continue;
+      picture.bitmap.close();
+      this.#signal.throwIfAborted();
+      throw new WarpError('picture', INCOMPLETE);
+    }
+    return picture;
+  }
+
+  async #bitmapOf(file: Blob, premultiplyAlpha: 'none' | 'premultiply'): Promise<ImageBitmap> {
+    try {
+      return await createImageBitmap(file, { premultiplyAlpha });
+    } catch (cause) {
+      // Firefox fails here for some photographs with EXIF data, but decodes them in an image element.
+      const image = this.#header.kind === 'jpeg' ? await this.#platform.imageOf(file) : null;
+      if (image) return await createImageBitmap(image, { premultiplyAlpha });
+      throw unreadable(this.#header, cause);
+    }
+  }
+
+  /**
+   * Whether bitmaps keep the exact colours of translucent pixels. WebKit premultiplies them and divides again; its
+   * image elements keep the colours.
+   */
+  async #keepsColours(): Promise<boolean> {
+    bitmapsKeepColours ??= await probeBitmapColours(this.#platform.createContext);
+    return bitmapsKeepColours;
   }
 }
 
-/** Returns an image element with the file, or `null` if decoding fails or the page's policy forbids it. */
-async function imageOf(file: Blob): Promise<HTMLImageElement | null> {
-  const image = new Image();
-  image.src = URL.createObjectURL(file);
+async function probeBitmapColours(createContext: CreateContext): Promise<boolean> {
+  const colour = Uint8ClampedArray.of(200, 100, 50, 1);
+  const bitmap = await createImageBitmap(new ImageData(colour, 1, 1), { premultiplyAlpha: 'none' });
   try {
-    await image.decode();
-    return image;
-  } catch {
-    return null;
+    return straightPixels(bitmap, 1, 1, createContext).every((value, i) => value === colour[i]);
   } finally {
-    URL.revokeObjectURL(image.src);
+    bitmap.close();
   }
 }

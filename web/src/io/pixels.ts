@@ -19,6 +19,12 @@ const TILE = 2048;
 /** How long an idle context is kept. A new context per picture would slow down pages with many pictures. */
 const KEEP_CONTEXT_MS = 1000;
 
+/** An image that WebGL can read. Workers have no image elements, which are part of it in a page. */
+export type DecodedImage = Extract<TexImageSource, ImageBitmapSource>;
+
+/** Creates a WebGL2 context; null if the browser has none. */
+export type CreateContext = () => WebGL2RenderingContext | null;
+
 let context: WebGL2RenderingContext | null = null;
 let releaseTimer: ReturnType<typeof setTimeout> | undefined;
 
@@ -29,14 +35,12 @@ let releaseTimer: ReturnType<typeof setTimeout> | undefined;
  * @throws WarpError if the browser has no WebGL2, or loses the context meanwhile.
  */
 export function straightPixels(
-  picture: ImageBitmap | HTMLImageElement,
+  picture: DecodedImage,
   width: number,
   height: number,
+  createContext: CreateContext,
 ): Uint8Array<ArrayBuffer> {
-  context = usable(context) ?? createContext();
-  const gl = context;
-  clearTimeout(releaseTimer);
-  releaseTimer = setTimeout(() => gl.getExtension('WEBGL_lose_context')?.loseContext(), KEEP_CONTEXT_MS);
+  const gl = pixelContext(createContext);
   const pixels = new Uint8Array(width * height * 4);
   gl.pixelStorei(gl.PACK_ROW_LENGTH, width);
   // Read in tiles, since a picture can be larger than the largest texture.
@@ -55,11 +59,22 @@ export function straightPixels(
   return pixels;
 }
 
-const usable = (gl: WebGL2RenderingContext | null) => (gl?.isContextLost() ? null : gl);
+/** The longest side of a texture. */
+export function largestTexture(createContext: CreateContext): number {
+  const gl = pixelContext(createContext);
+  return gl.getParameter(gl.MAX_TEXTURE_SIZE);
+}
 
-function createContext(): WebGL2RenderingContext {
-  // An OffscreenCanvas has no WebGL in WebKitGTK and older Safaris.
-  const gl = document.createElement('canvas').getContext('webgl2', { antialias: false, depth: false });
+/** Returns a context that is kept for a moment after its last use. */
+function pixelContext(createContext: CreateContext): WebGL2RenderingContext {
+  const gl = context && !context.isContextLost() ? context : prepared(createContext());
+  context = gl;
+  clearTimeout(releaseTimer);
+  releaseTimer = setTimeout(() => gl.getExtension('WEBGL_lose_context')?.loseContext(), KEEP_CONTEXT_MS);
+  return gl;
+}
+
+function prepared(gl: WebGL2RenderingContext | null): WebGL2RenderingContext {
   if (!gl) throw new WarpError('picture', NO_WEBGL);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
@@ -68,7 +83,7 @@ function createContext(): WebGL2RenderingContext {
 
 function readTile(
   gl: WebGL2RenderingContext,
-  picture: ImageBitmap | HTMLImageElement,
+  picture: DecodedImage,
   pixels: Uint8Array,
   [x, y, width, height]: [number, number, number, number],
 ): void {

@@ -14,7 +14,7 @@ import { createDataTexture, type DataTexture } from './data_texture';
 import { HeatLayer } from './heat';
 import lineFragment from './line.frag.glsl?raw';
 import { meshEdges, staticMesh, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
-import { createPictureTexture, setMagnification } from './picture';
+import { PictureTexture, setMagnification, type TextureSource } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { drawWith, program } from './program';
 
@@ -35,7 +35,7 @@ export class Painter {
   readonly #gl: WebGL2RenderingContext;
   readonly #pictureProgram: twgl.ProgramInfo;
   readonly #lineProgram: twgl.ProgramInfo;
-  #picture: { texture: WebGLTexture; width: number; height: number } | undefined;
+  #picture: PictureTexture | undefined;
   #loaded: LoadedMesh | undefined;
   /** The static background behind the mesh, if any. */
   #background: LoadedMesh | undefined;
@@ -53,17 +53,27 @@ export class Painter {
     this.#lineProgram = program(gl, lineFragment);
   }
 
-  setPicture(source: ImageBitmap): void {
-    if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
+  setPicture(source: TextureSource): void {
+    this.#picture?.dispose();
     const { width, height } = source;
-    this.#picture = { texture: createPictureTexture(this.#gl, source), width, height };
+    this.#picture = new PictureTexture(this.#gl, source);
     this.#unload(this.#whole);
     this.#whole = this.#load(unwarpedMesh(width, height));
   }
 
+  get isLoading(): boolean {
+    return this.#picture?.isLoading === true;
+  }
+
+  /** Uploads the next part of a large picture. Returns whether that was the last one. */
+  load(): boolean {
+    this.#picture?.load();
+    return !this.isLoading;
+  }
+
   /** Frees picture and mesh. `draw` then clears the canvas only. */
   clear(): void {
-    if (this.#picture) this.#gl.deleteTexture(this.#picture.texture);
+    this.#picture?.dispose();
     this.#unload(this.#whole);
     this.#unload(this.#loaded);
     this.#unload(this.#background);

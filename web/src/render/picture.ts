@@ -4,29 +4,74 @@
  * The texture is premultiplied: filtering and blending then ignore the colours of transparent pixels. Anisotropic
  * filtering is off, so that all GPUs give the same result.
  */
-import * as twgl from 'twgl.js';
 import type { View } from '../geometry/view';
 
 /** Above this many device pixels per image pixel, image pixels are drawn as squares. */
 const CRISP_ABOVE = 4;
 
-/**
- * Uploads a premultiplied bitmap, and shrinks it if it exceeds the GPU's largest texture. The texture serves the screen
- * only; exports use the original pixels.
- */
-export function createPictureTexture(gl: WebGL2RenderingContext, source: ImageBitmap): WebGLTexture {
-  const most: number = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-  const ratio = Math.min(1, most / source.width, most / source.height);
-  return twgl.createTexture(gl, {
-    src: ratio < 1 ? shrunk(source, ratio) : source,
-    // A bitmap is premultiplied already. WebGL must be told to premultiply a canvas.
-    premultiplyAlpha: ratio < 1 ? 1 : 0,
-    internalFormat: gl.RGBA8,
-    min: gl.LINEAR_MIPMAP_LINEAR,
-    mag: gl.LINEAR,
-    wrap: gl.CLAMP_TO_EDGE,
-    auto: true,
-  });
+/** So many pixels upload within a frame of a slow machine: 8 MB. */
+const PART = 2e6;
+
+/** Premultiplied copies of a picture for the screen. */
+export interface TextureSource {
+  /** Size of the picture. The copies may be smaller. */
+  readonly width: number;
+  readonly height: number;
+  readonly bitmap: ImageBitmap;
+  /** Shown while a large bitmap is uploaded in parts; null if that takes one step. */
+  readonly preview: ImageBitmap | null;
+}
+
+/** A texture of a picture, which a large picture fills part by part. */
+export class PictureTexture {
+  readonly width: number;
+  readonly height: number;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #bitmap: ImageBitmap;
+  readonly #full: WebGLTexture;
+  #preview: WebGLTexture | null = null;
+  /** Rows that are uploaded. */
+  #rows = 0;
+
+  constructor(gl: WebGL2RenderingContext, { width, height, bitmap, preview }: TextureSource) {
+    this.#gl = gl;
+    this.width = width;
+    this.height = height;
+    this.#bitmap = bitmap;
+    this.#full = storage(gl, bitmap);
+    if (preview) {
+      this.#preview = storage(gl, preview);
+      uploadRows(gl, this.#preview, preview, 0, preview.height);
+    } else this.#upload(bitmap.height);
+  }
+
+  /** The texture to draw: the preview until the last part is there. */
+  get texture(): WebGLTexture {
+    return this.#preview ?? this.#full;
+  }
+
+  get isLoading(): boolean {
+    return this.#rows < this.#bitmap.height;
+  }
+
+  /** Uploads the next part. */
+  load(): void {
+    if (this.isLoading) this.#upload(Math.max(1, Math.floor(PART / this.#bitmap.width)));
+  }
+
+  dispose(): void {
+    this.#gl.deleteTexture(this.#preview);
+    this.#gl.deleteTexture(this.#full);
+  }
+
+  #upload(most: number): void {
+    const rows = Math.min(most, this.#bitmap.height - this.#rows);
+    uploadRows(this.#gl, this.#full, this.#bitmap, this.#rows, rows);
+    this.#rows += rows;
+    if (this.isLoading) return;
+    this.#gl.deleteTexture(this.#preview);
+    this.#preview = null;
+  }
 }
 
 /** Sets the magnification filter for a view: squares at high zoom and for pixel art, else linear. */
@@ -40,13 +85,29 @@ export function setMagnification(
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, crisp ? gl.NEAREST : gl.LINEAR);
 }
 
-function shrunk(source: ImageBitmap, ratio: number): HTMLCanvasElement {
-  const canvas = document.createElement('canvas');
-  canvas.width = Math.max(1, Math.floor(source.width * ratio));
-  canvas.height = Math.max(1, Math.floor(source.height * ratio));
-  const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser cannot shrink a picture on a 2D canvas.');
-  context.imageSmoothingQuality = 'high';
-  context.drawImage(source, 0, 0, canvas.width, canvas.height);
-  return canvas;
+/** Returns an empty texture with all mip levels. */
+function storage(gl: WebGL2RenderingContext, { width, height }: ImageBitmap): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1 + Math.floor(Math.log2(Math.max(width, height))), gl.RGBA8, width, height);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  return texture;
+}
+
+/** Uploads rows of a premultiplied bitmap, and makes the mip levels after the last one. */
+function uploadRows(
+  gl: WebGL2RenderingContext,
+  texture: WebGLTexture,
+  bitmap: ImageBitmap,
+  from: number,
+  rows: number,
+): void {
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_SKIP_ROWS, from);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, from, bitmap.width, rows, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.pixelStorei(gl.UNPACK_SKIP_ROWS, 0);
+  if (from + rows === bitmap.height) gl.generateMipmap(gl.TEXTURE_2D);
 }

@@ -9,6 +9,7 @@ import { type Blend, MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { unwarpedMesh, type WarpMesh } from './mesh';
 import { Painter } from './painter';
+import type { TextureSource } from './picture';
 import { resize, type Surface, surfaceOf } from './surface';
 
 export class Renderer {
@@ -16,7 +17,7 @@ export class Renderer {
   readonly #listening = new AbortController();
   #asleep = false;
   #painter: Painter | undefined;
-  #picture: ImageBitmap | null = null;
+  #picture: TextureSource | null = null;
   #mesh: WarpMesh | null = null;
   #motions: Float32Array | null = null;
   #heat: HeatMap | null = null;
@@ -45,8 +46,8 @@ export class Renderer {
     return this.#painter === undefined || this.#surface.gl.isContextLost();
   }
 
-  /** Shows another picture unwarped; null shows none. The bitmap must be premultiplied and stay open while shown. */
-  setPicture(source: ImageBitmap | null): void {
+  /** Shows another picture unwarped; null shows none. The bitmaps must stay open while shown. */
+  setPicture(source: TextureSource | null): void {
     this.#picture = source;
     this.#mesh = null;
     this.#motions = null;
@@ -100,6 +101,16 @@ export class Renderer {
     }
     this.#heat = heat;
     if (!this.lost) this.#painter?.setHeat(heat);
+  }
+
+  /** Whether parts of a large picture still have to be uploaded. */
+  get isLoading(): boolean {
+    return !this.lost && this.#painter?.isLoading === true;
+  }
+
+  /** Uploads the next part of a large picture. Returns whether that was the last one: draw again. */
+  load(): boolean {
+    return this.isLoading && this.#painter?.load() === true;
   }
 
   draw(view: View): void {

@@ -235,7 +235,7 @@ export class EditorRuntime {
     const project = projectOf(state);
     const bare = display.preview !== null || isLassoing(state);
     return {
-      bitmap: picture && this.#pictures.pixelsOf(picture).bitmap,
+      picture: picture && this.#pictures.opened(picture).texture,
       solution: deformation?.data ?? null,
       pose: deformation?.pose(project) ?? null,
       heat: bare ? null : this.#heat(),

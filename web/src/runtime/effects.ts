@@ -40,7 +40,7 @@ type Carried = Exclude<EditorEffect['type'], 'follow-up'>;
 const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Resources) => unknown } = {
   'notify-page': (effect, resources) => resources.notifyPage(effect.notification),
   'use-picture': (effect, { pictures, solver }) =>
-    solver.usePicture(effect.picture && pictures.pixelsOf(effect.picture)),
+    solver.usePicture(effect.picture && pictures.opened(effect.picture).pixels),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
   'find-borders': (effect, { solver }) => solver.findBorders(effect.solution),
   read: (effect, { files }) => files.read(effect.id, effect.pictures, effect.project, effect.inside),

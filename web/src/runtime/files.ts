@@ -51,7 +51,9 @@ export class Files {
       const pictures = files.length > 0 ? files : own ? [own] : [];
       const picture = pictures.length > 0 ? await this.#firstPicture(pictures, signal) : null;
       const read =
-        picture && inside && !project ? await this.#inside(picture) : { picture, project, carried: null };
+        picture && inside && !project
+          ? await this.#inside(picture, signal)
+          : { picture, project, carried: null };
       if (read.picture && signal.aborted) this.#pictures.drop(read.picture);
       if (signal.aborted) return;
       this.#dispatch({ type: 'read-ended', id, source: picture?.file ?? null, ...read });
@@ -63,13 +65,16 @@ export class Files {
   }
 
   /** Reads the project in a picture: with the picture that it holds, if any. */
-  async #inside(picture: Picture): Promise<Pick<EventOf<'read-ended'>, 'picture' | 'project' | 'carried'>> {
+  async #inside(
+    picture: Picture,
+    signal: AbortSignal,
+  ): Promise<Pick<EventOf<'read-ended'>, 'picture' | 'project' | 'carried'>> {
     try {
       const text = textIn(await readBytes(picture.file as Blob), KEYWORD);
       if (text === null) return { picture, project: null, carried: null };
       const { project, picture: own } = await this.#parsed(text);
       if (!own) return { picture, project: null, carried: project };
-      const original = await this.#pictures.read(own.file, own.name);
+      const original = await this.#pictures.read(own.file, own.name, signal);
       this.#pictures.drop(picture);
       return { picture: original, project, carried: null };
     } catch (error) {
@@ -83,7 +88,7 @@ export class Files {
     for (const { file, name } of files) {
       signal.throwIfAborted();
       try {
-        return await this.#pictures.read(file, name);
+        return await this.#pictures.read(file, name, signal);
       } catch (error) {
         refusal ??= error;
       }

@@ -8,11 +8,12 @@ import type { SolutionData } from '../compute/solution';
 import { blendOf } from '../document/bending';
 import type { HeatMap } from '../geometry/heat';
 import type { View } from '../geometry/view';
+import type { TextureSource } from '../render/picture';
 import { Renderer } from '../render/renderer';
 
 /** Everything that a frame shows. Unchanged parts are the same objects as in the last frame. */
 export interface Frame {
-  readonly bitmap: ImageBitmap | null;
+  readonly picture: TextureSource | null;
   readonly solution: SolutionData | null;
   /** Null draws the picture at rest. */
   readonly pose: Pose | null;
@@ -96,21 +97,23 @@ export class Frames {
     this.#request = 0;
     const frame = this.#listener.frame();
     try {
-      if (this.#update(frame)) this.#renderer.draw(frame.view);
+      const changed = this.#update(frame);
+      if (this.#renderer.load() || changed) this.#renderer.draw(frame.view);
     } catch (error) {
       this.#listener.failed(error);
     }
     this.#last = frame;
+    if (this.#renderer.isLoading) this.request();
   }
 
   /** Passes what has changed to the renderer. Returns whether anything has. */
-  #update({ bitmap, solution, pose, heat, view }: Frame): boolean {
+  #update({ picture, solution, pose, heat, view }: Frame): boolean {
     const last = this.#last;
-    const pictured = bitmap !== (last?.bitmap ?? null);
+    const pictured = picture !== (last?.picture ?? null);
     const solved = pictured || solution !== (last?.solution ?? null);
     const posed = solved || pose !== (last?.pose ?? null);
     const heated = solved || heat?.values !== last?.heat?.values || heat?.lines !== last?.heat?.lines;
-    if (pictured) this.#renderer.setPicture(bitmap);
+    if (pictured) this.#renderer.setPicture(picture);
     if (solved) this.#renderer.setSolution(solution);
     if (posed) this.#show(pose);
     if (heated) this.#renderer.setHeat(heat);

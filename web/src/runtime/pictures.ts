@@ -1,37 +1,31 @@
-/** The pixels of the pictures that the state names. A picture that the state no longer names is released. */
+/** The pictures that the state names, opened. A picture that the state no longer names is released. */
 import type { Picture, SourceFile } from '../editor/picture';
 import type { EditorState } from '../editor/state';
 import { codeOf, WarpError } from '../error';
-import { alphaThreshold } from '../io/alpha';
-import { type DecodedPicture, decodePicture } from '../io/decode';
-import { isPixelArt, isSmall } from '../io/pixel_art';
+import { type OpenPicture, openPicture } from '../io/open_picture';
 
 export class Pictures {
-  readonly #decoded = new Map<Picture, DecodedPicture>();
+  readonly #open = new Map<Picture, OpenPicture>();
 
-  pixelsOf(picture: Picture): DecodedPicture {
-    const decoded = this.#decoded.get(picture);
-    if (!decoded) throw new Error(`the pixels of ${picture.name} were released`);
-    return decoded;
+  opened(picture: Picture): OpenPicture {
+    const open = this.#open.get(picture);
+    if (!open) throw new Error(`${picture.name} was released`);
+    return open;
   }
 
-  /** @throws WarpError whose message begins with the file's name. */
-  async read(file: SourceFile, name: string): Promise<Picture> {
-    const decoded = await decodedOf(file, name);
-    const { width, height, moves } = decoded;
+  /** @throws WarpError whose message begins with the file's name; AbortError if the signal is aborted. */
+  async read(file: SourceFile, name: string, signal: AbortSignal): Promise<Picture> {
+    const open = await openedFile(file, name, signal);
+    const { bitmap, preview } = open.texture;
     const picture: Picture = {
       id: `${performance.timeOrigin + performance.now()}`,
       name,
-      thumbnail: thumbnailOf(decoded.bitmap),
+      // A large bitmap takes too long to scale in the page.
+      thumbnail: thumbnailOf(preview ?? bitmap),
       file,
-      width,
-      height,
-      alphaThreshold: alphaThreshold(decoded),
-      isSmall: isSmall(decoded),
-      isPixelArt: isPixelArt(decoded),
-      moves,
+      ...open.facts,
     };
-    this.#decoded.set(picture, decoded);
+    this.#open.set(picture, open);
     return picture;
   }
 
@@ -50,10 +44,10 @@ export class Pictures {
   }
 
   #release(unused: (picture: Picture) => boolean): void {
-    for (const [picture, { bitmap }] of this.#decoded) {
+    for (const [picture, open] of this.#open) {
       if (!unused(picture)) continue;
-      bitmap.close();
-      this.#decoded.delete(picture);
+      open.release();
+      this.#open.delete(picture);
     }
   }
 }
@@ -73,9 +67,9 @@ function thumbnailOf(bitmap: ImageBitmap): string {
   return canvas.toDataURL('image/webp', 0.8);
 }
 
-async function decodedOf(file: SourceFile, name: string): Promise<DecodedPicture> {
+async function openedFile(file: SourceFile, name: string, signal: AbortSignal): Promise<OpenPicture> {
   try {
-    return await decodePicture(file as Blob);
+    return await openPicture(file as Blob, signal);
   } catch (error) {
     throw withFileName(name, error);
   }

@@ -5,7 +5,7 @@
  */
 import { Engine } from '../compute/engine';
 import { checkedProject } from '../compute/module';
-import type { Pixels, SolutionData } from '../compute/solution';
+import type { PixelSource, Pixels, SolutionData } from '../compute/solution';
 import { checkedHandle } from '../document/handle';
 import type { Project, ProjectFile } from '../document/project';
 import type { Dispatch } from '../editor/events';
@@ -22,7 +22,7 @@ export class Solver {
   readonly #dispatch: Dispatch;
   readonly #solved = new Map<Solution, SolutionDeformation>();
   #engine: Promise<Engine> | null = null;
-  #pixels: Pixels | null = null;
+  #pixels: PixelSource | null = null;
   #disposed = false;
 
   constructor(dispatch: Dispatch) {
@@ -36,11 +36,11 @@ export class Solver {
     return deformation;
   }
 
-  usePicture(pixels: Pixels | null): void {
+  usePicture(pixels: PixelSource | null): void {
     this.#pixels = pixels;
     if (!pixels) return;
     this.#engine?.then(
-      (engine) => engine.setPicture(pixels.width, pixels.height, pixels.rgba),
+      (engine) => engine.setPicture(pixels),
       () => {},
     );
   }
@@ -124,8 +124,7 @@ export class Solver {
   async #start(): Promise<Engine> {
     try {
       const engine = await Engine.start();
-      const pixels = this.#pixels;
-      if (pixels) engine.setPicture(pixels.width, pixels.height, pixels.rgba);
+      if (this.#pixels) engine.setPicture(this.#pixels);
       this.#dispatch({ type: 'solver-started' });
       return engine;
     } catch (error) {

@@ -12,6 +12,9 @@ import { WARM_UP } from './warm_up';
 
 declare const self: DedicatedWorkerGlobalScope;
 
+const RELEASED =
+  'The pixels of the picture are gone, or there is no memory for them. Open the picture again.';
+
 let session: Session | undefined;
 
 const queue = new Queue<Boot | Request>(async (message) => {
@@ -48,8 +51,8 @@ async function handle(session: Session, request: Request): Promise<void> {
     post({ id, kind: 'done', body }, transfer);
   switch (request.name) {
     case 'picture': {
-      const { width, height, rgba } = request.body;
-      session.set_picture(width, height, rgba);
+      const { width, height, pixels } = request.body;
+      session.set_picture(width, height, await received(pixels));
       return done(null);
     }
     case 'solve': {
@@ -74,6 +77,17 @@ async function handle(session: Session, request: Request): Promise<void> {
       return done({ corners, barycentric }, [corners.buffer, barycentric.buffer]);
     }
   }
+}
+
+/** The pixels that arrive at a port. @throws Error with the code `picture` if the picture was released. */
+function received(port: MessagePort): Promise<Uint8Array> {
+  return new Promise((resolve, reject) => {
+    port.onmessage = ({ data }: MessageEvent<Uint8Array | null>) => {
+      port.close();
+      if (data) resolve(data);
+      else reject(Object.assign(new Error(RELEASED), { code: 'picture' }));
+    };
+  });
 }
 
 /** Runs the stages; false where a newer request has made the remaining ones pointless. */

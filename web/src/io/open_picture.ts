@@ -1,0 +1,122 @@
+/**
+ * Opens pictures: a worker reads them and keeps their pixels. All editors of a page share the worker.
+ *
+ * If the worker lacks something, or cannot start, the page reads the picture itself.
+ */
+import { WarpError } from '../error';
+import { startWorker } from '../start_worker';
+import type { Display } from './display';
+import type { PictureRequest, ReadReply, ReadRequest } from './picture_messages';
+import type { PictureFacts } from './read_picture';
+import picture from './worker/picture?worker&url';
+
+/** The pixels of a picture, wherever they are: straight alpha, RGBA, rows from the top. */
+export interface PixelSource {
+  readonly width: number;
+  readonly height: number;
+  /** Sends a copy of the pixels to a port, or null if the picture was released. */
+  sendTo(port: MessagePort): void;
+}
+
+export interface OpenPicture {
+  readonly facts: PictureFacts;
+  /** The copies for the screen, with the size of the picture itself. */
+  readonly texture: Display & { readonly width: number; readonly height: number };
+  readonly pixels: PixelSource;
+  /** Frees the pixels and closes the bitmaps. */
+  release(): void;
+}
+
+/**
+ * Returns the picture in a file. The caller releases it.
+ *
+ * @throws WarpError if the file is not a picture, is incomplete, or has an unsupported size.
+ * @throws AbortError if the signal is aborted.
+ */
+export async function openPicture(file: Blob, signal: AbortSignal): Promise<OpenPicture> {
+  signal.throwIfAborted();
+  return (await openInWorker(file, signal)) ?? (await openInPage(file, signal));
+}
+
+let worker: Worker | null = null;
+
+/** Starts the worker unless it runs. Returns null if the page's policy forbids it. */
+function runningWorker(): Worker | null {
+  if (worker) return worker;
+  try {
+    worker = startWorker(picture);
+  } catch {
+    return null;
+  }
+  const started = worker;
+  started.addEventListener('error', () => {
+    if (worker === started) worker = null;
+    started.terminate();
+  });
+  return started;
+}
+
+/** Resolves to null if the page must open the picture. */
+async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPicture | null> {
+  const reader = runningWorker();
+  if (!reader) return null;
+  const { port1: port, port2 } = new MessageChannel();
+  const request = (message: PictureRequest, transfer: Transferable[] = []) =>
+    port.postMessage(message, transfer);
+  const release = () => {
+    request({ kind: 'release' });
+    port.close();
+  };
+  const ended = new AbortController();
+  try {
+    const reply = await new Promise<ReadReply>((resolve, reject) => {
+      port.onmessage = ({ data }) => resolve(data);
+      const lacking = () => resolve({ kind: 'lacking' });
+      reader.addEventListener('error', lacking, { signal: ended.signal });
+      signal.addEventListener('abort', () => reject(signal.reason), { signal: ended.signal });
+      const message: ReadRequest = { file, port: port2 };
+      reader.postMessage(message, [port2]);
+    });
+    if (reply.kind === 'read') {
+      const { facts, display } = reply;
+      return opened(facts, display, (to) => request({ kind: 'send', to }, [to]), release);
+    }
+    release();
+    if (reply.kind === 'lacking') return null;
+    throw new WarpError(reply.code, reply.message);
+  } catch (error) {
+    release();
+    throw error;
+  } finally {
+    ended.abort();
+  }
+}
+
+async function openInPage(file: Blob, signal: AbortSignal): Promise<OpenPicture> {
+  // Few browsers need this code.
+  const [{ readPicture }, { pagePlatform }] = await Promise.all([
+    import('./read_picture'),
+    import('./page_platform'),
+  ]);
+  const { facts, rgba, bitmap, preview } = await readPicture(file, pagePlatform, signal);
+  return opened(facts, { bitmap, preview }, (to) => to.postMessage(rgba));
+}
+
+function opened(
+  facts: PictureFacts,
+  display: Display,
+  sendTo: PixelSource['sendTo'],
+  free: () => void = () => {},
+): OpenPicture {
+  const { width, height } = facts;
+  return {
+    facts,
+    texture: { ...display, width, height },
+    pixels: { width, height, sendTo },
+    release() {
+      display.bitmap.close();
+      display.preview?.close();
+      free();
+    },
+  };
+}
