@@ -37,7 +37,7 @@ pub(crate) fn write(root: &Path, check: bool) -> Result<(), SchemaError> {
     let files = [
         ("web/src/document/generated/project.schema.json", json),
         ("web/src/document/generated/project.ts", typescript::declarations(project.as_value())?),
-        ("web/src/document/generated/settings.ts", settings()),
+        ("web/src/document/generated/settings.ts", settings(project.as_value())),
         ("web/src/compute/generated/report.ts", report()?),
         ("web/src/io/generated/limits.ts", picture_limits()),
     ];
@@ -91,24 +91,47 @@ fn picture_limits() -> String {
 }
 
 /// The settings of the editor, and the defaults of the format. These are the paper's.
-fn settings() -> String {
+fn settings(schema: &Value) -> String {
     let paper = Project::new(ImageRef::new("", 2, 2)).with_handles([Handle::point("point", [1.0, 1.0])]);
     let editor = paper.clone().with_editor_settings();
     let all = [
         ("The defaults of the format, which are the paper's.", "PAPER_SETTINGS", paper),
         ("The editor's settings for new projects.", "EDITOR_SETTINGS", editor),
     ];
-    all.into_iter().fold(HEADER.to_owned(), |text, (comment, name, project)| {
+    let text = HEADER.to_owned() + &ranges(schema);
+    all.into_iter().fold(text, |text, (comment, name, project)| {
         let json: Value = serde_json::from_str(&project.to_json()).expect("a project is JSON");
         let settings = [
-            ("mode", &json["pose"]["mode"]),
+            ("samples", &json["samples"]),
+            ("shape_factor", &json["weighting"]["shape_factor"]),
+            ("degree", &json["weighting"]["degree"]),
+            ("filling", &json["weighting"]["filling"]),
             ("support", &json["weighting"]["support"]),
+            ("mode", &json["pose"]["mode"]),
+            ("blend", &json["pose"]["blend"]),
             ("density", &json["pose"]["density"]),
             ("rotation", &json["handles"][0]["rotation"]),
         ];
         let lines = settings.map(|(key, value)| format!("  {key}: {},\n", literal(value))).concat();
         text + &format!("\n/** {comment} */\nexport const {name} = {{\n{lines}}} as const;\n")
     })
+}
+
+/// The least and the greatest value of each number.
+fn ranges(schema: &Value) -> String {
+    let numbers = [
+        ("samples", &schema["properties"]["samples"]),
+        ("shape_factor", &schema["$defs"]["Weighting"]["properties"]["shape_factor"]),
+        ("degree", &schema["$defs"]["Weighting"]["properties"]["degree"]),
+        ("density", &schema["$defs"]["Pose"]["properties"]["density"]),
+    ];
+    let range = |(name, number): (&str, &Value)| {
+        format!("  {name}: [{}, {}],\n", literal(&number["minimum"]), literal(&number["maximum"]))
+    };
+    let lines = numbers.map(range).concat();
+    format!(
+        "\n/** The least and the greatest value of each number. */\nexport const RANGES = {{\n{lines}}} as const;\n"
+    )
 }
 
 /// The TypeScript literal of a text or number.

@@ -6,6 +6,7 @@
  */
 import type { Detail } from '../document/bending';
 import type { Handle, PoseMode, Project, ProjectFile } from '../document/project';
+import type { Preset, Setting } from '../document/settings';
 import type { Camera, Size } from '../geometry/camera';
 import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
@@ -20,6 +21,7 @@ import type { Media, PageAttributes, Sample } from './page';
 import type { NamedFile, Picture, SourceFile } from './picture';
 import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
+import type { StudyPage } from './study_state';
 import type { TaskName } from './task';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
@@ -93,6 +95,13 @@ type ControlEvent =
   | { readonly type: 'handle-focus-asked'; readonly id: string }
   | { readonly type: 'place-revealed'; readonly at: Vec }
   | { readonly type: 'number-refused'; readonly text: string };
+
+type StudyEvent =
+  /** Another page of the study card; null closes it. */
+  | { readonly type: 'study-shown'; readonly page: StudyPage | null }
+  /** `setting-slid`: during a drag of a slider, which `setting-set` ends. */
+  | { readonly type: 'setting-set' | 'setting-slid'; readonly setting: Setting }
+  | { readonly type: 'preset-chosen'; readonly preset: Preset };
 
 /** What a tool did with a press, when more than the document is concerned. */
 type ToolEvent =
@@ -200,6 +209,7 @@ export type EditorEvent =
   | PointerEvent
   | KeyEvent
   | ControlEvent
+  | StudyEvent
   | ToolEvent
   | FocusEvent
   | NoticeEvent

@@ -6,6 +6,7 @@ import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
 import type { EditorState } from './state';
+import { NO_STUDY } from './study_state';
 
 const emptyDocument: Document = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
 
@@ -52,6 +53,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       zoomedCrease: -1,
       crosshair: null,
     },
+    study: NO_STUDY,
     pointer: { coarse: media.coarse, hovered: null, last: null, onHandle: false, space: false },
     focus: { on: 'nothing', handle: null, corner: null },
     menu: null,

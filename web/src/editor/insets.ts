@@ -2,7 +2,7 @@
  * Room for the cards over the stage, in the layouts of `ui/style/layouts.ts`, which measure the stage with its bars.
  */
 import type { Insets, Size } from '../geometry/camera';
-import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, TOOLS } from './sizes';
+import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, STUDY, TOOLS } from './sizes';
 
 /** The layout that the insets depend on. */
 export interface Cards {
@@ -12,6 +12,8 @@ export interface Cards {
   readonly coarse: boolean;
   /** The panel is open, if the layout shows it as a sheet. */
   readonly sheet: boolean;
+  /** The study card is open, in place of the panel. */
+  readonly study?: boolean;
   /** What `play` shows without bars and cards; null in the editor. */
   readonly bare: 'handles' | 'picture' | null;
 }
@@ -21,7 +23,7 @@ const RIM = { fine: 16, coarse: 24 } as const;
 
 const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by });
 
-export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Cards): Insets {
+export function insetsOf({ stage: { width, height }, coarse, sheet, study, bare }: Cards): Insets {
   const kind = coarse ? 'coarse' : 'fine';
   if (bare) return even(bare === 'picture' ? 0 : RIM[kind]);
   const { toolbar, status } = BARS[kind];
@@ -30,9 +32,10 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, bare }: Card
   if (width < PHONE) {
     // Too low for room beside the sheet: the sheet may cover the picture.
     if (whole < LOW.phone) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
+    if (study) return { ...even(16), bottom: FROM_BOTTOM.sheet + STUDY.share * height };
     return { ...even(16), bottom: sheet ? FROM_BOTTOM.sheet + SHEET.line : FROM_BOTTOM.aboveTools };
   }
-  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: PANEL.narrow };
-  if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: PANEL.narrow };
-  return { ...even(28), left: TOOLS.wide, right: PANEL.wide };
+  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: study ? STUDY.wide : PANEL.narrow };
+  if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: study ? STUDY.wide : PANEL.narrow };
+  return { ...even(28), left: TOOLS.wide, right: study ? STUDY.wide : PANEL.wide };
 }

@@ -31,6 +31,9 @@ export const TOOLS = {
 /** Width of the panel with the space around it. */
 export const PANEL = { wide: 260, narrow: 248 } as const;
 
+/** Width of the study card with the space around it, and its share of the height of a phone. */
+export const STUDY = { wide: 348, share: 0.52 } as const;
+
 /** Heights of the sheet on phones: one line, numbers, numbers with those of a corner; and its distance from the top. */
 export const SHEET = { line: 62, numbers: 160, ofCorner: 250, top: 12 } as const;
 

@@ -26,6 +26,7 @@ import type { Media, PageAttributes } from './page';
 import type { Picture } from './picture';
 import type { SolutionState } from './solution';
 import type { StagePointer } from './stage_pointer';
+import type { StudyState } from './study_state';
 import type { ViewState } from './view_state';
 
 export interface EditorState {
@@ -48,6 +49,7 @@ export interface EditorState {
   /** Whether the view has shrunk to show parts bent beyond the picture's rectangle. For a page that plays. */
   readonly widened: boolean;
   readonly display: DisplayState;
+  readonly study: StudyState;
   readonly pointer: PointerState;
   readonly focus: Focus;
   readonly menu: MenuState | null;

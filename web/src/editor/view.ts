@@ -151,5 +151,6 @@ const sheetIsOpen = (state: EditorState): boolean => state.display.settings || s
 export function insets(state: EditorState, sheet = sheetIsOpen(state)): Insets {
   const { playing, readonly } = state.page;
   const bare = playing ? (readonly ? 'picture' : 'handles') : null;
-  return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, bare });
+  const study = state.study.page !== null;
+  return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, study, bare });
 }

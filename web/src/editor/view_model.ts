@@ -24,6 +24,7 @@ import type { Sample } from './page';
 import type { Picture } from './picture';
 import type { SolveReport } from './solution';
 import { documentOf, type EditorState, isUnsaved, overlaysOf, projectOf } from './state';
+import type { StudyState } from './study_state';
 import type { Task } from './task';
 import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
@@ -99,6 +100,7 @@ export interface EditorModel {
   /** The menu of recent work is open. */
   readonly filesMenu: boolean;
   readonly numbers: boolean;
+  readonly study: StudyState;
   readonly menu: MenuState | null;
   /** The line being drawn with the current tool. */
   readonly draft: Draft | null;
@@ -183,6 +185,7 @@ export function viewModel(state: EditorState): EditorModel {
     settings: display.settings,
     filesMenu: display.filesMenu,
     numbers: display.numbers,
+    study: state.study,
     menu: state.menu,
     draft,
     waiting: waitingDrafts(tools),

@@ -21,6 +21,7 @@ import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 import { type DropReceiver, DropTarget } from '../input/drop';
+import type { StudyView } from '../ui/study_view';
 import { CanvasView } from './canvas_view';
 import { Clipboard } from './clipboard';
 import { carryOut, type Resources } from './effects';
@@ -35,6 +36,7 @@ import { ReachCache } from './reach_cache';
 import { Solver } from './solver';
 import { Storage } from './storage';
 import { Store } from './store';
+import { Study } from './study';
 import { Timers } from './timers';
 
 /** The element that the editor runs in, and its answers to the editor. */
@@ -68,6 +70,7 @@ export class EditorRuntime {
   readonly #drop: DropTarget;
   readonly #media: MediaWatcher;
   readonly #reach: ReachCache;
+  readonly #study: Study;
   readonly #listening = new AbortController();
   readonly #loads = new Map<number, { resolve(): void; reject(reason: unknown): void }>();
   #lastReply = 0;
@@ -106,11 +109,17 @@ export class EditorRuntime {
       pixelRatioChanged: () => this.#frames?.request(),
     });
     this.#reach = new ReachCache(() => this.#frames?.request());
+    this.#study = new Study(element.root, this.#store);
     const resources = this.#resourcesOf(element);
   }
 
   get state(): EditorState {
     return this.#store.state;
+  }
+
+  /** The study card; null until it is loaded. */
+  get study(): StudyView | null {
+    return this.#study.view;
   }
 
   /** Whether the stage is on the page. */
@@ -224,6 +233,7 @@ export class EditorRuntime {
     this.#pictures.releaseUnused(state);
     this.#solver.freeUnused(state);
     this.#frames?.request();
+    this.#study.follow(() => this.#element.render());
     // An animation out of sight is rendered once it is seen.
     if (event.type !== 'handles-posed' || this.#frames?.seen) this.#element.render();
   }

@@ -7,6 +7,7 @@ import type { PoseMode } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
+import { segment } from './segment';
 
 const MODES = {
   rigid: { word: 'Rigid', note: 'Shapes keep their form: an arm bends as an arm does.' },
@@ -67,6 +68,14 @@ export function bending(
             dispatch({ type: 'pixel-art-switched', on }),
           )
     }
+    <button
+      type="button"
+      class="button all-settings"
+      part="button"
+      @click=${() => dispatch({ type: 'study-shown', page: 'settings' })}
+    >
+      All settings
+    </button>
   </details>`;
 }
 
@@ -107,15 +116,3 @@ const toggle = (
     @input=${(event: Event) => event.stopPropagation()}
   />
 </label>`;
-
-const segment = (word: string, chosen: boolean, model: EditorModel, choose: () => void): TemplateResult =>
-  html`<button
-    type="button"
-    class="button segment"
-    part="button"
-    aria-pressed=${String(chosen)}
-    ?disabled=${model.readonly}
-    @click=${() => !chosen && choose()}
-  >
-    ${word}
-  </button>`;

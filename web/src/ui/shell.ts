@@ -13,20 +13,30 @@ import { notice } from './notice';
 import { panel } from './panel';
 import { disabledStage, stage } from './stage';
 import { statusLine } from './status';
+import type { StudyView } from './study_view';
 import { toolHint } from './tool_hint';
 import { toolStrip } from './tool_strip';
 import { topBar } from './toolbar';
 import { tooltips } from './tooltips';
 
-/** @param canvas shows the picture, and lives as long as its WebGL context. */
-export function shell(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvasElement): TemplateResult {
+/**
+ * @param canvas shows the picture, and lives as long as its WebGL context.
+ * @param study null until it is loaded.
+ */
+export function shell(
+  model: EditorModel,
+  dispatch: Dispatch,
+  canvas: HTMLCanvasElement,
+  study: StudyView | null,
+): TemplateResult {
   const { playing } = model;
+  const studying = study !== null && model.study.page !== null && !playing;
   return html`${playing ? room(model) : nothing}
   <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${playing ? nothing : topBar(model, dispatch)}
-    <div class="middle">
+    <div class="middle ${studying ? 'studying' : ''}">
       ${stage(model, dispatch, canvas)} ${model.picture ? nothing : emptyStage(model, dispatch)}
-      ${playing ? nothing : html`${toolStrip(model, dispatch)} ${panel(model, dispatch)}`}
+      ${playing ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
       ${model.task ? html`<div class="bar" role="progressbar" aria-label=${model.task.label}></div>` : nothing}
       ${model.hint && !model.preview ? bubble(model.hint, model.camera) : nothing}
       ${playing ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model)} ${legends(model)}`}

@@ -1,17 +1,35 @@
 // Generated from the Rust types by `cargo run -p xtask -- schema`. Do not edit.
 
+/** The least and the greatest value of each number. */
+export const RANGES = {
+  samples: [100, 2000000],
+  shape_factor: [0, 1],
+  degree: [5, 32],
+  density: [0, 4096],
+} as const;
+
 /** The defaults of the format, which are the paper's. */
 export const PAPER_SETTINGS = {
-  mode: 'harmonic',
+  samples: 10000,
+  shape_factor: 1,
+  degree: 5,
+  filling: 'line',
   support: 'paper',
+  mode: 'harmonic',
+  blend: 'linear',
   density: 0,
   rotation: 0,
 } as const;
 
 /** The editor's settings for new projects. */
 export const EDITOR_SETTINGS = {
-  mode: 'rigid',
+  samples: 10000,
+  shape_factor: 1,
+  degree: 5,
+  filling: 'line',
   support: 'smooth',
+  mode: 'rigid',
+  blend: 'linear',
   density: 100,
   rotation: 'auto',
 } as const;

@@ -35,6 +35,7 @@ import { announce, beginTask, dismiss, endTask, notify, report, shownNotice } fr
 import { applyTools } from './press';
 import { select } from './selection';
 import { redo, undo } from './steps';
+import { showStudy } from './study';
 import { takeTool } from './tool_choice';
 
 type Run = (state: EditorState, emit: Emit, menu: MenuState | null) => EditorState;
@@ -126,14 +127,17 @@ const RUN: Readonly<Record<CommandName, Run>> = {
 };
 
 /** What Escape would cancel or dismiss: the innermost thing in progress. */
-function bailTarget(state: EditorState): 'press' | 'crosshair' | 'settings' | 'notice' | 'selection' | null {
+function bailTarget(
+  state: EditorState,
+): 'press' | 'crosshair' | 'settings' | 'notice' | 'selection' | 'study' | null {
   const notice = shownNotice(state);
   if (isPressing(state.tools) || isDrawing(state)) return 'press';
   if (state.display.crosshair) return 'crosshair';
   if (state.display.settings) return 'settings';
   if (notice && !notice.action) return 'notice';
   if (selectionOf(state).length > 0) return 'selection';
-  return notice ? 'notice' : null;
+  if (notice) return 'notice';
+  return state.study.page ? 'study' : null;
 }
 
 /** Whether Escape is the editor's. Waiting input may begin something that it ends. */
@@ -152,6 +156,8 @@ function bail(state: EditorState, emit: Emit): EditorState {
       return dismiss(state, emit);
     case 'selection':
       return select(state, [], emit);
+    case 'study':
+      return showStudy(state, null);
     case null:
       return state;
   }

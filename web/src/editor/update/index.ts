@@ -27,6 +27,7 @@ import { requestHandlers } from './requests';
 import { showStage } from './solve_request';
 import { solveHandlers } from './solve_results';
 import { endMerging } from './steps';
+import { studyHandlers } from './study';
 import { reportTitle } from './title';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
@@ -64,6 +65,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...requestEndHandlers,
   ...requestHandlers,
   ...solveHandlers,
+  ...studyHandlers,
   ...timerHandlers,
   ...trialHandlers,
   ...waitingHandlers,

@@ -36,6 +36,11 @@ export const bendingStyle = css`
   .bending[open] summary .icon {
     rotate: 180deg;
   }
+  .all-settings {
+    width: 100%;
+    margin-top: 10px;
+    background: var(--_raised);
+  }
   @container ${phone} {
     .bending p {
       margin-bottom: 6px;

@@ -1,6 +1,6 @@
 /** The shell: bars above and below, the picture between them, and the space of the cards at its sides. */
 import { css } from 'lit';
-import { PANEL, TOOLS } from '../../editor/sizes';
+import { PANEL, STUDY, TOOLS } from '../../editor/sizes';
 import { low, lowest, lowPhone, narrow, phone } from './layouts';
 
 export const shellStyle = css`
@@ -50,9 +50,13 @@ export const shellStyle = css`
       --_left: ${TOOLS.lowest}px;
     }
   }
+  .middle.studying {
+    --_right: ${STUDY.wide}px;
+  }
   /* Phones have no cards at the sides. Low phones have the tools there. */
   @container ${phone} {
-    .middle {
+    .middle,
+    .middle.studying {
       --_left: 0px;
       --_right: 0px;
       --_edge: 8px;

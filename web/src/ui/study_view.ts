@@ -1,0 +1,9 @@
+/** The study card as the shell knows it. Its templates are loaded when it is first shown. */
+import type { CSSResult, TemplateResult } from 'lit';
+import type { Dispatch } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
+
+export interface StudyView {
+  readonly style: CSSResult;
+  card(model: EditorModel, dispatch: Dispatch): TemplateResult;
+}
