@@ -19,8 +19,12 @@ if (editor) {
   if (src) {
     editor.removeAttribute('src');
     editor.removeAttribute('project');
-    // The editor tells the person of a failure.
-    editor.load(src, project).catch(() => {});
+    editor.load(src, project).catch((error: Error) => {
+      if (error.name === 'AbortError') return;
+      // The editor tells the person of attributes that it cannot open.
+      if (project) editor.setAttribute('project', project);
+      editor.setAttribute('src', src);
+    });
   }
   editor.theme = stored((storage) => storage.getItem(THEME));
   // The editor's theme switch sets the attribute.
