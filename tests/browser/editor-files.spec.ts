@@ -507,7 +507,7 @@ test('each of two edited pictures offers to reopen the other', async ({ page }) 
   await expect(editor.button(/^Back to/)).toBeHidden();
   await editor.openRecent('gingerbread.png');
   await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
-  await expect(page.getByText('gingerbread.png is open.')).toBeVisible();
+  await expect(page.getByText('gingerbread.png is open.', { exact: true })).toBeVisible();
   await editor.button('Back to disc.png').click();
   await expect(editor.handles).toHaveCount(1);
   // The next edit ends the offer, and the work stays in the list.
