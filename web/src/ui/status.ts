@@ -17,7 +17,7 @@ const timed = (ms: number): string =>
 export function statusLine(model: EditorModel, dispatch: Dispatch): TemplateResult {
   return html`<div class="status" part="status" role="group" aria-label="Status">
     <span class="solved">
-      ${model.task ? progress(model.task, model, dispatch) : model.awaiting ? OPENING : solved(model)}
+      ${model.task ? progress(model.task, model, dispatch) : model.awaiting && model.picture ? OPENING : solved(model)}
     </span>
     ${creases(model, dispatch)}
     <span class="spoken" role="status">${model.creases.length > 0 ? 'The picture has creases' : ''}</span>

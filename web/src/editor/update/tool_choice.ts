@@ -39,7 +39,7 @@ export function chooseByHandles(state: EditorState, emit: Emit): EditorState {
   const next = tool === tools.tool ? state : takeTool(state, tool, emit);
   return next.tools.tool === tools.tool
     ? state
-    : announce(next, `${picture.name} is open. ${COMMANDS[tool].label}`);
+    : announce(next, `${COMMANDS[tool].label}, ${picture.name} is open`);
 }
 
 const isOnHandles = ({ focus }: EditorState): boolean => focus.on === 'handle' || focus.on === 'corner';
