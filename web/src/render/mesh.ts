@@ -37,6 +37,30 @@ export function weightRows(offsets: Uint32Array): Uint32Array {
   return rows;
 }
 
+/** The mean length of edges, rest positions. Edges × 2, positions × 2. */
+export function meanEdge(edges: Uint32Array, positions: Float32Array): number {
+  let sum = 0;
+  for (let at = 0; at < edges.length; at += 2) {
+    const [a, b] = [2 * (edges[at] ?? 0), 2 * (edges[at + 1] ?? 0)];
+    sum += Math.hypot(
+      (positions[a] ?? 0) - (positions[b] ?? 0),
+      (positions[a + 1] ?? 0) - (positions[b + 1] ?? 0),
+    );
+  }
+  return (2 * sum) / Math.max(1, edges.length);
+}
+
+/** From this length on, lines are drawn whole. CSS pixels. */
+const WHOLE_EDGE = 10;
+
+/**
+ * The opacity of the lines of a mesh, from 0 to 1. Shorter edges are fainter in proportion, so that the lines cover the
+ * picture equally at every zoom.
+ *
+ * @param edge the mean length of the edges on the screen, CSS pixels.
+ */
+export const lineOpacity = (edge: number): number => Math.min(1, edge / WHOLE_EDGE);
+
 /** Returns edges × 2: every edge of the triangles once. Cost: O(n log n) in the triangles. */
 export function meshEdges(triangles: Uint32Array): Uint32Array {
   const keys = new Float64Array(triangles.length);

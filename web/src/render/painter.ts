@@ -13,12 +13,20 @@ import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
 import { HeatLayer } from './heat';
 import lineFragment from './line.frag.glsl?raw';
-import { meshEdges, staticMesh, unwarpedMesh, type WarpMesh, weightRows } from './mesh';
+import {
+  lineOpacity,
+  meanEdge,
+  meshEdges,
+  staticMesh,
+  unwarpedMesh,
+  type WarpMesh,
+  weightRows,
+} from './mesh';
 import { PictureTexture, setMagnification, type TextureSource } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
 import { drawWith, program } from './program';
 
-/** Colour of the mesh overlay, premultiplied. It shows on light and dark pictures. */
+/** Colour of the lines of a coarse mesh, premultiplied. It shows on light and dark pictures. */
 const MESH_COLOUR = [0.0, 0.28, 0.5, 0.5];
 
 interface LoadedMesh {
@@ -26,9 +34,15 @@ interface LoadedMesh {
   readonly triangles: twgl.BufferInfo;
   readonly weights: DataTexture;
   readonly motions: DataTexture;
-  edges: twgl.BufferInfo | undefined;
+  edges: MeshLines | undefined;
   /** The content of the index buffer. */
   drawn: Uint32Array;
+}
+
+/** The edges of a mesh, and their mean length at rest, image pixels. */
+interface MeshLines {
+  readonly buffers: twgl.BufferInfo;
+  readonly length: number;
 }
 
 export class Painter {
@@ -175,7 +189,6 @@ export class Painter {
       u_view: [view.scale, view.x, view.y],
       u_at_rest: view.compare === true || !this.#posed,
       u_rigid: this.#blend === 'rigid',
-      u_colour: MESH_COLOUR,
     };
     const behind = view.compare ? undefined : this.#background;
     if (behind) {
@@ -185,8 +198,10 @@ export class Painter {
     if (this.#heat?.isSet && !view.compare) this.#heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
     else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
     if (view.overlays?.mesh && !view.compare) {
-      loaded.edges ??= edgeBuffer(gl, loaded);
-      drawWith(gl, this.#lineProgram, loaded.edges, uniforms, gl.LINES);
+      loaded.edges ??= meshLines(gl, loaded);
+      const opacity = lineOpacity((loaded.edges.length * view.scale) / (view.pixelRatio ?? 1));
+      const u_colour = MESH_COLOUR.map((part) => part * opacity);
+      drawWith(gl, this.#lineProgram, loaded.edges.buffers, { ...uniforms, u_colour }, gl.LINES);
     }
   }
 
@@ -194,7 +209,7 @@ export class Painter {
     if (!loaded) return;
     loaded.weights.dispose();
     loaded.motions.dispose();
-    const buffers = [loaded.triangles, loaded.edges].flatMap((info) => [
+    const buffers = [loaded.triangles, loaded.edges?.buffers].flatMap((info) => [
       info?.indices,
       ...Object.values(info?.attribs ?? {}).map((attribute) => attribute.buffer),
     ]);
@@ -202,10 +217,11 @@ export class Painter {
   }
 }
 
-function edgeBuffer(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): twgl.BufferInfo {
-  return twgl.createBufferInfoFromArrays(
-    gl,
-    { indices: { numComponents: 2, data: meshEdges(mesh.triangles) } },
-    triangles,
-  );
+function meshLines(gl: WebGL2RenderingContext, { mesh, triangles }: LoadedMesh): MeshLines {
+  const edges = meshEdges(mesh.triangles);
+  const arrays = { indices: { numComponents: 2, data: edges } };
+  return {
+    buffers: twgl.createBufferInfoFromArrays(gl, arrays, triangles),
+    length: meanEdge(edges, mesh.positions),
+  };
 }
