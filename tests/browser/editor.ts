@@ -73,7 +73,8 @@ export class Editor {
   }
 
   handle(name: string): Locator {
-    return this.page.getByRole('button', { name: `Handle ${name}, ` });
+    const label = name.startsWith('handle ') ? name : `Handle ${name}`;
+    return this.page.getByRole('button', { name: `${label}, ` });
   }
 
   get handles(): Locator {

@@ -1,34 +1,61 @@
-/** Whether a command can run now: one answer for buttons, menus, keys and the element. */
+/** Whether a command can run now, and why not: one answer for buttons, menus, keys and the element. */
 import { handleById, selectedHandles } from '../document/document';
 import { CORNERS_NEEDED, DEPTHS, depthOf, isAtRest, isLine } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import type { Handle } from '../document/project';
 import { draftOf, hasTakenCorners } from '../tools/machine';
 import type { CommandName } from './commands';
+import {
+  AT_BACK,
+  AT_REST,
+  cornersNeededText,
+  DISABLED,
+  IN_FRONT,
+  NO_HANDLES,
+  NO_LINE,
+  NO_PICTURE,
+  NONE_SELECTED,
+  NOTHING_TO_REDO,
+  NOTHING_TO_UNDO,
+  STILL_HERE,
+  VIEW_ONLY,
+} from './reason_texts';
 import { documentOf, type EditorState, projectOf } from './state';
-import { depthWords } from './wording';
 
 export const canRun = (state: EditorState, command: CommandName): boolean =>
-  !state.page.disabled && (CONDITIONS[command]?.(state) ?? true);
+  reasonAgainst(state, command) === null;
 
-/** Why a command cannot run, where its key should say so; null if nothing is to be said. */
+/** Why a command cannot run now; null if it can. */
 export function reasonAgainst(state: EditorState, command: CommandName): string | null {
-  if (command === 'forward' || command === 'backward') return depthWords(documentOf(state));
-  const corner = state.menu?.corner ?? state.focus.corner;
-  const line = command === 'remove-corner' && corner ? lineInHand(state) : null;
-  return line ? `A ${line.kind} needs ${CORNERS_NEEDED[line.kind]} corners` : null;
+  return state.page.disabled ? DISABLED : (REASONS[command]?.(state) ?? null);
 }
 
-const isOpen = ({ picture }: EditorState): boolean => picture !== null;
-const isChangeable = ({ page }: EditorState): boolean => !page.readonly;
-const hasHandles = (state: EditorState): boolean =>
-  isChangeable(state) && projectOf(state).handles.length > 0;
+type Reason = (state: EditorState) => string | null;
 
-/** Whether any selected handle may be changed, and the change makes a difference to it. */
-const someSelected =
-  (differs: (handle: Handle) => boolean) =>
-  (state: EditorState): boolean =>
-    isChangeable(state) && selectedHandles(documentOf(state)).some(differs);
+const unlessOpen: Reason = ({ picture }) => (picture ? null : NO_PICTURE);
+const unlessChangeable: Reason = ({ page }) => (page.readonly ? VIEW_ONLY : null);
+const withoutHandles: Reason = (state) => (projectOf(state).handles.length > 0 ? null : NO_HANDLES);
+
+/** The first reason of several, in their order. */
+const either =
+  (...reasons: readonly Reason[]): Reason =>
+  (state) => {
+    for (const reason of reasons) {
+      const found = reason(state);
+      if (found !== null) return found;
+    }
+    return null;
+  };
+
+/** Unless some selected handle may be changed, and the change makes a difference to it. */
+const unlessSelected = (differs: (handle: Handle) => boolean, otherwise: string): Reason =>
+  either(unlessChangeable, (state) => {
+    const selected = selectedHandles(documentOf(state));
+    if (selected.length === 0) return NONE_SELECTED;
+    return selected.some(differs) ? null : otherwise;
+  });
+
+const unlessAnySelected = unlessSelected(() => true, NONE_SELECTED);
 
 /** The bar or polygon whose corners the menu, the focus or the selection means. */
 function lineInHand(state: EditorState) {
@@ -42,40 +69,46 @@ function lineInHand(state: EditorState) {
 const isDrawing = ({ tools }: EditorState): boolean => draftOf(tools) !== null;
 
 /** Commands that are missing can always run. */
-const CONDITIONS: Partial<Readonly<Record<CommandName, (state: EditorState) => boolean>>> = {
-  select: isChangeable,
-  point: isChangeable,
-  bar: isChangeable,
-  polygon: isChangeable,
-  lasso: isChangeable,
-  open: isChangeable,
-  save: isOpen,
-  'save-whole': isOpen,
-  'export-whole': isOpen,
-  export: isOpen,
-  'export-all': isOpen,
-  compare: isOpen,
-  preview: isOpen,
-  settings: isOpen,
-  undo: (state) =>
-    isOpen(state) && isChangeable(state) && (isDrawing(state) || undoLabel(state.document.history) !== null),
-  redo: (state) => {
-    if (!isOpen(state) || !isChangeable(state)) return false;
-    return hasTakenCorners(state.tools) || (!isDrawing(state) && redoLabel(state.document.history) !== null);
-  },
-  'reset-all': (state) => isChangeable(state) && !projectOf(state).handles.every(isAtRest),
-  'select-all': hasHandles,
-  copy: hasHandles,
-  paste: hasHandles,
-  reset: someSelected((handle) => !isAtRest(handle)),
-  mirror: someSelected(() => true),
-  remove: (state) => isDrawing(state) || someSelected(() => true)(state),
-  forward: someSelected((handle) => depthOf(handle) !== DEPTHS.most),
-  backward: someSelected((handle) => depthOf(handle) !== DEPTHS.least),
-  'add-point': ({ menu }) => menu?.bends === true,
-  'add-corner': (state) => isChangeable(state) && lineInHand(state) !== null,
-  'remove-corner': (state) => {
+const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
+  select: unlessChangeable,
+  point: unlessChangeable,
+  bar: unlessChangeable,
+  polygon: unlessChangeable,
+  lasso: unlessChangeable,
+  open: unlessChangeable,
+  save: unlessOpen,
+  'save-whole': unlessOpen,
+  'export-whole': unlessOpen,
+  export: unlessOpen,
+  'export-all': unlessOpen,
+  compare: unlessOpen,
+  preview: unlessOpen,
+  settings: unlessOpen,
+  undo: either(unlessOpen, unlessChangeable, (state) =>
+    isDrawing(state) || undoLabel(state.document.history) !== null ? null : NOTHING_TO_UNDO,
+  ),
+  redo: either(unlessOpen, unlessChangeable, (state) => {
+    const can =
+      hasTakenCorners(state.tools) || (!isDrawing(state) && redoLabel(state.document.history) !== null);
+    return can ? null : NOTHING_TO_REDO;
+  }),
+  'reset-all': either(unlessChangeable, withoutHandles, (state) =>
+    projectOf(state).handles.every(isAtRest) ? AT_REST : null,
+  ),
+  'select-all': either(unlessChangeable, withoutHandles),
+  copy: either(unlessChangeable, withoutHandles),
+  paste: either(unlessChangeable, withoutHandles),
+  reset: unlessSelected((handle) => !isAtRest(handle), AT_REST),
+  mirror: unlessAnySelected,
+  remove: (state) => (isDrawing(state) ? null : unlessAnySelected(state)),
+  forward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.most, IN_FRONT),
+  backward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.least, AT_BACK),
+  'add-point': ({ menu }) => (menu?.bends ? null : STILL_HERE),
+  'add-corner': either(unlessChangeable, (state) => (lineInHand(state) ? null : NO_LINE)),
+  'remove-corner': either(unlessChangeable, (state) => {
     const line = lineInHand(state);
-    return isChangeable(state) && line !== null && line.posed.length > CORNERS_NEEDED[line.kind];
-  },
+    if (!line) return NO_LINE;
+    const needed = CORNERS_NEEDED[line.kind];
+    return line.posed.length > needed ? null : cornersNeededText(line.kind, needed);
+  }),
 };

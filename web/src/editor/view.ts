@@ -7,6 +7,7 @@ import {
   type Camera,
   fitted,
   type Insets,
+  keptInView,
   panned,
   type Size,
   scaledAt,
@@ -57,11 +58,24 @@ export function resize(state: EditorState, stage: Size, still = false): EditorSt
   return refitView({ ...sized, view: { ...state.view, stage, camera: panned(camera, by) } });
 }
 
-/** Moves the camera for the person: the picture is no longer kept fitted. */
-export const moveCamera = (state: EditorState, camera: Camera): EditorState => ({
+/** Moves the camera for the person, while some of the picture is in view. The picture is no longer kept fitted. */
+export const moveCamera = (state: EditorState, camera: Camera): EditorState =>
+  withCamera(
+    state,
+    state.picture ? keptInView(camera, drawnBounds(state), state.stage, insets(state)) : camera,
+  );
+
+const withCamera = (state: EditorState, camera: Camera): EditorState => ({
   ...state,
   view: { ...state.view, camera, fitted: false },
 });
+
+/** Bounding box of what is drawn: the posed picture and, unless its outline bounds it, the picture around it. */
+function drawnBounds(state: EditorState): Box {
+  const posed = posedBounds(state);
+  if (posed && projectOf(state).domain?.kind === 'alpha') return posed;
+  return posed ? boxOfBoth(frameOf(state), posed) : frameOf(state);
+}
 
 /** @param besideSheet whether to leave room for the panel as a sheet. */
 export function fitView(state: EditorState, besideSheet = sheetIsOpen(state)): EditorState {
@@ -98,7 +112,7 @@ export function showBox(state: EditorState, { min, max }: Box): EditorState {
 /** Pans by the shortest way until no card covers a point of the picture. */
 export function reveal(state: EditorState, at: Vec): EditorState {
   const [x, y] = outsideBy(state, at);
-  return x === 0 && y === 0 ? state : moveCamera(state, panned(state.view.camera, [-x, -y]));
+  return x === 0 && y === 0 ? state : withCamera(state, panned(state.view.camera, [-x, -y]));
 }
 
 /**

@@ -10,7 +10,7 @@ import type { Crease } from '../geometry/crease';
 import { distance, type Vec } from '../geometry/vec';
 import { draftOf, hasTakenCorners, isPressing, type ToolName, waitingDrafts } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
-import { canRun } from './can_run';
+import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
@@ -114,6 +114,8 @@ export interface EditorModel {
   readonly alt: string | null;
   readonly dark: boolean;
   canRun(command: CommandName): boolean;
+  /** Why a command cannot run now; null if it can. */
+  reasonAgainst(command: CommandName): string | null;
 }
 
 /** The page's hint, and the place of the picture that it points to. */
@@ -198,6 +200,7 @@ export function viewModel(state: EditorState): EditorModel {
     alt: page.alt,
     dark: media.dark,
     canRun: (command) => canRun(state, command),
+    reasonAgainst: (command) => reasonAgainst(state, command),
   };
 }
 

@@ -1,5 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { type Camera, deviceView, fitted, pinched, SCALE_LIMITS, scaledAt, toImage, toStage } from './camera';
+import {
+  type Camera,
+  deviceView,
+  fitted,
+  keptInView,
+  pinched,
+  SCALE_LIMITS,
+  scaledAt,
+  toImage,
+  toStage,
+} from './camera';
 
 const camera: Camera = { scale: 2, x: 30, y: -10 };
 
@@ -14,6 +24,17 @@ describe('camera', () => {
     const [x, y] = toImage(scaledAt(camera, 5, anchor), anchor);
     expect(x).toBeCloseTo(under[0]);
     expect(y).toBeCloseTo(under[1]);
+  });
+
+  it('keeps half of a small box in view, and half of the view on a large one', () => {
+    const stage = { width: 400, height: 300 };
+    const insets = { top: 0, right: 100, bottom: 0, left: 0 };
+    const box = { min: [0, 0], max: [100, 400] } as const;
+    const at = (x: number, y: number) => keptInView({ scale: 1, x, y }, box, stage, insets);
+    expect(at(20, -30)).toMatchObject({ x: 20, y: -30 });
+    expect(at(1e4, 1e4)).toMatchObject({ x: 250, y: 150 });
+    expect(at(-1e4, -1e4)).toMatchObject({ x: -50, y: -250 });
+    expect(keptInView({ scale: 1, x: 5, y: 5 }, box, { width: 0, height: 0 }, insets).scale).toBe(1);
   });
 
   it('clamps the scale', () => {

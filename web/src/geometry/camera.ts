@@ -72,6 +72,23 @@ export function fitted({ min, max }: Box, stage: Size, insets: Insets): Camera {
   };
 }
 
+/**
+ * Returns the camera moved by the shortest way that keeps a box of the image in view between the insets: half of the
+ * box along each axis, or half of the view if the box is longer.
+ */
+export function keptInView(camera: Camera, { min, max }: Box, stage: Size, insets: Insets): Camera {
+  const shift = (from: number, to: number, low: number, high: number): number => {
+    const half = Math.max(0, Math.min(to - from, high - low) / 2);
+    return Math.max(0, low + half - to) || Math.min(0, high - half - from);
+  };
+  const [left, top] = toStage(camera, min);
+  const [right, bottom] = toStage(camera, max);
+  return panned(camera, [
+    shift(left, right, insets.left, stage.width - insets.right),
+    shift(top, bottom, insets.top, stage.height - insets.bottom),
+  ]);
+}
+
 /** Returns the camera after two fingers moved: it follows their midpoint and their distance. */
 export function pinched(camera: Camera, before: readonly [Vec, Vec], after: readonly [Vec, Vec]): Camera {
   const spread = distance(...before);

@@ -11,12 +11,15 @@ export function selectionBox({ box, camera }: EditorModel): SVGTemplateResult | 
   return svg`<rect class="box" x=${x} y=${y} width=${right - x} height=${bottom - y}/>`;
 }
 
-/** Where the keyboard would place a handle. */
+/** Half the size of a finger from the middle to each end, CSS pixels. The dot in the middle has no length. */
+const CROSS = 'M-22 0H-6M6 0H22M0 -22V-6M0 6V22M0 0H0';
+
+/** Where the keyboard would place a handle: as large as a finger, and open in the middle, where the handle will be. */
 export function crosshair({ crosshair: at, camera }: EditorModel): SVGTemplateResult | typeof nothing {
   if (!at) return nothing;
   const [x, y] = toStage(camera, at);
   return svg`<g class="crosshair" transform="translate(${x} ${y})">
-    <path class="under" d="M-14 0H14M0 -14V14"/><path d="M-14 0H14M0 -14V14"/>
+    <path class="under" d=${CROSS}/><path d=${CROSS}/>
   </g>`;
 }
 

@@ -55,20 +55,22 @@ function groupsOf({ about, corner }: MenuState, { playing, document }: EditorMod
   return ofHandles(selected.length === 1 && selected.some(isLine) ? ['add-corner'] : []);
 }
 
-/** An entry. A disabled entry can have the focus, so that screen readers read it. */
+/** An entry. A disabled one says why, and can have the focus, so that screen readers read it. */
 function entry(name: CommandName, model: EditorModel, dispatch: Dispatch): TemplateResult {
-  const possible = model.canRun(name);
+  const reason = model.reasonAgainst(name);
+  const possible = reason === null;
   return html`<div
     class="entry"
     role="menuitem"
     tabindex="-1"
     data-command=${name}
     aria-disabled=${possible ? nothing : 'true'}
+    aria-description=${reason ?? nothing}
     aria-keyshortcuts=${ariaKeys(name, model.platform) || nothing}
     @click=${() => possible && dispatch({ type: 'menu-command-run', command: name })}
     @pointermove=${({ currentTarget }: Event) => (currentTarget as HTMLElement).focus({ preventScroll: true })}
   >
-    ${icon(iconOf(name))}<span>${COMMANDS[name].label}</span>
+    ${icon(iconOf(name))}<span>${COMMANDS[name].label} ${possible ? nothing : html`<span class="why" aria-hidden="true">${reason}</span>`}</span>
     <kbd aria-hidden="true">${keyHint(name, model.platform)}</kbd>
   </div>`;
 }

@@ -28,8 +28,9 @@ export function handleLabel(handle: Handle, turns: Turns): string {
   const [x, y] = anchor(handle);
   const scale = rounded(scaleOf(handle));
   const depth = depthOf(handle);
+  const name = nameOf(handle);
   return [
-    `Handle ${nameOf(handle)}`,
+    /^handle\b/i.test(name) ? name : `Handle ${name}`,
     ...(isLine(handle) ? [`${handle.kind} with ${handle.posed.length} corners`] : []),
     `x ${Math.round(x)}`,
     `y ${Math.round(y)}`,
@@ -57,6 +58,7 @@ export function handleButtons(model: EditorModel, dispatch: Dispatch): TemplateR
             aria-pressed=${selected ? 'true' : 'false'}
             .style=${`transform: translate(${x}px, ${y}px)`}
             @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, dispatch)}
+            @keydown=${(event: KeyboardEvent) => entered(event, handle.id, model, dispatch)}
             @click=${(event: MouseEvent) => event.detail === 0 && dispatch({ type: 'handle-toggled', id: handle.id })}
           ></button>
           ${isLine(handle) ? cornerButtons(handle, selected, model, dispatch) : nothing}`;
@@ -86,9 +88,17 @@ const cornerButtons = (
       aria-label="Corner ${index + 1} of ${nameOf(handle)}, x ${left}, y ${top}"
       .style=${`transform: translate(${x}px, ${y}px)`}
       @focus=${(event: FocusEvent) => focused(event, handle.id, corner, model, dispatch)}
+      @keydown=${(event: KeyboardEvent) => entered(event, handle.id, model, dispatch)}
       @click=${(event: MouseEvent) => event.detail === 0 && dispatch({ type: 'handle-toggled', id: handle.id })}
     ></button>`;
   });
+
+/** Enter takes a handle and never lets go of it. Screen readers toggle by a click without a pointer. */
+function entered(event: KeyboardEvent, id: string, model: EditorModel, dispatch: Dispatch): void {
+  if (event.key !== 'Enter') return;
+  event.preventDefault();
+  if (!model.document.selection.includes(id)) dispatch({ type: 'handles-selected', ids: [id] });
+}
 
 const isKeyed = (target: Element): boolean =>
   (target.getRootNode() as ShadowRoot).host.classList.contains('keyed');

@@ -116,8 +116,8 @@ const RUN: Readonly<Record<CommandName, Run>> = {
     );
     return handles.length > 0 ? announce(selected, `Selected ${handleWords(handles)}`) : selected;
   },
-  compare: (state) => togglePreview(state, 'compare'),
-  preview: (state) => togglePreview(state, 'preview'),
+  compare: (state, emit) => togglePreview(state, 'compare', emit),
+  preview: (state, emit) => togglePreview(state, 'preview', emit),
   fit: (state) => fitView(state),
   actual: showActualSize,
   'zoom-in': (state) => zoom(state, 1),
@@ -208,7 +208,7 @@ export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pas
     // A menu closes before its command runs, which may depend on the menu.
     if (canRun(menu ? { ...state, menu } : state, command)) return RUN[command](state, emit, menu);
     const reason = mayEdit(state) ? reasonAgainst(state, command) : null;
-    return reason ? announce(state, reason) : state;
+    return reason === null ? state : announce(state, reason);
   },
   'pose-copied': (state) => announce(state, `Copied the pose of ${handleWords(copiedHandles(state))}`),
   'text-pasted': (state, { text }, emit) => {

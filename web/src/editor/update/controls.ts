@@ -52,7 +52,7 @@ export const controlHandlers: Handlers<
   | 'crease-zoomed'
   | 'place-revealed'
 > = {
-  'preview-held': (state, { command }) => holdPreview(state, command),
+  'preview-held': (state, { command }, emit) => holdPreview(state, command, emit),
   'overlay-switched': (state, { overlay, on }) => switchOverlay(state, overlay, on),
   'field-set': (state, { field, change }, emit) => edit(state, () => setField(state, field, change, emit)),
   'corner-field-set': (state, { axis, change }, emit) => {

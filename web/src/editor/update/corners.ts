@@ -10,6 +10,7 @@ import { draftOf, finishDrawing } from '../../tools/machine';
 import { hideCrosshair } from '../crosshair';
 import type { Emit } from '../effects';
 import { gripsOf, toolContext } from '../hit_areas';
+import { cornersNeededText } from '../reason_texts';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import { announce } from './notices';
 import { applyTools } from './press';
@@ -74,7 +75,7 @@ function cornerAdded(state: EditorState, handle: LineHandle, at: LinePlace, emit
 
 function cornerRemoved(state: EditorState, handle: LineHandle, index: number, emit: Emit): EditorState {
   const needed = CORNERS_NEEDED[handle.kind];
-  if (handle.posed.length <= needed) return announce(state, `A ${handle.kind} needs ${needed} corners`);
+  if (handle.posed.length <= needed) return announce(state, cornersNeededText(handle.kind, needed));
   focus(emit, handle.id, Math.max(0, index - 1));
   const document = removeCorner(documentOf(state), handle.id, index);
   return step(state, `Delete a corner of ${nameOf(handle)}`, document, emit);

@@ -4,6 +4,7 @@ import type { Emit } from '../effects';
 import type { OverlayFlags, OverlayName } from '../overlays';
 import type { DisplayState, EditorState } from '../state';
 import { showBox } from '../view';
+import { keepPassing } from './notices';
 import { withSolution } from './solve_request';
 
 /** Only one of two heat maps is shown. */
@@ -32,11 +33,15 @@ export function zoomToCrease(state: EditorState): EditorState {
 }
 
 /** Shows the picture without handles while a key or button is held; null shows everything. */
-export const holdPreview = (state: EditorState, preview: PreviewCommand | null): EditorState =>
-  preview === state.display.preview || (preview && !state.picture) ? state : withDisplay(state, { preview });
+export function holdPreview(state: EditorState, preview: PreviewCommand | null, emit: Emit): EditorState {
+  if (preview === state.display.preview || (preview && !state.picture)) return state;
+  // A preview hides the notice, which waits to be read.
+  keepPassing(state, preview !== null, emit);
+  return withDisplay(state, { preview });
+}
 
-export const togglePreview = (state: EditorState, preview: PreviewCommand): EditorState =>
-  holdPreview(state, state.display.preview === preview ? null : preview);
+export const togglePreview = (state: EditorState, preview: PreviewCommand, emit: Emit): EditorState =>
+  holdPreview(state, state.display.preview === preview ? null : preview, emit);
 
 export const openSettings = (state: EditorState, settings: boolean): EditorState =>
   withDisplay(state, { settings });

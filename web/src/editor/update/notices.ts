@@ -136,6 +136,12 @@ function withoutPassing(state: EditorState, emit: Emit): EditorState {
 const startPassing = ({ action }: Notice, emit: Emit): void =>
   emit({ type: 'start-timer', timer: 'notice', ms: action ? ANSWER_MS : PASSING_MS });
 
+/** Keeps a notice that disappears by itself, or gives it its whole time again. */
+export function keepPassing({ notices }: EditorState, keep: boolean, emit: Emit): void {
+  if (keep) emit({ type: 'stop-timer', timer: 'notice' });
+  else if (notices.passing) startPassing(notices.passing, emit);
+}
+
 export const noticeHandlers: Handlers<
   | 'notice-dismissed'
   | 'notice-answered'
@@ -154,8 +160,7 @@ export const noticeHandlers: Handlers<
     return dismiss(state, emit);
   },
   'notice-hovered': (state, { on }, emit) => {
-    if (on) emit({ type: 'stop-timer', timer: 'notice' });
-    else if (state.notices.passing) startPassing(state.notices.passing, emit);
+    keepPassing(state, on, emit);
     return state;
   },
   'person-informed': (state, { text }, emit) => inform(state, text, emit),

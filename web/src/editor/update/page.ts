@@ -35,7 +35,7 @@ function stop(before: EditorState, emit: Emit): EditorState {
   const state = hideCrosshair(closeMenu(before, emit));
   emit({ type: 'leave-field' });
   const ended = applyTools(state, cancelAll(state.tools), emit);
-  return holdPreview(withDocument(ended, { drawn: null }), null);
+  return holdPreview(withDocument(ended, { drawn: null }), null, emit);
 }
 
 /** Adapts to `play`: the select tool alone poses handles, and the picture fits another stage. */

@@ -50,6 +50,7 @@ export const forcedStyle = css`
       border: 1px solid ButtonText;
     }
     .entry[aria-disabled],
+    .entry .why,
     .button:disabled:not([aria-pressed='true']),
     .link:disabled {
       opacity: 1;

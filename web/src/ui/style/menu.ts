@@ -71,6 +71,13 @@ export const menuStyle = css`
   .entry[aria-disabled] {
     color: color-mix(in srgb, currentcolor 35%, transparent);
   }
+  .entry .why {
+    display: block;
+    margin-top: -1px;
+    padding-bottom: 3px;
+    color: var(--_faint);
+    font-size: 12px;
+  }
   .entry kbd {
     margin-left: auto;
     padding-left: 20px;

@@ -47,8 +47,11 @@ export const stageStyle = css`
   .corner-mark:nth-of-type(4) {
     inset: auto auto 0 0;
   }
-  .stage.previewing :is(.marks, .handles) {
+  .stage.previewing :is(.marks, .handles),
+  .stage.previewing ~ .draft-bar,
+  .stage.previewing ~ .notices .notice {
     opacity: 0;
+    pointer-events: none;
   }
   /* Another picture is on its way, which the next press is for. A short wait is not shown. */
   .stage.awaiting :is(canvas, .handles, .marks > :not(.early)) {
