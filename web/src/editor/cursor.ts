@@ -28,8 +28,11 @@ export function cursorOf(state: EditorState): Cursor {
   const draft = draftOf(tools);
   if (draft) return draft.finishing ? 'pointer' : 'crosshair';
   const places = tools.tool !== 'select';
-  const under = pointer.hovered && handlesAreShown(state) ? hitAt(state, pointer.hovered, !places) : null;
-  if (under?.part === 'ring') return 'turn';
+  const under =
+    pointer.hovered && handlesAreShown(state)
+      ? hitAt(state, pointer.hovered, !places, undefined, pointer.alt)
+      : null;
+  if (under?.part === 'ring' || (under && pointer.alt && under.part !== 'grip')) return 'turn';
   if (under?.part === 'grip') return scaleCursor(state);
   if (under) return pressing ? 'grabbing' : 'move';
   return places ? 'crosshair' : 'default';

@@ -10,6 +10,7 @@ import type { Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, Placement } from '../geometry/place';
+import type { Symmetry } from '../geometry/symmetry';
 import type { Vec } from '../geometry/vec';
 
 /** The sites of a solution in one pose. */
@@ -85,6 +86,8 @@ export interface Deformation {
   bounds(project: Project): Box | null;
   /** Bounding box of the bending part at rest. */
   restBounds(): Box | null;
+  /** The axes of symmetry of the bending part at rest. */
+  symmetry(): Symmetry;
   /** Whether a point of the original is part of what bends. */
   bends(rest: Vec): boolean;
 }

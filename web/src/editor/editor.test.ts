@@ -15,6 +15,7 @@ const pointerOf = (random: () => number) => ({
   stage: [Math.round(random() * 420 - 10), Math.round(random() * 320 - 10)] as const,
   shift: random() < 0.2,
   alt: random() < 0.1,
+  free: random() < 0.1,
   coarse: random() < 0.2,
 });
 
@@ -54,6 +55,8 @@ const STEPS: readonly Step[] = [
   event((random) => ({ type: 'detail-chosen', detail: among(['coarse', 'fine'] as const, random) })),
   event((random) => ({ type: 'boundary-switched', held: random() < 0.5 })),
   event((random) => ({ type: 'fold-guard-switched', on: random() < 0.5 })),
+  event((random) => ({ type: 'snapping-switched', on: random() < 0.7 })),
+  event((random) => ({ type: 'alt-held', held: random() < 0.5 })),
   event((random) => ({ type: 'overlay-switched', overlay: 'cells', on: random() < 0.5 })),
   event(() => ({ type: 'drawing-finished' })),
   event(() => ({ type: 'lasso-removed' })),

@@ -63,7 +63,7 @@ type PointerEvent =
   | { readonly type: 'camera-moved'; readonly camera: Camera };
 
 type KeyEvent =
-  | { readonly type: 'space-held'; readonly held: boolean }
+  | { readonly type: 'space-held' | 'alt-held'; readonly held: boolean }
   /** `by`: one step or, with Shift, ten. */
   | { readonly type: 'arrow-pressed'; readonly by: Vec }
   | { readonly type: 'turn-pressed'; readonly degrees: number; readonly scale: number }
@@ -86,7 +86,7 @@ type ControlEvent =
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
   | { readonly type: 'crease-zoomed' }
-  | { readonly type: 'pixel-art-switched'; readonly on: boolean }
+  | { readonly type: 'pixel-art-switched' | 'snapping-switched'; readonly on: boolean }
   | { readonly type: 'drawing-finished' | 'corner-taken-back' | 'theme-switched' }
   | { readonly type: 'settings-opened'; readonly open: boolean }
   | { readonly type: 'numbers-opened' | 'files-menu-toggled'; readonly open: boolean }
@@ -222,4 +222,9 @@ export type EditorEvent =
 
 export type Dispatch = (event: EditorEvent) => void;
 
-export type EventOf<T extends EditorEvent['type']> = Extract<EditorEvent, { readonly type: T }>;
+/** The event of a type. Some events have several types. */
+export type EventOf<T extends EditorEvent['type'], E = EditorEvent> = E extends { readonly type: infer Types }
+  ? T extends Types
+    ? E
+    : never
+  : never;

@@ -99,6 +99,10 @@ class PlaneDeformation implements Deformation {
     return { min: [0, 0], max: [400, 300] } as const;
   }
 
+  symmetry() {
+    return { x: 200, y: null };
+  }
+
   bends(): boolean {
     return true;
   }

@@ -5,6 +5,7 @@ import { toImage } from '../geometry/camera';
 import { type Hit, hit } from '../tools/hit';
 import type { Grips, Press, ToolContext } from '../tools/state';
 import { handlesAreShown } from './permissions';
+import { snapped } from './snapping';
 import type { StagePointer } from './stage_pointer';
 import { documentOf, type EditorState, projectOf } from './state';
 import { freeArea } from './view';
@@ -39,6 +40,8 @@ export function toolContext(state: EditorState): ToolContext {
     get turns() {
       return turnsOf(state);
     },
+    posesOnly: state.page.playing,
+    snap: (at, moving) => snapped(state, at, moving),
     place: (at) => {
       if (deformation) return deformation.placement(project, at, grips.line);
       // Without a solution, the point of the original is the place itself.
@@ -68,10 +71,11 @@ export const hitAt = (
   at: Press['at'],
   bodies = true,
   context = toolContext(state),
-): Hit | null => (isLassoing(state) ? null : hit(context, at, bodies));
+  alt = false,
+): Hit | null => (isLassoing(state) ? null : hit(context, at, bodies, alt));
 
-export function pressOf(state: EditorState, { stage, shift, alt }: StagePointer): Press {
-  return { at: toImage(state.view.camera, stage), stage, shift, alt };
+export function pressOf(state: EditorState, { stage, shift, alt, free }: StagePointer): Press {
+  return { at: toImage(state.view.camera, stage), stage, shift, alt, free };
 }
 
 /** Whether a press there would hold a handle. */

@@ -6,6 +6,8 @@ export interface StagePointer {
   readonly stage: Vec;
   readonly shift: boolean;
   readonly alt: boolean;
+  /** Ctrl, or Cmd on a Mac: free of guides. */
+  readonly free: boolean;
   /** A finger, not a mouse or pen. */
   readonly coarse: boolean;
 }

@@ -10,6 +10,7 @@ import type { Handle, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
+import type { Guide } from '../geometry/guides';
 import type { Vec } from '../geometry/vec';
 import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
@@ -98,6 +99,10 @@ export interface DisplayState {
   readonly numbers: boolean;
   /** The menu of recent work is open. */
   readonly filesMenu: boolean;
+  /** Dragged and placed handles snap to guides. */
+  readonly snapping: boolean;
+  /** The guides that what is being moved lies on. */
+  readonly guides: readonly Guide[];
   /** The selection box being drawn, image pixels. */
   readonly box: Box | null;
   /** Index of the crease that the view was last zoomed to; −1 before the first. */
@@ -111,6 +116,8 @@ export interface PointerState {
   readonly coarse: boolean;
   /** The resting pointer's place, image pixels. */
   readonly hovered: Vec | null;
+  /** Alt is held over the stage: the handle under the pointer shows its ring. */
+  readonly alt: boolean;
   /** The last pointer position, and the camera at that moment. */
   readonly last: { readonly pointer: StagePointer; readonly camera: Camera } | null;
   /** Whether the last press was on a handle that was there before. */

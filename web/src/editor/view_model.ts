@@ -7,21 +7,25 @@ import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
 import type { Crease } from '../geometry/crease';
+import type { Guide } from '../geometry/guides';
 import { distance, type Vec } from '../geometry/vec';
-import { draftOf, hasTakenCorners, isPressing, type ToolName, waitingDrafts } from '../tools/machine';
+import { ringedHandle } from '../tools/hit';
+import { draftOf, hasTakenCorners, isPressing, places, type ToolName, waitingDrafts } from '../tools/machine';
 import type { Draft, Grips } from '../tools/state';
 import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
-import { gripsOf, turnsOf } from './hit_areas';
+import { gripsOf, hitAt, isLassoing, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
 import { noticeIsAside } from './notice_place';
 import { isOpening, readingName } from './opening_state';
 import type { OverlayFlags } from './overlays';
 import type { Sample } from './page';
+import { handlesAreShown } from './permissions';
 import type { Picture } from './picture';
+import { snapped } from './snapping';
 import type { SolveReport } from './solution';
 import { documentOf, type EditorState, isUnsaved, overlaysOf, projectOf } from './state';
 import type { StudyState } from './study_state';
@@ -109,6 +113,11 @@ export interface EditorModel {
   readonly box: Box | null;
   /** Where the keyboard would place a handle, image pixels. */
   readonly crosshair: Vec | null;
+  /** Whether handles snap to guides, and the guides that what is moved or placed lies on. */
+  readonly snapping: boolean;
+  readonly guides: readonly Guide[];
+  /** The id of the handle whose ring Alt shows. */
+  readonly ringed: string | null;
   readonly cursor: Cursor;
   readonly platform: string;
   readonly alt: string | null;
@@ -193,6 +202,13 @@ export function viewModel(state: EditorState): EditorModel {
     waiting: waitingDrafts(tools),
     box: display.box,
     crosshair: display.crosshair,
+    snapping: display.snapping,
+    get guides() {
+      return guidesShown(state);
+    },
+    get ringed() {
+      return ringedOf(state);
+    },
     get cursor() {
       return cursorOf(state);
     },
@@ -202,6 +218,24 @@ export function viewModel(state: EditorState): EditorModel {
     canRun: (command) => canRun(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),
   };
+}
+
+/** The guides of the press under way or, before one with a tool that places, those of the pointer. */
+function guidesShown(state: EditorState): readonly Guide[] {
+  const { tools, pointer, display } = state;
+  const tool = tools.tool;
+  const aims = places(tool) && tool !== 'lasso' && pointer.hovered && !pointer.last?.pointer.free;
+  if (isPressing(tools) || !aims || !pointer.hovered || !handlesAreShown(state)) return display.guides;
+  return hitAt(state, pointer.hovered, false) ? [] : snapped(state, pointer.hovered, []).guides;
+}
+
+/** With Alt held, the handle under the pointer. Not during a press or a drawing, which need no other marks. */
+function ringedOf(state: EditorState): string | null {
+  const { alt, hovered } = state.pointer;
+  const { tools } = state;
+  if (!alt || !hovered || !handlesAreShown(state) || isPressing(tools) || draftOf(tools)) return null;
+  if (isLassoing(state)) return null;
+  return ringedHandle({ document: documentOf(state), grips: gripsOf(state) }, hovered)?.id ?? null;
 }
 
 /** The index of the focused corner, if its bar or polygon alone is selected. */

@@ -36,7 +36,7 @@ const { camera } = (() => {
   return runtime.state.view;
 })();
 
-const pointer = (stage: Vec) => ({ stage, shift: false, alt: false, coarse: false });
+const pointer = (stage: Vec) => ({ stage, shift: false, alt: false, free: false, coarse: false });
 
 /** Sends input whose places are image pixels, where the person sees them or will see them. */
 function send(runtime: FakeRuntime, event: EditorEvent): void {

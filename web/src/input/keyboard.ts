@@ -43,6 +43,8 @@ export class KeyboardInput {
     const keyed = (on: boolean) => root.host.classList.toggle('keyed', on);
     root.addEventListener('keydown', () => keyed(true), { signal });
     root.addEventListener('pointerdown', () => keyed(false), { signal });
+    root.addEventListener('keydown', (event) => this.#hold(event as KeyboardEvent, true), { signal });
+    root.addEventListener('keyup', (event) => this.#hold(event as KeyboardEvent, false), { signal });
     root.addEventListener('keydown', (event) => this.#down(event as KeyboardEvent), { signal });
     root.addEventListener('keyup', (event) => this.#up(event as KeyboardEvent), { signal });
     root.addEventListener('focusout', (event) => this.#releaseAll(event as FocusEvent), { signal });
@@ -123,6 +125,10 @@ export class KeyboardInput {
     return true;
   }
 
+  #hold({ key, repeat }: KeyboardEvent, held: boolean): void {
+    if (key === 'Alt' && !repeat) this.#editor.dispatch({ type: 'alt-held', held });
+  }
+
   /** While Space is held, presses pan. Returns whether the key was handled. */
   #holdSpace(held: boolean): boolean {
     if (!takesSpace(this.#editor.state)) return false;
@@ -143,6 +149,7 @@ export class KeyboardInput {
   #releaseAll({ relatedTarget }: FocusEvent): void {
     if (this.#root.contains(relatedTarget as Node | null)) return;
     this.#holdSpace(false);
+    this.#editor.dispatch({ type: 'alt-held', held: false });
     this.#editor.dispatch({ type: 'preview-held', command: null });
   }
 }

@@ -298,6 +298,7 @@ export class PointerInput {
       stage: this.#place(event),
       shift: event.shiftKey,
       alt: event.altKey,
+      free: event.ctrlKey || event.metaKey,
       coarse: (event as Partial<PointerEvent>).pointerType === 'touch',
     };
   }

@@ -15,6 +15,7 @@ import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import { MOTION_STRIDE } from '../geometry/skin';
+import { type Symmetry, symmetryOf } from '../geometry/symmetry';
 import type { Vec } from '../geometry/vec';
 
 const NO_TURNS: Turns = new Map();
@@ -25,6 +26,8 @@ export class SolutionDeformation implements Deformation {
   /** The last project that was asked about, and the last pose that could be computed. */
   #asked: Project | null = null;
   #pose: Pose | null = null;
+  /** Found when somebody snaps to it. */
+  #symmetry: Symmetry | undefined;
 
   constructor(picture: PosedPicture, data: SolutionData) {
     this.#picture = picture;
@@ -99,6 +102,12 @@ export class SolutionDeformation implements Deformation {
 
   restBounds(): Box | null {
     return this.#picture.restBounds();
+  }
+
+  symmetry(): Symmetry {
+    const bounds = this.restBounds();
+    this.#symmetry ??= bounds ? symmetryOf(bounds, (rest) => this.bends(rest)) : { x: null, y: null };
+    return this.#symmetry;
   }
 
   bends(rest: Vec): boolean {

@@ -11,7 +11,15 @@ import { CORNERS_NEEDED, isClosed, isLine, rounded, roundedVec } from '../docume
 import type { LineHandle, Project } from '../document/project';
 import { constrained } from '../geometry/polyline';
 import { distance, type Vec } from '../geometry/vec';
-import { type Draft, type Outcome, outcome, type Press, type State, type ToolContext } from './state';
+import {
+  type Draft,
+  type Outcome,
+  outcome,
+  type Press,
+  type State,
+  snappedPlace,
+  type ToolContext,
+} from './state';
 
 export type LineKind = LineHandle['kind'];
 
@@ -169,7 +177,7 @@ function jointAt(handles: readonly LineHandle[], at: Vec): Vec | null {
 
 /**
  * Returns the position of the next corner. Shift snaps its direction. Otherwise it snaps to another handle's corner in
- * reach, or else follows the pointer.
+ * reach, or to guides, or else follows the pointer.
  */
 function drawn({ kind, corners }: Draft, press: Press, context: ToolContext): Vec {
   const last = corners.at(-1);
@@ -180,7 +188,9 @@ function drawn({ kind, corners }: Draft, press: Press, context: ToolContext): Ve
     .filter(isLine)
     .flatMap(({ posed }) => posed)
     .sort((a, b) => away(a) - away(b));
-  return nearest && away(nearest) <= context.grips.line ? nearest : press.at;
+  return nearest && away(nearest) <= context.grips.line
+    ? nearest
+    : snappedPlace(press.at, press, context, []).at;
 }
 
 function finishes(draft: Draft, at: Vec, context: ToolContext): boolean {

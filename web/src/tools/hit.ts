@@ -21,8 +21,9 @@ interface Reach {
 }
 
 /**
- * Returns the first hit in this order: points, corners and the knob and grip of a group ring; rings; lines; insides of
- * polygons. In a group of this order, the nearest wins. So a handle inside another handle's ring stays reachable.
+ * Returns the first hit in this order: points, corners and the knob and grip of a group ring; rings; lines; with Alt
+ * the ring of {@link ringedHandle}; insides of polygons. In a group of this order, the nearest wins. So a handle inside
+ * another handle's ring stays reachable.
  *
  * @param bodies whether the inside of a polygon counts. Tools that place handles ignore it.
  */
@@ -30,11 +31,13 @@ export function hit(
   { document, grips }: Pick<ToolContext, 'document' | 'grips'>,
   at: Vec,
   bodies = true,
+  alt = false,
 ): Hit | null {
   const { handles } = document.project;
   const selected = handles.filter(({ id }) => document.selection.includes(id));
   const group = groupRing(document, grips);
   const [first = ''] = document.selection;
+  const ringed = alt ? ringedHandle({ document, grips }, at) : null;
   const rings = group
     ? [ring(first, group.pivot, group.radius, at)]
     : selected.map((handle) => ring(handle.id, anchor(handle), grips.ring, at));
@@ -54,8 +57,21 @@ export function hit(
         handles.map((handle) => line(handle, at, selected.includes(handle))),
       ),
     ) ??
+    nearest(within(grips.band, ringed ? [ring(ringed.id, anchor(ringed), grips.ring, at)] : [])) ??
     nearest(bodies ? handles.flatMap((handle) => body(handle, at)) : [])
   );
+}
+
+/** The handle that Alt turns beside its ring: the nearest one in reach, unless it is selected. */
+export function ringedHandle(
+  { document, grips }: Pick<ToolContext, 'document' | 'grips'>,
+  at: Vec,
+): Handle | null {
+  const away = (handle: Handle) => distance(anchor(handle), at);
+  let found: Handle | null = null;
+  for (const handle of document.project.handles)
+    if (away(handle) <= (found ? away(found) : grips.ring + grips.band)) found = handle;
+  return found && document.selection.includes(found.id) ? null : found;
 }
 
 const within = (most: number, reaches: readonly Reach[]): readonly Reach[] =>

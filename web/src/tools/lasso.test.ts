@@ -7,6 +7,8 @@ import type { Effect, Press, ToolContext } from './state';
 const scene: ToolContext = {
   document: openDocument(newProject({ src: 'a.jpg', width: 400, height: 400 }, null)),
   grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
+  posesOnly: false,
+  snap: (at) => ({ at, guides: [] }),
   turns: new Map(),
   place: () => null,
   placeNear: (rest) => ({ rest, rotation: 0, scale: 1 }),
@@ -16,6 +18,7 @@ const press = (at: Vec, keys: Partial<Press> = {}): Press => ({
   stage: at,
   shift: false,
   alt: false,
+  free: false,
   ...keys,
 });
 

@@ -22,6 +22,8 @@ class Bench {
   readonly scene = (): ToolContext => ({
     document: this.document,
     grips: { handle: 10, line: 6, ring: 30, band: 5, slop: 3, view: { min: [-1e3, -1e3], max: [1e3, 1e3] } },
+    posesOnly: false,
+    snap: (at) => ({ at, guides: [] }),
     turns: new Map(),
     place: () => null,
     placeNear: ([x, y]) => ({ rest: [x - 1000, y], rotation: 0, scale: 2 }),
@@ -31,10 +33,15 @@ class Bench {
     this.apply(this.machine.choose(tool));
   }
   down = (at: Vec, keys: Partial<Press> = {}) =>
-    this.apply(this.machine.down({ at, stage: at, shift: false, alt: false, ...keys }, this.scene()));
+    this.apply(
+      this.machine.down({ at, stage: at, shift: false, alt: false, free: false, ...keys }, this.scene()),
+    );
   move = (at: Vec, keys: Partial<Press> = {}) =>
-    this.apply(this.machine.move({ at, stage: at, shift: false, alt: false, ...keys }, this.scene()));
-  up = (at: Vec) => this.apply(this.machine.up({ at, stage: at, shift: false, alt: false }, this.scene()));
+    this.apply(
+      this.machine.move({ at, stage: at, shift: false, alt: false, free: false, ...keys }, this.scene()),
+    );
+  up = (at: Vec) =>
+    this.apply(this.machine.up({ at, stage: at, shift: false, alt: false, free: false }, this.scene()));
   click(...places: readonly Vec[]) {
     for (const at of places) {
       this.down(at);
@@ -196,7 +203,10 @@ describe('drawing a bar', () => {
 
   it('shows no line to the pointer while it waits, and is given up with all the rest', () => {
     bench.click([200, 200]);
-    bench.machine.hover({ at: [230, 210], stage: [0, 0], shift: false, alt: false }, bench.scene());
+    bench.machine.hover(
+      { at: [230, 210], stage: [0, 0], shift: false, alt: false, free: false },
+      bench.scene(),
+    );
     bench.take('hand');
     expect(bench.machine.waiting[0]?.next).toBeNull();
     bench.apply(bench.machine.clear());
@@ -258,10 +268,17 @@ describe('drawing a bar', () => {
 
   it('follows the pointer between presses, and pans in the middle of it', () => {
     bench.click([200, 200]);
-    bench.machine.hover({ at: [230, 210], stage: [0, 0], shift: false, alt: false }, bench.scene());
+    bench.machine.hover(
+      { at: [230, 210], stage: [0, 0], shift: false, alt: false, free: false },
+      bench.scene(),
+    );
     expect(bench.machine.draft?.next).toEqual([230, 210]);
     const pan = { down: () => ({ next: { up: () => ({ next: {}, effects: [] }) }, effects: [] }) };
-    bench.machine.down({ at: [0, 0], stage: [0, 0], shift: false, alt: false }, bench.scene(), pan);
+    bench.machine.down(
+      { at: [0, 0], stage: [0, 0], shift: false, alt: false, free: false },
+      bench.scene(),
+      pan,
+    );
     bench.up([0, 0]);
     expect(bench.machine.draft?.corners).toEqual([[200, 200]]);
   });
@@ -284,7 +301,10 @@ describe('drawing a polygon', () => {
 
   it('tells where a press would close it', () => {
     bench.click([200, 200], [260, 200], [230, 260]);
-    bench.machine.hover({ at: [202, 200], stage: [0, 0], shift: false, alt: false }, bench.scene());
+    bench.machine.hover(
+      { at: [202, 200], stage: [0, 0], shift: false, alt: false, free: false },
+      bench.scene(),
+    );
     expect(bench.machine.draft?.finishing).toBe(true);
   });
 });

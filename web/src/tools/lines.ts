@@ -12,7 +12,7 @@ function lineTool(kind: LineKind): State {
   const draws = (press: Press, context: ToolContext) => begun({ kind }, press, context, tool);
   const tool: State = {
     down: (press, context) => {
-      const target = hit(context, press.at, false);
+      const target = hit(context, press.at, false, press.alt);
       const handle = target && handleById(context.document, target.id);
       const taken = handle && (handle.kind === 'point' || context.document.selection.includes(handle.id));
       return target && taken ? pressed(target, press, context, tool, draws) : draws(press, context);

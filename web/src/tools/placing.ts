@@ -7,7 +7,7 @@ import type { PointHandle, Project } from '../document/project';
 import type { Placement } from '../geometry/place';
 import { add, distance, subtract } from '../geometry/vec';
 import { moving } from './moving';
-import { type Outcome, outcome, type Press, type State, type ToolContext } from './state';
+import { type Outcome, outcome, type Press, type State, snappedPlace, type ToolContext } from './state';
 
 /**
  * Returns a handle with the rotation and scale of the posed picture at its position, so that the picture does not jump.
@@ -30,19 +30,26 @@ export function pointHandle(project: Project, placement: Placement): PointHandle
 }
 
 export function placed(press: Press, context: ToolContext, rest: State): Outcome {
-  const placement = context.place(press.at);
+  const { at, guides } = snappedPlace(press.at, press, context, []);
+  const placement = context.place(at) ?? context.place(press.at);
   if (!placement) return outcome(rest, { type: 'miss' });
   const handle = pointHandle(context.document.project, placement);
   const document = addHandle(context.document, handle);
   return outcome(
-    placing(document, handle.id, press, rest),
+    placing(document, handle, press, rest),
     { type: 'begin', label: 'Add handle' },
     { type: 'edit', document },
+    { type: 'guides', guides },
   );
 }
 
-const placing = (origin: ToolContext['document'], id: string, from: Press, rest: State): State => {
-  const drag = moving(origin, [id], from.at, rest);
+const placing = (
+  origin: ToolContext['document'],
+  { id, posed }: PointHandle,
+  from: Press,
+  rest: State,
+): State => {
+  const drag = moving(origin, [id], posed, from.at, rest);
   const state: State = {
     ...drag,
     move: (press, context) => {

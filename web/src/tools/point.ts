@@ -11,7 +11,7 @@ const places = (press: Press, context: ToolContext) => placed(press, context, po
 
 export const point: State = {
   down: (press, context) => {
-    const target = hit(context, press.at, false);
+    const target = hit(context, press.at, false, press.alt);
     return target ? pressed(target, press, context, point, places) : places(press, context);
   },
 };

@@ -1,12 +1,13 @@
 /**
  * Pressing a handle or a ring, which becomes a click or a drag.
  *
- * A click selects; with Shift it adds or removes. A drag moves the handles. On the ring or with Alt it turns them, on
- * the grip it scales them, and on a corner it moves only the corner. A click on a ring or grip applies to the object
- * below.
+ * A click selects. With Shift it adds to the selection or removes from it, with Alt it deletes the handle. A drag moves
+ * the handles. On the ring or with Alt it turns them, on the grip it scales them, and on a corner it moves only the
+ * corner. A click on a ring or grip applies to the object below.
  */
 
 import { handleById } from '../document/document';
+import { removeHandles } from '../document/edits';
 import { anchor, nameOf } from '../document/handle';
 import { distance } from '../geometry/vec';
 import { cornering } from './cornering';
@@ -71,6 +72,7 @@ const pressing = (target: Hit, from: Press, already: boolean, rest: State, benea
     },
     up: (press, context) => {
       if (isOfRing(target)) return atOnce(beneath, press, withoutRings(context));
+      if (from.alt && press.alt && !context.posesOnly) return deleted(target, context, rest);
       if (!already) return outcome(rest);
       const { selection } = context.document;
       const ids = from.shift ? selection.filter((id) => id !== target.id) : [target.id];
@@ -80,6 +82,17 @@ const pressing = (target: Hit, from: Press, already: boolean, rest: State, benea
   };
   return state;
 };
+
+function deleted({ id }: Hit, { document }: ToolContext, rest: State): Outcome {
+  const handle = handleById(document, id);
+  if (!handle) return outcome(rest);
+  return outcome(
+    rest,
+    { type: 'begin', label: `Delete ${nameOf(handle)}` },
+    { type: 'edit', document: removeHandles(document, [id]) },
+    { type: 'commit' },
+  );
+}
 
 /** Starts a drag: opens an undo step and applies the first move. */
 function dragged(target: Hit, from: Press, press: Press, context: ToolContext, rest: State): Outcome {
@@ -101,7 +114,7 @@ function dragged(target: Hit, from: Press, press: Press, context: ToolContext, r
         ? ['Turn', turning(context, ids, pivot, hold, rest)]
         : target.part === 'corner'
           ? ['Move a corner of', cornering(document, target.id, target.index, from.at, rest)]
-          : ['Move', moving(document, ids, from.at, rest)];
+          : ['Move', moving(document, ids, anchor(handle), from.at, rest)];
   const first = next.move?.(press, context) ?? outcome(next);
   return outcome(first.next, { type: 'begin', label: `${verb} ${what}` }, ...first.effects);
 }

@@ -7,7 +7,7 @@ import { outcome, type Press, type State } from './state';
 
 export const select: State = {
   down: (press, context) => {
-    const target = hit(context, press.at);
+    const target = hit(context, press.at, true, press.alt);
     if (target) return pressed(target, press, context, select);
     return outcome(emptyPressing(press));
   },

@@ -10,6 +10,7 @@ import type { PosedDocument } from '../document/group';
 import type { CORNERS_NEEDED, Turns } from '../document/handle';
 import type { LineHandle } from '../document/project';
 import type { Box } from '../geometry/box';
+import type { Guide, SnappedPlace } from '../geometry/guides';
 import type { LocatedPoint, Placement } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 
@@ -21,10 +22,12 @@ export interface Press {
   readonly stage: Vec;
   readonly shift: boolean;
   readonly alt: boolean;
+  /** Free of guides. */
+  readonly free: boolean;
 }
 
 /** A press by keys at a position, image pixels. */
-export const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false });
+export const pressAt = (at: Vec): Press => ({ at, stage: at, shift: false, alt: false, free: true });
 
 /** Sizes of the hit areas, image pixels. They depend on the zoom and on the kind of pointer. */
 export interface Grips {
@@ -46,11 +49,15 @@ export interface ToolContext {
   readonly document: Document;
   readonly grips: Grips;
   readonly turns: Turns;
+  /** Handles can only be posed: no press removes one. */
+  readonly posesOnly: boolean;
   /**
    * Returns the placement of a point handle: at the point or, close to the domain, at the nearest point of it.
    * Otherwise `null`.
    */
   place(at: Vec): Placement | null;
+  /** Snaps a place to guides, except to those of the moving handles. */
+  snap(at: Vec, moving: readonly string[]): SnappedPlace;
   /** Returns the part of the picture at a point. Outside, the nearest part is extended. */
   placeNear(at: Vec): LocatedPoint;
 }
@@ -77,6 +84,8 @@ export type Effect =
   | { readonly type: 'bail' }
   | { readonly type: 'select'; readonly ids: readonly string[] }
   | { readonly type: 'box'; readonly box: Box | null }
+  /** The guides that the moved place lies on. */
+  | { readonly type: 'guides'; readonly guides: readonly Guide[] }
   | { readonly type: 'pan'; readonly by: Vec }
   | { readonly type: 'miss' }
   /** A corner was set or undone. */
@@ -110,5 +119,13 @@ export interface State {
   /** Redoes the corner that was undone last. Present only if there is one. */
   again?(): Outcome;
 }
+
+/** Snaps the place of a press. Shift has directions of its own. */
+export const snappedPlace = (
+  at: Vec,
+  press: Press,
+  context: ToolContext,
+  moving: readonly string[],
+): SnappedPlace => (press.shift || press.free ? { at, guides: [] } : context.snap(at, moving));
 
 export const outcome = (next: State, ...effects: readonly Effect[]): Outcome => ({ next, effects });

@@ -6,6 +6,7 @@ import { TestHistory } from '../document/fixtures';
 import { rotationOf, type Turns, withAutoRotation } from '../document/handle';
 import type { BarHandle, PointHandle } from '../document/project';
 import type { Box } from '../geometry/box';
+import { type Guide, type Guides, snappedTo } from '../geometry/guides';
 import type { LocatedPoint } from '../geometry/place';
 import { add, rotated, type Vec } from '../geometry/vec';
 import { TestTools } from './fixtures';
@@ -28,6 +29,10 @@ class Bench {
   );
   readonly others: Effect[] = [];
   turns: Turns = new Map();
+  posesOnly = false;
+  /** The guides of the last move. */
+  shown: readonly Guide[] = [];
+  guides: Guides = { lines: [], grid: Number.POSITIVE_INFINITY };
   placement: LocatedPoint | null = { rest: [7, 8], rotation: 30, scale: 2 };
   view: Box = { min: [-1e3, -1e3], max: [1e3, 1e3] };
   /** Where a handle is led to that is placed beside the picture. */
@@ -79,6 +84,8 @@ class Bench {
         view: this.view,
       },
       turns: this.turns,
+      posesOnly: this.posesOnly,
+      snap: (at) => snappedTo(at, this.guides, 5),
       place: (at) => this.placement && { posed: this.led ?? at, ...this.placement },
       placeNear: (at) => this.placement ?? { rest: at, rotation: 0, scale: 1 },
     };
@@ -92,6 +99,7 @@ class Bench {
       else if (effect.type === 'commit') history.commit();
       else if (effect.type === 'bail') history.bail();
       else if (effect.type === 'select') history.update(selectHandles(history.present, effect.ids));
+      else if (effect.type === 'guides') this.shown = effect.guides;
       else this.others.push(effect);
     }
   }
@@ -102,6 +110,7 @@ const press = (at: Vec, keys: Partial<Press>): Press => ({
   stage: at,
   shift: false,
   alt: false,
+  free: false,
   ...keys,
 });
 
@@ -121,6 +130,53 @@ describe('select', () => {
     bench.click([50, 80]);
     expect(bench.selection).toEqual([]);
     expect(bench.history.undoLabel).toBeNull();
+  });
+
+  it('deletes a handle by a click with Alt, as one undo step, and only that one', () => {
+    bench.click([0, 0]);
+    bench.click([100, 0], { shift: true });
+    bench.click([1, 1], { alt: true });
+    expect([bench.posed('a'), bench.posed('b')]).toEqual([undefined, [100, 0]]);
+    expect(bench.history.undoLabel).toBe('Delete a');
+    expect(bench.selection).toEqual(['b']);
+  });
+
+  it('keeps a handle if Alt is released first, or handles can only be posed', () => {
+    bench.down([0, 0], { alt: true });
+    bench.up([0, 0]);
+    bench.posesOnly = true;
+    bench.click([0, 0], { alt: true });
+    expect(bench.posed('a')).toEqual([0, 0]);
+    expect(bench.history.undoLabel).toBeNull();
+  });
+
+  it('turns the nearest handle by its ring with Alt, without selecting it first', () => {
+    bench.drag([30, 0], [0, 30], { alt: true });
+    expect([bench.rotation('a'), bench.rotation('b')]).toEqual([90, 0]);
+    bench.click([50, 80]);
+    bench.drag([30, 0], [0, 30]);
+    expect(bench.rotation('a')).toBe(90);
+  });
+
+  it('snaps the pressed handle to guides, and all that is selected with it', () => {
+    bench.guides = { lines: [{ axis: 0, at: 40 }], grid: Number.POSITIVE_INFINITY };
+    bench.click([0, 0]);
+    bench.click([100, 0], { shift: true });
+    bench.drag([2, 2], [39, 12]);
+    expect([bench.posed('a'), bench.posed('b')]).toEqual([
+      [40, 10],
+      [140, 10],
+    ]);
+    expect(bench.shown).toEqual([{ axis: 0, at: 40 }]);
+  });
+
+  it('leaves guides alone where Ctrl frees it or Shift has its own directions', () => {
+    bench.guides = { lines: [{ axis: 0, at: 40 }], grid: Number.POSITIVE_INFINITY };
+    bench.drag([0, 0], [38, 12], { free: true });
+    expect(bench.posed('a')).toEqual([38, 12]);
+    bench.drag([38, 12], [40, 40], { shift: true });
+    expect(bench.posed('a')?.[0]).not.toBe(40);
+    expect(bench.shown).toEqual([]);
   });
 
   it('drags all that is selected, as one undo step', () => {

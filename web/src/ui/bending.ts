@@ -4,6 +4,7 @@ import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import { ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';
+import { modifier } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
@@ -61,6 +62,7 @@ export function bending(
     ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => dispatch({ type: 'fold-guard-switched', on }))}
+    ${toggle('Snap to guides', `The axis, other handles, a grid. ${modifier(model.platform)} suspends it.`, model.snapping, model, (on) => dispatch({ type: 'snapping-switched', on }))}
     ${
       model.pixelated === null
         ? nothing

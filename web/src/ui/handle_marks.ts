@@ -14,14 +14,15 @@ import { dots, onStage } from './dots';
 export function handleMarks(model: EditorModel): SVGTemplateResult {
   const { document, camera, stage, grips, turns, playing } = model;
   const group = model.readonly ? null : groupRing(document, grips);
-  const radius = (group?.radius ?? grips.ring) * camera.scale;
+  const single = grips.ring * camera.scale;
+  const radius = group ? group.radius * camera.scale : single;
   return svg`${document.project.handles.map((handle) => {
     const rest = toStage(camera, anchor(handle, 'rest'));
     const posed = toStage(camera, anchor(handle));
     const selected = document.selection.includes(handle.id);
     return svg`
       ${isLine(handle) ? lineMarks(handle, model, selected) : !playing && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
-      ${selected && !model.readonly && !group ? ring(posed, rotationOf(handle, turns), radius) : nothing}`;
+      ${(selected && !model.readonly && !group) || handle.id === model.ringed ? ring(posed, rotationOf(handle, turns), selected ? radius : single) : nothing}`;
   })}${group ? ring(toStage(camera, group.pivot), group.turn, radius, groupMarks(radius)) : nothing}`;
 }
 

@@ -37,6 +37,8 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       ['arrows', 'Move by 1 px, with Shift by 10'],
       [', and .', 'Turn by 1°, with Shift by 15; with Alt, scale'],
       ['Alt drag', 'Turn'],
+      ['Alt click', 'Delete'],
+      ['Mod while dragging', 'Ignore the guides'],
       'reset',
       'mirror',
       'copy',

@@ -11,6 +11,7 @@ import { cssCursor } from './cursor';
 import { domainMarks } from './domain';
 import { draftMarks } from './drawing';
 import { frame } from './frame';
+import { guideLines } from './guides';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
 import { cellOverlay, creaseOverlay, siteOverlay } from './overlays';
@@ -32,7 +33,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
   >
     ${canvas} ${cornerMarks()}
     <svg class="marks" aria-hidden="true">
-      ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
+      ${guideLines(model)} ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
       ${crosshair(model)} ${waitingMarks(model)}
     </svg>
     ${handled && model.tool !== 'lasso' ? handleButtons(model, dispatch) : nothing}

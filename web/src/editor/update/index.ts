@@ -3,6 +3,7 @@
  *
  * Pure: no DOM, clock, promise or random number. Each module beside this one handles the events of one subject.
  */
+import { isPressing } from '../../tools/machine';
 import type { EditorEffect, Emit } from '../effects';
 import type { EditorEvent } from '../events';
 import type { EditorState } from '../state';
@@ -97,6 +98,15 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
   return handle(state, event, emit);
 }
 
-/** Follows from any state: the hover under a moved camera, borders to be shown, input to be released, the title. */
+/**
+ * Follows from any state: the hover under a moved camera, borders to be shown, input to be released, guides that end,
+ * the title.
+ */
 const settled = (state: EditorState, emit: Emit): EditorState =>
-  reportTitle(askForRelease(requestBorders(followCamera(state), emit), emit), emit);
+  reportTitle(askForRelease(requestBorders(followCamera(withoutGuides(state)), emit), emit), emit);
+
+/** Guides end with their press. */
+const withoutGuides = (state: EditorState): EditorState =>
+  state.display.guides.length > 0 && !isPressing(state.tools)
+    ? { ...state, display: { ...state.display, guides: [] } }
+    : state;

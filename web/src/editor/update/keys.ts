@@ -15,7 +15,7 @@ import { finish, focus } from './corners';
 import { nudge, nudgeCorner, turn } from './edits';
 import type { Handlers } from './handlers';
 import { announce } from './notices';
-import { withPointer } from './pointer';
+import { holdAlt, withPointer } from './pointer';
 import { applyTools } from './press';
 
 /** CSS pixels that an arrow key pans the picture for each pixel that it would nudge a handle. */
@@ -67,9 +67,12 @@ function place(before: EditorState, emit: Emit): EditorState {
   return hideCrosshair(up);
 }
 
-export const keyHandlers: Handlers<'space-held' | 'arrow-pressed' | 'turn-pressed' | 'place-pressed'> = {
+export const keyHandlers: Handlers<
+  'space-held' | 'alt-held' | 'arrow-pressed' | 'turn-pressed' | 'place-pressed'
+> = {
   'space-held': (state, { held }) =>
     state.pointer.space === held ? state : withPointer(state, { space: held }),
+  'alt-held': (state, { held }) => holdAlt(state, held),
   'arrow-pressed': (state, { by }, emit) => arrow(state, by, emit),
   'turn-pressed': (state, { degrees, scale }, emit) =>
     takesTurn(state) ? turn(state, degrees, scale, emit) : state,

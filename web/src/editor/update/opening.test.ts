@@ -165,7 +165,13 @@ describe('edited work', () => {
 
   it('is parked with the drag that is in hand', () => {
     const runtime = opened();
-    const at = (x: number) => ({ stage: [x, 150] as const, shift: false, alt: false, coarse: false });
+    const at = (x: number) => ({
+      stage: [x, 150] as const,
+      shift: false,
+      alt: false,
+      free: false,
+      coarse: false,
+    });
     runtime.dispatch({ type: 'command-run', command: 'point' });
     runtime.dispatch({ type: 'press-began', pointer: at(200), pans: false });
     runtime.dispatch({ type: 'press-moved', pointer: at(260) });

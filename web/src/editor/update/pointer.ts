@@ -55,8 +55,15 @@ function hovered(state: EditorState, pointer: StagePointer | null): EditorState 
   const last = pointer && { pointer, camera: state.view.camera };
   return withPointer(
     { ...state, tools: hover(state.tools, press, toolContext(state)) },
-    { hovered: press?.at ?? null, last },
+    { hovered: press?.at ?? null, alt: press?.alt ?? false, last },
   );
+}
+
+/** Alt was pressed or released under a resting pointer. */
+export function holdAlt(state: EditorState, alt: boolean): EditorState {
+  const { last, hovered: at } = state.pointer;
+  if (!last || !at || state.pointer.alt === alt) return state;
+  return withPointer(state, { alt, last: { ...last, pointer: { ...last.pointer, alt } } });
 }
 
 /** Repeats the last hover if the camera has moved under a resting pointer. */
@@ -85,7 +92,7 @@ export const pointerHandlers: Handlers<
   'press-cancelled': (state, _, emit) => applyTools(state, cancelPress(state.tools), emit),
   // With another tool a double click ends a drawing.
   'double-pressed': (state, { pointer }, emit) =>
-    !pressesPan(state) && state.tools.tool === 'select'
+    !pressesPan(state) && state.tools.tool === 'select' && !pointer.alt
       ? toggleCorner(state, pressOf(state, pointer).at, emit)
       : state,
   'pointer-hovered': (state, { pointer }) => hovered(state, pointer),

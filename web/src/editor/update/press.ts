@@ -41,6 +41,8 @@ function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
       return saveWork(announce(state, draftWords(effect.draft)), emit);
     case 'box':
       return { ...state, display: { ...state.display, box: effect.box } };
+    case 'guides':
+      return { ...state, display: { ...state.display, guides: effect.guides } };
     case 'pan':
       return moveCamera(state, panned(state.view.camera, effect.by));
     case 'miss':
@@ -98,7 +100,8 @@ function endDrag(before: EditorState, emit: Emit): EditorState {
     return edited(committed, 'input', emit);
   const next = edited(committed, 'change', emit);
   const label = history.undoLabel(next.document.history) ?? '';
-  return announce(next, `${label}. ${placeWords(documentOf(next), turnsOf(next))}`);
+  const place = placeWords(documentOf(next), turnsOf(next));
+  return announce(next, place === '' ? label : `${label}. ${place}`);
 }
 
 /** Takes a drag back. */

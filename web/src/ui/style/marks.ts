@@ -50,6 +50,15 @@ export const marksStyle = css`
     fill: #0006;
     stroke: none;
   }
+  .guides {
+    stroke: #d6186f;
+    stroke-width: 1;
+    stroke-linecap: butt;
+  }
+  .guides .pale {
+    stroke: #fffa;
+    stroke-width: 3;
+  }
   .ring {
     stroke: var(--_casing);
     stroke-width: 1.75;
