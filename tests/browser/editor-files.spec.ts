@@ -409,7 +409,7 @@ test('after a reload, reverting a rejected step keeps earlier work', async ({ pa
   // Each bar counts three times: itself and its two corners.
   await expect(editor.handles).toHaveCount(11);
   await replies.release();
-  await expect(editor.notice).toContainText('more than 8192 sites', { timeout: 60_000 });
+  await expect(editor.notice).toContainText('too close to one another', { timeout: 60_000 });
   await expect(editor.handles).toHaveCount(5);
   await expect.poll(() => editor.shownPose('left hand')).toEqual(told);
   await expect(page.getByRole('progressbar')).toBeHidden();
