@@ -34,10 +34,10 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     await editor.button('Overlays').click();
     await editor.page.getByRole('checkbox', { name: 'Reach' }).click();
   },
-  'folds are shown': async (editor) => {
+  'creases are shown': async (editor) => {
     await editor.page.keyboard.press('Escape');
     await fold(editor);
-    await editor.button(/Show the folds/).click();
+    await editor.button(/Show the creases/).click();
   },
   'a notice is shown over a drawing': async (editor) => {
     await editor.button('Draw a bar').click();
@@ -55,10 +55,10 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
   },
 };
 
-/** Drags the head below the arms, so that the picture folds. */
+/** Pushes the upright head below the arms, so that the picture folds. */
 const fold = (editor: Editor): Promise<void> =>
   editor.page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).updateHandle('head', { rotation: 175, posed: [512, 900] });
+    (element as C2Warp).updateHandle('head', { rotation: 0, posed: [512, 1100] });
   });
 
 /** Returns the violations that axe finds, one line per element. */
@@ -184,10 +184,10 @@ test('a notice stays while the pointer is on it', async ({ page }) => {
 
 test('a fold is announced once, for any number of triangles', async ({ page }) => {
   const editor = await Editor.open(page);
-  const told = page.getByRole('status').getByText('A part of the picture is folded');
+  const told = page.getByRole('status').getByText('The picture has creases');
   await expect(told).toHaveCount(0);
   await fold(editor);
-  await expect(page.getByRole('button', { name: /folded\. Show the folds/ })).toBeVisible();
+  await expect(page.getByRole('button', { name: /creases?\. Show the creases/ })).toBeVisible();
   await expect(told).toHaveCount(1);
 });
 

@@ -244,7 +244,7 @@ test('the selection stays rigid where the guard stops a turn', async ({ page }) 
   expect(turn).toBeLessThan(150);
   // The stopped pose is rounded too, once per move.
   expect(off(before, after, turn)).toBeLessThan(0.2);
-  await expect(editor.button(/triangles? folded/)).toBeHidden();
+  await expect(editor.button(/^\d+ creases?\./)).toBeHidden();
 });
 
 test('the group ring works in play mode', async ({ page }) => {
