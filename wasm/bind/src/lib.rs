@@ -6,17 +6,18 @@
 //! become invalid when it grows.
 
 mod cell_borders;
+mod drawing;
 mod error;
 mod handle_poses;
 mod posed_picture;
 mod session;
 mod solution;
-mod warped;
 
 use c2warp::project::Project;
 use wasm_bindgen::prelude::*;
 
 pub use cell_borders::CellBorders;
+pub use drawing::{Canvas, Drawing};
 pub use posed_picture::{PictureArrays, PosedPicture};
 pub use session::Session;
 pub use solution::Solution;

@@ -1,15 +1,15 @@
 //! Solves in a worker: one picture, and one project after another.
 
 use c2warp::{
-    Canvas, Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes, project::Project, raster,
+    Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes, project::Project, raster,
 };
 use wasm_bindgen::prelude::*;
 
 use crate::{
     cell_borders::CellBorders,
+    drawing::{Canvas, Drawing},
     error::{to_js, with_code},
     solution::Solution,
-    warped::Warped,
 };
 
 /// A picture, and the solver with its cache for it.
@@ -85,17 +85,31 @@ impl Session {
         Ok(Solution::new(solution, report))
     }
 
-    /// The warped picture at full quality. Solves first if necessary.
+    /// Prepares to draw the warped picture at full quality. Solves first if necessary.
     ///
-    /// Its size is that of the picture times `scale`. `grow` adds all bent parts. `pixelated` is for pixel art.
+    /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art.
     ///
     /// # Errors
-    /// As [`Session::begin`] and [`Session::advance`], and for a result that is too large.
-    pub fn warp(&mut self, project_json: &str, scale: f64, grow: bool, pixelated: bool) -> Result<Warped, JsValue> {
-        let canvas = if grow { Canvas::Grown } else { Canvas::Picture };
+    /// As [`Session::begin`] and [`Session::advance`], and for a result that is empty or too large.
+    pub fn draw(
+        &mut self,
+        project_json: &str,
+        scale: f64,
+        canvas: Canvas,
+        pixelated: bool,
+    ) -> Result<Drawing, JsValue> {
         let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
-        let warped = self.try_warp(project_json, ResampleOptions { scale, canvas, filter });
-        warped.map(Warped::from).map_err(|error| to_js(&error))
+        let drawing = self.try_draw(project_json, ResampleOptions { scale, canvas: canvas.into(), filter });
+        drawing.map(Drawing::from).map_err(|error| to_js(&error))
+    }
+
+    /// Draws rows of a drawing of the present picture: straight RGBA.
+    ///
+    /// # Errors
+    /// If the rows do not exist.
+    pub fn rows(&self, drawing: &Drawing, from: u32, to: u32) -> Result<Vec<u8>, JsValue> {
+        let picture = Picture::new(self.width, self.height, &self.rgba).map_err(|error| to_js(&error))?;
+        drawing.rows(&picture, from..to).ok_or_else(|| with_code("there are no such rows", "engine"))
     }
 
     /// The borders between the cells of a project's solution. Solves first if necessary.
@@ -131,7 +145,7 @@ impl Session {
         Ok(Some(stage.name()))
     }
 
-    fn try_warp(&mut self, project_json: &str, options: ResampleOptions) -> Result<c2warp::Warped, Error> {
+    fn try_draw(&mut self, project_json: &str, options: ResampleOptions) -> Result<c2warp::Drawing, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
         // Invalid scales are rejected before the solve, because it takes time.
@@ -139,7 +153,7 @@ impl Session {
         self.try_solve(&project)?;
         let solution = self.solver.solution().expect("it has just been solved");
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
-        solution.warped(&Picture::new(width, height, &self.rgba)?, &pose, options)
+        solution.drawing(&Picture::new(width, height, &self.rgba)?, &pose, options)
     }
 
     /// The solution of a project. The last one is used again if it fits.

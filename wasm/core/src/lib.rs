@@ -78,7 +78,7 @@ pub use glam;
 pub use input_mesh::InputMesh;
 pub use picture::Picture;
 pub use raster::options::{Canvas, Filter, ResampleOptions};
-pub use raster::{sources::Source, warped::Warped};
+pub use raster::{Drawing, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
 pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};

@@ -15,7 +15,7 @@ use crate::{
     pose::Poser,
     prepared_domain::PreparedDomain,
     project::Project,
-    raster::{self, options::ResampleOptions, sources::Source, warped::Warped},
+    raster::{self, Drawing, options::ResampleOptions, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     site::Site,
@@ -292,11 +292,20 @@ impl Solution {
     /// # Errors
     /// - [`Error::Scale`];
     /// - [`Error::Canvas`];
+    /// - [`Error::NothingDrawn`];
     /// - [`Error::PictureMismatch`] for a picture of another size than the solved one; a solved mesh accepts any size;
     /// - [`Error::PoseOfAnotherSolution`].
     pub fn warped(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Warped, Error> {
+        Ok(self.drawing(picture, pose, options)?.warped(picture))
+    }
+
+    /// The warped picture, ready to be drawn in bands of rows.
+    ///
+    /// # Errors
+    /// Those of [`warped`](Self::warped).
+    pub fn drawing(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Drawing, Error> {
         let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
-        raster::warp(picture, &rest, &posed, &triangles, options)
+        Drawing::new(picture, &rest, &posed, &triangles, options)
     }
 
     /// The [sources](raster::sources()) of the pixels of a warped picture, in rows from top to bottom. `warped` is the

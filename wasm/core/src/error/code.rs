@@ -4,12 +4,13 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 21] = [
+    pub const CODES: [&'static str; 22] = [
         "project",
         "picture",
         "picture-mismatch",
         "scale",
         "canvas",
+        "nothing-drawn",
         "nothing-opaque",
         "domain",
         "handle-outside",
@@ -37,6 +38,7 @@ impl Error {
     /// | `picture-mismatch` | a picture of another size than the project's |
     /// | `scale` | a scale with no pixel in the result, or too many |
     /// | `canvas` | a warped picture that is too large to be drawn as a whole |
+    /// | `nothing-drawn` | a covered part without a pixel |
     /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
     /// | `domain` | invalid rings, or an outline with too many corners |
     /// | `handle-outside` | a handle outside the domain |
@@ -60,6 +62,7 @@ impl Error {
             Self::PictureSide { .. } | Self::PictureArea { .. } | Self::PictureBytes { .. } => "picture",
             Self::Scale { .. } => "scale",
             Self::Canvas { .. } => "canvas",
+            Self::NothingDrawn => "nothing-drawn",
             Self::PictureMismatch { .. } => "picture-mismatch",
             Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
             Self::RingOutsidePicture { .. }

@@ -80,6 +80,9 @@ pub enum Error {
         /// Height in pixels.
         height: u64,
     },
+    /// Nothing of the picture has opacity, so that its covered part is empty.
+    #[error("nothing is drawn: no pixel of the warped picture has opacity")]
+    NothingDrawn,
     /// The project is for a picture of another size.
     #[error("the project is for a picture of {project_width}×{project_height} px, but this one is {width}×{height} px")]
     PictureMismatch {

@@ -26,7 +26,7 @@ pub(super) struct Band {
 }
 
 impl Band {
-    pub(super) fn new(width: usize, height: usize, origin: [usize; 2]) -> Self {
+    pub(super) fn new(width: usize, height: usize, origin: [i64; 2]) -> Self {
         Self {
             width,
             rows: 0..height,
@@ -86,12 +86,20 @@ impl Band {
 
     /// Writes the rows as straight RGBA, as many as fit into `rgba`.
     pub(super) fn resolve(&self, rgba: &mut [u8]) {
-        for ((bytes, &pixel), &split) in rgba.chunks_exact_mut(4).zip(&self.pixels).zip(&self.split) {
-            let colour = match split {
-                0 => pixel,
-                split => self.splits[split as usize - 1].iter().sum::<Vec4>() / SAMPLES as f32,
-            };
-            bytes.copy_from_slice(&straight(colour));
+        for (pixel, bytes) in rgba.chunks_exact_mut(4).enumerate() {
+            bytes.copy_from_slice(&straight(self.colour(pixel)));
+        }
+    }
+
+    /// Returns whether a pixel of the result is not empty.
+    pub(super) fn has_opacity(&self, x: usize, row: usize) -> bool {
+        straight(self.colour((row - self.rows.start) * self.width + x))[3] != 0
+    }
+
+    fn colour(&self, pixel: usize) -> Vec4 {
+        match self.split[pixel] {
+            0 => self.pixels[pixel],
+            split => self.splits[split as usize - 1].iter().sum::<Vec4>() / SAMPLES as f32,
         }
     }
 }

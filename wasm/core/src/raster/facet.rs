@@ -92,10 +92,10 @@ impl Facet {
     }
 
     /// Makes the corners relative to a frame in which the picture's upper left corner is at `origin`.
-    pub(super) fn move_by(&mut self, origin: [usize; 2]) {
+    pub(super) fn move_by(&mut self, origin: [i64; 2]) {
         for corner in &mut self.corners {
-            corner[0] += origin[0] as i64 * SUBPIXELS as i64;
-            corner[1] += origin[1] as i64 * SUBPIXELS as i64;
+            corner[0] += origin[0] * SUBPIXELS as i64;
+            corner[1] += origin[1] * SUBPIXELS as i64;
         }
     }
 
@@ -114,10 +114,23 @@ impl Facet {
 
     /// Returns the rows of pixels that the triangle may touch.
     pub(super) fn rows(&self, height: usize) -> Range<usize> {
-        let y = self.corners.map(|corner| corner[1]);
-        let row = |y: i64| y.div_euclid(SUBPIXELS as i64).clamp(0, height as i64) as usize;
-        let (top, bottom) = (y[0].min(y[1]).min(y[2]), y[0].max(y[1]).max(y[2]));
-        row(top)..row(bottom + SUBPIXELS as i64 - 1)
+        self.touched(1, height)
+    }
+
+    /// Returns the columns of pixels that the triangle may touch.
+    pub(super) fn columns(&self, width: usize) -> Range<usize> {
+        self.touched(0, width)
+    }
+
+    fn touched(&self, axis: usize, length: usize) -> Range<usize> {
+        let ([from, to], side) = (
+            self.corners
+                .iter()
+                .fold([i64::MAX, i64::MIN], |[from, to], corner| [from.min(corner[axis]), to.max(corner[axis])]),
+            SUBPIXELS as i64,
+        );
+        let pixel = |place: i64| place.div_euclid(side).clamp(0, length as i64) as usize;
+        pixel(from)..pixel(to + side - 1)
     }
 
     /// Calls `visit` with the column, row and covered samples of each pixel in `rows` that the triangle covers in part.
@@ -144,8 +157,10 @@ impl Facet {
             else {
                 continue;
             };
+            let full = spans.iter().fold(start..end, |full, span| full.start.max(span.start)..full.end.min(span.end));
+            let full = full.start.div_ceil(GRID)..full.end / GRID;
             for x in start / GRID..end.div_ceil(GRID) {
-                let mask = mask(&spans, x);
+                let mask = if full.contains(&x) { Mask::MAX } else { mask(&spans, x) };
                 if mask != 0 {
                     visit(x, row, mask);
                 }

@@ -1,16 +1,42 @@
 //! The rectangle of the result, relative to the picture's own rectangle.
 
+use std::ops::Range;
+
 use super::facet::Facet;
 use crate::{
     error::Error,
     limits::{MAX_PIXELS, MAX_SIDE},
 };
 
-/// A rectangle of pixels around the picture's own rectangle.
+/// Columns and rows of a frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Area {
+    pub(super) columns: Range<usize>,
+    pub(super) rows: Range<usize>,
+}
+
+impl Area {
+    pub(super) const EMPTY: Self = Self { columns: 0..0, rows: 0..0 };
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.columns.is_empty() || self.rows.is_empty()
+    }
+
+    pub(super) fn include(&mut self, columns: Range<usize>, row: usize) {
+        if self.is_empty() {
+            *self = Self { columns, rows: row..row + 1 };
+            return;
+        }
+        self.columns = self.columns.start.min(columns.start)..self.columns.end.max(columns.end);
+        self.rows = self.rows.start.min(row)..self.rows.end.max(row + 1);
+    }
+}
+
+/// A rectangle of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Frame {
     /// The picture's upper left corner, in pixels from the upper left corner of the frame.
-    pub(super) origin: [usize; 2],
+    pub(super) origin: [i64; 2],
     /// Width and height in pixels.
     pub(super) size: [usize; 2],
 }
@@ -34,11 +60,23 @@ impl Frame {
                 greatest[axis] = greatest[axis].max(to[axis]);
             }
         }
-        let origin = least.map(|side| side.unsigned_abs() as usize);
+        let origin = least.map(|side| -side);
         let size = [0, 1].map(|axis| greatest[axis].abs_diff(least[axis]));
         if size.into_iter().any(|side| side > u64::from(MAX_SIDE)) || size[0] * size[1] > MAX_PIXELS {
             return Err(Error::Canvas { width: size[0], height: size[1] });
         }
         Ok(Self { origin, size: size.map(|side| side as usize) })
+    }
+
+    /// The rectangle of an area of this frame.
+    pub(super) fn of_area(self, Area { columns, rows }: &Area) -> Self {
+        let [x, y] = self.origin;
+        Self { origin: [x - columns.start as i64, y - rows.start as i64], size: [columns.len(), rows.len()] }
+    }
+
+    /// The area of this frame in which the picture's own rectangle of `size` lies.
+    pub(super) fn area_of_picture(self, (width, height): (u32, u32)) -> Area {
+        let [x, y] = self.origin.map(|side| side as usize);
+        Area { columns: x..x + width as usize, rows: y..y + height as usize }
     }
 }

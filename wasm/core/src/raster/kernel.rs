@@ -18,6 +18,12 @@ pub(super) fn nearest(position: f64, length: usize) -> usize {
     (steps / FRACTIONS as usize).min(length - 1)
 }
 
+/// Returns the texel whose centre is at `position` or before it, and the [`FRACTIONS`] of a texel between them.
+fn texel_and_fraction(position: f64, length: usize) -> (usize, usize) {
+    let steps = ((position.clamp(0.5, length as f64 - 0.5) - 0.5) * FRACTIONS + 0.5) as usize;
+    (steps / FRACTIONS as usize, steps % FRACTIONS as usize)
+}
+
 /// Consecutive texels of a row or column, with their weights.
 pub(super) struct Taps {
     pub(super) first: usize,
@@ -30,8 +36,7 @@ impl Taps {
     ///
     /// `width` is between 1 and [`MAX_WIDTH`]. Texels beyond the border repeat the border texel.
     pub(super) fn new(position: f64, length: usize, width: f32) -> Self {
-        let steps = ((position.clamp(0.5, length as f64 - 0.5) - 0.5) * FRACTIONS + 0.5) as usize;
-        let (texel, fraction) = (steps / FRACTIONS as usize, steps % FRACTIONS as usize);
+        let (texel, fraction) = texel_and_fraction(position, length);
         if width == 1.0 {
             return match fraction {
                 0 => Self { first: texel, count: 1, weights: [1.0; MAX_TAPS] },
@@ -50,6 +55,15 @@ impl Taps {
         let scale = 1.0 / sum;
         weights.iter_mut().for_each(|weight| *weight *= scale);
         Self::clamped(length, texel as isize - (radius - 1) as isize, weights)
+    }
+
+    /// Returns the first of four texels around `position` and their weights, at width 1.
+    ///
+    /// `None` at the centre of a texel and at the border, where there are fewer: see [`new`](Self::new).
+    pub(super) fn unit(position: f64, length: usize) -> Option<(usize, &'static [f32; 4])> {
+        let (texel, fraction) = texel_and_fraction(position, length);
+        let first = texel.checked_sub(1)?;
+        (fraction != 0 && first + 4 <= length).then(|| (first, &UNIT_WEIGHTS[fraction]))
     }
 
     /// Adds the weights of texels beyond the border to the border texel.

@@ -13,9 +13,9 @@
 //! The result has the same bits on every machine. The code uses integers, f64 and f32 addition, multiplication,
 //! division and square roots, and the logarithm of `libm`.
 //!
-//! Cost: linear in the pixels drawn. 12 megapixels take between one and two seconds. Besides the result, memory holds
-//! about 110 bytes per triangle and a band of 16 rows. If anything shrinks to a quarter, mip levels take 8 bytes for a
-//! third of the picture's pixels.
+//! Cost: linear in the pixels drawn. 12 megapixels take between one and two seconds. [`Drawing`] draws them in bands of
+//! rows. Besides the result, memory holds about 110 bytes per triangle and a band of 16 rows. If anything shrinks to a
+//! quarter, mip levels take 8 bytes for a third of the picture's pixels.
 //!
 //! Limits:
 //! - The filter is aligned with x and y. A picture that shrinks along a diagonal is also blurred across it.
@@ -24,6 +24,8 @@
 //! - Pixels without opacity become transparent black, whatever their colour.
 
 mod band;
+mod covered;
+mod drawing;
 mod facet;
 mod footprint;
 mod frame;
@@ -35,15 +37,13 @@ mod tests;
 mod texture;
 pub(crate) mod warped;
 
+pub use self::drawing::Drawing;
 pub use self::sources::sources;
 
 use glam::DVec2;
 
-use self::band::Band;
-use self::facet::{Facet, mesh_facets};
-use self::frame::Frame;
-use self::options::{Canvas, ResampleOptions};
-use self::texture::Texture;
+use self::facet::Facet;
+use self::options::ResampleOptions;
 use self::warped::Warped;
 use crate::{
     error::Error,
@@ -92,13 +92,11 @@ fn size(width: u32, height: u32, scale: f64) -> Option<(u32, u32)> {
 /// # Ok::<(), c2warp::Error>(())
 /// ```
 ///
-/// The result has the size [`warped_size`], or more if the canvas grows. It is transparent outside the triangles. A
-/// mesh at rest with scale 1 returns the picture's bytes. Both canvases give the same bytes inside the picture's own
-/// rectangle.
+/// The result has the size [`warped_size`] on the picture's own canvas. It is transparent outside the triangles. A mesh
+/// at rest with scale 1 returns the picture's bytes. All canvases give the same bytes where they overlap.
 ///
 /// # Errors
-/// - [`Error::Scale`] as for [`warped_size`].
-/// - [`Error::Canvas`] if the canvas would grow beyond the largest size of a picture.
+/// Those of [`Drawing::new`].
 ///
 /// # Panics
 /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
@@ -107,37 +105,9 @@ pub fn warp(
     rest: &[DVec2],
     posed: &[DVec2],
     triangles: &[[u32; 3]],
-    ResampleOptions { scale, canvas, filter }: ResampleOptions,
+    options: ResampleOptions,
 ) -> Result<Warped, Error> {
-    let picture_size = warped_size(picture.width(), picture.height(), scale)?;
-    if canvas == Canvas::Grown {
-        check_range(posed, triangles, scale)?;
-    }
-    let mut facets = mesh_facets(rest, posed, triangles, scale);
-    let frame = match canvas {
-        Canvas::Picture => Frame::of_picture(picture_size),
-        Canvas::Grown => Frame::of_picture(picture_size).around(&facets)?,
-    };
-    facets.iter_mut().for_each(|facet| facet.move_by(frame.origin));
-    let [width, height] = frame.size;
-    let texture = Texture::for_facets(*picture, filter, &facets);
-    let bins = facets_by_band(&facets, height);
-
-    let mut rgba = vec![0; width * height * 4];
-    let mut band = Band::new(width, BAND_ROWS, frame.origin);
-    for (rows, (index, bin)) in rgba.chunks_mut(width * BAND_ROWS * 4).zip(bins.iter().enumerate()) {
-        if bin.is_empty() {
-            continue;
-        }
-        band.clear(index * BAND_ROWS);
-        for &facet in bin {
-            band.draw(&facets[facet as usize], &texture);
-        }
-        band.resolve(rows);
-    }
-    let origin = frame.origin.map(|side| side as u32);
-    let warped = Warped { width: width as u32, height: height as u32, origin, rgba };
-    Ok(warped.trimmed(picture_size))
+    Ok(Drawing::new(picture, rest, posed, triangles, options)?.warped(picture))
 }
 
 /// Returns an error if a corner is too far out to be rasterised.

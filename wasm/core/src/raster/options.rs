@@ -27,6 +27,8 @@ pub enum Canvas {
     Picture,
     /// The picture's own rectangle, grown on every side to hold all that is drawn.
     Grown,
+    /// The smallest rectangle that holds all that is drawn: its border rows and columns are not empty.
+    Covered,
 }
 
 /// How colours between pixels are reconstructed, and whether edges are smooth.

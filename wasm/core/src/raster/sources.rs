@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::facet::{Mask, mesh_facets};
 use super::options::ResampleOptions;
-use super::texture::{OPAQUE, Texture};
+use super::texture::{OPAQUE, Texture, mip_levels};
 use super::warped::Warped;
 use crate::picture::Picture;
 
@@ -52,10 +52,11 @@ pub fn sources(
     warped: &Warped,
 ) -> Vec<Source> {
     let [width, height] = [warped.width, warped.height].map(|side| side as usize);
-    let origin = warped.origin.map(|side| side as usize);
+    let origin = warped.origin.map(i64::from);
     let mut facets = mesh_facets(rest, posed, triangles, scale);
     facets.iter_mut().for_each(|facet| facet.move_by(origin));
-    let texture = Texture::for_facets(*picture, filter, &facets);
+    let mip_levels = mip_levels(*picture, filter, &facets);
+    let texture = Texture::new(*picture, filter, &mip_levels);
     let origin = DVec2::from(origin.map(|side| side as f64));
     let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
     let mut sources = vec![Source::default(); width * height];

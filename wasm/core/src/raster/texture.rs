@@ -15,40 +15,40 @@ use crate::picture::Picture;
 pub(super) const OPAQUE: f32 = 65_025.0;
 
 /// A picture and its mip levels.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Texture<'a> {
     picture: Picture<'a>,
     filter: Filter,
-    /// Half the size, a quarter of the size, and so on, up to the coarsest level that a facet reads.
-    mip_levels: Vec<MipLevel>,
+    mip_levels: &'a [MipLevel],
 }
 
+/// A picture at half the size, a quarter of the size, and so on.
 #[derive(Debug)]
-struct MipLevel {
+pub(super) struct MipLevel {
     width: usize,
     height: usize,
     texels: Vec<[u16; 4]>,
 }
 
-impl<'a> Texture<'a> {
-    /// Creates the mip levels that `facets` read.
-    pub(super) fn for_facets(picture: Picture<'a>, filter: Filter, facets: &[Facet]) -> Self {
-        let level = |facet: &Facet| match filter {
-            Filter::Cubic => facet.footprint().level,
-            Filter::Nearest => 0,
-        };
-        Self::new(picture, filter, facets.iter().map(level).max().unwrap_or(0))
+/// Creates the mip levels of a picture that `facets` read.
+pub(super) fn mip_levels(picture: Picture<'_>, filter: Filter, facets: &[Facet]) -> Vec<MipLevel> {
+    let level = |facet: &Facet| match filter {
+        Filter::Cubic => facet.footprint().level,
+        Filter::Nearest => 0,
+    };
+    let coarsest = facets.iter().map(level).max().unwrap_or(0);
+    let last = picture.width().max(picture.height()).ilog2();
+    let mut levels = Vec::new();
+    for level in 0..last.min(coarsest) as usize {
+        let next = Texture::new(picture, filter, &levels).halved(level);
+        levels.push(next);
     }
+    levels
+}
 
-    /// Creates the mip levels up to `coarsest`.
-    fn new(picture: Picture<'a>, filter: Filter, coarsest: u32) -> Self {
-        let mut texture = Self { picture, filter, mip_levels: Vec::new() };
-        let last = picture.width().max(picture.height()).ilog2();
-        for level in 0..last.min(coarsest) as usize {
-            let next = texture.halved(level);
-            texture.mip_levels.push(next);
-        }
-        texture
+impl<'a> Texture<'a> {
+    pub(super) fn new(picture: Picture<'a>, filter: Filter, mip_levels: &'a [MipLevel]) -> Self {
+        Self { picture, filter, mip_levels }
     }
 
     pub(super) fn filter(&self) -> Filter {
@@ -69,11 +69,17 @@ impl<'a> Texture<'a> {
     fn filtered(&self, p: DVec2, footprint: Footprint) -> Vec4 {
         let level = (footprint.level as usize).min(self.mip_levels.len());
         let (width, height) = self.size(level);
-        let taps = |position: f64, whole: u32, length: usize, width: f32| {
-            Taps::new(position * (length as f64 / f64::from(whole)), length, width)
-        };
-        let x = taps(p.x, self.picture.width(), width, footprint.widths[0]);
-        let y = taps(p.y, self.picture.height(), height, footprint.widths[1]);
+        let scaled = |position: f64, whole: u32, length: usize| position * (length as f64 / f64::from(whole));
+        let p = DVec2::new(scaled(p.x, self.picture.width(), width), scaled(p.y, self.picture.height(), height));
+        // Most pixels of most pictures.
+        if level == 0
+            && footprint.widths == [1.0; 2]
+            && let (Some(x), Some(y)) = (Taps::unit(p.x, width), Taps::unit(p.y, height))
+        {
+            return clamp_overshoot(unit_sum(self.picture.rgba().as_chunks().0, width, x, y));
+        }
+        let x = Taps::new(p.x, width, footprint.widths[0]);
+        let y = Taps::new(p.y, height, footprint.widths[1]);
         if let ([_], [_]) = (x.weights(), y.weights()) {
             return self.texel(level, x.first, y.first);
         }
@@ -180,6 +186,22 @@ fn sum<T: Copy + Into<f32>>(
         }
         for (&texel, &weight) in other_texels.iter().zip(others) {
             across += premultiplied(value(texel)) * weight;
+        }
+        sum += across * down;
+    }
+    sum
+}
+
+/// As [`sum`] for the taps of [`Taps::unit`] in the picture itself: the same additions in the same order.
+fn unit_sum(texels: &[[u8; 4]], width: usize, x: (usize, &[f32; 4]), y: (usize, &[f32; 4])) -> Vec4 {
+    let mut sum = Vec4::ZERO;
+    for (row, &down) in (y.0..).zip(y.1) {
+        let Some(quad) = texels[row * width + x.0..].first_chunk::<4>() else { break };
+        let flat = quad.as_flattened();
+        let values: [f32; 16] = std::array::from_fn(|i| flat[i].into());
+        let mut across = Vec4::ZERO;
+        for (value, &weight) in values.as_chunks().0.iter().zip(x.1) {
+            across += premultiplied(Vec4::from_array(*value)) * weight;
         }
         sum += across * down;
     }

@@ -74,6 +74,7 @@ export type ErrorCode =
   | 'picture-mismatch'
   | 'scale'
   | 'canvas'
+  | 'nothing-drawn'
   | 'nothing-opaque'
   | 'domain'
   | 'handle-outside'

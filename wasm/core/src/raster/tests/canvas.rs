@@ -2,7 +2,11 @@
 
 use glam::DVec2;
 
-use super::super::{options::ResampleOptions, warp, warped_size};
+use super::super::{
+    Drawing,
+    options::{Canvas, ResampleOptions},
+    warp, warped_size,
+};
 use super::{GROWN, mesh, noise, opaque, picture, warp_bytes};
 use crate::error::Error;
 
@@ -60,6 +64,52 @@ fn grown_canvas_is_trimmed_to_visible_pixels() {
     let posed: Vec<_> = rest.iter().map(|&p| p + DVec2::new(15.0, -10.0)).collect();
     let warped = warp(&picture, &rest, &posed, &triangles, GROWN).unwrap();
     assert_eq!((warped.width, warped.height, warped.origin), (27, 22, [0, 2]));
+}
+
+#[test]
+fn covered_canvas_has_no_empty_border() {
+    // A square and a lower, wider bar are opaque.
+    let mut bytes = opaque(noise(40, 60));
+    for (i, pixel) in bytes.chunks_exact_mut(4).enumerate() {
+        let (x, y) = (i % 40, i / 40);
+        let square = (18..22).contains(&x) && (8..12).contains(&y);
+        let bar = (3..37).contains(&x) && (30..33).contains(&y);
+        if !square && !bar {
+            pixel.fill(0);
+        }
+    }
+    let picture = picture(40, 60, &bytes);
+    let (rest, triangles) = mesh(40.0, 60.0, 6);
+    let options = |canvas| ResampleOptions { canvas, ..ResampleOptions::default() };
+    for by in [DVec2::ZERO, DVec2::new(-20.0, -11.0), DVec2::new(30.0, 40.0)] {
+        let posed: Vec<_> = rest.iter().map(|&p| p + by).collect();
+        let covered = warp(&picture, &rest, &posed, &triangles, options(Canvas::Covered)).unwrap();
+        let origin = [-3 - by.x as i32, -8 - by.y as i32];
+        assert_eq!((covered.width, covered.height, covered.origin), (34, 25, origin), "{by}");
+        for (y, row) in covered.rgba.chunks_exact(34 * 4).enumerate() {
+            let start = ((y + 8) * 40 + 3) * 4;
+            assert!(bytes[start..start + 34 * 4] == *row, "{by}, row {y}");
+        }
+    }
+    let nothing = vec![0; 40 * 60 * 4];
+    let empty = warp(&super::picture(40, 60, &nothing), &rest, &rest, &triangles, options(Canvas::Covered));
+    assert_eq!(empty, Err(Error::NothingDrawn));
+}
+
+#[test]
+fn bands_are_rows_of_the_whole_result() {
+    let bytes = noise(33, 70);
+    let picture = picture(33, 70, &bytes);
+    let (rest, triangles) = mesh(33.0, 70.0, 4);
+    let posed: Vec<_> = rest.iter().map(|&p| DVec2::new(p.x * 1.3 - 9.0, p.y * 0.8 + p.x * 0.2 - 5.0)).collect();
+    for canvas in [Canvas::Picture, Canvas::Grown, Canvas::Covered] {
+        let options = ResampleOptions { canvas, scale: 1.5, ..ResampleOptions::default() };
+        let drawing = Drawing::new(&picture, &rest, &posed, &triangles, options).unwrap();
+        let height = drawing.height();
+        let bands = (0..height).step_by(48).map(|row| drawing.rows(&picture, row..height.min(row + 48)));
+        let whole = warp(&picture, &rest, &posed, &triangles, options).unwrap();
+        assert!(bands.collect::<Vec<_>>().concat() == whole.rgba, "{canvas:?}");
+    }
 }
 
 #[test]

@@ -1,0 +1,69 @@
+//! The part of a drawing that is not empty, found before the drawing is made.
+//!
+//! Cost: a fraction of a drawing. From the top and from the bottom, rows are drawn up to the first one with opacity.
+//! Elsewhere only facets beyond the columns found so far are drawn.
+
+use std::ops::Range;
+
+use super::BAND_ROWS;
+use super::band::Band;
+use super::facet::Facet;
+use super::frame::{Area, Frame};
+use super::texture::Texture;
+
+/// Returns `known`, grown to hold every pixel with opacity.
+///
+/// `facets` are relative to the frame, and `bins` holds those of each band.
+pub(super) fn covered(known: Area, frame: Frame, facets: &[Facet], bins: &[Vec<u32>], texture: &Texture<'_>) -> Area {
+    let [width, height] = frame.size;
+    let mut search = Search { area: known, facets, texture, band: Band::new(width, BAND_ROWS, frame.origin), frame };
+    for (index, bin) in bins.iter().enumerate() {
+        if !search.area.is_empty() && search.area.rows.start <= index * BAND_ROWS {
+            break;
+        }
+        search.visit(index, bin, |_| true);
+    }
+    for (index, bin) in bins.iter().enumerate().rev() {
+        if !search.area.is_empty() && search.area.rows.end >= height.min((index + 1) * BAND_ROWS) {
+            break;
+        }
+        search.visit(index, bin, |_| true);
+    }
+    for (index, bin) in bins.iter().enumerate() {
+        let Range { start, end } = search.area.columns;
+        search.visit(index, bin, |facet| {
+            let columns = facet.columns(width);
+            columns.start < start || columns.end > end
+        });
+    }
+    search.area
+}
+
+struct Search<'a> {
+    area: Area,
+    frame: Frame,
+    facets: &'a [Facet],
+    texture: &'a Texture<'a>,
+    band: Band,
+}
+
+impl Search<'_> {
+    /// Draws some facets of a band and includes the pixels with opacity. All facets of a pixel outside the known
+    /// columns must be among them.
+    fn visit(&mut self, index: usize, bin: &[u32], is_drawn: impl Fn(&Facet) -> bool) {
+        let [width, height] = self.frame.size;
+        let drawn = || bin.iter().map(|&facet| &self.facets[facet as usize]).filter(|facet| is_drawn(facet));
+        if drawn().next().is_none() {
+            return;
+        }
+        self.band.clear(index * BAND_ROWS);
+        drawn().for_each(|facet| self.band.draw(facet, self.texture));
+        for row in index * BAND_ROWS..height.min((index + 1) * BAND_ROWS) {
+            let has_opacity = |x: &usize| self.band.has_opacity(*x, row);
+            if let Some(first) = (0..width).find(has_opacity) {
+                let last = (first..width).rev().find(has_opacity).unwrap_or(first);
+                self.area.include(first..last + 1, row);
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! A warped picture that is drawn in bands of rows, so that callers can show progress, stop, and hold few rows at once.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use super::band::Band;
+use super::covered::covered;
+use super::facet::{Facet, mesh_facets};
+use super::frame::{Area, Frame};
+use super::options::{Canvas, Filter, ResampleOptions};
+use super::texture::{MipLevel, Texture, mip_levels};
+use super::warped::Warped;
+use super::{BAND_ROWS, check_range, facets_by_band, warped_size};
+use crate::{error::Error, picture::Picture};
+
+/// A warped picture, ready to be drawn.
+///
+/// It holds about 110 bytes per triangle, and the mip levels. The picture is passed to each call.
+///
+/// ```
+/// use c2warp::{Drawing, ResampleOptions, Picture, glam::DVec2, raster::warp};
+///
+/// let rgba: Vec<u8> = (0..16 * 40).flat_map(|i| [i as u8, 0, 0, 255]).collect();
+/// let picture = Picture::new(16, 40, &rgba)?;
+/// let rest = [(0.0, 0.0), (16.0, 0.0), (16.0, 40.0), (0.0, 40.0)].map(DVec2::from);
+/// let posed = rest.map(|corner| corner * 0.9);
+/// let (triangles, options) = ([[0, 1, 2], [0, 2, 3]], ResampleOptions::default());
+/// let drawing = Drawing::new(&picture, &rest, &posed, &triangles, options)?;
+/// let bands = [0..16, 16..32, 32..40].map(|rows| drawing.rows(&picture, rows));
+/// assert_eq!(bands.concat(), warp(&picture, &rest, &posed, &triangles, options)?.rgba);
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Drawing {
+    frame: Frame,
+    filter: Filter,
+    /// In drawing order, relative to the frame.
+    facets: Vec<Facet>,
+    /// Indices of the facets in each band of [`BAND_ROWS`].
+    bins: Vec<Vec<u32>>,
+    mip_levels: Vec<MipLevel>,
+}
+
+impl Drawing {
+    /// Bands start at multiples of this number of rows.
+    pub const BAND_ROWS: u32 = BAND_ROWS as u32;
+
+    /// Prepares to warp a picture by a mesh: see [`warp`](super::warp), which draws all rows at once.
+    ///
+    /// # Errors
+    /// - [`Error::Scale`] as for [`warped_size`].
+    /// - [`Error::Canvas`] if the canvas would grow beyond the largest size of a picture.
+    /// - [`Error::NothingDrawn`] if a canvas of the covered part would be empty.
+    ///
+    /// # Panics
+    /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
+    pub fn new(
+        picture: &Picture<'_>,
+        rest: &[DVec2],
+        posed: &[DVec2],
+        triangles: &[[u32; 3]],
+        ResampleOptions { scale, canvas, filter }: ResampleOptions,
+    ) -> Result<Self, Error> {
+        let picture_size = warped_size(picture.width(), picture.height(), scale)?;
+        let mut facets = mesh_facets(rest, posed, triangles, scale);
+        let mip_levels = mip_levels(*picture, filter, &facets);
+        let own = Frame::of_picture(picture_size);
+        if canvas == Canvas::Picture {
+            let bins = facets_by_band(&facets, own.size[1]);
+            return Ok(Self { frame: own, filter, facets, bins, mip_levels });
+        }
+        check_range(posed, triangles, scale)?;
+        let around = own.around(&facets)?;
+        move_by(&mut facets, around.origin);
+        let bins = facets_by_band(&facets, around.size[1]);
+        let known = if canvas == Canvas::Grown { around.area_of_picture(picture_size) } else { Area::EMPTY };
+        let texture = Texture::new(*picture, filter, &mip_levels);
+        let area = covered(known, around, &facets, &bins, &texture);
+        if area.is_empty() {
+            return Err(Error::NothingDrawn);
+        }
+        let frame = around.of_area(&area);
+        move_by(&mut facets, [0, 1].map(|axis| frame.origin[axis] - around.origin[axis]));
+        let bins = facets_by_band(&facets, frame.size[1]);
+        Ok(Self { frame, filter, facets, bins, mip_levels })
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.frame.size[0] as u32
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.frame.size[1] as u32
+    }
+
+    /// Draws some rows of the result, in straight (not premultiplied) RGBA. `picture` is the one of [`new`](Self::new).
+    ///
+    /// # Panics
+    /// If the rows do not start at a multiple of [`BAND_ROWS`](Self::BAND_ROWS), or do not lie in the result.
+    #[must_use]
+    pub fn rows(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<u8> {
+        let [width, height] = self.frame.size;
+        let (start, end) = (rows.start as usize, rows.end as usize);
+        assert!(start % BAND_ROWS == 0 && start <= end && end <= height, "rows {rows:?} of {height}");
+        let texture = Texture::new(*picture, self.filter, &self.mip_levels);
+        let mut rgba = vec![0; (end - start) * width * 4];
+        let mut band = Band::new(width, BAND_ROWS, self.frame.origin);
+        let bins = self.bins.iter().enumerate().skip(start / BAND_ROWS);
+        for (bytes, (index, bin)) in rgba.chunks_mut(width * BAND_ROWS * 4).zip(bins) {
+            if bin.is_empty() {
+                continue;
+            }
+            band.clear(index * BAND_ROWS);
+            for &facet in bin {
+                band.draw(&self.facets[facet as usize], &texture);
+            }
+            band.resolve(bytes);
+        }
+        rgba
+    }
+
+    /// Draws the whole result.
+    #[must_use]
+    pub fn warped(&self, picture: &Picture<'_>) -> Warped {
+        let (width, height) = (self.width(), self.height());
+        let origin = self.frame.origin.map(|side| side as i32);
+        Warped { width, height, origin, rgba: self.rows(picture, 0..height) }
+    }
+}
+
+fn move_by(facets: &mut [Facet], by: [i64; 2]) {
+    facets.iter_mut().for_each(|facet| facet.move_by(by));
+}
