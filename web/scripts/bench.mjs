@@ -1,12 +1,14 @@
 /**
- * `npm run bench`: times of the solver, natively and in Chromium's WebAssembly, in the form of the paper's tables.
+ * `npm run bench`: times of the solver, natively and in Chromium's WebAssembly, in the form of the paper's tables, and
+ * of exports.
  *
- * The crate `c2warp-bench` defines the cases and measures them. The run fails if a part does not build or run, never
- * because of a time.
+ * The crate `c2warp-bench` defines the cases of the solver and measures them. The run fails if a part does not build or
+ * run, never because of a time.
  */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
+import { exportTable } from './bench_exports.mjs';
 import { CHROMIUM_ARGS, findChromium, prepareChromium } from './chromium.mjs';
 import { prepare } from './prepare.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
@@ -64,6 +66,8 @@ await main(async () => {
   await step('Memory', 'cargo', cargo('c2warp-bench-memory', [join(output, 'memory.json')]), failed);
 
   await step('Tables', 'cargo', cargo('c2warp-bench', ['--tables', output]), failed);
+  heading('Exports in Chromium');
+  console.log(`\n${await exportTable()}`);
   const [cpu] = cpus();
   console.log(
     `\n${cpus().length} × ${cpu?.model.trim() ?? 'unknown'}, load ${load.toFixed(1)} at the start.`,

@@ -1,0 +1,53 @@
+/**
+ * The exports of `npm run bench`: a picture of 12 megapixels in each format, as the element writes it in Chromium.
+ *
+ * Times are compared with that of drawing alone, in the same run. Drawing and compressing run side by side, in two
+ * workers.
+ */
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { CHROMIUM_ARGS, findChromium } from './chromium.mjs';
+import { ROOT } from './steps.mjs';
+
+/** Guideline for two cores of a cloud machine. */
+const MOST_SECONDS = 4;
+
+/** @returns {Promise<string>} A table in Markdown. */
+export async function exportTable() {
+  // Imported only here: they may have just been installed.
+  const [{ createServer }, { chromium }] = await Promise.all([import('vite'), import('@playwright/test')]);
+  const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
+  await server.listen();
+  const executablePath = findChromium();
+  const browser = await chromium.launch({
+    args: CHROMIUM_ARGS,
+    ...(executablePath ? { executablePath } : {}),
+  });
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.resolvedUrls?.local[0] ?? '');
+    await page.locator('c2-warp .solved', { hasText: 'sample' }).waitFor({ timeout: 120_000 });
+    return table(await page.evaluate(readFileSync(join(ROOT, 'tests/bench/exports.js'), 'utf8')));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** @param {{ drawing: number, files: { type: string, seconds: number, bytes: number }[] }} times In seconds. */
+function table({ drawing, files }) {
+  const rows = files.map(({ type, seconds, bytes }) => {
+    const verdict = seconds <= MOST_SECONDS ? 'met' : 'missed';
+    const ratio = (seconds / drawing).toFixed(2);
+    return `| ${type} | ${seconds.toFixed(2)} | ${ratio} | ${(bytes / 1e6).toFixed(1)} | ≤ ${MOST_SECONDS} s ${verdict} |`;
+  });
+  return [
+    '## Exports of 12 megapixels',
+    '',
+    `Drawing alone, on a canvas: ${drawing.toFixed(2)} s.`,
+    '',
+    '| format | s | ÷ drawing | MB | guideline |',
+    '|---|---:|---:|---:|---|',
+    ...rows,
+  ].join('\n');
+}
