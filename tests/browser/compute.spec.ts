@@ -143,7 +143,7 @@ test('a worker that dies is replaced, and its requests are repeated', async ({ p
       died = true;
     });
     const vertices = (await again).positions.length;
-    const twice = engine.warp(project).catch((error: { code?: string }) => error.code);
+    const twice = harness.drawnPixels(engine, project).catch((error: { code?: string }) => error.code);
     await Promise.resolve();
     dies();
     dies();
@@ -160,7 +160,10 @@ test('a worker that dies is replaced, and its requests are repeated', async ({ p
 test('exports have any scale and straight alpha', async ({ page }) => {
   const sizes = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
-    const [whole, half] = [await engine.warp(project), await engine.warp(project, 0.5)];
+    const [whole, half] = [
+      await harness.drawnPixels(engine, project),
+      await harness.drawnPixels(engine, project, 0.5),
+    ];
     return [whole, half].map(({ width, height, rgba }) => [width, height, rgba.length]);
   }, project);
   expect(sizes).toEqual([
@@ -172,12 +175,12 @@ test('exports have any scale and straight alpha', async ({ page }) => {
 test('a new picture supersedes an export that has not begun', async ({ page }) => {
   const [older, newer] = await page.evaluate(async (project) => {
     const engine = await harness.startedEngine();
-    const first = engine.warp(project).then(
+    const first = harness.drawnPixels(engine, project).then(
       () => 'warped',
       (error: Error) => error.name,
     );
     engine.setPicture(harness.pixelSource(256, 256, new Uint8Array(256 * 256 * 4).fill(255)));
-    const { rgba } = await engine.warp({ ...project, handles: [] });
+    const { rgba } = await harness.drawnPixels(engine, { ...project, handles: [] });
     return [await first, rgba[0]];
   }, project);
   expect([older, newer]).toEqual(['AbortError', 255]);

@@ -559,16 +559,15 @@ test('export progress shows until the end, also during solves', async ({ page })
   const editor = await Editor.open(page);
   await replies.hold();
   const download = page.waitForEvent('download');
-  await editor.button('Export a PNG at full size').click();
-  await expect(editor.solved).toContainText('Exporting');
-  await expect(editor.button('Cancel')).toBeHidden();
+  await editor.pressExport();
+  await expect(editor.solved).toContainText('Exporting 0 %');
   await page.locator('c2-warp').evaluate((element) => {
     (element as C2Warp).addHandle({ kind: 'point', rest: [512, 700] });
   });
+  await expect(editor.solved).not.toContainText('Exporting');
   await editor.button('Cancel').click();
   await expect(editor.handles).toHaveCount(5);
-  await expect(editor.solved).toContainText('Exporting');
-  await expect(editor.button('Cancel')).toBeHidden();
+  await expect(editor.solved).toContainText('Exporting 0 %');
   await replies.release();
   await download;
   await expect(editor.solved).toContainText('sample');

@@ -32,7 +32,7 @@ test('a saved project opens exactly as it was', async ({ page }) => {
 test('a PNG export is warped, at full size, with alpha', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 0, y: -80 });
-  const exported = await editor.download('Export a PNG at full size');
+  const exported = await editor.exported();
   expect(exported.suggestedFilename()).toBe('gingerbread-warped.png');
   const { width, height, channels, data } = decode(await bytes(exported));
   expect([width, height, channels]).toEqual([1024, 1280, 4]);
@@ -79,8 +79,7 @@ test('pixel art keeps its colours in exports, unless switched off', async ({ pag
       );
     return found;
   };
-  const exported = async () =>
-    colours(decode(await bytes(await editor.download('Export a PNG at full size'))).data);
+  const exported = async () => colours(decode(await bytes(await editor.exported())).data);
   const hard = new Set(['0,0,0,0', '200,60,40,255', '240,200,60,255', '40,60,90,255']);
   expect(await exported()).toEqual(hard);
 
@@ -110,22 +109,22 @@ test('the first PNG export works offline', async ({ page, context }) => {
   const editor = await Editor.open(page);
   await page.waitForLoadState('networkidle');
   await context.setOffline(true);
-  const { width, height } = decode(await bytes(await editor.download('Export a PNG at full size')));
+  const { width, height } = decode(await bytes(await editor.exported()));
   expect([width, height]).toEqual([1024, 1280]);
 });
 
 test('parts beyond the frame are shown, fitted, and reported as cut off', async ({ page }) => {
   const editor = await Editor.open(page);
-  const [frame, told] = [page.locator('c2-warp .frame'), page.getByText('is cut off in the PNG')];
+  const [frame, told] = [page.locator('c2-warp .frame'), page.getByText('is cut off')];
   await editor.dragHandle('right hand', { x: 0, y: -30 });
-  await editor.download('Export a PNG at full size');
+  await editor.exported();
   await expect(editor.solved).toContainText('sample');
   await expect(frame).toHaveCount(0);
   await expect(told).toBeHidden();
 
   await editor.dragHandle('right hand', { x: 140, y: 30 });
   await expect(frame).toBeVisible();
-  const { width } = decode(await bytes(await editor.download('Export a PNG at full size')));
+  const { width } = decode(await bytes(await editor.exported()));
   expect(width).toBe(1024);
   await expect(told).toBeVisible();
 

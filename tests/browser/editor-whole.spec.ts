@@ -28,7 +28,7 @@ test('an exported PNG that holds the original opens again as the rig', async ({ 
   await expect.poll(() => editor.shownPose('right hand')).toEqual(told);
   await editor.button('Reset all handles').click();
   await expect.poll(() => editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
-  const alpha = decode(await bytes(await editor.download('Export a PNG at full size'))).data;
+  const alpha = decode(await bytes(await editor.exported())).data;
   expect(alpha[(560 * width + 900) * 4 + 3]).toBe(255);
 });
 
@@ -37,7 +37,7 @@ test('any exported PNG names its picture, and goes on with it', async ({ page })
   const original = await page.request.get('/samples/gingerbread.png');
   await editor.dragHandle('right hand', { x: 0, y: -80 });
   const told = await editor.settled(() => editor.shownPose('right hand'));
-  const file = await bytes(await editor.download('Export a PNG at full size'));
+  const file = await bytes(await editor.exported());
   expect(file.length).toBeLessThan(3e6);
   await bring(editor, 'drop', png('posted.png', file));
   await expect(
@@ -50,7 +50,7 @@ test('any exported PNG names its picture, and goes on with it', async ({ page })
 
 test('a damaged project in a PNG is named, and the picture opens as one', async ({ page }) => {
   const editor = await Editor.open(page);
-  const file = await bytes(await editor.download('Export a PNG at full size'));
+  const file = await bytes(await editor.exported());
   const at = file.indexOf('c2warp/1');
   file[at] = 'C'.charCodeAt(0);
   await bring(editor, 'drop', png('posted.png', file));

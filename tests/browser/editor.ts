@@ -29,6 +29,8 @@ export interface StoredWork {
   readonly pixelated: boolean;
   /** Whether a file holds the present project. */
   readonly saved: boolean;
+  /** The choices for exports. */
+  readonly exports: object;
   /** Unfinished drafts. */
   readonly drawings: readonly { readonly kind: string; readonly corners: readonly unknown[] }[];
 }
@@ -173,7 +175,7 @@ export class Editor {
       const { past, present } = document.record;
       const { project, selection } = present;
       const step = past.at(-1)?.label ?? null;
-      const { guarded, pixelated, drawings } = document;
+      const { guarded, pixelated, exports, drawings } = document;
       return {
         picture: picture.name,
         step,
@@ -182,6 +184,7 @@ export class Editor {
         guarded,
         pixelated,
         saved: document.saved === project,
+        exports,
         drawings,
       };
     }, key);
@@ -260,6 +263,19 @@ export class Editor {
       .getByRole('button', { name })
       .first()
       .click();
+  }
+
+  /** Opens the export panel and presses its button. */
+  async pressExport(): Promise<void> {
+    await this.button('Export as …').click();
+    await this.button(/^Export (PNG|JPEG|WebP)$/).click();
+  }
+
+  /** Exports by the present choices. */
+  async exported(): Promise<Download> {
+    const started = this.page.waitForEvent('download');
+    await this.pressExport();
+    return started;
   }
 
   async download(name: string): Promise<Download> {

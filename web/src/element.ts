@@ -27,7 +27,7 @@
  * | `selectionchange` | `detail.selection`: the ids, whatever changed the selection |
  * | `historychange` | `detail.undo`, `detail.redo`: labels of the next undo and redo steps, or null |
  * | `titlechange` | `detail.name`: the open picture's, or null; `detail.unsaved`: no file holds the last changes |
- * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the PNG export; null when done |
+ * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the export; null when done. `detail.fraction`: the part of an export that is done, else null |
  * | `error` | `detail`: an Error that no method call can throw or reject with |
  *
  * `load` follows `src`, `load()`, work restored from `autosave`, and reconnection of an element that has a document.
@@ -53,6 +53,7 @@
  * it is defined. Importing this file without a DOM does nothing.
  */
 import type { PropertyDeclaration, PropertyValues, TemplateResult } from 'lit';
+import type { Drawing } from './compute/drawing';
 import { handleById } from './document/document';
 import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
@@ -70,18 +71,19 @@ import type { Media, PageAttributes, Sample } from './editor/page';
 import type { NamedFile } from './editor/picture';
 import { documentOf, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
-import type { HandlePose, NewHandle, WarpOptions } from './element/api';
+import type { BlobOptions, HandlePose, NewHandle, WarpOptions } from './element/api';
+import { areaOf, blobSettings } from './element/blob_settings';
 import { emitter, TypedElement } from './element/events';
 import type { Vec } from './geometry/vec';
-import { encodePng, pictureCanvas } from './io/encode';
 import { EditorRuntime } from './runtime/editor_runtime';
+import { drawOn, writtenFile } from './runtime/exporting';
 import { isToolName } from './tools/machine';
 import { shell } from './ui/shell';
 import { editorStyle } from './ui/style/editor';
 
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
 export type { Sample } from './editor/page';
-export type { C2WarpProps, HandlePose, NewHandle, WarpOptions } from './element/api';
+export type { BlobOptions, C2WarpProps, HandlePose, NewHandle, WarpOptions } from './element/api';
 export type { C2WarpEventMap } from './element/events';
 
 export class C2Warp extends TypedElement {
@@ -281,17 +283,20 @@ export class C2Warp extends TypedElement {
   }
 
   /**
-   * The warped picture as PNG with alpha, at `scale` times the source's size.
+   * The warped picture as a file, at `scale` times the source's size: a PNG with alpha, or a JPEG or WebP by `type`.
    *
-   * With `grow` it is enlarged to hold the parts that are bent beyond the frame. `pixelated` is for pixel art: each
-   * pixel is one of the original, or transparent. By default it is drawn as it is shown.
+   * With `grow` it is enlarged to hold the parts that are bent beyond the frame, with `crop` it holds only the drawn
+   * part. `pixelated` is for pixel art: each pixel is one of the original, or transparent. By default it is drawn as it
+   * is shown. `signal` stops it.
    *
-   * @throws Error if no picture is open, the element is not connected, or the result would be too large.
-   * @throws DOMException AbortError if another picture is opened, or the element is removed, first.
+   * @throws Error if no picture is open, the element is not connected, or the result would be empty or too large.
+   * @throws RangeError that names an invalid option.
+   * @throws DOMException AbortError if another picture is opened, or the element is removed, first. The reason of
+   *   `signal` if that is aborted.
    */
-  async toBlob(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<Blob> {
-    const { width, height, rgba } = await this.#present.warped(scale, grow, pixelated);
-    return encodePng(width, height, rgba);
+  async toBlob(scale = 1, options: BlobOptions = {}): Promise<Blob> {
+    const settings = blobSettings(options);
+    return writtenFile(this.#drawing(scale, options), settings, options);
   }
 
   /**
@@ -299,9 +304,10 @@ export class C2Warp extends TypedElement {
    *
    * @throws as `toBlob`.
    */
-  async toCanvas(scale = 1, { grow = false, pixelated }: WarpOptions = {}): Promise<HTMLCanvasElement> {
-    const { width, height, rgba } = await this.#present.warped(scale, grow, pixelated);
-    return pictureCanvas(this.ownerDocument, width, height, rgba);
+  async toCanvas(scale = 1, options: WarpOptions = {}): Promise<HTMLCanvasElement> {
+    const canvas = this.ownerDocument.createElement('canvas');
+    await drawOn(canvas, this.#drawing(scale, options), options.signal);
+    return canvas;
   }
 
   /** Fits the whole picture into view. */
@@ -416,6 +422,11 @@ export class C2Warp extends TypedElement {
     return named && Boolean(this.src);
   }
 
+  async #drawing(scale: number, options: WarpOptions): Promise<Drawing> {
+    options.signal?.throwIfAborted();
+    return this.#present.drawing(scale, areaOf(options), options.pixelated);
+  }
+
   #handle(id: string): Handle {
     const handle = handleById(documentOf(this.#present.state), id);
     if (!handle) throw new RangeError(`there is no handle "${id}"`);
@@ -486,7 +497,7 @@ export class C2Warp extends TypedElement {
         break;
       }
       case 'progress':
-        this.#emit(type, { label: notification.label });
+        this.#emit(type, { label: notification.label, fraction: notification.fraction });
         break;
       case 'error':
         this.#emit(type, notification.error);

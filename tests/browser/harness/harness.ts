@@ -1,14 +1,16 @@
 /** The harness page: gives the browser tests access to the modules below the editor. */
 import { Engine } from '../../../web/src/compute/engine';
-import { encodePng } from '../../../web/src/io/encode';
+import { PictureFile } from '../../../web/src/io/encoder';
 import { Renderer } from '../../../web/src/render/renderer';
 import { drawnLegs } from './drawn_legs';
 import { drawnPicture } from './drawn_picture';
+import { encodePng } from './encoded';
 import { decodePicture, openedPicture, pixelSource } from './pictures';
-import { drawnTwice, startedEngine } from './scenes';
+import { drawnPixels, drawnTwice, startedEngine } from './scenes';
 
 const parts = {
   Engine,
+  PictureFile,
   Renderer,
   decodePicture,
   openedPicture,
@@ -16,6 +18,7 @@ const parts = {
   encodePng,
   drawnLegs,
   drawnPicture,
+  drawnPixels,
   drawnTwice,
   startedEngine,
 };

@@ -1,9 +1,10 @@
 /** Draws pictures by WebGL and by the solver, for comparison. */
 import { Engine } from '../../../web/src/compute/engine';
+import type { Pixels } from '../../../web/src/compute/solution';
 import type { Project } from '../../../web/src/document/project';
-import { encodePng } from '../../../web/src/io/encode';
 import { Renderer } from '../../../web/src/render/renderer';
 import { drawnPicture } from './drawn_picture';
+import { encodePng } from './encoded';
 import { decodePicture } from './pictures';
 
 /** Draws a project by WebGL and by the solver's rasteriser. Returns PNG files in base64, in straight alpha. */
@@ -20,13 +21,19 @@ export async function drawnTwice(project: Project, file: Blob, scale: number) {
   renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles);
   const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
   const webgl = straight(renderer.readPixels({ scale, x: 0, y: 0, width, height }));
-  const cpu = await engine.warp(project, scale);
+  const cpu = await drawnPixels(engine, project, scale);
   engine.dispose();
   renderer.dispose();
   return {
     webgl: await base64(await encodePng(width, height, webgl)),
     cpu: await base64(await encodePng(cpu.width, cpu.height, cpu.rgba)),
   };
+}
+
+/** Returns the picture that an export of a project has. */
+export async function drawnPixels(engine: Engine, project: Project, scale = 1): Promise<Pixels> {
+  const drawing = await engine.draw(project, { scale, area: 'picture', pixelated: false });
+  return drawing.pixels();
 }
 
 function straight(premultiplied: Uint8Array): Uint8Array<ArrayBuffer> {

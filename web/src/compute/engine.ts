@@ -8,12 +8,13 @@
 import type { Project } from '../document/project';
 import { ENGINE, WarpError } from '../error';
 import { startWorker } from '../start_worker';
+import { Drawing } from './drawing';
 import { superseded } from './errors';
 import { Link } from './link';
-import type { Messages } from './messages';
+import type { DrawingOptions, Messages } from './messages';
 import { checkedProject, loadModule } from './module';
 import type { PosedPicture } from './posed_picture';
-import type { CellBorders, PixelSource, Pixels, SolutionData, Stage } from './solution';
+import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
 import { createPosedPicture } from './wasm_picture';
 import worker from './worker/worker?worker&url';
 
@@ -59,12 +60,13 @@ export class Engine {
   }
 
   /**
-   * The warped picture in straight alpha, at `scale` times the source's size, or grown to what is bent beyond that;
-   * `pixelated`, no colours are mixed.
+   * Prepares to draw the warped picture in straight alpha. Solves go on between its bands.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
    */
-  warp(project: Project, scale = 1, grow = false, pixelated = false): Promise<Pixels> {
-    return this.#ask('warp', { project: JSON.stringify(project), scale, grow, pixelated });
+  async draw(project: Project, options: DrawingOptions): Promise<Drawing> {
+    const picture = this.#picture;
+    const size = await this.#ask('draw', { project: JSON.stringify(project), ...options });
+    return new Drawing(this.#link, size, () => picture === this.#picture);
   }
 
   /**
@@ -95,7 +97,7 @@ export class Engine {
   }
 
   /** Asks about the present picture, once the worker has it. */
-  async #ask<N extends 'warp' | 'cells'>(name: N, body: Messages[N][0]): Promise<Messages[N][1]> {
+  async #ask<N extends 'draw' | 'cells'>(name: N, body: Messages[N][0]): Promise<Messages[N][1]> {
     const picture = this.#picture;
     await picture;
     if (picture !== this.#picture) throw superseded();

@@ -26,8 +26,8 @@ class FakeWorker implements Port {
   }
 }
 
-const PIXELS = { width: 2, height: 2, rgba: new Uint8Array(16) };
 const PICTURE = { width: 2, height: 2, sendTo: () => {} };
+const BORDERS = { corners: new Uint32Array(), barycentric: new Float32Array() };
 
 function linked() {
   const workers: FakeWorker[] = [];
@@ -48,11 +48,11 @@ describe('Link', () => {
   it('gives each request its own answer', async () => {
     const { link, worker } = linked();
     const first = link.send('picture', PICTURE);
-    const second = link.send('warp', { project: '{}', scale: 1, grow: false, pixelated: false });
-    worker(0).reply({ id: 2, kind: 'done', body: PIXELS });
+    const second = link.send('cells', { project: '{}' });
+    worker(0).reply({ id: 2, kind: 'done', body: BORDERS });
     worker(0).reply({ id: 1, kind: 'done', body: null });
     expect(await first).toBeNull();
-    expect(await second).toBe(PIXELS);
+    expect(await second).toBe(BORDERS);
   });
 
   it('passes on the code and the message of a failure, and the handles that it names', async () => {
@@ -87,15 +87,15 @@ describe('Link', () => {
     const { link, worker } = linked();
     void link.send('picture', PICTURE);
     worker(0).reply({ id: 1, kind: 'done', body: null });
-    const warp = link.send('warp', { project: '{}', scale: 1, grow: false, pixelated: false });
+    const cells = link.send('cells', { project: '{}' });
     worker(0).reply({ kind: 'died', started: true, message: 'unreachable' });
     expect(worker(0).ended).toBe(true);
     expect(worker(1).requests()).toEqual([
       { id: 0, name: 'picture', body: { width: 2, height: 2, pixels: expect.any(MessagePort) } },
-      { id: 2, name: 'warp', body: { project: '{}', scale: 1, grow: false, pixelated: false } },
+      { id: 2, name: 'cells', body: { project: '{}' } },
     ]);
-    worker(1).reply({ id: 2, kind: 'done', body: PIXELS });
-    expect(await warp).toBe(PIXELS);
+    worker(1).reply({ id: 2, kind: 'done', body: BORDERS });
+    expect(await cells).toBe(BORDERS);
   });
 
   it('gives up a request that ends two workers, and serves the next by a third', async () => {
@@ -107,7 +107,7 @@ describe('Link', () => {
     // No words of the browser reach a person.
     await expect(solve).rejects.toThrow('This is more than the solver can do in this browser.');
     expect(workers).toHaveLength(2);
-    void link.send('warp', { project: 'good', scale: 1, grow: false, pixelated: false });
+    void link.send('cells', { project: 'good' });
     expect(worker(2).requests()).toHaveLength(1);
   });
 

@@ -43,7 +43,9 @@ const NOT_STARTED =
 const BROKE: Readonly<Record<Name, string>> = {
   picture: 'The picture needs more memory than this browser gives: scale it down.',
   solve: 'This is more than the solver can do in this browser.',
-  warp: 'The picture needs more memory to be drawn than this browser gives.',
+  draw: 'The picture needs more memory to be drawn than this browser gives.',
+  rows: 'The picture needs more memory to be drawn than this browser gives.',
+  release: 'The picture needs more memory to be drawn than this browser gives.',
   cells: 'The cells are more than the solver can do in this browser.',
 };
 

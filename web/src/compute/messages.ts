@@ -1,5 +1,23 @@
 /** The messages between page and worker. */
-import type { CellBorders, PixelSource, Pixels, SolutionData, Stage } from './solution';
+import type { Area } from '../geometry/area';
+import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
+
+export interface DrawingOptions {
+  /** Pixels of the drawing per pixel of the picture. */
+  readonly scale: number;
+  readonly area: Area;
+  /** For pixel art: no colours are mixed. */
+  readonly pixelated: boolean;
+}
+
+export interface DrawingSize {
+  /** Names the drawing in later requests. */
+  readonly drawing: number;
+  readonly width: number;
+  readonly height: number;
+  /** Bands start at multiples of this number of rows. */
+  readonly bandRows: number;
+}
 
 /** Name of a request → [body, response]. Projects are sent as JSON text. */
 export interface Messages {
@@ -7,16 +25,14 @@ export interface Messages {
   picture: [request: PixelSource, response: null];
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
-  /** The warped picture at full quality. */
-  warp: [
-    request: {
-      readonly project: string;
-      readonly scale: number;
-      readonly grow: boolean;
-      readonly pixelated: boolean;
-    },
-    response: Pixels,
+  /** Prepares the warped picture at full quality. It is drawn by `rows` until `release`. */
+  draw: [request: { readonly project: string } & DrawingOptions, response: DrawingSize];
+  /** Some rows of a drawing. */
+  rows: [
+    request: { readonly drawing: number; readonly from: number; readonly to: number },
+    response: Uint8Array<ArrayBuffer>,
   ];
+  release: [request: { readonly drawing: number }, response: null];
   /** The borders between the cells of the project's solution. */
   cells: [request: { readonly project: string }, response: CellBorders];
 }

@@ -80,6 +80,7 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   'save-whole': unlessOpen,
   'export-whole': unlessOpen,
   export: unlessOpen,
+  'export-as': unlessOpen,
   'export-all': unlessOpen,
   compare: unlessOpen,
   preview: unlessOpen,

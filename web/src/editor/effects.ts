@@ -2,6 +2,7 @@
 import type { Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import type { EditorEvent } from './events';
+import type { ExportChoices } from './export_choices';
 import type { NamedFile, Picture } from './picture';
 import type { Solution } from './solution';
 import type { Title } from './state';
@@ -21,7 +22,7 @@ export type PageNotification =
   | { readonly type: 'selectionchange'; readonly selection: readonly string[] }
   | { readonly type: 'historychange'; readonly undo: string | null; readonly redo: string | null }
   | { readonly type: 'titlechange'; readonly title: Title | null }
-  | { readonly type: 'progress'; readonly label: string | null }
+  | { readonly type: 'progress'; readonly label: string | null; readonly fraction: number | null }
   | { readonly type: 'error'; readonly error: Error };
 
 /** A project: an address, an object of the page, or a file. */
@@ -77,12 +78,13 @@ export type EditorEffect =
       readonly type: 'export';
       readonly name: string;
       readonly project: Project;
-      readonly grow: boolean;
-      /** Whether the export cuts off a part of the posed picture. */
-      readonly cut: boolean;
+      readonly choices: ExportChoices;
+      /** The project that a PNG carries. */
       readonly carried: CarriedProject;
     }
-  /** Loads the PNG encoder while the person looks at the picture. */
+  /** Answered by `export-ended`, unless the export has ended already. */
+  | { readonly type: 'cancel-export' }
+  /** Loads the encoder while the person looks at the picture. */
   | { readonly type: 'prepare-export' }
   | { readonly type: 'copy-pose' | 'paste-pose' }
   | { readonly type: 'use-storage'; readonly key: string | null }
@@ -102,7 +104,7 @@ export type EditorEffect =
   | { readonly type: 'scroll-list' }
   | { readonly type: 'show-menu'; readonly at: Vec }
   | { readonly type: 'hide-menu' }
-  | { readonly type: 'toggle-keys' }
+  | { readonly type: 'toggle-keys' | 'toggle-export' }
   | { readonly type: 'set-theme'; readonly theme: 'light' | 'dark' }
   /** Answered by `input-released`, once the page shows the state. */
   | { readonly type: 'release-input' }

@@ -22,8 +22,17 @@ const SENTENCES: Readonly<Record<string, string>> = {
   'held-too-fine': 'This outline has too many corners to be held: draw a simpler one, or let it move.',
 };
 
+/** Refusals of exports, which take nothing back. */
+const EXPORT_REFUSALS: Readonly<Record<string, string>> = {
+  scale: 'The export would be too large or too small: choose another size.',
+  canvas: 'All of the picture would be too large: choose a smaller size, or the rectangle of the original.',
+  'nothing-drawn': 'Nothing is covered: the picture is transparent everywhere.',
+};
+
 /** @param reverted the step that caused the error was taken back. */
 export function refusalWords(error: Error, reverted = false): string {
+  const refused = EXPORT_REFUSALS[codeOf(error)];
+  if (refused !== undefined) return refused;
   const [id, other = id] = handlesOf(error);
   const sentence = SENTENCES[codeOf(error)];
   if (sentence !== undefined) return reverted ? `${sentence} The step was taken back.` : sentence;

@@ -14,6 +14,7 @@ import type { ToolName } from '../tools/machine';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
 import type { CellBorders } from './deformation';
+import type { ExportChoices } from './export_choices';
 import type { MenuState } from './menu_state';
 import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
 import type { OverlayName } from './overlays';
@@ -175,10 +176,12 @@ type FileEvent =
   | { readonly type: 'retry-asked' }
   | {
       readonly type: 'export-ended';
-      readonly saved: boolean;
-      readonly cut: boolean;
+      /** The name of the saved file; null if it was cancelled or has failed. */
+      readonly saved: string | null;
       readonly error: Error | null;
-    };
+    }
+  | { readonly type: 'export-progressed'; readonly fraction: number }
+  | { readonly type: 'export-choice-made'; readonly choice: Partial<ExportChoices> };
 
 type StorageEvent =
   | { readonly type: 'autosave-key-set'; readonly key: string | null }

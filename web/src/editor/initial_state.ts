@@ -2,6 +2,7 @@
 import { type Document, newProject, openDocument } from '../document/document';
 import { historyOf } from '../document/history';
 import { initialTools } from '../tools/machine';
+import { DEFAULT_CHOICES } from './export_choices';
 import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
@@ -60,6 +61,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     focus: { on: 'nothing', handle: null, corner: null },
     menu: null,
     notices: { offer: null, error: null, passing: null, graphics: null, announcement: '', tasks: [] },
+    exporting: { choices: DEFAULT_CHOICES, running: null },
     autosave: {
       key: null,
       restoring: false,

@@ -96,3 +96,9 @@ export function notOpenedText([first, ...more]: readonly string[]): string {
 
 /** @param picture the name of a file with several frames. */
 export const movesText = (picture: string): string => `${picture} moves. Only its first frame is open.`;
+
+/** @param cut a part beyond the picture's own rectangle is missing in the file. */
+export const savedText = (name: string, cut: boolean): string =>
+  cut ? `Saved as ${name}. The part beyond the frame is cut off.` : `Saved as ${name}.`;
+
+export const EXPORT_CANCELLED = 'The export was cancelled';

@@ -17,6 +17,7 @@ import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
 import type { EditorEvent } from './events';
+import type { ExportChoices } from './export_choices';
 import type { Focus } from './focus';
 import type { FoldGuard } from './fold_guard';
 import type { MenuState } from './menu_state';
@@ -55,6 +56,7 @@ export interface EditorState {
   readonly focus: Focus;
   readonly menu: MenuState | null;
   readonly notices: NoticesState;
+  readonly exporting: ExportState;
   readonly autosave: AutosaveState;
   readonly checks: PoseChecks;
 }
@@ -109,6 +111,12 @@ export interface DisplayState {
   readonly zoomedCrease: number;
   /** Where the keyboard would place a handle, image pixels; null until an arrow key moves it. */
   readonly crosshair: Vec | null;
+}
+
+export interface ExportState {
+  readonly choices: ExportChoices;
+  /** The export under way, and whether it cuts off a part of the posed picture. */
+  readonly running: { readonly cut: boolean } | null;
 }
 
 export interface PointerState {

@@ -5,4 +5,6 @@ export interface Task {
   readonly name: TaskName;
   readonly label: string;
   readonly cancellable: boolean;
+  /** The part that is done, from 0 to 1, if it is known. */
+  readonly fraction?: number;
 }

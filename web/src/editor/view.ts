@@ -38,6 +38,17 @@ export function reachesBeyondFrame(state: EditorState): boolean {
   return bounds !== null && state.picture !== null && reachesBeyond(bounds, frameOf(state), SLACK);
 }
 
+/** The size of an export by the present choices, in pixels. */
+export function exportSize(state: EditorState): Size | null {
+  if (!state.picture) return null;
+  const { percent, area } = state.exporting.choices;
+  const posed = posedBounds(state) ?? frameOf(state);
+  const whole = { picture: frameOf(state), grown: boxOfBoth(frameOf(state), posed), covered: posed };
+  const { min, max } = whole[area];
+  const [width, height] = subtract(max, min).map((side) => Math.round((side * percent) / 100));
+  return { width: Math.max(1, width ?? 1), height: Math.max(1, height ?? 1) };
+}
+
 /** @param view an earlier view to restore; without it the whole picture is fitted. */
 export function openView(state: EditorState, view?: ViewState): EditorState {
   if (!view) return fitView(state);

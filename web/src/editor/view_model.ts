@@ -16,6 +16,7 @@ import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
+import type { ExportChoices } from './export_choices';
 import { gripsOf, hitAt, isLassoing, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
@@ -32,7 +33,7 @@ import type { StudyState } from './study_state';
 import type { Task } from './task';
 import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
-import { isInView } from './view';
+import { exportSize, isInView } from './view';
 import { awaitsPicture, toolToCome, waitingPlaces } from './waiting_input';
 import type { WorkSnapshot } from './work';
 
@@ -122,9 +123,17 @@ export interface EditorModel {
   readonly platform: string;
   readonly alt: string | null;
   readonly dark: boolean;
+  readonly exporting: ExportModel;
   canRun(command: CommandName): boolean;
   /** Why a command cannot run now; null if it can. */
   reasonAgainst(command: CommandName): string | null;
+}
+
+export interface ExportModel {
+  readonly choices: ExportChoices;
+  readonly running: boolean;
+  /** Of the export, in pixels; for an area that follows the posed picture, about. Null without a picture. */
+  readonly size: Size | null;
 }
 
 /** The page's hint, and the place of the picture that it points to. */
@@ -215,6 +224,10 @@ export function viewModel(state: EditorState): EditorModel {
     platform: media.platform,
     alt: page.alt,
     dark: media.dark,
+    get exporting() {
+      const { choices, running } = state.exporting;
+      return { choices, running: running !== null, size: exportSize(state) };
+    },
     canRun: (command) => canRun(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),
   };

@@ -3,6 +3,7 @@ import type { Document } from '../document/document';
 import type { HistoryRecord } from '../document/history';
 import type { Project } from '../document/project';
 import type { Drawings } from '../tools/machine';
+import type { ExportChoices } from './export_choices';
 import type { SourceFile } from './picture';
 import type { ViewState } from './view_state';
 
@@ -29,6 +30,8 @@ export interface WorkSnapshot extends Work {
   readonly guarded: boolean;
   /** Another tab stored this version of the open work, and the person has not chosen yet. */
   readonly fromOtherTab?: boolean;
+  /** The choices for exports. Without them, those of the editor stay. */
+  readonly exports?: ExportChoices;
 }
 
 /** Whether losing the work would lose a step or a drawing. */

@@ -1,5 +1,6 @@
 /** Types of the arguments and attributes of `<c2-warp>`. */
 import type { Handle, HandleFile, ProjectFile } from '../document/project';
+import type { PictureType } from '../io/encoding';
 import type { C2WarpEventMap } from './events';
 
 /** A handle whose id is optional: the editor generates a missing one. */
@@ -28,6 +29,22 @@ export type C2WarpProps = {
 export interface WarpOptions {
   /** Enlarges the result to hold the parts that are bent beyond the picture. */
   readonly grow?: boolean;
+  /** Crops the result to all that is drawn, parts bent beyond the picture included. Replaces `grow`. */
+  readonly crop?: boolean;
   /** For pixel art: no colours are mixed. By default as the picture is shown. */
   readonly pixelated?: boolean | undefined;
+  /** Stops the work: the promise rejects with the reason of the signal. */
+  readonly signal?: AbortSignal | undefined;
+}
+
+/** How a warped picture is written to a file. */
+export interface BlobOptions extends WarpOptions {
+  /** By default `image/png`. */
+  readonly type?: PictureType;
+  /** Of a JPEG or WebP, from 0 to 1. By default 0.9. */
+  readonly quality?: number;
+  /** The colour below translucent pixels of a JPEG, as `#rrggbb`. By default white. */
+  readonly background?: string;
+  /** Called with the fraction that is done, from 0 to 1. */
+  readonly onProgress?: ((fraction: number) => void) | undefined;
 }

@@ -11,7 +11,7 @@ export interface EventDetails {
   readonly selectionchange: { readonly selection: readonly string[] };
   readonly historychange: { readonly undo: string | null; readonly redo: string | null };
   readonly titlechange: { readonly name: string | null; readonly unsaved: boolean };
-  readonly progress: { readonly label: string | null };
+  readonly progress: { readonly label: string | null; readonly fraction: number | null };
   readonly error: Error;
 }
 

@@ -18,7 +18,7 @@ const ARROWS: Readonly<Record<string, Vec>> = {
 };
 
 /** Commands of the document, run even from a text field. */
-const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'save-whole', 'export', 'export-all'];
+const OF_DOCUMENT: readonly CommandName[] = ['open', 'save', 'save-whole', 'export', 'export-as'];
 /** Left to a text field while it has uncommitted input. */
 const OF_HISTORY: readonly CommandName[] = ['undo', 'redo'];
 

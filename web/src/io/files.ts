@@ -9,6 +9,8 @@ const KINDS = {
     extensions: ['.png', '.jpg', '.jpeg', '.webp', '.avif', '.gif', '.bmp', '.json'],
   },
   png: { description: 'PNG pictures', mimeTypes: ['image/png'], extensions: ['.png'] },
+  jpeg: { description: 'JPEG pictures', mimeTypes: ['image/jpeg'], extensions: ['.jpg', '.jpeg'] },
+  webp: { description: 'WebP pictures', mimeTypes: ['image/webp'], extensions: ['.webp'] },
 };
 
 type Kind = keyof typeof KINDS;
@@ -19,15 +21,42 @@ export function openFile(): Promise<FileWithHandle | undefined> {
 }
 
 /**
- * Asks where to save a file, and saves it. Returns false if the user cancels.
+ * Asks where to save a file, and saves it. Returns its name, or null if the user cancels or the blob is an AbortError.
  *
  * Browsers ask only shortly after a click: pass a blob that takes time to make as a promise.
  */
-export async function saveFile(blob: Blob | Promise<Blob>, fileName: string, kind: Kind): Promise<boolean> {
-  const saved = fileSave(blob, { ...KINDS[kind], fileName, id: kind }).then(() => true);
+export async function saveFile(
+  blob: Blob | Promise<Blob>,
+  fileName: string,
+  kind: Kind,
+): Promise<string | null> {
+  let chosen: FileSystemFileHandle | null = null;
+  const choose = (handle: FileSystemFileHandle | null) => {
+    chosen = handle;
+  };
   // After a cancel, nobody awaits the blob.
   if (blob instanceof Promise) blob.catch(() => {});
-  return (await unlessCancelled(saved)) ?? false;
+  try {
+    const options = { ...KINDS[kind], fileName, id: kind };
+    const handle = await unlessCancelled(fileSave(blob, options, null, false, choose));
+    if (handle !== undefined) return handle?.name ?? fileName;
+  } catch (error) {
+    await removeEmpty(chosen);
+    throw error;
+  }
+  await removeEmpty(chosen);
+  return null;
+}
+
+/** Removes the empty file that browsers create when the user names a new one, if nothing was written to it. */
+async function removeEmpty(
+  handle: (FileSystemFileHandle & { remove?(): Promise<void> }) | null,
+): Promise<void> {
+  try {
+    if (handle && (await handle.getFile()).size === 0) await handle.remove?.();
+  } catch {
+    // It is gone already, or may not be removed.
+  }
 }
 
 async function unlessCancelled<T>(choice: Promise<T>): Promise<T | undefined> {

@@ -2,7 +2,7 @@
  * A running editor, from the element's connection to its disconnection: the store, and every resource that carries out
  * its effects. `dispose` releases all of them.
  */
-import type { Pixels } from '../compute/solution';
+import type { Drawing } from '../compute/drawing';
 import type { ProjectFile } from '../document/project';
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorEvent } from '../editor/events';
@@ -16,6 +16,7 @@ import { misfit, type NamedFile } from '../editor/picture';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
 import { asError } from '../error';
+import type { Area } from '../geometry/area';
 import { deviceView } from '../geometry/camera';
 import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
@@ -194,11 +195,11 @@ export class EditorRuntime {
     return (this.state.picture && this.#view?.clientAt(image)) ?? null;
   }
 
-  /** The warped picture in straight alpha, see `Engine.warp`; by default drawn as it is shown. */
-  async warped(scale: number, grow: boolean, pixelated = this.#isPixelated): Promise<Pixels> {
+  /** The warped picture, ready to be drawn, see `Engine.draw`; by default as pixel art if it is shown so. */
+  async drawing(scale: number, area: Area, pixelated = this.#isPixelated): Promise<Drawing> {
     if (!this.state.picture) throw new RangeError('There is no picture yet.');
     // The pose of this moment: the page may go on to the next one meanwhile.
-    return this.#solver.warp(projectOf(this.state), scale, grow, pixelated);
+    return this.#solver.draw(projectOf(this.state), { scale, area, pixelated });
   }
 
   /** What the next runtime of the element continues with. */

@@ -1,7 +1,8 @@
 /** Carries out the effects of the editor: one line per effect names who does it. */
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorState } from '../editor/state';
-import { preparePng } from '../io/encode';
+import { prepareEncoder } from '../io/encoder';
+import { toggleExport } from '../ui/export_menu';
 import { showSelected } from '../ui/handle_list';
 import type { Clipboard } from './clipboard';
 import type { Files } from './files';
@@ -51,8 +52,9 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'save-project': (effect, { files }) =>
     files.saveProject(effect.name, effect.project, effect.of, effect.picture),
   export: (effect, { files, pixelated }) =>
-    files.export(effect.name, effect.project, effect.grow, pixelated, effect.cut, effect.carried),
-  'prepare-export': () => preparePng(),
+    files.export(effect.name, effect.project, effect.choices, pixelated, effect.carried),
+  'cancel-export': (_, { files }) => files.cancelExport(),
+  'prepare-export': () => prepareEncoder(),
   'copy-pose': (_, { clipboard }) => clipboard.copy(),
   'paste-pose': (_, { clipboard }) => clipboard.paste(),
   'use-storage': (effect, { storage }) => storage.use(effect.key),
@@ -65,6 +67,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'show-menu': (effect, { state, menu }) => menu.show(effect.at, state),
   'hide-menu': (_, { menu }) => menu.hide(),
   'toggle-keys': (_, { root }) => root.querySelector<HTMLElement>('#keys')?.togglePopover(),
+  'toggle-export': (_, { root }) => toggleExport(root),
   'set-theme': (effect, resources) => resources.setTheme(effect.theme),
   'release-input': (_, resources) => resources.releaseInput(),
   'start-timer': (effect, { timers }) => timers.start(effect.timer, effect.ms),

@@ -4,14 +4,15 @@ import type { Project } from '../document/project';
 import { projectText } from '../document/project_text';
 import type { CarriedProject, ProjectSource } from '../editor/effects';
 import type { Dispatch, EventOf } from '../editor/events';
+import { EXPORT_FORMATS, type ExportChoices } from '../editor/export_choices';
 import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
-import { encodePng } from '../io/encode';
 import { openFile, saveFile } from '../io/files';
 import { textIn, withText } from '../io/png_text';
 import { readBytes } from '../io/read';
 import { joinedProject, KEYWORD, splitProject } from './carried';
+import { writtenFile } from './exporting';
 import { type Pictures, withFileName } from './pictures';
 import type { Solver } from './solver';
 
@@ -20,6 +21,7 @@ export class Files {
   readonly #pictures: Pictures;
   readonly #solver: Solver;
   readonly #reads = new Map<number, AbortController>();
+  #exporting: AbortController | null = null;
 
   constructor(dispatch: Dispatch, pictures: Pictures, solver: Solver) {
     this.#dispatch = dispatch;
@@ -125,37 +127,58 @@ export class Files {
     }
   }
 
-  /** Saves the warped picture as PNG. `cut`: the export cuts off a part of it. */
+  /** Saves the warped picture. A PNG carries the project. */
   async export(
     name: string,
     project: Project,
-    grow: boolean,
+    choices: ExportChoices,
     pixelated: boolean,
-    cut: boolean,
     carried: CarriedProject,
   ): Promise<void> {
+    const controller = new AbortController();
+    this.#exporting = controller;
     try {
-      const png = this.#png(project, grow, pixelated);
-      const text = this.#text(carried.project, carried.picture);
-      const file = Promise.all([png, text]).then(([png, text]) => withText(png, KEYWORD, text));
-      const saved = await saveFile(file, name, 'png');
-      this.#dispatch({ type: 'export-ended', saved, cut, error: null });
+      const written = this.#written(project, choices, pixelated, controller.signal);
+      const file = choices.format === 'png' ? this.#carrying(written, carried) : written;
+      const saved = await saveFile(file, name, choices.format);
+      this.#dispatch({ type: 'export-ended', saved, error: null });
     } catch (error) {
-      this.#dispatch({ type: 'export-ended', saved: false, cut, error: asError(error) });
+      this.#dispatch({ type: 'export-ended', saved: null, error: asError(error) });
+    } finally {
+      // Nobody takes the file if the person has not chosen a place for it.
+      controller.abort();
     }
+  }
+
+  cancelExport(): void {
+    this.#exporting?.abort();
   }
 
   dispose(): void {
     for (const controller of this.#reads.values()) controller.abort();
+    this.#exporting?.abort();
+  }
+
+  async #carrying(written: Promise<Blob>, { project, picture }: CarriedProject): Promise<Blob> {
+    const [png, text] = await Promise.all([written, this.#text(project, picture)]);
+    return withText(png, KEYWORD, text);
   }
 
   async #text(project: Project, picture: NamedFile | null): Promise<string> {
     return projectText(picture ? await joinedProject(project, picture) : project);
   }
 
-  async #png(project: Project, grow: boolean, pixelated: boolean): Promise<Blob> {
-    const { width, height, rgba } = await this.#solver.warp(project, 1, grow, pixelated);
-    return encodePng(width, height, rgba);
+  #written(
+    project: Project,
+    { format, percent, area, quality, background }: ExportChoices,
+    pixelated: boolean,
+    signal: AbortSignal,
+  ): Promise<Blob> {
+    const drawing = this.#solver.draw(project, { scale: percent / 100, area, pixelated });
+    const { type } = EXPORT_FORMATS[format];
+    const onProgress = (fraction: number) => this.#dispatch({ type: 'export-progressed', fraction });
+    const settings = { type, quality: quality / 100, background, chunks: [] };
+    return writtenFile(drawing, settings, { signal, onProgress });
   }
 
   async #project(given: ProjectSource, signal: AbortSignal): Promise<ReadProject> {

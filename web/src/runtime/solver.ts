@@ -3,9 +3,11 @@
  *
  * Solutions hold memory of the WebAssembly module. Those that the state no longer names are freed.
  */
+import type { Drawing } from '../compute/drawing';
 import { Engine } from '../compute/engine';
+import type { DrawingOptions } from '../compute/messages';
 import { checkedProject } from '../compute/module';
-import type { PixelSource, Pixels, SolutionData } from '../compute/solution';
+import type { PixelSource, SolutionData } from '../compute/solution';
 import { checkedHandle } from '../document/handle';
 import type { Project, ProjectFile } from '../document/project';
 import type { Dispatch } from '../editor/events';
@@ -71,10 +73,10 @@ export class Solver {
     }
   }
 
-  /** The warped picture in straight alpha, see `Engine.warp`. */
-  async warp(project: Project, scale: number, grow: boolean, pixelated: boolean): Promise<Pixels> {
+  /** The warped picture, ready to be drawn: see `Engine.draw`. */
+  async draw(project: Project, options: DrawingOptions): Promise<Drawing> {
     const engine = await this.#started();
-    return engine.warp(project, scale, grow, pixelated);
+    return engine.draw(project, options);
   }
 
   /** Parses a project file. @throws WarpError with a message that names the invalid key. */

@@ -15,7 +15,10 @@ import { inTransaction, type StoredValues } from '../io/storage';
 /** A picture and its documents carry the same mark. */
 type StoredPicture = Pick<WorkSnapshot, 'id' | 'file' | 'name' | 'thumbnail'> & { readonly mark: string };
 
-type StoredDocument = Pick<WorkSnapshot, 'record' | 'drawings' | 'pixelated' | 'guarded' | 'saved'> & {
+type StoredDocument = Pick<
+  WorkSnapshot,
+  'record' | 'drawings' | 'pixelated' | 'guarded' | 'saved' | 'exports'
+> & {
   readonly mark: string;
   /** The tab that wrote it, and a name for this version. */
   readonly writer: string;
@@ -121,14 +124,19 @@ export class StoredWork {
     }
     // An earlier version of this tab is part of this one.
     values.delete(this.#nameOf(this.#writer));
-    const { id, file, name, thumbnail, record, drawings = [], guarded, pixelated, saved } = work;
+    const { id, file, name, thumbnail, record, drawings = [], guarded, pixelated, saved, exports } = work;
     if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
     const mark = this.#mark;
     if (picture?.mark !== mark) values.put(`${this.#key}/picture`, { id, file, name, thumbnail, mark });
     // A selection makes no other version.
     const known = document && !changed ? document.version : null;
     const version = known ?? `${this.#writer}/${++this.#writes}`;
-    const settings = { guarded, ...(pixelated !== undefined && { pixelated }), ...(saved && { saved }) };
+    const settings = {
+      guarded,
+      ...(pixelated !== undefined && { pixelated }),
+      ...(saved && { saved }),
+      ...(exports && { exports }),
+    };
     const writer = this.#writer;
     values.put(`${this.#key}/document`, { record, drawings, ...settings, mark, writer, version });
     return version;

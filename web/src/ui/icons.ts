@@ -61,6 +61,7 @@ const COMMAND_ICONS = {
   'export-all': 'export',
   'export-whole': 'export',
   'save-whole': 'save',
+  'export-as': 'export',
   'reset-all': 'reset',
   'add-point': 'point',
   'select-all': 'select',

@@ -63,7 +63,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'preview',
     ],
   ],
-  ['Document', ['open', 'save', 'save-whole', 'export', 'export-all', 'undo', 'redo']],
+  ['Document', ['open', 'save', 'save-whole', 'export', 'export-as', 'undo', 'redo']],
 ];
 
 export const keysButton = (): TemplateResult => html`<button

@@ -16,6 +16,8 @@ export interface FieldLook {
   /** Asks for a keyboard with digits, which lacks a minus on some phones. For values that are hardly ever negative. */
   readonly digitKeys?: boolean;
   readonly tip?: string;
+  /** The number is no part of the document, so that it can also be set by people who may change nothing. */
+  readonly changesNothing?: true;
 }
 
 /** The common look of coordinates. */
@@ -91,10 +93,13 @@ export function numberField(
       set({ by, least, most });
     }
     if (event.key !== 'Escape') return;
+    const popover = input.closest('[popover]');
+    // Closes the popover.
+    if (popover && input.value === shared) return;
     event.preventDefault();
     input.value = shared;
     const root = input.getRootNode() as ShadowRoot;
-    root.querySelector<HTMLElement>('.stage')?.focus({ preventScroll: true });
+    if (!popover) root.querySelector<HTMLElement>('.stage')?.focus({ preventScroll: true });
   };
   return html`<label class="field ${look.name === 'rotation' ? 'turn' : ''}" title=${look.tip ?? nothing}>
     <span class="label">${look.label}</span>
@@ -111,7 +116,7 @@ export function numberField(
       aria-description=${look.tip ?? nothing}
       placeholder="mixed"
       .value=${untyped(shared)}
-      ?disabled=${model.readonly}
+      ?disabled=${model.readonly && !look.changesNothing}
       @change=${commit}
       @input=${(event: Event) => event.stopPropagation()}
       @keydown=${onKey}

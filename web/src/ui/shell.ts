@@ -7,10 +7,12 @@ import { bubble } from './bubble';
 import { contextMenu } from './context_menu';
 import { draftBar } from './drawing';
 import { emptyStage } from './empty';
+import { exportCard } from './export_card';
 import { keysCard } from './keys';
 import { legends } from './legends';
 import { notice } from './notice';
 import { panel } from './panel';
+import { progressBar } from './progress';
 import { disabledStage, stage } from './stage';
 import { statusLine } from './status';
 import type { StudyView } from './study_view';
@@ -37,10 +39,11 @@ export function shell(
     <div class="middle ${studying ? 'studying' : ''}">
       ${stage(model, dispatch, canvas)} ${model.picture ? nothing : emptyStage(model, dispatch)}
       ${playing ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
-      ${model.task ? html`<div class="bar" role="progressbar" aria-label=${model.task.label}></div>` : nothing}
+      ${model.task ? progressBar(model.task) : nothing}
       ${model.hint && !model.preview ? bubble(model.hint, model.camera) : nothing}
       ${playing ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model)} ${legends(model)}`}
-      ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing} ${notice(model, dispatch)}
+      ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
+      ${playing ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
     </div>
     ${contextMenu(model, dispatch)}
     ${playing ? nothing : html`${keysCard(model)} ${statusLine(model, dispatch)}`}

@@ -71,13 +71,16 @@ function zoomButton(count: number, dispatch: Dispatch): TemplateResult {
 
 const OPENING = html`<span class="spinner" aria-hidden="true"></span>Opening…`;
 
-const progress = (
-  { name, label, cancellable }: Task,
-  { readonly }: EditorModel,
-  dispatch: Dispatch,
-): TemplateResult =>
-  html`<span class="spinner" aria-hidden="true"></span>${label}
-    ${cancellable && !readonly ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'task-cancelled', task: name })}>Cancel</button>` : nothing}`;
+export const percentOf = ({ fraction = 0 }: Task): number => Math.round(fraction * 100);
+
+/** A task with its progress, and the button that cancels it. Anybody may cancel an export, which changes nothing. */
+export const progress = (task: Task, { readonly }: EditorModel, dispatch: Dispatch): TemplateResult => {
+  const { name, label, cancellable, fraction } = task;
+  const mayCancel = cancellable && (!readonly || name === 'export');
+  return html`<span class="spinner" aria-hidden="true"></span>
+    <span class="task">${label}${fraction === undefined ? '' : ` ${percentOf(task)} %`}</span>
+    ${mayCancel ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'task-cancelled', task: name })}>Cancel</button>` : nothing}`;
+};
 
 function solved(model: EditorModel): TemplateResult | typeof nothing {
   if (!model.solved) return nothing;

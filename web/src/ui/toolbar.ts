@@ -4,6 +4,7 @@ import type { CommandName } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { commandButton, type Look } from './command_button';
+import { exportMenu } from './export_menu';
 import { filesMenu } from './files_menu';
 import { holdButton } from './hold_button';
 import { icon } from './icons';
@@ -17,7 +18,7 @@ export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
     <div class="group">
       ${command('open', { text: 'Open' })} ${filesMenu(model, dispatch)}
       ${command('save', { text: 'Save' })}
-      ${command('export', { text: 'Export' })}
+      ${exportMenu(model, dispatch)}
     </div>
     <div class="group">
       ${command('undo', { label: told('Undo', model.undo) })}

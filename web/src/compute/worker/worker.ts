@@ -4,9 +4,9 @@
  * Errors with a code are sent as replies. Anything else is a panic, after which the module's memory cannot be trusted:
  * the worker reports that it died, and the page replaces it.
  */
-import init, { Session, type Solution } from '../generated/c2warp';
+import init, { Canvas, type Drawing, Session, type Solution } from '../generated/c2warp';
 import { type Boot, type Failure, type Messages, type Reply, type Request, SUPERSEDED } from '../messages';
-import type { Pixels, Report, SolutionData, Stage } from '../solution';
+import type { Report, SolutionData, Stage } from '../solution';
 import { nextTask, Queue } from './queue';
 import { WARM_UP } from './warm_up';
 
@@ -16,6 +16,13 @@ const RELEASED =
   'The pixels of the picture are gone, or there is no memory for them. Open the picture again.';
 
 let session: Session | undefined;
+
+/** The drawings of the present picture, by the ids of their requests. */
+const drawings = new Map<number, Drawing>();
+
+const CANVASES = { picture: Canvas.Picture, grown: Canvas.Grown, covered: Canvas.Covered } as const;
+
+const LOST = 'The solver failed during the drawing.';
 
 const queue = new Queue<Boot | Request>(async (message) => {
   try {
@@ -53,6 +60,8 @@ async function handle(session: Session, request: Request): Promise<void> {
     case 'picture': {
       const { width, height, pixels } = request.body;
       session.set_picture(width, height, await received(pixels));
+      for (const drawn of drawings.values()) drawn.free();
+      drawings.clear();
       return done(null);
     }
     case 'solve': {
@@ -62,14 +71,25 @@ async function handle(session: Session, request: Request): Promise<void> {
       const solution = copiedOut(session.solution());
       return done(solution, buffers(solution));
     }
-    case 'warp': {
-      const { project, scale, grow, pixelated } = request.body;
-      const warped = session.warp(project, scale, grow, pixelated);
-      const { width, height } = warped;
-      const rgba = warped.intoBytes();
-      const pixels: Pixels = { width, height, rgba };
-      return done(pixels, [rgba.buffer]);
+    case 'draw': {
+      const { project, scale, area, pixelated } = request.body;
+      const drawn = session.draw(project, scale, CANVASES[area], pixelated);
+      const { width, height, bandRows } = drawn;
+      drawings.set(id, drawn);
+      return done({ drawing: id, width, height, bandRows });
     }
+    case 'rows': {
+      const { drawing, from, to } = request.body;
+      const drawn = drawings.get(drawing);
+      // The picture was replaced, or this worker replaces the one that began the drawing.
+      if (!drawn) return post({ id, kind: 'failed', failure: { code: 'engine', message: LOST } });
+      const rgba = session.rows(drawn, from, to);
+      return done(rgba, [rgba.buffer]);
+    }
+    case 'release':
+      drawings.get(request.body.drawing)?.free();
+      drawings.delete(request.body.drawing);
+      return done(null);
     case 'cells': {
       const borders = session.cell_borders(request.body.project);
       const { corners, barycentric } = borders;

@@ -26,11 +26,12 @@ export const workOf = ({ document, tools, view, pixelated }: EditorState): Work 
 
 /** The open picture and its work; during a trial, the previous ones. */
 export function snapshotOf(state: EditorState): WorkSnapshot | null {
-  const { picture, opening, guard } = state;
+  const { picture, opening, guard, exporting } = state;
   const open = opening.trial ? opening.trial.before : picture && { picture, work: workOf(state) };
   if (!open) return null;
   const { id, file, name, thumbnail } = open.picture;
-  return { id, file, name, thumbnail, ...open.work, guarded: guard.on };
+  const settings = { guarded: guard.on, exports: exporting.choices };
+  return { id, file, name, thumbnail, ...open.work, ...settings };
 }
 
 /** Identifies a step or a corner of a drawing. Selecting something is no step. */

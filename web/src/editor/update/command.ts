@@ -2,7 +2,7 @@
 
 import { selectedHandles } from '../../document/document';
 import { parsePose } from '../../document/pose_text';
-import type { Handle, Project } from '../../document/project';
+import type { Handle } from '../../document/project';
 import {
   bailOut,
   cancelPress,
@@ -25,13 +25,14 @@ import type { MenuState } from '../menu_state';
 import { mayEdit } from '../permissions';
 import { stem } from '../picture';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
-import { fitView, reachesBeyondFrame, showActualSize, zoom } from '../view';
+import { fitView, showActualSize, zoom } from '../view';
 import { handleWords } from '../wording';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
 import { openSettings, togglePreview } from './display';
 import { mirror, paste, raise, removeSelected, reset } from './edits';
+import { cancelExport, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
-import { announce, beginTask, dismiss, endTask, notify, report, shownNotice } from './notices';
+import { announce, dismiss, notify, shownNotice } from './notices';
 import { applyTools } from './press';
 import { select } from './selection';
 import { redo, undo } from './steps';
@@ -50,7 +51,7 @@ const takeBack: Run = (state, emit) => applyTools(state, takeBackCorner(state.to
 const isDrawing = ({ tools }: EditorState): boolean => draftOf(tools) !== null;
 
 const effect =
-  (type: 'pick-file' | 'copy-pose' | 'paste-pose' | 'toggle-keys'): Run =>
+  (type: 'pick-file' | 'copy-pose' | 'paste-pose' | 'toggle-keys' | 'toggle-export'): Run =>
   (state, emit) => {
     emit({ type });
     return state;
@@ -66,9 +67,11 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   open: effect('pick-file'),
   save: (state, emit) => save(state, false, emit),
   'save-whole': (state, emit) => save(state, true, emit),
-  export: (state, emit) => exportPicture(state, { grow: false, whole: false }, emit),
-  'export-all': (state, emit) => exportPicture(state, { grow: true, whole: false }, emit),
-  'export-whole': (state, emit) => exportPicture(state, { grow: false, whole: true }, emit),
+  export: (state, emit) => exportPicture(state, emit),
+  'export-as': effect('toggle-export'),
+  'export-all': (state, emit) => exportPicture(state, emit, { instead: { area: 'grown' } }),
+  'export-whole': (state, emit) =>
+    exportPicture(state, emit, { instead: { format: 'png' }, holdsPicture: true }),
   // During a drawing, undo takes back its last corner.
   undo: edit((state, emit, menu) => (isDrawing(state) ? takeBack(state, emit, menu) : undo(state, emit))),
   redo: edit((state, emit) =>
@@ -129,11 +132,12 @@ const RUN: Readonly<Record<CommandName, Run>> = {
 /** What Escape would cancel or dismiss: the innermost thing in progress. */
 function bailTarget(
   state: EditorState,
-): 'press' | 'crosshair' | 'settings' | 'notice' | 'selection' | 'study' | null {
+): 'press' | 'crosshair' | 'settings' | 'export' | 'notice' | 'selection' | 'study' | null {
   const notice = shownNotice(state);
   if (isPressing(state.tools) || isDrawing(state)) return 'press';
   if (state.display.crosshair) return 'crosshair';
   if (state.display.settings) return 'settings';
+  if (state.exporting.running) return 'export';
   if (notice && !notice.action) return 'notice';
   if (selectionOf(state).length > 0) return 'selection';
   if (notice) return 'notice';
@@ -152,6 +156,8 @@ function bail(state: EditorState, emit: Emit): EditorState {
       return hideCrosshair(state);
     case 'settings':
       return openSettings(state, false);
+    case 'export':
+      return cancelExport(state, emit);
     case 'notice':
       return dismiss(state, emit);
     case 'selection':
@@ -170,12 +176,6 @@ export function copiedHandles(state: EditorState): readonly Handle[] {
   return selected.length > 0 ? selected : projectOf(state).handles;
 }
 
-/** The project with the name of the open picture, for a file. */
-function projectForFile(state: EditorState): Project {
-  const project = projectOf(state);
-  return { ...project, image: { ...project.image, src: state.picture?.name ?? project.image.src } };
-}
-
 /** @param whole the file holds the picture too. */
 function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
   const project = projectForFile(state);
@@ -184,26 +184,7 @@ function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
   return state;
 }
 
-interface ExportOptions {
-  /** Everything that is bent beyond the frame is exported too. */
-  readonly grow: boolean;
-  /** The file holds the original picture too. */
-  readonly whole: boolean;
-}
-
-function exportPicture(state: EditorState, { grow, whole }: ExportOptions, emit: Emit): EditorState {
-  const { picture } = state;
-  if (!picture) return state;
-  const carried = { project: projectForFile(state), picture: whole ? picture : null };
-  const name = `${stem(picture.name)}-warped${grow ? '-all' : ''}.png`;
-  const cut = !grow && reachesBeyondFrame(state);
-  emit({ type: 'export', name, project: projectOf(state), grow, cut, carried });
-  return beginTask(state, { name: 'export', label: 'Exporting', cancellable: false }, emit);
-}
-
-const CUT = 'The PNG has the size of the original. The part beyond the frame is cut off in the PNG.';
-
-export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pasted' | 'export-ended'> = {
+export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pasted'> = {
   'command-run': (state, { command, menu = null }, emit) => {
     // A menu closes before its command runs, which may depend on the menu.
     if (canRun(menu ? { ...state, menu } : state, command)) return RUN[command](state, emit, menu);
@@ -220,13 +201,5 @@ export const commandHandlers: Handlers<'command-run' | 'pose-copied' | 'text-pas
       const text = `This pose cannot be pasted: ${(error as Error).message}.`;
       return notify(state, { kind: 'error', text }, emit);
     }
-  },
-  'export-ended': (before, { saved, cut, error }, emit) => {
-    const state = endTask(before, 'export', emit);
-    if (error) return report(state, error, emit);
-    if (!saved || !cut) return state;
-    const event = { type: 'command-run', command: 'export-all' } as const;
-    const action = { label: 'Export all', readsOnly: true, event } as const;
-    return notify(state, { kind: 'info', text: CUT, action, passes: true }, emit);
   },
 };

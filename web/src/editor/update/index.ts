@@ -12,6 +12,7 @@ import { autosaveHandlers } from './autosave';
 import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
 import { requestBorders } from './display';
+import { exportHandlers } from './exporting';
 import { focusHandlers } from './focus';
 import { graphicsHandlers, tellOfLostGraphics } from './graphics';
 import type { Handlers } from './handlers';
@@ -54,6 +55,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...autosaveHandlers,
   ...commandHandlers,
   ...controlHandlers,
+  ...exportHandlers,
   ...focusHandlers,
   ...graphicsHandlers,
   ...keyHandlers,

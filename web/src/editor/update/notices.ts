@@ -110,6 +110,14 @@ export const withoutGraphicsNotice = (state: EditorState): EditorState =>
 export const beginTask = (state: EditorState, task: Task, emit: Emit): EditorState =>
   withTasks(state, [...state.notices.tasks.filter(({ name }) => name !== task.name), task], emit);
 
+/** Shows how much of a task is done. */
+export const followTask = (state: EditorState, name: TaskName, fraction: number, emit: Emit): EditorState =>
+  withTasks(
+    state,
+    state.notices.tasks.map((task) => (task.name === name ? { ...task, fraction } : task)),
+    emit,
+  );
+
 export const endTask = (state: EditorState, name: TaskName, emit: Emit): EditorState =>
   state.notices.tasks.some((task) => task.name === name)
     ? withTasks(
@@ -123,7 +131,8 @@ function withTasks(state: EditorState, tasks: readonly Task[], emit: Emit): Edit
   const next = withNotices(state, { tasks });
   const [before, after] = [currentTask(state), currentTask(next)];
   if (before !== after) {
-    emit({ type: 'notify-page', notification: { type: 'progress', label: after?.label ?? null } });
+    const { label, fraction = null } = after ?? { label: null };
+    emit({ type: 'notify-page', notification: { type: 'progress', label, fraction } });
   }
   return next;
 }

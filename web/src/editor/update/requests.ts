@@ -60,7 +60,8 @@ export function restore(
   emit({ type: 'read', id, pictures: [{ name: work.name, file: work.file }], project: null, inside: false });
   const restoring: Restoring = { id, work, from, phase: 'reading' };
   const guard = { ...state.guard, on: work.guarded, holding: false };
-  return withOpening({ ...state, guard }, { restoring, nextId: id + 1 });
+  const exporting = { ...state.exporting, choices: work.exports ?? state.exporting.choices };
+  return withOpening({ ...state, guard, exporting }, { restoring, nextId: id + 1 });
 }
 
 const isProject = ({ name, file }: NamedFile): boolean =>

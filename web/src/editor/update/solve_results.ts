@@ -9,6 +9,7 @@ import type { Emit } from '../effects';
 import { mayChange } from '../permissions';
 import { MAX_RECENT, pendingKey, type Solution } from '../solution';
 import type { EditorState } from '../state';
+import { cancelExport } from './exporting';
 import type { Handlers } from './handlers';
 import { announce, report } from './notices';
 import { closePicture } from './put_picture';
@@ -73,6 +74,7 @@ export const solveHandlers: Handlers<
       ? withSolution(state, { borders: { of: solution, pieces: borders } })
       : state,
   'task-cancelled': (state, { task }, emit) => {
+    if (task === 'export') return cancelExport(state, emit);
     if (task === 'open') emit({ type: 'follow-up', event: { type: 'reading-cancelled' } });
     return task === 'solve' && mayChange(state) ? cancelSolve(state, emit) : state;
   },

@@ -9,6 +9,7 @@ import { bendingStyle } from './bending';
 import { buttonsStyle } from './buttons';
 import { drawingStyle } from './drawing';
 import { emptyStyle } from './empty';
+import { exportMenuStyle } from './export_menu';
 import { fieldsStyle } from './fields';
 import { filesMenuStyle } from './files_menu';
 import { floatingStyle } from './floating';
@@ -65,6 +66,7 @@ export const editorStyle = [
   drawingStyle,
   noticeStyle,
   progressStyle,
+  exportMenuStyle,
   touchStyle,
   playStyle,
   forcedStyle,

@@ -1,5 +1,6 @@
 /** Progress: the moving line and the spinner. */
 import { css } from 'lit';
+import { phone } from './layouts';
 import { ORDER } from './order';
 
 export const progressStyle = css`
@@ -17,6 +18,28 @@ export const progressStyle = css`
     width: 35%;
     background: var(--_accent);
     animation: run 1.1s ease-in-out infinite;
+  }
+  .bar.known::before {
+    width: var(--_done);
+    animation: none;
+    transition: width var(--_speed);
+  }
+  .task {
+    flex: 1;
+    font-variant-numeric: tabular-nums;
+  }
+  .solved .task {
+    flex: none;
+  }
+  /* A short export needs no card. */
+  .export-card {
+    display: none;
+    animation: appear var(--_speed) 0.4s backwards;
+  }
+  @container ${phone} {
+    .export-card {
+      display: flex;
+    }
   }
   @keyframes run {
     from {

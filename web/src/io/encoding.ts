@@ -1,0 +1,35 @@
+/** The messages between the page and the worker that writes picture files. */
+
+export type PictureType = 'image/png' | 'image/jpeg' | 'image/webp';
+
+/** An additional chunk of a PNG file, written before the pixels. */
+export interface PngChunk {
+  /** Four letters, such as `iTXt`. Lower case of the first and last says: not critical, safe to copy. */
+  readonly type: string;
+  readonly data: Uint8Array<ArrayBuffer>;
+}
+
+/** A file to be written. */
+export interface FileSettings {
+  readonly type: PictureType;
+  readonly width: number;
+  readonly height: number;
+  /** For JPEG and WebP, from 0 to 1. */
+  readonly quality: number;
+  /** The colour below translucent pixels of a JPEG, as `#rrggbb`. */
+  readonly background: string;
+  /** For PNG. */
+  readonly chunks: readonly PngChunk[];
+}
+
+/** To the worker itself: begins a file. Everything about this file goes through the port. */
+export interface BeginFile {
+  readonly settings: FileSettings;
+  readonly port: MessagePort;
+}
+
+/** Through the port: rows in straight alpha from top to bottom, the end of the picture, or of the whole file. */
+export type FileRequest = { readonly rgba: Uint8Array<ArrayBuffer> } | 'end' | 'abandon';
+
+/** Answers each request but the last: the rows before these are written; the file; or why it cannot be made. */
+export type FileReply = 'taken' | { readonly file: Blob } | { readonly refused: string };
