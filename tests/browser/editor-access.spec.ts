@@ -203,7 +203,7 @@ test('accessible names contain the visible labels', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').focus();
   await page.keyboard.press('ArrowRight');
-  for (const field of await page.locator('c2-warp .field').all()) {
+  for (const field of await page.locator('c2-warp .panel .field').all()) {
     const word = (await field.locator('.label').textContent()) ?? '';
     await expect(field.getByRole('spinbutton')).toHaveAccessibleName(new RegExp(word));
   }

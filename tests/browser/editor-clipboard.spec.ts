@@ -170,5 +170,5 @@ test('on other pages the element uses the clipboard only while focused', async (
   });
   await editor.handle('left hand').focus();
   await paste(page);
-  await expect(page.getByText('40 × 30 px')).toBeAttached();
+  await expect(editor.status.getByText('40 × 30 px')).toBeAttached();
 });

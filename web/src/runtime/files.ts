@@ -58,6 +58,7 @@ export class Files {
           : { picture, project, carried: null };
       if (read.picture && signal.aborted) this.#pictures.drop(read.picture);
       if (signal.aborted) return;
+      if (read.picture) this.#pictures.handOver(read.picture);
       this.#dispatch({ type: 'read-ended', id, source: picture?.file ?? null, ...read });
     } catch (error) {
       if (!signal.aborted) this.#dispatch({ type: 'read-failed', id, error: asError(error) });

@@ -6,6 +6,8 @@ import { type OpenPicture, openPicture } from '../io/open_picture';
 
 export class Pictures {
   readonly #open = new Map<Picture, OpenPicture>();
+  /** Pictures whose reader still has them: the state cannot name them yet. */
+  readonly #reading = new Set<Picture>();
 
   opened(picture: Picture): OpenPicture {
     const open = this.#open.get(picture);
@@ -13,7 +15,11 @@ export class Pictures {
     return open;
   }
 
-  /** @throws WarpError whose message begins with the file's name; AbortError if the signal is aborted. */
+  /**
+   * Reads a picture. It stays open until the reader hands it over or drops it.
+   *
+   * @throws WarpError whose message begins with the file's name; AbortError if the signal is aborted.
+   */
   async read(file: SourceFile, name: string, signal: AbortSignal): Promise<Picture> {
     const open = await openedFile(file, name, signal);
     const { bitmap, preview } = open.texture;
@@ -26,15 +32,22 @@ export class Pictures {
       ...open.facts,
     };
     this.#open.set(picture, open);
+    this.#reading.add(picture);
     return picture;
   }
 
-  /** Releases the pictures that the state does not name. */
-  releaseUnused({ picture, opening }: EditorState): void {
-    this.#release((other) => other !== picture && other !== opening.trial?.before?.picture);
+  /** Leaves a picture to the state, which names it from its next change on, or never. */
+  handOver(picture: Picture): void {
+    this.#reading.delete(picture);
   }
 
-  /** Releases one picture that never came into the state. */
+  /** Releases the pictures that neither the state nor a reader has. */
+  releaseUnused({ picture, opening }: EditorState): void {
+    const named = [picture, opening.trial?.before?.picture];
+    this.#release((other) => !named.includes(other) && !this.#reading.has(other));
+  }
+
+  /** Releases a picture that the reader does not need. */
   drop(picture: Picture): void {
     this.#release((other) => other === picture);
   }
@@ -48,6 +61,7 @@ export class Pictures {
       if (!unused(picture)) continue;
       open.release();
       this.#open.delete(picture);
+      this.#reading.delete(picture);
     }
   }
 }
