@@ -739,7 +739,7 @@ test('the open work stays if the solver dies on another picture', async ({ page 
     globalThis.Worker = class extends Worker {
       constructor(url: string | URL, options?: WorkerOptions) {
         super(url, options);
-        if (!/png|picture/.test(String(url))) workers.push(this);
+        if (!/encoder|picture/.test(String(url))) workers.push(this);
       }
     };
     Object.assign(globalThis, { workers });
