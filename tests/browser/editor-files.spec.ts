@@ -712,7 +712,7 @@ test('an empty editor has no original, and opens a picture by its button', async
   await page.locator('c2-warp .stage').focus();
   await page.keyboard.down('o');
   await editor.waitFrames();
-  await expect(page.getByText('Original', { exact: true })).toBeHidden();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeHidden();
   await page.keyboard.up('o');
   for (const press of [() => open.click(), () => open.press('Enter'), () => open.press('Space')]) {
     const asked = page.waitForEvent('filechooser');

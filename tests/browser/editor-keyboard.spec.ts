@@ -70,7 +70,7 @@ test('O shows the original while held', async ({ page }) => {
   };
   await expect.poll(bend).toBeGreaterThan(10);
   await page.keyboard.down('o');
-  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeVisible();
   await expect.poll(async () => meanDifference(before, await editor.screenshot(hand, 16))).toBeLessThan(SAME);
   await page.keyboard.up('o');
   await expect.poll(async () => meanDifference(bent, await editor.screenshot(hand, 16))).toBeLessThan(SAME);
@@ -102,7 +102,7 @@ test('W shows the posed picture alone while held', async ({ page }) => {
   await page.keyboard.down('w');
   expect(meanDifference(await look(), alone)).toBeLessThan(SAME);
   await page.keyboard.down('o');
-  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeVisible();
   expect(meanDifference(await look(), alone)).toBeGreaterThan(10);
   await page.keyboard.up('o');
 });
@@ -112,12 +112,12 @@ test('over the original a press pans, and moves no hidden handle', async ({ page
   const [at, told] = [await editor.position('head'), await editor.shownPose('head')];
   await editor.handle('head').focus();
   await page.keyboard.down('o');
-  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeVisible();
   await expect(page.locator('c2-warp .stage')).toHaveCSS('cursor', 'grab');
   await editor.drag(at, { x: 50, y: 30 });
   await page.mouse.dblclick(at.x + 50, at.y + 30);
   await page.keyboard.up('o');
-  await expect(page.getByText('Original', { exact: true })).toBeHidden();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeHidden();
   expect(await editor.position('head')).toEqual({ x: at.x + 50, y: at.y + 30 });
   expect(await editor.shownPose('head')).toEqual(told);
   await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
@@ -476,11 +476,11 @@ test('the original shows while its button is held, with any focus', async ({ pag
   const { x, y } = await editor.centre(editor.button('Hold to compare with the original'));
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeVisible();
   await editor.waitFrames();
-  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeVisible();
   await page.mouse.up();
-  await expect(page.getByText('Original', { exact: true })).toBeHidden();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeHidden();
 });
 
 test('play mode discards a number being typed', async ({ page }) => {
@@ -559,7 +559,7 @@ test('the key of O shows the original while held in other scripts too', async ({
   await editor.handle('head').focus();
   const keyboard = await page.context().newCDPSession(page);
   const key = { key: 'щ', code: 'KeyO', windowsVirtualKeyCode: 79 };
-  const original = page.getByText('Original', { exact: true });
+  const original = page.locator('c2-warp p.hint', { hasText: 'Original' });
   await keyboard.send('Input.dispatchKeyEvent', { type: 'keyDown', ...key });
   await expect(original).toBeVisible();
   await keyboard.send('Input.dispatchKeyEvent', { type: 'keyUp', ...key });

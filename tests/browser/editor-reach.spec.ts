@@ -106,7 +106,7 @@ test('the original view and a disabled overlay show no reach', async ({ page }) 
   expect(isHot(await colour(editor, head))).toBe(true);
   await editor.handle('head').focus();
   await page.keyboard.down('o');
-  await expect(page.getByText('Original', { exact: true })).toBeVisible();
+  await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeVisible();
   await expect(legend(editor)).toBeHidden();
   expect(isHot(await colour(editor, head))).toBe(false);
   await page.keyboard.up('o');
