@@ -509,14 +509,14 @@ test.describe('by touch', () => {
 
   test('the bending mode can be changed without a selection', async ({ page }) => {
     const editor = await Editor.open(page);
-    await expect(editor.button(/^Smooth$/)).toBeHidden();
+    await expect(editor.button(/^By hand$/)).toBeHidden();
     await editor.button('How the picture bends').tap();
-    await editor.button(/^Smooth$/).tap();
-    await expect(editor.button(/^Smooth$/)).toHaveAttribute('aria-pressed', 'true');
+    await editor.button(/^By hand$/).tap();
+    await expect(editor.button(/^By hand$/)).toHaveAttribute('aria-pressed', 'true');
     for (const control of await page.locator('c2-warp .panel').locator('button:visible, .switch').all()) {
       expect((await control.boundingBox())?.height).toBeGreaterThanOrEqual(44);
     }
     await editor.button('How the picture bends').tap();
-    await expect(editor.button(/^Smooth$/)).toBeHidden();
+    await expect(editor.button(/^By hand$/)).toBeHidden();
   });
 });
