@@ -222,7 +222,7 @@ for (const width of [320, 390]) {
       expect(box && box.x >= 0 && box.x + box.width <= width).toBe(true);
       widths.push(box?.width ?? 0);
     }
-    expect(widths.length).toBe(9);
+    expect(widths.length).toBe(8);
     expect(Math.max(...widths) - Math.min(...widths)).toBeLessThan(1);
     expect(Math.min(...widths)).toBeGreaterThan(24);
   });

@@ -107,7 +107,8 @@ export const toolbarStyle = css`
     .brand,
     .title,
     .keys-button,
-    .top .theme {
+    .top .theme,
+    .top [data-command='reset-all'] {
       display: none;
     }
   }

@@ -66,7 +66,7 @@ export const touchStyle = css`
       }
     }
   }
-  /* Nine targets do not fit side by side here: they keep their height and divide the width equally. */
+  /* Eight targets do not fit side by side here: they keep their height and divide the width equally. */
   @container shell (width < 360px) {
     .top {
       gap: 0;
@@ -75,13 +75,11 @@ export const touchStyle = css`
       flex: 1 1 0;
       gap: 0;
     }
-    .top .group:has(> :nth-child(3)) {
-      flex-grow: 1.5;
-    }
     .top .group:has(> :nth-child(4)) {
       flex-grow: 2;
     }
-    .top .group > *,
+    .top .group > .menu,
+    .top .group > .button,
     .top .menu > .button {
       flex: 1 1 0;
       width: 100%;
