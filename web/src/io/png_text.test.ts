@@ -1,15 +1,20 @@
-import { decode, encode } from 'fast-png';
+import { decode } from 'fast-png';
 import { describe, expect, it } from 'vitest';
-import { crc32, textIn, withText } from './png_text';
+import type { PngChunk } from './encoding';
+import { crc32 } from './png_chunk';
+import { textChunk, textIn } from './png_text';
+import { PngFile } from './worker/png_file';
 
 const TEXT = '{"name": "Katze – 猫"}';
-const png = new Blob([
-  Uint8Array.from(
-    encode({ width: 2, height: 1, data: Uint8Array.of(1, 2, 3, 255, 5, 6, 7, 255), channels: 4 }),
-  ),
-]);
-const bytes = async (text = TEXT): Promise<Uint8Array<ArrayBuffer>> =>
-  new Uint8Array(await withText(png, 'c2warp', text).arrayBuffer());
+
+async function written(chunks: readonly PngChunk[]): Promise<Uint8Array<ArrayBuffer>> {
+  const settings = { width: 2, height: 1, quality: 1, background: '#ffffff' };
+  const file = new PngFile({ type: 'image/png', ...settings, chunks });
+  await file.write(Uint8Array.of(1, 2, 3, 255, 5, 6, 7, 255));
+  return new Uint8Array(await (await file.finish()).arrayBuffer());
+}
+
+const bytes = (text = TEXT) => written([textChunk('c2warp', text)]);
 /** Where the content of the chunk begins. */
 const CONTENT = 8 + 25 + 8;
 
@@ -23,7 +28,7 @@ describe('a text in a PNG', () => {
   it('is null without the keyword, in other files and in short ones', async () => {
     const file = await bytes();
     expect(textIn(file.buffer, 'c2')).toBeNull();
-    expect(textIn(await png.arrayBuffer(), 'c2warp')).toBeNull();
+    expect(textIn((await written([])).buffer, 'c2warp')).toBeNull();
     expect(textIn(new TextEncoder().encode(TEXT).buffer, 'c2warp')).toBeNull();
     for (let length = 0; length < CONTENT + 20; length++) {
       expect(textIn(file.slice(0, length).buffer, 'c2warp')).toBeNull();

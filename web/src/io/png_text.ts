@@ -4,25 +4,20 @@
  * Cost: linear in the number of chunks and the length of the text. Pixels are neither read nor copied.
  */
 import { WarpError } from '../error';
+import type { PngChunk } from './encoding';
+import { latin } from './formats/latin';
+import { crc32, SIGNATURE } from './png_chunk';
 
-const SIGNATURE = 8;
 /** Length, name and checksum. */
 const AROUND = 12;
-/** Of the IHDR chunk, always the first one. */
-const HEADER = 13;
 
 /** Longer texts are refused before they are decoded. */
 export const MAX_TEXT_BYTES = 100e6;
 
-/** The file with a text behind its header. */
-export function withText(png: Blob, keyword: string, text: string): Blob {
-  const encoder = new TextEncoder();
-  // Keyword, separator, no compression with its method, no language, no translated keyword.
-  const content = concatenated(encoder.encode(keyword), Uint8Array.of(0, 0, 0, 0, 0), encoder.encode(text));
-  const named = concatenated(encoder.encode('iTXt'), content);
-  const chunk = concatenated(bigEndian(content.length), named, bigEndian(crc32(named)));
-  const at = SIGNATURE + AROUND + HEADER;
-  return new Blob([png.slice(0, at), chunk, png.slice(at)], { type: png.type });
+/** The chunk that holds a text in a PNG file. */
+export function textChunk(keyword: string, text: string): PngChunk {
+  // Keyword, separator, no compression with its method, no language, no translated keyword, text.
+  return { type: 'iTXt', data: new TextEncoder().encode(`${keyword}\0\0\0\0\0${text}`) };
 }
 
 /**
@@ -33,7 +28,7 @@ export function withText(png: Blob, keyword: string, text: string): Blob {
 export function textIn(file: ArrayBuffer, keyword: string): string | null {
   const view = new DataView(file);
   if (!isPng(view)) return null;
-  for (let at = SIGNATURE; at + AROUND <= view.byteLength; ) {
+  for (let at = SIGNATURE.length; at + AROUND <= view.byteLength; ) {
     const length = view.getUint32(at);
     const end = at + AROUND + length;
     if (end > view.byteLength) return null;
@@ -63,35 +58,5 @@ function textOf(named: Uint8Array, checksum: number, keywordLength: number): str
 
 const damaged = (what: string): WarpError => new WarpError('project', `The project in this picture ${what}.`);
 
-const isPng = (view: DataView): boolean => latin(view, 0, SIGNATURE) === '\x89PNG\r\n\x1a\n';
-
-function latin(view: DataView, at: number, length: number): string {
-  const end = Math.min(at + length, view.byteLength);
-  return at < end ? String.fromCharCode(...new Uint8Array(view.buffer, at, end - at)) : '';
-}
-
-function concatenated(...parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    whole.set(part, at);
-    at += part.length;
-  }
-  return whole;
-}
-
-const bigEndian = (value: number): Uint8Array =>
-  Uint8Array.of(value >>> 24, (value >>> 16) & 255, (value >>> 8) & 255, value & 255);
-
-/** The checksum of a chunk's name and content (PNG, annex D). */
-export function crc32(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (const byte of bytes) crc = (TABLE[(crc ^ byte) & 255] ?? 0) ^ (crc >>> 8);
-  return ~crc >>> 0;
-}
-
-const TABLE = Uint32Array.from({ length: 256 }, (_, index) => {
-  let value = index;
-  for (let bit = 0; bit < 8; bit++) value = value & 1 ? 0xedb88320 ^ (value >>> 1) : value >>> 1;
-  return value;
-});
+const isPng = (view: DataView): boolean =>
+  SIGNATURE.every((byte, at) => at < view.byteLength && view.getUint8(at) === byte);

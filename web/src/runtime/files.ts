@@ -9,7 +9,7 @@ import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
-import { textIn, withText } from '../io/png_text';
+import { textChunk, textIn } from '../io/png_text';
 import { readBytes } from '../io/read';
 import { joinedProject, KEYWORD, splitProject } from './carried';
 import { writtenFile } from './exporting';
@@ -139,8 +139,7 @@ export class Files {
     const controller = new AbortController();
     this.#exporting = controller;
     try {
-      const written = this.#written(project, choices, pixelated, controller.signal);
-      const file = choices.format === 'png' ? this.#carrying(written, carried) : written;
+      const file = this.#written(project, choices, pixelated, carried, controller.signal);
       const saved = await saveFile(file, name, choices.format);
       this.#dispatch({ type: 'export-ended', saved, error: null });
     } catch (error) {
@@ -160,25 +159,23 @@ export class Files {
     this.#exporting?.abort();
   }
 
-  async #carrying(written: Promise<Blob>, { project, picture }: CarriedProject): Promise<Blob> {
-    const [png, text] = await Promise.all([written, this.#text(project, picture)]);
-    return withText(png, KEYWORD, text);
-  }
-
   async #text(project: Project, picture: NamedFile | null): Promise<string> {
     return projectText(picture ? await joinedProject(project, picture) : project);
   }
 
-  #written(
+  async #written(
     project: Project,
     { format, percent, area, quality, background }: ExportChoices,
     pixelated: boolean,
+    carried: CarriedProject,
     signal: AbortSignal,
   ): Promise<Blob> {
+    const chunks =
+      format === 'png' ? [textChunk(KEYWORD, await this.#text(carried.project, carried.picture))] : [];
     const drawing = this.#solver.draw(project, { scale: percent / 100, area, pixelated });
     const { type } = EXPORT_FORMATS[format];
     const onProgress = (fraction: number) => this.#dispatch({ type: 'export-progressed', fraction });
-    const settings = { type, quality: quality / 100, background, chunks: [] };
+    const settings = { type, quality: quality / 100, background, chunks };
     return writtenFile(drawing, settings, { signal, onProgress });
   }
 

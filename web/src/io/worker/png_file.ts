@@ -7,7 +7,7 @@
  */
 import { Zlib } from 'fflate';
 import type { FileSettings } from '../encoding';
-import { pngChunk, SIGNATURE } from './png_chunk';
+import { pngChunk, SIGNATURE } from '../png_chunk';
 import { RowFilter } from './png_filter';
 import type { RowsFile } from './rows_file';
 

@@ -17,11 +17,11 @@ export function pngChunk(type: string, parts: readonly Uint8Array[]): Bytes {
     chunk.set(part, at);
     at += part.length;
   }
-  view.setUint32(at, checksum(chunk.subarray(4, at)));
+  view.setUint32(at, crc32(chunk.subarray(4, at)));
   return chunk;
 }
 
-/** The remainders of all bytes for CRC-32 (ISO 3309). */
+/** The remainders of all bytes. */
 const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
   let remainder = byte;
   for (let bit = 0; bit < 8; bit++)
@@ -29,7 +29,8 @@ const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
   return remainder;
 });
 
-function checksum(bytes: Uint8Array): number {
+/** The checksum of a chunk's letters and data (PNG, annex D; ISO 3309). */
+export function crc32(bytes: Uint8Array): number {
   let crc = 0xffffffff;
   for (let at = 0; at < bytes.length; at++)
     crc = (crc >>> 8) ^ (REMAINDERS[(crc ^ (bytes[at] ?? 0)) & 255] ?? 0);
