@@ -26,6 +26,26 @@ export function startWorker(address: string): Worker {
 }
 
 /**
+ * Returns a function that starts a worker unless it runs, for all editors of a page. After a failure, the next call
+ * starts another.
+ *
+ * The function throws an Error if the page's policy forbids the worker.
+ */
+export function sharedWorker(address: string): () => Worker {
+  let running: Worker | null = null;
+  return () => {
+    if (running) return running;
+    const started = startWorker(address);
+    started.addEventListener('error', () => {
+      if (running === started) running = null;
+      started.terminate();
+    });
+    running = started;
+    return started;
+  };
+}
+
+/**
  * Returns a script that imports a module, and queues messages until the module listens. The script is a classic one,
  * since sandboxed frames in Chromium start no modules from blobs.
  */

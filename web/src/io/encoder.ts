@@ -3,7 +3,7 @@
  *
  * A PNG file holds exactly the bytes that the solver returns, in straight alpha.
  */
-import { startWorker } from '../start_worker';
+import { sharedWorker } from '../start_worker';
 import type { BeginFile, FileReply, FileRequest, FileSettings, PictureType } from './encoding';
 import encoder from './worker/encoder?worker&url';
 
@@ -15,20 +15,8 @@ export const TYPE_NAMES = {
   'image/webp': 'WebP',
 } as const satisfies Record<PictureType, string>;
 
-let worker: Worker | null = null;
-
-/** Starts the worker ahead of time, so that a later export needs no network. */
-export function prepareEncoder(): Worker {
-  if (worker) return worker;
-  const started = startWorker(encoder);
-  // After a failure, the next call starts another worker.
-  started.addEventListener('error', () => {
-    if (worker === started) worker = null;
-    started.terminate();
-  });
-  worker = started;
-  return started;
-}
+/** Starts the worker, also ahead of time, so that a later export needs no network. */
+export const prepareEncoder = sharedWorker(encoder);
 
 /** A file that is being written. Dispose of it at the end. */
 export class PictureFile {

@@ -4,7 +4,7 @@
  * If the worker lacks something, or cannot start, the page reads the picture itself.
  */
 import { WarpError } from '../error';
-import { startWorker } from '../start_worker';
+import { sharedWorker } from '../start_worker';
 import type { Display } from './display';
 import type { PictureRequest, ReadReply, ReadRequest } from './picture_messages';
 import type { PictureFacts } from './read_picture';
@@ -38,27 +38,20 @@ export async function openPicture(file: Blob, signal: AbortSignal): Promise<Open
   return (await openInWorker(file, signal)) ?? (await openInPage(file, signal));
 }
 
-let worker: Worker | null = null;
+const pictureWorker = sharedWorker(picture);
 
-/** Starts the worker unless it runs. Returns null if the page's policy forbids it. */
-function runningWorker(): Worker | null {
-  if (worker) return worker;
+/** Null if the page's policy forbids the worker. */
+function permittedWorker(): Worker | null {
   try {
-    worker = startWorker(picture);
+    return pictureWorker();
   } catch {
     return null;
   }
-  const started = worker;
-  started.addEventListener('error', () => {
-    if (worker === started) worker = null;
-    started.terminate();
-  });
-  return started;
 }
 
 /** Resolves to null if the page must open the picture. */
 async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPicture | null> {
-  const reader = runningWorker();
+  const reader = permittedWorker();
   if (!reader) return null;
   const { port1: port, port2 } = new MessageChannel();
   const request = (message: PictureRequest, transfer: Transferable[] = []) =>
