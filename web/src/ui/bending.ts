@@ -38,7 +38,7 @@ export function bending(
       <span class="faint">${chosen.join(', ').toLowerCase()}</span>${icon('unfold')}
     </summary>
     <div class="segments" role="group" aria-label="Bending">
-      ${modes.map((name) => segment(MODES[name].word, name === mode, model, () => dispatch({ type: 'pose-mode-chosen', mode: name })))}
+      ${modes.map((name) => segment(MODES[name].word, name === mode, model.readonly, () => dispatch({ type: 'pose-mode-chosen', mode: name })))}
     </div>
     <p class="faint">${MODES[mode].note}</p>
     ${
@@ -46,7 +46,7 @@ export function bending(
         ? html`<h3>Detail</h3>
           <div class="segments" role="group" aria-label="Detail">
             ${details.map((name) =>
-              segment(DETAIL_WORDS[name], name === detail, model, () =>
+              segment(DETAIL_WORDS[name], name === detail, model.readonly, () =>
                 dispatch({ type: 'detail-chosen', detail: name }),
               ),
             )}

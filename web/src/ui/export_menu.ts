@@ -15,6 +15,7 @@ import type { Size } from '../geometry/camera';
 import { placeBelowButton } from './below_button';
 import { icon } from './icons';
 import { type FieldLook, numberField } from './number_field';
+import { segment } from './segment';
 
 const FORMAT_NOTES: Readonly<Record<ExportFormat, string>> = {
   png: 'Every pixel as it is, with transparency.',
@@ -88,13 +89,13 @@ function choices(model: EditorModel, choose: Choose, dispatch: Dispatch): Templa
   const { choices } = model.exporting;
   const formats = Object.keys(EXPORT_FORMATS) as ExportFormat[];
   return html`<div class="segments" role="group" aria-label="Format">
-      ${formats.map((format) => segment(EXPORT_FORMATS[format].name, format === choices.format, () => choose({ format })))}
+      ${formats.map((format) => segment(EXPORT_FORMATS[format].name, format === choices.format, false, () => choose({ format })))}
     </div>
     <p class="faint">${FORMAT_NOTES[choices.format]}</p>
     ${choices.format === 'png' ? nothing : quality(choices, choose)}
     ${choices.format === 'jpeg' ? background(choices, choose) : nothing}
     <div class="segments" role="group" aria-label="Area">
-      ${(Object.keys(AREAS) as Area[]).map((area) => segment(AREAS[area].word, area === choices.area, () => choose({ area })))}
+      ${(Object.keys(AREAS) as Area[]).map((area) => segment(AREAS[area].word, area === choices.area, false, () => choose({ area })))}
     </div>
     <p class="faint">${AREAS[choices.area].note}</p>
     ${numberField(SIZE, [choices.percent], (change) => choose({ percent: changed(choices.percent, change) }), model, dispatch)}`;
@@ -163,14 +164,3 @@ function exportButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
     Export ${EXPORT_FORMATS[choices.format].name}
   </button>`;
 }
-
-const segment = (word: string, chosen: boolean, choose: () => void): TemplateResult =>
-  html`<button
-    type="button"
-    class="button segment"
-    part="button"
-    aria-pressed=${String(chosen)}
-    @click=${() => !chosen && choose()}
-  >
-    ${word}
-  </button>`;

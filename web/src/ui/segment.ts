@@ -1,11 +1,10 @@
 /** A choice as a row of buttons, of which one is pressed. */
 import { html, type TemplateResult } from 'lit';
-import type { EditorModel } from '../editor/view_model';
 
 export const segment = (
   word: string,
   chosen: boolean,
-  model: EditorModel,
+  disabled: boolean,
   choose: () => void,
 ): TemplateResult =>
   html`<button
@@ -13,7 +12,7 @@ export const segment = (
     class="button segment"
     part="button"
     aria-pressed=${String(chosen)}
-    ?disabled=${model.readonly}
+    ?disabled=${disabled}
     @click=${() => !chosen && choose()}
   >
     ${word}

@@ -33,7 +33,7 @@ export function settingsPage(model: EditorModel, dispatch: Dispatch): TemplateRe
     chosen: V,
     choose: (value: V) => void,
   ) => html`<div class="segments" role="group" aria-label=${label}>
-    ${values.map(([value, word]) => segment(word, value === chosen, model, () => choose(value)))}
+    ${values.map(([value, word]) => segment(word, value === chosen, model.readonly, () => choose(value)))}
   </div>`;
   return html`
     ${setting(
