@@ -134,8 +134,6 @@ type FileEvent =
   /** A person gives an address of a picture or a project, by typing, pasting or dropping it. */
   | { readonly type: 'address-given'; readonly text: string }
   | { readonly type: 'sample-chosen'; readonly sample: Sample }
-  /** The person gives up what is being read. */
-  | { readonly type: 'reading-cancelled' }
   | {
       readonly type: 'load-asked';
       readonly reply: number;

@@ -23,13 +23,19 @@ interface Read {
   readonly work?: WorkSnapshot;
 }
 
+/** Gives up the picture being read. */
+export function abandonReading(state: EditorState, emit: Emit): EditorState {
+  const { reading } = state.opening;
+  if (!reading) return state;
+  emit({ type: 'abandon-read', id: reading.id });
+  emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
+  return withOpening(state, { reading: null });
+}
+
 /** Reads a picture, in place of the one being read. */
-export function requestPicture(state: EditorState, purpose: Purpose, read: Read, emit: Emit): EditorState {
-  const { reading, nextId: id } = state.opening;
-  if (reading) {
-    emit({ type: 'abandon-read', id: reading.id });
-    emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
-  }
+export function requestPicture(before: EditorState, purpose: Purpose, read: Read, emit: Emit): EditorState {
+  const state = abandonReading(before, emit);
+  const { nextId: id } = state.opening;
   const inside = purpose.by === 'person';
   emit({ type: 'read', id, pictures: read.pictures, project: read.project ?? null, inside });
   const [first] = read.pictures;
@@ -108,14 +114,10 @@ function openAddress(state: EditorState, text: string, emit: Emit): EditorState 
 }
 
 /** Gives up what is being read for a person or a page. What was open before stays. */
-function cancelReading(state: EditorState, emit: Emit): EditorState {
-  const { reading, readingProjects } = state.opening;
-  for (const { id } of reading ? [reading, ...readingProjects] : readingProjects)
-    emit({ type: 'abandon-read', id });
-  if (reading) {
-    emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
-  }
-  return announce(withOpening(state, { reading: null, readingProjects: [] }), 'Cancelled');
+export function cancelReading(before: EditorState, emit: Emit): EditorState {
+  const state = abandonReading(before, emit);
+  for (const { id } of state.opening.readingProjects) emit({ type: 'abandon-read', id });
+  return announce(withOpening(state, { readingProjects: [] }), 'Cancelled');
 }
 
 const projectSource = (project: string | ProjectFile | null): ProjectSource | null =>
@@ -141,7 +143,6 @@ export const requestHandlers: Handlers<
   | 'files-received'
   | 'address-given'
   | 'sample-chosen'
-  | 'reading-cancelled'
   | 'load-asked'
   | 'source-changed'
   | 'source-asked'
@@ -155,7 +156,6 @@ export const requestHandlers: Handlers<
     const source = project === undefined ? null : { address: project };
     return requestPicture(state, { by: 'person', received: [] }, { pictures: [src], project: source }, emit);
   },
-  'reading-cancelled': (state, _, emit) => cancelReading(state, emit),
   'load-asked': (state, { reply, source, project }, emit) => {
     const { pageProject } = state.opening;
     const purpose = { by: 'load', reply, usesPageProject: project ? null : pageProject } as const;

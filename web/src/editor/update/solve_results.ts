@@ -13,6 +13,7 @@ import { cancelExport } from './exporting';
 import type { Handlers } from './handlers';
 import { announce, report } from './notices';
 import { closePicture } from './put_picture';
+import { cancelReading } from './requests';
 import { revertRejected, turnBack } from './revert';
 import { beginStage, endStages, showSolution, withSolution } from './solve_request';
 import { endTrialOpened, endTrialRejected } from './trial';
@@ -75,7 +76,7 @@ export const solveHandlers: Handlers<
       : state,
   'task-cancelled': (state, { task }, emit) => {
     if (task === 'export') return cancelExport(state, emit);
-    if (task === 'open') emit({ type: 'follow-up', event: { type: 'reading-cancelled' } });
+    if (task === 'open') return cancelReading(state, emit);
     return task === 'solve' && mayChange(state) ? cancelSolve(state, emit) : state;
   },
 };

@@ -16,7 +16,7 @@ import type { Handlers } from './handlers';
 import { inform, notify } from './notices';
 import { endPressKeepingChanges } from './press';
 import { closePicture, freshWork, putPicture } from './put_picture';
-import { restore, withOpening } from './requests';
+import { abandonReading, restore, withOpening } from './requests';
 import { select } from './selection';
 import { step } from './steps';
 import { choose, chooseByHandles } from './tool_choice';
@@ -219,16 +219,12 @@ function openProject(state: EditorState, name: string, project: Project, emit: E
 
 /** Opens a project file that holds its picture, in place of the picture being read. */
 function tryProjectWithPicture(
-  state: EditorState,
+  before: EditorState,
   read: ProjectRead,
   opened: Opened,
   emit: Emit,
 ): EditorState {
-  const { reading } = state.opening;
-  if (reading) {
-    emit({ type: 'abandon-read', id: reading.id });
-    emit({ type: 'follow-up', event: { type: 'request-ended', request: reading, outcome: 'superseded' } });
-  }
+  const state = abandonReading(before, emit);
   const request = {
     id: read.id,
     name: read.name,
