@@ -192,6 +192,17 @@ describe('input while a picture is being opened', () => {
     expect(projectOf(runtime.state).handles).toHaveLength(1);
   });
 
+  it('leaves out commands that ask for a file, which browsers allow only at once', () => {
+    const [runtime] = asked({ before: 'picture', project: bent });
+    const before = runtime.effects.length;
+    for (const command of ['lasso', 'save', 'save-whole', 'export-whole', 'export-as'] as const)
+      runtime.dispatch(run(command));
+    expect(runtime.state.waiting).toEqual([run('lasso')]);
+    const types = runtime.effects.slice(before).map(({ type }) => type);
+    expect(types).toEqual(expect.arrayContaining(['save-project', 'export', 'toggle-export']));
+    expect(types.filter((type) => type === 'save-project')).toHaveLength(2);
+  });
+
   it('ends a drag that began before the picture was asked for', () => {
     const runtime = new FakeRuntime(PAGE);
     runtime.open();

@@ -33,8 +33,11 @@ const FOR_PICTURE: ReadonlySet<EditorEvent['type']> = new Set([
 const AT_ONCE: ReadonlySet<CommandName> = new Set([
   'open',
   'save',
+  'save-whole',
   'export',
+  'export-as',
   'export-all',
+  'export-whole',
   'copy',
   'paste',
   'compare',
