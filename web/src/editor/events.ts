@@ -20,6 +20,7 @@ import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
 import type { OverlayName } from './overlays';
 import type { Media, PageAttributes, Sample } from './page';
 import type { NamedFile, Picture, SourceFile } from './picture';
+import type { Popover } from './popover';
 import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { StudyPage } from './study_state';
@@ -90,7 +91,8 @@ type ControlEvent =
   | { readonly type: 'pixel-art-switched' | 'snapping-switched'; readonly on: boolean }
   | { readonly type: 'drawing-finished' | 'corner-taken-back' | 'theme-switched' }
   | { readonly type: 'settings-opened'; readonly open: boolean }
-  | { readonly type: 'numbers-opened' | 'files-menu-toggled'; readonly open: boolean }
+  | { readonly type: 'numbers-opened'; readonly open: boolean }
+  | { readonly type: 'popover-toggled'; readonly popover: Popover; readonly open: boolean }
   | { readonly type: 'handles-selected'; readonly ids: readonly string[] }
   | { readonly type: 'handle-toggled'; readonly id: string }
   | { readonly type: 'handle-focus-asked'; readonly id: string }

@@ -49,7 +49,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       preview: null,
       settings: false,
       numbers: false,
-      filesMenu: false,
+      popover: null,
       snapping: false,
       guides: [],
       box: null,

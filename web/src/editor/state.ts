@@ -26,6 +26,7 @@ import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS, type OverlayFlags } from './overlays';
 import type { Media, PageAttributes } from './page';
 import type { Picture } from './picture';
+import type { Popover } from './popover';
 import type { SolutionState } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { StudyState } from './study_state';
@@ -99,8 +100,8 @@ export interface DisplayState {
   /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
   readonly numbers: boolean;
-  /** The menu of recent work is open. */
-  readonly filesMenu: boolean;
+  /** The open panel of the toolbar. */
+  readonly popover: Popover | null;
   /** Dragged and placed handles snap to guides. */
   readonly snapping: boolean;
   /** The guides that what is being moved lies on. */

@@ -132,7 +132,10 @@ export interface EditorModel {
 export interface ExportModel {
   readonly choices: ExportChoices;
   readonly running: boolean;
-  /** Of the export, in pixels; for an area that follows the posed picture, about. Null without a picture. */
+  /**
+   * Of the export, in pixels; for an area that follows the posed picture, about. Null without a picture, and while the
+   * panel is closed.
+   */
   readonly size: Size | null;
 }
 
@@ -203,7 +206,7 @@ export function viewModel(state: EditorState): EditorModel {
     pixelated: picture?.isSmall ? state.pixelated : null,
     corner: cornerInHand(state),
     settings: display.settings,
-    filesMenu: display.filesMenu,
+    filesMenu: display.popover === 'files',
     numbers: display.numbers,
     study: state.study,
     menu: state.menu,
@@ -226,7 +229,9 @@ export function viewModel(state: EditorState): EditorModel {
     dark: media.dark,
     get exporting() {
       const { choices, running } = state.exporting;
-      return { choices, running: running !== null, size: exportSize(state) };
+      // The bounds of the posed picture take a pass over its mesh.
+      const size = display.popover === 'export' ? exportSize(state) : null;
+      return { choices, running: running !== null, size };
     },
     canRun: (command) => canRun(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),

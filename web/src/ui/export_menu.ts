@@ -67,7 +67,10 @@ export function exportMenu(model: EditorModel, dispatch: Dispatch): TemplateResu
       role="dialog"
       aria-label="Export"
       tabindex="-1"
-      @beforetoggle=${placeBelowButton}
+      @beforetoggle=${(event: ToggleEvent) => {
+        placeBelowButton(event);
+        dispatch({ type: 'popover-toggled', popover: 'export', open: event.newState === 'open' });
+      }}
     >
       ${choices(model, choose, dispatch)}
       <div class="row">

@@ -35,7 +35,7 @@ export function filesMenu(model: EditorModel, dispatch: Dispatch): TemplateResul
       aria-label=${LABEL}
       @beforetoggle=${(event: ToggleEvent) => {
         placeBelowButton(event);
-        dispatch({ type: 'files-menu-toggled', open: event.newState === 'open' });
+        dispatch({ type: 'popover-toggled', popover: 'files', open: event.newState === 'open' });
       }}
     >
       ${model.filesMenu ? content(model, dispatch) : nothing}

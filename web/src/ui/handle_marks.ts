@@ -12,7 +12,7 @@ import { GRIP_DEGREES, groupRing } from '../tools/group_ring';
 import { dots, onStage } from './dots';
 
 export function handleMarks(model: EditorModel): SVGTemplateResult {
-  const { document, camera, stage, grips, turns, playing } = model;
+  const { document, camera, stage, grips, turns, playing, ringed } = model;
   const group = model.readonly ? null : groupRing(document, grips);
   const single = grips.ring * camera.scale;
   const radius = group ? group.radius * camera.scale : single;
@@ -22,7 +22,7 @@ export function handleMarks(model: EditorModel): SVGTemplateResult {
     const selected = document.selection.includes(handle.id);
     return svg`
       ${isLine(handle) ? lineMarks(handle, model, selected) : !playing && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
-      ${(selected && !model.readonly && !group) || handle.id === model.ringed ? ring(posed, rotationOf(handle, turns), selected ? radius : single) : nothing}`;
+      ${(selected && !model.readonly && !group) || handle.id === ringed ? ring(posed, rotationOf(handle, turns), selected ? radius : single) : nothing}`;
   })}${group ? ring(toStage(camera, group.pivot), group.turn, radius, groupMarks(radius)) : nothing}`;
 }
 

@@ -6,7 +6,14 @@ import type { EditorState } from '../state';
 import { contain, reveal } from '../view';
 import { saveWork } from './autosave';
 import { finish, focus } from './corners';
-import { holdPreview, openNumbers, openSettings, switchOverlay, zoomToCrease } from './display';
+import {
+  holdPreview,
+  openNumbers,
+  openSettings,
+  switchOverlay,
+  togglePopover,
+  zoomToCrease,
+} from './display';
 import {
   setAutomatic,
   setBlend,
@@ -47,6 +54,7 @@ export const controlHandlers: Handlers<
   | 'theme-switched'
   | 'settings-opened'
   | 'numbers-opened'
+  | 'popover-toggled'
   | 'handles-selected'
   | 'handle-toggled'
   | 'handle-focus-asked'
@@ -77,6 +85,7 @@ export const controlHandlers: Handlers<
   },
   'settings-opened': (state, { open }) => openSettings(state, open),
   'numbers-opened': (state, { open }) => openNumbers(state, open),
+  'popover-toggled': (state, { popover, open }) => togglePopover(state, popover, open),
   'handles-selected': (state, { ids }, emit) => select(state, ids, emit),
   'handle-toggled': (state, { id }, emit) => toggleSelected(state, id, emit),
   'handle-focus-asked': (state, { id }, emit) => {

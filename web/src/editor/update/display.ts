@@ -2,6 +2,7 @@
 import type { PreviewCommand } from '../commands';
 import type { Emit } from '../effects';
 import type { OverlayFlags, OverlayName } from '../overlays';
+import type { Popover } from '../popover';
 import type { DisplayState, EditorState } from '../state';
 import { showBox } from '../view';
 import { keepPassing } from './notices';
@@ -48,6 +49,12 @@ export const openSettings = (state: EditorState, settings: boolean): EditorState
 
 export const openNumbers = (state: EditorState, numbers: boolean): EditorState =>
   withDisplay(state, { numbers });
+
+/** A panel that opens closes the other one, before or after it says so itself. */
+export function togglePopover(state: EditorState, popover: Popover, open: boolean): EditorState {
+  if (open) return withDisplay(state, { popover });
+  return state.display.popover === popover ? withDisplay(state, { popover: null }) : state;
+}
 
 /** Asks for the borders of the shown solution's cells, once they are to be shown. */
 export function requestBorders(state: EditorState, emit: Emit): EditorState {

@@ -6,9 +6,7 @@ import type { Handlers } from './handlers';
 import { notify } from './notices';
 import { withOpening } from './requests';
 
-export const recentHandlers: Handlers<
-  'version-kept' | 'recent-removed' | 'recent-put-back' | 'files-menu-toggled'
-> = {
+export const recentHandlers: Handlers<'version-kept' | 'recent-removed' | 'recent-put-back'> = {
   'version-kept': (state, _, emit) =>
     saveRecent(withOpening(state, { recent: withoutVersions(state.opening.recent) }), emit),
   'recent-removed': (state, { id }, emit) => {
@@ -21,5 +19,4 @@ export const recentHandlers: Handlers<
   },
   'recent-put-back': (state, { works }, emit) =>
     saveRecent(withOpening(state, { recent: bounded([...works, ...state.opening.recent]) }), emit),
-  'files-menu-toggled': (state, { open }) => ({ ...state, display: { ...state.display, filesMenu: open } }),
 };

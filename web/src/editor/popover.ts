@@ -1,0 +1,2 @@
+/** Panels of the toolbar that show something only while they are open. */
+export type Popover = 'files' | 'export';
