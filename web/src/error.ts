@@ -6,6 +6,9 @@ export const ENGINE = 'engine';
 /** The code of a request that the solver broke at, for example for want of memory. Its input is to blame. */
 export const TOO_MUCH = 'too-much';
 
+/** The words of a solve that is too much. */
+export const TOO_MUCH_TO_SOLVE = 'This is more than the solver can do in this browser.';
+
 export interface WarpErrorOptions extends ErrorOptions {
   /** Ids of the handles that the message names. */
   readonly handles?: readonly string[];

@@ -5,7 +5,7 @@
  * Requests that are pending when a worker dies are sent again to its successor, after the picture; a request that was
  * pending at two deaths is rejected.
  */
-import { ENGINE, TOO_MUCH, WarpError } from '../error';
+import { ENGINE, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
 import { failureError, superseded } from './errors';
 import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
 import type { PixelSource, Stage } from './solution';
@@ -39,13 +39,15 @@ const DEATHS_ALLOWED = 1;
 const NOT_STARTED =
   'The solver failed: its worker could not be started: is the file there, and does the page allow it?';
 
+const TOO_MUCH_TO_DRAW = 'The picture needs more memory to be drawn than this browser gives.';
+
 /** Why a request broke the solver: nearly always for want of memory. */
 const BROKE: Readonly<Record<Name, string>> = {
   picture: 'The picture needs more memory than this browser gives: scale it down.',
-  solve: 'This is more than the solver can do in this browser.',
-  draw: 'The picture needs more memory to be drawn than this browser gives.',
-  rows: 'The picture needs more memory to be drawn than this browser gives.',
-  release: 'The picture needs more memory to be drawn than this browser gives.',
+  solve: TOO_MUCH_TO_SOLVE,
+  draw: TOO_MUCH_TO_DRAW,
+  rows: TOO_MUCH_TO_DRAW,
+  release: TOO_MUCH_TO_DRAW,
   cells: 'The cells are more than the solver can do in this browser.',
 };
 

@@ -1,6 +1,6 @@
 /** The words of errors for people, where the solver's own words name project keys or ids. */
 import { nameOf } from '../document/handle';
-import { codeOf, handlesOf, WarpError } from '../error';
+import { codeOf, handlesOf, TOO_MUCH, WarpError } from '../error';
 
 /** By the codes of errors whose messages are in words of the solver and of project files. */
 const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>> = {
@@ -15,7 +15,6 @@ const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>
 
 /** The same for errors that name no handle. */
 const SENTENCES: Readonly<Record<string, string>> = {
-  'too-much': 'This is more than the solver can do in this browser.',
   'too-much-memory': 'This needs more memory than a browser has: use fewer handles, or less detail.',
   'too-many-sites':
     'The handles are too close to one another, or too many: move some apart, or use less detail.',
@@ -34,7 +33,8 @@ export function refusalWords(error: Error, reverted = false): string {
   const refused = EXPORT_REFUSALS[codeOf(error)];
   if (refused !== undefined) return refused;
   const [id, other = id] = handlesOf(error);
-  const sentence = SENTENCES[codeOf(error)];
+  // The message of a broken request is for people already.
+  const sentence = codeOf(error) === TOO_MUCH ? error.message : SENTENCES[codeOf(error)];
   if (sentence !== undefined) return reverted ? `${sentence} The step was taken back.` : sentence;
   const words = REFUSALS[codeOf(error)];
   return words && id !== undefined && other !== undefined

@@ -13,10 +13,8 @@ import type { Project, ProjectFile } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
-import { asError, codeOf, isAbort, isEngineFailure, TOO_MUCH, WarpError } from '../error';
+import { asError, codeOf, isAbort, isEngineFailure, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
 import { SolutionDeformation } from './deformation';
-
-const TOO_MUCH_TEXT = 'This is more than the solver can do in this browser.';
 
 const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
 
@@ -139,7 +137,7 @@ export class Solver {
     if (isAbort(error)) return;
     const failed = isEngineFailure(error);
     // An error without a code is one of the page's module. The solution is to blame, whatever the reason.
-    const told = codeOf(error) === '' ? new WarpError(TOO_MUCH, TOO_MUCH_TEXT, { cause: error }) : error;
+    const told = codeOf(error) === '' ? new WarpError(TOO_MUCH, TOO_MUCH_TO_SOLVE, { cause: error }) : error;
     // The engine may have given up the picture: the next solve starts another.
     if (failed || told !== error) this.#stop();
     this.#dispatch({ type: 'solve-refused', key, error: told, failed });
