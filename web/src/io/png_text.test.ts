@@ -2,7 +2,7 @@ import { decode } from 'fast-png';
 import { describe, expect, it } from 'vitest';
 import type { PngChunk } from './encoding';
 import { crc32 } from './png_chunk';
-import { textChunk, textIn } from './png_text';
+import { textChunk, textIn, textOfFile } from './png_text';
 import { PngFile } from './worker/png_file';
 
 const TEXT = '{"name": "Katze – 猫"}';
@@ -33,6 +33,12 @@ describe('a text in a PNG', () => {
     for (let length = 0; length < CONTENT + 20; length++) {
       expect(textIn(file.slice(0, length).buffer, 'c2warp')).toBeNull();
     }
+  });
+
+  it('is found in a file, and not sought in files of other types', async () => {
+    expect(await textOfFile(new Blob([await bytes()]), 'c2warp')).toBe(TEXT);
+    expect(await textOfFile(new Blob([TEXT]), 'c2warp')).toBeNull();
+    expect(await textOfFile(new Blob(), 'c2warp')).toBeNull();
   });
 
   it('is refused if it is damaged', async () => {

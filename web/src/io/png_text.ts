@@ -7,6 +7,7 @@ import { WarpError } from '../error';
 import type { PngChunk } from './encoding';
 import { latin } from './formats/latin';
 import { crc32, SIGNATURE } from './png_chunk';
+import { readBytes } from './read';
 
 /** Length, name and checksum. */
 const AROUND = 12;
@@ -18,6 +19,12 @@ export const MAX_TEXT_BYTES = 100e6;
 export function textChunk(keyword: string, text: string): PngChunk {
   // Keyword, separator, no compression with its method, no language, no translated keyword, text.
   return { type: 'iTXt', data: new TextEncoder().encode(`${keyword}\0\0\0\0\0${text}`) };
+}
+
+/** The text of a keyword in any file, of which a PNG alone is read as a whole. @throws as {@link textIn}. */
+export async function textOfFile(file: Blob, keyword: string): Promise<string | null> {
+  const start = new DataView(await readBytes(file.slice(0, SIGNATURE.length)));
+  return isPng(start) ? textIn(await readBytes(file), keyword) : null;
 }
 
 /**

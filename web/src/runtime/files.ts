@@ -9,7 +9,7 @@ import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
 import { openFile, saveFile } from '../io/files';
-import { textChunk, textIn } from '../io/png_text';
+import { textChunk, textOfFile } from '../io/png_text';
 import { readBytes } from '../io/read';
 import { joinedProject, KEYWORD, splitProject } from './carried';
 import { writtenFile } from './exporting';
@@ -73,7 +73,7 @@ export class Files {
     signal: AbortSignal,
   ): Promise<Pick<EventOf<'read-ended'>, 'picture' | 'project' | 'carried'>> {
     try {
-      const text = textIn(await readBytes(picture.file as Blob), KEYWORD);
+      const text = await textOfFile(picture.file as Blob, KEYWORD);
       if (text === null) return { picture, project: null, carried: null };
       const { project, picture: own } = await this.#parsed(text);
       if (!own) return { picture, project: null, carried: project };
