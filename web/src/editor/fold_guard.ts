@@ -1,6 +1,5 @@
 /**
- * The guard against folds: a drag, a turn, a nudge or a typed number goes only as far as it adds no
- * visible folds.
+ * The guard against folds: a drag, a turn, a nudge or a typed number goes only as far as it adds no visible folds.
  *
  * The solver bisects between the last allowed pose and the wanted one for the farthest pose without more folds than
  * before. Cost: some ten poses and passes over all triangles, a few milliseconds in all.

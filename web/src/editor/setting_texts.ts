@@ -1,4 +1,4 @@
-/** The settings in words: a name, and a sentence on what each does to the picture. */
+/** The settings in words. */
 import type { SettingName } from '../document/settings';
 
 /** The names as undo steps have them. */

@@ -123,14 +123,10 @@ impl Facet {
     }
 
     fn touched(&self, axis: usize, length: usize) -> Range<usize> {
-        let ([from, to], side) = (
-            self.corners
-                .iter()
-                .fold([i64::MAX, i64::MIN], |[from, to], corner| [from.min(corner[axis]), to.max(corner[axis])]),
-            SUBPIXELS as i64,
-        );
+        let side = SUBPIXELS as i64;
+        let [a, b, c] = self.corners.map(|corner| corner[axis]);
         let pixel = |place: i64| place.div_euclid(side).clamp(0, length as i64) as usize;
-        pixel(from)..pixel(to + side - 1)
+        pixel(a.min(b).min(c))..pixel(a.max(b).max(c) + side - 1)
     }
 
     /// Calls `visit` with the column, row and covered samples of each pixel in `rows` that the triangle covers in part.
