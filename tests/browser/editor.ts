@@ -58,6 +58,16 @@ export class Editor {
     return editor;
   }
 
+  /** Opens the editor, and its bent sample in a second tab too. */
+  static async openTwice(page: Page): Promise<readonly [first: Editor, second: Editor]> {
+    const first = await Editor.open(page);
+    await first.dragHandle('left hand', { x: 20, y: -40 });
+    await expect.poll(() => first.storedWork()).toMatchObject({ step: 'Move left hand' });
+    const second = await Editor.open(await page.context().newPage());
+    await expect(second.button('Undo: move left hand')).toBeEnabled();
+    return [first, second];
+  }
+
   async ready(): Promise<void> {
     await expect(this.handle('left hand')).toBeVisible();
     await expect(this.solved).toContainText('sample');

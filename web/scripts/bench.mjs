@@ -9,7 +9,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { exportTable } from './bench_exports.mjs';
-import { CHROMIUM_ARGS, findChromium, prepareChromium } from './chromium.mjs';
+import { launchChromium, prepareChromium } from './chromium.mjs';
 import { prepare } from './prepare.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
 
@@ -97,13 +97,7 @@ function least(a, b) {
  * @returns {Promise<string>} The measurements, as JSON.
  */
 async function ranInChromium(folder) {
-  // Imported only here: it may have just been installed.
-  const { chromium } = await import('@playwright/test');
-  const executablePath = findChromium();
-  const browser = await chromium.launch({
-    args: CHROMIUM_ARGS,
-    ...(executablePath ? { executablePath } : {}),
-  });
+  const browser = await launchChromium();
   try {
     const page = await browser.newPage();
     await page.route(`${ORIGIN}/**`, (route) => {

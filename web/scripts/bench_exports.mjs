@@ -6,7 +6,7 @@
  */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { CHROMIUM_ARGS, findChromium } from './chromium.mjs';
+import { launchChromium } from './chromium.mjs';
 import { ROOT } from './steps.mjs';
 
 /** Guideline for two cores of a cloud machine. */
@@ -14,15 +14,11 @@ const MOST_SECONDS = 4;
 
 /** @returns {Promise<string>} A table in Markdown. */
 export async function exportTable() {
-  // Imported only here: they may have just been installed.
-  const [{ createServer }, { chromium }] = await Promise.all([import('vite'), import('@playwright/test')]);
+  // Imported only here: it may have just been installed.
+  const { createServer } = await import('vite');
   const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
   await server.listen();
-  const executablePath = findChromium();
-  const browser = await chromium.launch({
-    args: CHROMIUM_ARGS,
-    ...(executablePath ? { executablePath } : {}),
-  });
+  const browser = await launchChromium();
   try {
     const page = await browser.newPage();
     await page.goto(server.resolvedUrls?.local[0] ?? '');

@@ -32,6 +32,17 @@ export function findChromium() {
   return PLACES.find((place) => existsSync(place));
 }
 
+/** Starts the Chromium of {@link findChromium}. @param {readonly string[]} args More arguments. */
+export async function launchChromium(args = []) {
+  // Imported only here: it may have just been installed.
+  const { chromium } = await import('@playwright/test');
+  const executablePath = findChromium();
+  return chromium.launch({
+    args: [...CHROMIUM_ARGS, ...args],
+    ...(executablePath ? { executablePath } : {}),
+  });
+}
+
 /** Installs a Chromium if none is found. */
 export async function prepareChromium() {
   const found = findChromium();

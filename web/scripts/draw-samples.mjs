@@ -5,16 +5,11 @@
  */
 import { readdir, readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { chromium } from '@playwright/test';
-import { CHROMIUM_ARGS, findChromium } from './chromium.mjs';
+import { findChromium, launchChromium } from './chromium.mjs';
 
 const samples = fileURLToPath(new URL('../public/samples/', import.meta.url));
-const executablePath = findChromium();
-if (executablePath === undefined) throw new Error('No Chromium found: install one, or name it in CHROMIUM.');
-const browser = await chromium.launch({
-  executablePath,
-  args: [...CHROMIUM_ARGS, '--force-color-profile=srgb'],
-});
+if (findChromium() === undefined) throw new Error('No Chromium found: install one, or name it in CHROMIUM.');
+const browser = await launchChromium(['--force-color-profile=srgb']);
 try {
   for (const name of (await readdir(samples)).filter((file) => file.endsWith('.svg'))) {
     const svg = await readFile(samples + name, 'utf8');

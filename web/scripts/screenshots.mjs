@@ -4,7 +4,7 @@
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { CHROMIUM_ARGS, findChromium, prepareChromium } from './chromium.mjs';
+import { launchChromium, prepareChromium } from './chromium.mjs';
 import { prepare } from './prepare.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
 
@@ -22,14 +22,11 @@ await main(async () => {
   await prepareChromium();
   heading('Screenshots');
   mkdirSync(FOLDER, { recursive: true });
-  // Imported only here: they may have just been installed.
-  const [{ createServer }, { chromium }] = await Promise.all([import('vite'), import('@playwright/test')]);
+  // Imported only here: it may have just been installed.
+  const { createServer } = await import('vite');
   const server = await createServer({ configFile: join(ROOT, 'web/vite.config.ts'), logLevel: 'warn' });
   await server.listen();
-  const browser = await chromium.launch({
-    args: CHROMIUM_ARGS,
-    executablePath: /** @type {string} */ (findChromium()),
-  });
+  const browser = await launchChromium();
   try {
     await take(browser, server.resolvedUrls?.local[0] ?? '', 'light');
     await take(browser, server.resolvedUrls?.local[0] ?? '', 'dark');

@@ -12,12 +12,12 @@ export const little32 = (value: number): Bytes => [...little16(value & 0xffff), 
 /** A colour: red, green, blue, alpha. */
 export type Colour = readonly [number, number, number, number];
 
-const RED: Colour = [255, 0, 0, 255];
-const GREEN: Colour = [0, 255, 0, 255];
-const BLUE: Colour = [0, 0, 255, 255];
-const YELLOW: Colour = [255, 255, 0, 255];
-const MAGENTA: Colour = [255, 0, 255, 255];
-const CYAN: Colour = [0, 255, 255, 255];
+export const RED: Colour = [255, 0, 0, 255];
+export const GREEN: Colour = [0, 255, 0, 255];
+export const BLUE: Colour = [0, 0, 255, 255];
+export const YELLOW: Colour = [255, 255, 0, 255];
+export const MAGENTA: Colour = [255, 0, 255, 255];
+export const CYAN: Colour = [0, 255, 255, 255];
 
 export interface Pixels {
   readonly width: number;

@@ -3,7 +3,7 @@
  *
  * Most files show `FLAG`, whose upper left is red. Where both open a file, the test compares all of its pixels.
  */
-import { type Bytes, type Colour, exif, FLAG, flat, latin } from './bytes';
+import { BLUE, type Bytes, type Colour, CYAN, exif, FLAG, flat, latin, RED, YELLOW } from './bytes';
 import { gif } from './gif';
 import * as jpeg from './jpeg';
 import { AVIF, BMP, LOSSY } from './pictures';
@@ -24,10 +24,6 @@ export interface Case {
   readonly command?: Outcome;
 }
 
-const RED: Colour = [255, 0, 0, 255];
-const YELLOW: Colour = [255, 255, 0, 255];
-const CYAN: Colour = [0, 255, 255, 255];
-const BLUE: Colour = [0, 0, 255, 255];
 const WHITE: Colour = [255, 255, 255, 255];
 const CLEAR: Colour = [0, 0, 0, 0];
 
