@@ -33,6 +33,7 @@ mod picture;
 pub mod project;
 
 // Geometry and containers without knowledge of warping.
+mod disjoint_sets;
 mod grid;
 mod min_entry;
 mod min_max;

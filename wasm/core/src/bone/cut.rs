@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::{Anchor, Polyline};
 use crate::{
+    disjoint_sets::DisjointSets,
     error::Error,
     limits::{MAX_SITES, MIN_SEPARATION},
     segment::{nearest_on_segment, segment_distance},
@@ -134,7 +135,7 @@ fn cut_at_meetings(segments: &mut [Segment], nodes: &mut Nodes) -> Result<(), Er
                 Meeting::At(p) => {
                     let before = s.stops.len() + t.stops.len();
                     let (on_s, on_t) = (s.node_at(p, nodes), t.node_at(p, nodes));
-                    nodes.join(on_s, on_t);
+                    nodes.sets.join(on_s, on_t);
                     spans += s.stops.len() + t.stops.len() - before;
                     if spans > MAX_SITES {
                         return Err(Error::TooManySites);
@@ -180,13 +181,13 @@ fn meeting(s: &Segment, t: &Segment) -> Meeting {
     if touches.iter().any(|touch| touch.distance(first) > OVERLAP) { Meeting::Overlapping } else { Meeting::At(first) }
 }
 
-/// Points on polylines, merged into joints (union-find).
+/// Points on polylines, merged into joints.
 #[derive(Default)]
 struct Nodes {
     /// Nodes: the point of each.
     anchors: Vec<Anchor>,
-    /// Nodes: another node of the same joint, nearer to its root; of a root, itself.
-    parent: Vec<usize>,
+    /// Nodes of the same joint.
+    sets: DisjointSets,
     /// Nodes: the joint of each, once [`joints`](Self::joints) has numbered them.
     joint: Vec<u32>,
 }
@@ -194,20 +195,7 @@ struct Nodes {
 impl Nodes {
     fn add(&mut self, anchor: Anchor) -> usize {
         self.anchors.push(anchor);
-        self.parent.push(self.parent.len());
-        self.parent.len() - 1
-    }
-
-    fn root(&self, mut node: usize) -> usize {
-        while self.parent[node] != node {
-            node = self.parent[node];
-        }
-        node
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b)] = a.min(b);
+        self.sets.add()
     }
 
     /// Numbers the joints and lists the anchors of each.
@@ -215,14 +203,14 @@ impl Nodes {
         let mut number = vec![u32::MAX; self.anchors.len()];
         let mut joints: Vec<Vec<Anchor>> = Vec::new();
         for node in 0..self.anchors.len() {
-            let root = self.root(node);
+            let root = self.sets.root(node);
             if number[root] == u32::MAX {
                 number[root] = joints.len() as u32;
                 joints.push(Vec::new());
             }
             joints[number[root] as usize].push(self.anchors[node]);
         }
-        self.joint = (0..self.anchors.len()).map(|node| number[self.root(node)]).collect();
+        self.joint = (0..self.anchors.len()).map(|node| number[self.sets.root(node)]).collect();
         joints
     }
 }

@@ -11,6 +11,7 @@ use super::{
     bounds::Bounds,
     triangle::{corners, doubled_area},
 };
+use crate::disjoint_sets::DisjointSets;
 
 /// The least area of a crease in square image pixels: two pixels each way.
 const VISIBLE_AREA: f64 = 4.0;
@@ -47,28 +48,17 @@ fn connected(triangles: &[[u32; 3]]) -> Vec<Vec<[u32; 3]>> {
     vertices.sort_unstable();
     vertices.dedup();
     let local = |vertex: u32| vertices.partition_point(|&other| other < vertex);
-    let mut parents: Vec<usize> = (0..vertices.len()).collect();
+    let mut sets = DisjointSets::new(vertices.len());
     for triangle in triangles {
-        let [a, b, c] = triangle.map(|vertex| root(&mut parents, local(vertex)));
-        let least = a.min(b).min(c);
-        for vertex in [a, b, c] {
-            parents[vertex] = least;
-        }
+        let [a, b, c] = triangle.map(local);
+        sets.join(a, b);
+        sets.join(a, c);
     }
     let mut rooted: Vec<(usize, [u32; 3])> =
-        triangles.iter().map(|&triangle| (root(&mut parents, local(triangle[0])), triangle)).collect();
+        triangles.iter().map(|&triangle| (sets.root(local(triangle[0])), triangle)).collect();
     rooted.sort_by_key(|&(root, _)| root);
     let groups = rooted.chunk_by(|(a, _), (b, _)| a == b);
     groups.map(|group| group.iter().map(|&(_, triangle)| triangle).collect()).collect()
-}
-
-/// The representative of a vertex in a forest of disjoint sets. Shortens the way to it.
-fn root(parents: &mut [usize], mut vertex: usize) -> usize {
-    while parents[vertex] != vertex {
-        parents[vertex] = parents[parents[vertex]];
-        vertex = parents[vertex];
-    }
-    vertex
 }
 
 #[cfg(test)]
