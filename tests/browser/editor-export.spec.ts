@@ -1,7 +1,7 @@
 /** Exports: the panel, formats, sizes, progress, and how an export is cancelled. */
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
-import { decode } from 'fast-png';
+import { decode, encode } from 'fast-png';
 import type { BlobOptions, C2Warp } from '../../web/src/element';
 import { bytes, Editor } from './editor';
 import { expect, test } from './fixtures';
@@ -295,4 +295,79 @@ test.describe('on a phone', () => {
     await expect(page.getByText('The export was cancelled')).toBeAttached();
     await replies.release();
   });
+});
+
+/** Hides what lies over the picture. Adopted, since the policy of the page forbids style elements. */
+const hideCards = (page: Page, hidden: boolean) =>
+  page.evaluate((hidden) => {
+    const bare = new CSSStyleSheet();
+    const parts = ['hint', 'notice', 'panel', 'tools'].map((part) => `c2-warp::part(${part})`);
+    bare.replaceSync(`${parts.join()} { visibility: hidden }`);
+    document.adoptedStyleSheets = hidden ? [bare] : [];
+  }, hidden);
+
+test('the preview of pixel art shows the pixels of the export', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const [width, height] = [40, 48];
+  const rgba = new Uint8Array(width * height * 4);
+  const colours = [
+    [200, 60, 40, 255],
+    [240, 200, 60, 255],
+    [40, 60, 90, 255],
+  ] as const;
+  for (let y = 4; y < height - 4; y++)
+    for (let x = 8; x < width - 8; x++) rgba.set(colours[(x + y) % 3] ?? [], (y * width + x) * 4);
+  const buffer = Buffer.from(encode({ width, height, data: rgba, channels: 4 }));
+  await editor.chooseFile({ name: 'sprite.png', mimeType: 'image/png', buffer });
+  await expect(editor.switch('Pixel art')).toBeChecked();
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    warp.addHandle({ kind: 'point', id: 'foot', rest: [20, 42] });
+    warp.addHandle({ kind: 'point', id: 'head', rest: [20, 6], posed: [26, 9], rotation: 25 });
+    warp.selection = [];
+  });
+  await expect(editor.solved).toContainText('sample');
+  for (const percent of [100, 200]) {
+    await openPanel(editor);
+    const size = panel(page).getByRole('spinbutton', { name: 'Size (%)' });
+    await size.fill(String(percent));
+    await size.press('Enter');
+    const exported = decode(await bytes(await exportedFromPanel(page, 'PNG')));
+    expect(exported.width).toBe((width * percent) / 100);
+    await expect(panel(page)).toBeHidden();
+    await editor.button('Dismiss').click();
+    await editor.page.locator('c2-warp').evaluate((element) => (element as C2Warp).focus());
+    await page.keyboard.down('w');
+    await editor.waitFrames();
+    await hideCards(page, true);
+    const screen = decode(await page.screenshot());
+    await hideCards(page, false);
+    await page.keyboard.up('w');
+    const centres = await page.locator('c2-warp').evaluate(
+      (element, [width, height, percent]) => {
+        const warp = element as C2Warp;
+        return Array.from({ length: width * height }, (_, at) =>
+          warp.imageToClient([
+            ((at % width) + 0.5) * (100 / percent),
+            (Math.floor(at / width) + 0.5) * (100 / percent),
+          ]),
+        );
+      },
+      [exported.width, exported.height, percent] as const,
+    );
+    let [opaque, different] = [0, 0];
+    for (const [at, centre] of centres.entries()) {
+      if (!centre) throw new Error('no picture is open');
+      const shown = (Math.floor(centre[1]) * screen.width + Math.floor(centre[0])) * screen.channels;
+      const [own, other] = [exported.data, screen.data];
+      const isOpaque = own[at * 4 + 3] === 255;
+      const same = [0, 1, 2].every((channel) => own[at * 4 + channel] === other[shown + channel]);
+      const isColour = colours.some((colour) => [0, 1, 2].every((c) => colour[c] === other[shown + c]));
+      opaque += isOpaque ? 1 : 0;
+      if (isOpaque ? !same : isColour) different += 1;
+    }
+    expect(opaque).toBeGreaterThan(500);
+    // The graphics card rounds corners of triangles.
+    expect(different).toBeLessThan(0.01 * opaque);
+  }
 });

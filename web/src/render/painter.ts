@@ -24,6 +24,7 @@ import {
 } from './mesh';
 import { PictureTexture, setMagnification, type TextureSource } from './picture';
 import pictureFragment from './picture.frag.glsl?raw';
+import { PixelLayer, type PixelMesh, showsPixels } from './pixel_layer';
 import { drawWith, program } from './program';
 
 /** Colour of the lines of a coarse mesh, premultiplied. It shows on light and dark pictures. */
@@ -57,6 +58,8 @@ export class Painter {
   #whole: LoadedMesh | undefined;
   /** Created at first use. */
   #heat: HeatLayer | undefined;
+  /** Created at first use. */
+  #pixels: PixelLayer | undefined;
   #posed = false;
   #blend: Blend = 'linear';
 
@@ -92,6 +95,8 @@ export class Painter {
     this.#unload(this.#loaded);
     this.#unload(this.#background);
     this.#heat?.clear();
+    this.#pixels?.dispose();
+    this.#pixels = undefined;
     [this.#picture, this.#whole, this.#loaded, this.#background] = [
       undefined,
       undefined,
@@ -191,12 +196,17 @@ export class Painter {
       u_rigid: this.#blend === 'rigid',
     };
     const behind = view.compare ? undefined : this.#background;
-    if (behind) {
-      const atRest = { ...uniforms, u_at_rest: true };
-      drawWith(gl, this.#pictureProgram, behind.triangles, atRest, gl.TRIANGLES);
+    const atRest = { ...uniforms, u_at_rest: true };
+    const heat = view.compare || !this.#heat?.isSet ? undefined : this.#heat;
+    if (showsPixels(view) && !heat) {
+      const meshes: PixelMesh[] = behind ? [[behind.triangles, atRest]] : [];
+      this.#pixels ??= new PixelLayer(gl);
+      this.#pixels.draw([...meshes, [loaded.triangles, uniforms]], view);
+    } else {
+      if (behind) drawWith(gl, this.#pictureProgram, behind.triangles, atRest, gl.TRIANGLES);
+      if (heat) heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
+      else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
     }
-    if (this.#heat?.isSet && !view.compare) this.#heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
-    else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
     if (view.overlays?.mesh && !view.compare) {
       loaded.edges ??= meshLines(gl, loaded);
       const opacity = lineOpacity((loaded.edges.length * view.scale) / (view.pixelRatio ?? 1));

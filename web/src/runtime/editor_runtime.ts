@@ -255,6 +255,7 @@ export class EditorRuntime {
         compare: display.preview === 'compare' || isLassoing(state),
         overlays: bare ? {} : overlaysOf(state),
         pixelated: this.#isPixelated,
+        exportScale: state.exporting.choices.percent / 100,
       },
     };
   }

@@ -1,0 +1,97 @@
+/**
+ * Draws pixel art as an export has it: on the export's grid of pixels, which is then enlarged.
+ *
+ * Only the part of the grid in view is drawn, so that it is hardly larger than the canvas. The rasteriser of the export
+ * is the reference. GPUs round corners of triangles to 1/16 or 1/256 of a pixel. So each pixel of the export is drawn
+ * as a square of pixels, and its middle counts: rare differences remain.
+ */
+import * as twgl from 'twgl.js';
+import type { View } from '../geometry/view';
+import pixelFragment from './pixel.frag.glsl?raw';
+import { drawWith, program } from './program';
+import sheetFragment from './sheet.frag.glsl?raw';
+
+type Uniforms = Record<string, unknown>;
+
+/** A mesh to draw, with its own uniforms. */
+export type PixelMesh = readonly [mesh: twgl.BufferInfo, uniforms: Uniforms];
+
+/** Device pixels per pixel of an export. */
+const gridScale = ({ scale, exportScale = 1 }: View): number => scale / exportScale;
+
+/** The side of the square of each pixel: odd, since its middle counts. */
+const MOST_TEXELS = 15;
+
+/** Whether a view shows pixel art enlarged. A reduced grid would lose pixels. */
+export const showsPixels = (view: View): boolean =>
+  view.pixelated === true && view.compare !== true && gridScale(view) >= 1;
+
+export class PixelLayer {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #pixels: twgl.ProgramInfo;
+  readonly #enlarge: twgl.ProgramInfo;
+  readonly #quad: twgl.BufferInfo;
+  readonly #sheet: twgl.FramebufferInfo;
+
+  /** @throws Error if a shader does not compile. */
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#pixels = program(gl, pixelFragment);
+    this.#enlarge = program(gl, sheetFragment);
+    this.#quad = twgl.createBufferInfoFromArrays(gl, {
+      a_rest: { numComponents: 2, data: new Float32Array([0, 0, 1, 0, 0, 1, 1, 1]) },
+      a_row: { numComponents: 2, data: new Uint32Array(8) },
+      indices: { numComponents: 3, data: new Uint32Array([0, 1, 2, 2, 1, 3]) },
+    });
+    this.#sheet = twgl.createFramebufferInfo(gl, [{ min: gl.NEAREST, mag: gl.NEAREST }], 1, 1);
+  }
+
+  /** Draws the meshes one over another. */
+  draw(meshes: readonly PixelMesh[], view: View): void {
+    const gl = this.#gl;
+    const { exportScale = 1 } = view;
+    const size = gridScale(view);
+    // The part of the grid in view.
+    const [left, top] = [Math.floor(-view.x / size), Math.floor(-view.y / size)];
+    const texels = Math.min(MOST_TEXELS, Math.floor((size - 1) / 2) * 2 + 1);
+    const width = (Math.ceil((view.width - view.x) / size) - left) * texels;
+    const height = (Math.ceil((view.height - view.y) / size) - top) * texels;
+    if (this.#sheet.width !== width || this.#sheet.height !== height)
+      twgl.resizeFramebufferInfo(gl, this.#sheet, [{ min: gl.NEAREST, mag: gl.NEAREST }], width, height);
+    twgl.bindFramebufferInfo(gl, this.#sheet);
+    gl.disable(gl.BLEND);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    const grid = {
+      u_canvas_size: [width, height],
+      u_view: [exportScale * texels, -left * texels, -top * texels],
+    };
+    for (const [mesh, uniforms] of meshes)
+      drawWith(gl, this.#pixels, mesh, { ...uniforms, ...grid }, gl.TRIANGLES);
+
+    twgl.bindFramebufferInfo(gl, null);
+    gl.viewport(0, 0, view.width, view.height);
+    const enlarged = {
+      ...meshes[0]?.[1],
+      u_at_rest: true,
+      u_canvas_size: [view.width, view.height],
+      // The quad is a unit square: it covers the canvas.
+      u_view: [Math.max(view.width, view.height), 0, 0],
+      u_sheet: this.#sheet.attachments[0],
+      u_texels: texels,
+      u_grid: [size, view.x + left * size, view.y + top * size],
+    };
+    drawWith(gl, this.#enlarge, this.#quad, enlarged, gl.TRIANGLES);
+    gl.enable(gl.BLEND);
+  }
+
+  dispose(): void {
+    const gl = this.#gl;
+    gl.deleteFramebuffer(this.#sheet.framebuffer);
+    gl.deleteTexture(this.#sheet.attachments[0] ?? null);
+    for (const buffer of [
+      this.#quad.indices,
+      ...Object.values(this.#quad.attribs ?? {}).map(({ buffer }) => buffer),
+    ])
+      gl.deleteBuffer(buffer ?? null);
+  }
+}
