@@ -1,6 +1,8 @@
 /** Files that hold a picture together with its handles: exported PNGs and saved projects. */
+import { spawnSync } from 'node:child_process';
 import { decode } from 'fast-png';
 import type { C2Warp } from '../../web/src/element';
+import { builtCommand } from './command';
 import { bytes, Editor } from './editor';
 import { bring, disc, png, project } from './files';
 import { expect, test } from './fixtures';
@@ -12,6 +14,16 @@ async function downloadWhole(editor: Editor, label: string) {
   return editor.download(label);
 }
 
+/** Numbers of handles that the command reads from a file. */
+function readByCommand(file: Buffer): Record<string, number> {
+  const { stdout, stderr } = spawnSync(builtCommand(), ['inspect', '-', '--json'], {
+    input: file,
+    encoding: 'utf8',
+  });
+  expect(stderr).toBe('');
+  return JSON.parse(stdout);
+}
+
 test('an exported PNG that holds the original opens again as the rig', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.dragHandle('right hand', { x: 0, y: -80 });
@@ -21,6 +33,7 @@ test('an exported PNG that holds the original opens again as the rig', async ({ 
   const file = await bytes(download);
   const { width, height } = decode(file);
   expect([width, height]).toEqual([1024, 1280]);
+  expect(readByCommand(file)).toMatchObject({ point_handles: 5, samples: 9889 });
 
   await bring(editor, 'drop', png('posted.png', file));
   await expect(page).toHaveTitle('gingerbread.png – c2warp');
@@ -73,7 +86,9 @@ test('a project saved with its picture is one file that opens everywhere', async
   const saved = await downloadWhole(editor, 'Save with the picture');
   expect(saved.suggestedFilename()).toBe('my disc.c2warp.json');
   await expect(page).toHaveTitle('my disc.png – c2warp');
-  const text = (await bytes(saved)).toString();
+  const file = await bytes(saved);
+  expect(readByCommand(file)).toMatchObject({ point_handles: 1 });
+  const text = file.toString();
   expect(JSON.parse(text).image.src).toMatch(/^data:image\/png;name=my%20disc\.png;base64,/);
   await bring(editor, 'drop', project(text, 'received.json'));
   await expect.poll(() => editor.shownPose('middle')).toMatchObject({ x: 40, y: 30 });

@@ -2,11 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod carried;
 mod command;
 mod errors;
 mod inspect;
 mod manual;
-
 mod scene_folder;
 mod stmap;
 mod streams;

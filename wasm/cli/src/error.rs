@@ -27,6 +27,10 @@ pub(crate) enum CliError {
     Print(io::Error),
     #[error("{}: this is not a project: the file is not UTF-8 text", path.display())]
     ProjectEncoding { path: PathBuf },
+    #[error("{}: this PNG carries no project: export one from the editor, or pass a project file", path.display())]
+    NoProject { path: PathBuf },
+    #[error("{}: image.src: the data: URL is damaged", path.display())]
+    PictureUrl { path: PathBuf },
     #[error("{}: {reason}", path.display())]
     Project { path: PathBuf, reason: ProjectError },
     #[error("{}: image.src is empty: name a picture there, or pass one with --image", path.display())]

@@ -3,6 +3,7 @@
 //! There is one file per subcommand. An error prints one line on standard error and exits with status 1. Output files
 //! appear complete or not at all. An invalid command line prints the usage and exits with status 2.
 
+mod carried;
 mod distance;
 mod error;
 mod input;

@@ -8,6 +8,7 @@ use c2warp::Solution;
 use c2warp::deform::Pose;
 use c2warp::project::Project;
 
+use crate::carried;
 use crate::error::CliError;
 use crate::input;
 use crate::output::Output;
@@ -16,7 +17,8 @@ use crate::picture::{self, PictureFile};
 /// The input files of every subcommand.
 #[derive(Debug, clap::Args)]
 pub(crate) struct InputFiles {
-    /// The project file *.c2warp.json. Use - to read this or any other input from standard input
+    /// The project file *.c2warp.json, or a PNG that the editor exported. Use - to read this or any other input from
+    /// standard input
     project: PathBuf,
     /// Use this picture instead of the project's image.src
     #[arg(long, value_name = "FILE")]
@@ -30,6 +32,7 @@ pub(crate) struct LoadedProject {
     /// Path of the project, for errors about its contents.
     project_path: PathBuf,
     image: PictureFile,
+    /// Path of the picture, for errors about its pixels. If the project holds it, the project's path and the key.
     image_path: PathBuf,
 }
 
@@ -38,14 +41,21 @@ impl LoadedProject {
     pub(crate) fn open(files: &InputFiles) -> Result<Self, CliError> {
         let path = &files.project;
         let bytes = input::read(path).map_err(CliError::read(path))?;
-        let text = String::from_utf8(bytes).map_err(|_| CliError::ProjectEncoding { path: path.clone() })?;
+        let text = carried::project_text(bytes, path)?;
         let project = Project::from_json(&text).map_err(|reason| CliError::Project { path: path.clone(), reason })?;
-        let image_path = match &files.image {
-            Some(path) => path.clone(),
-            None if project.image.src.is_empty() => return Err(CliError::NoPicture { path: path.clone() }),
-            None => path.parent().unwrap_or(Path::new("")).join(&project.image.src),
+        let source = project.image.src.as_str();
+        let (image, image_path) = match &files.image {
+            Some(image_path) => (picture::read(image_path)?, image_path.clone()),
+            None if source.is_empty() => return Err(CliError::NoPicture { path: path.clone() }),
+            None if carried::is_data_url(source) => {
+                let key = PathBuf::from(format!("{}: image.src", path.display()));
+                (picture::read_from(&*carried::data_url_bytes(source, path)?, &key)?, key)
+            }
+            None => {
+                let image_path = path.parent().unwrap_or(Path::new("")).join(source);
+                (picture::read(&image_path)?, image_path)
+            }
         };
-        let image = picture::read(&image_path)?;
         Ok(Self { project, project_path: path.clone(), image, image_path })
     }
 

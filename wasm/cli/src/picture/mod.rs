@@ -31,9 +31,14 @@ pub(crate) struct PictureFile {
     pub(crate) profile: Option<Vec<u8>>,
 }
 
-/// Reads a picture.
+/// Reads a picture file.
 pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
-    let (format, mut bytes) = read_file(path)?;
+    read_from(input::open(path).map_err(CliError::read(path))?, path)
+}
+
+/// Reads a picture. Errors begin with `path`.
+pub(crate) fn read_from(file: impl Read, path: &Path) -> Result<PictureFile, CliError> {
+    let (format, mut bytes) = read_bytes(file, path)?;
     match format {
         ImageFormat::Jpeg => match jpeg::end(&bytes) {
             jpeg::End::Marked => {}
@@ -83,8 +88,7 @@ fn decode(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<PictureFile,
 }
 
 /// Reads a picture file and detects its type. Other files are rejected after the first bytes.
-fn read_file(path: &Path) -> Result<(ImageFormat, Vec<u8>), CliError> {
-    let mut file = input::open(path).map_err(CliError::read(path))?;
+fn read_bytes(mut file: impl Read, path: &Path) -> Result<(ImageFormat, Vec<u8>), CliError> {
     let mut bytes = Vec::new();
     file.by_ref().take(kind::SIGNATURE_BYTES as u64).read_to_end(&mut bytes).map_err(CliError::read(path))?;
     if bytes.is_empty() {
