@@ -89,6 +89,14 @@ impl PosedPicture {
         self.0.map(DVec2::new(x, y)).map(numbers)
     }
 
+    /// The posed course of lines at rest, as places no farther apart than `step` at rest. In both arrays, a pair of NaN
+    /// separates lines.
+    pub fn posed_lines(&self, lines: &[f64], step: f64) -> Vec<f32> {
+        let places: Vec<DVec2> = lines.as_chunks::<2>().0.iter().copied().map(DVec2::from_array).collect();
+        let lines: Vec<Vec<DVec2>> = places.split(|place| place.is_nan()).map(<[DVec2]>::to_vec).collect();
+        flat(self.0.posed_lines(&lines, step).join(&DVec2::NAN).into_iter())
+    }
+
     /// The rest point that is drawn at a place, as six numbers; `undefined` beside the picture.
     pub fn locate(&self, x: f64, y: f64) -> Option<Vec<f64>> {
         self.0.locate(DVec2::new(x, y)).map(numbers)

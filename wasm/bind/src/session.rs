@@ -3,6 +3,8 @@
 use c2warp::{
     Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes, project::Project, raster,
 };
+use glam::DVec2;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::{
@@ -81,8 +83,7 @@ impl Session {
         let mut ms = *ms;
         ms.pose = now_ms() - start;
         let report = Inspection { report: solution.report(&pose), ms };
-        let report = serde_json::to_string(&report).expect("numbers under names are JSON");
-        Ok(Solution::new(solution, report))
+        Ok(Solution::new(solution, json(&report)))
     }
 
     /// Prepares to draw the warped picture at full quality. Solves first if necessary.
@@ -117,12 +118,33 @@ impl Session {
     /// # Errors
     /// As [`Session::begin`] and [`Session::advance`].
     pub fn cell_borders(&mut self, project_json: &str) -> Result<CellBorders, JsValue> {
-        let solved = Project::from_json(project_json).map_err(Error::from).and_then(|project| self.try_solve(&project));
-        solved.map(|solution| solution.cell_borders().into()).map_err(|error| to_js(&error))
+        self.solved_as(project_json).map(|solution| solution.cell_borders().into())
+    }
+
+    /// A project's solution, explained as the JSON of `Study`. Solves first if necessary.
+    ///
+    /// # Errors
+    /// As [`Session::begin`] and [`Session::advance`].
+    pub fn study(&mut self, project_json: &str) -> Result<String, JsValue> {
+        self.solved_as(project_json).map(|solution| json(&solution.study()))
+    }
+
+    /// The weights and paths of a rest point, as the JSON of `Lens`; `undefined` outside the domain. Solves first if
+    /// necessary.
+    ///
+    /// # Errors
+    /// As [`Session::begin`] and [`Session::advance`].
+    pub fn lens(&mut self, project_json: &str, x: f64, y: f64) -> Result<Option<String>, JsValue> {
+        self.solved_as(project_json).map(|solution| solution.lens(DVec2::new(x, y)).map(|lens| json(&lens)))
     }
 }
 
 impl Session {
+    fn solved_as(&mut self, project_json: &str) -> Result<&c2warp::Solution, JsValue> {
+        let solved = Project::from_json(project_json).map_err(Error::from).and_then(|project| self.try_solve(&project));
+        solved.map_err(|error| to_js(&error))
+    }
+
     fn try_begin(&mut self, project: Project) -> Result<(), Error> {
         self.solving = None;
         let start = now_ms();
@@ -164,6 +186,10 @@ impl Session {
         }
         Ok(self.solver.solution().expect("every stage has run"))
     }
+}
+
+fn json(value: &impl Serialize) -> String {
+    serde_json::to_string(value).expect("numbers under names are JSON")
 }
 
 /// Milliseconds since a fixed moment, in a worker or a page; zero without a clock.

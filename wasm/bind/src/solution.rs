@@ -1,6 +1,5 @@
 //! A solution as typed arrays.
 
-use c2warp::site::SiteKind;
 use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
@@ -33,19 +32,11 @@ impl Solution {
             sites: solution.weights().sites().to_vec(),
             weights: solution.weights().weights().iter().map(|&weight| weight as f32).collect(),
             site_rest: solution.sites().iter().flat_map(|site| site.rest.to_array()).collect(),
-            site_handle: solution.sites().iter().map(|site| handle_of(site.kind)).collect(),
+            site_handle: solution.sites().iter().map(|site| site.kind.handle_code()).collect(),
             site_edges: solution.links().flat_map(|(i, j, _)| [i as u32, j as u32]).collect(),
             poser: solution.poser().to_bytes(),
             report,
         }
-    }
-}
-
-fn handle_of(kind: SiteKind) -> i32 {
-    match kind {
-        SiteKind::Point { handle } | SiteKind::Bone { handle, .. } => handle as i32,
-        SiteKind::Virtual => -1,
-        SiteKind::Boundary => -2,
     }
 }
 

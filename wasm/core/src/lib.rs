@@ -72,11 +72,16 @@ mod solved_sites;
 mod solver;
 mod stage;
 
+// Explaining a solution.
+mod lens;
+mod study;
+
 pub use bone::OutsidePart;
 pub use cell_borders::BorderPiece;
 pub use error::Error;
 pub use glam;
 pub use input_mesh::InputMesh;
+pub use lens::{Lens, LensSite, Share};
 pub use picture::Picture;
 pub use raster::options::{Canvas, Filter, ResampleOptions};
 pub use raster::{Drawing, sources::Source, warped::Warped};
@@ -86,3 +91,4 @@ pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};
 pub use solver::Solver;
 pub use stage::{Stage, StageTimes};
 pub use static_background::StaticBackground;
+pub use study::{SiteStudy, Study};

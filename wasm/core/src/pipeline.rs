@@ -59,12 +59,12 @@ pub(crate) fn partition(
     let mut inserter = SiteInserter::new(navigation, coarse, &obstacles, propagation);
     let mut tessellation = Tessellation::new(&obstacles);
     tessellation.insert_real_sites(&mut inserter, &located.points)?;
-    let scores = insert_virtual_sites(&mut inserter, &mut tessellation, input.density)?;
+    let rounds = insert_virtual_sites(&mut inserter, &mut tessellation, input.density)?;
     inserter.measure_cells();
     // Upper bounds of the radii: the obstacles that extended fields reach only reduce them.
     let radii = support_radii(&input.weighting, inserter.sites());
     inserter.extend_fields(&radii);
-    Ok(inserter.into_partition(scores))
+    Ok(inserter.into_partition(rounds))
 }
 
 /// Computes the weights of the samples (eq. 2), the cell graph, the harmonic fields (eq. 4), and the mesh in drawing
@@ -78,7 +78,7 @@ pub(crate) fn compute_weights(
     partition: Partition,
 ) -> Solution {
     let LocatedHandles { skeleton, outside, .. } = located;
-    let Partition { mut sites, mut fields, scores } = partition;
+    let Partition { mut sites, mut fields, rounds } = partition;
     let navigation = &prepared.navigation;
     set_support_radii(&mut sites, &input.weighting);
     extend_fields(propagation, navigation, &sites, &mut fields);
@@ -106,7 +106,9 @@ pub(crate) fn compute_weights(
         mesh: RenderMesh::new(samples, &leading),
         weights,
         phi_sums,
-        solved: SolvedSites { sites, graph, harmonic, poser, nearest, scores },
+        solved: SolvedSites { sites, graph, harmonic, poser, nearest },
+        rounds,
+        weighting: input.weighting.clone(),
         functions,
         handle_counts: input.handle_counts(),
         outside,

@@ -14,11 +14,11 @@ use crate::{
     picture::Picture,
     pose::Poser,
     prepared_domain::PreparedDomain,
-    project::Project,
+    project::{Project, Weighting},
     raster::{self, Drawing, options::ResampleOptions, sources::Source, warped::Warped},
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
-    site::Site,
+    site::{Round, Site},
     solve_input::check_picture,
     solved_sites::SolvedSites,
     static_background::StaticBackground,
@@ -58,6 +58,8 @@ pub struct Solution {
     pub(crate) handle_counts: [usize; 3],
     pub(crate) outside: Vec<OutsidePart>,
     pub(crate) functions: WeightFunctions,
+    pub(crate) weighting: Weighting,
+    pub(crate) rounds: Vec<Round>,
     pub(crate) prepared: Arc<PreparedDomain>,
 }
 
@@ -151,11 +153,10 @@ impl Solution {
         &self.phi_sums
     }
 
-    /// The score δ / r_d of the worst cell before each round of Algorithm 1 (figure 3, right). Here δ is r_d minus the
-    /// greatest radius that the cell may have, in place of r_d − r_h. −∞ without cells.
+    /// The rounds of Algorithm 1. Their scores are the curve of figure 3 (right); −∞ without cells.
     #[must_use]
-    pub fn scores(&self) -> &[f64] {
-        &self.solved.scores
+    pub fn rounds(&self) -> &[Round] {
+        &self.rounds
     }
 }
 
@@ -380,7 +381,7 @@ impl Solution {
             outside: self.outside.clone(),
             real_sites: real,
             virtual_sites: self.solved.sites.len() - real,
-            scores: self.solved.scores.iter().copied().filter(|score| score.is_finite()).collect(),
+            scores: self.rounds.iter().map(|round| round.score).filter(|score| score.is_finite()).collect(),
             cover_mean: entries as f64 / self.samples as f64,
             cover_max: covers.max().unwrap_or(0),
             min_phi_sum: reached.map(|(&sum, _)| sum).reduce(f64::min).unwrap_or(0.0),

@@ -18,8 +18,6 @@ pub(crate) struct SolvedSites {
     pub(crate) poser: Poser,
     /// Samples: the nearest site of each; [`NONE`] on an island without sites.
     pub(crate) nearest: Vec<u32>,
-    /// Rounds of Algorithm 1: the score of the worst cell before each.
-    pub(crate) scores: Vec<f64>,
 }
 
 impl SolvedSites {

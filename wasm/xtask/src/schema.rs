@@ -10,7 +10,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use c2warp::{
-    Error, Inspection, Stage, limits,
+    Error, Inspection, Lens, Stage, Study, limits,
     project::{Handle, ImageRef, Project},
 };
 use schemars::{JsonSchema, generate::SchemaSettings};
@@ -39,6 +39,8 @@ pub(crate) fn write(root: &Path, check: bool) -> Result<(), SchemaError> {
         ("web/src/document/generated/project.ts", typescript::declarations(project.as_value())?),
         ("web/src/document/generated/settings.ts", settings(project.as_value())),
         ("web/src/compute/generated/report.ts", report()?),
+        ("web/src/document/generated/study.ts", typescript::declarations(&output_schema::<Study>())?),
+        ("web/src/document/generated/lens.ts", typescript::declarations(&output_schema::<Lens>())?),
         ("web/src/io/generated/limits.ts", picture_limits()),
     ];
     for (path, text) in files {

@@ -84,10 +84,16 @@ fn type_of(schema: &Value) -> Result<String, Unknown> {
         let types: Result<Vec<_>, _> = choices.iter().map(type_of).collect();
         return Ok(types?.join(" | "));
     }
+    if let Some(Value::Array(names)) = object.get("type") {
+        let types: Result<Vec<_>, _> =
+            names.iter().map(|name| type_of(&Value::from_iter([("type", name.clone())]))).collect();
+        return Ok(types?.join(" | "));
+    }
     match (object.get("type").and_then(Value::as_str), object.get("prefixItems"), object.get("items")) {
         (Some("number" | "integer"), ..) => Ok("number".to_owned()),
         (Some("boolean"), ..) => Ok("boolean".to_owned()),
         (Some("string"), ..) => Ok("string".to_owned()),
+        (Some("null"), ..) => Ok("null".to_owned()),
         (Some("array"), Some(Value::Array(items)), _) => {
             let types: Result<Vec<_>, _> = items.iter().map(type_of).collect();
             Ok(format!("readonly [{}]", types?.join(", ")))
@@ -184,6 +190,15 @@ export interface PathShape {
 export type Shape = DotShape | PathShape;
 "
         );
+    }
+
+    #[test]
+    fn optional_numbers_of_results_are_null_if_absent() {
+        let schema = json!({
+            "title": "Site", "type": "object", "required": ["radius"],
+            "properties": { "radius": { "type": ["number", "null"] } }
+        });
+        assert!(declarations(&schema).unwrap().contains("readonly radius: number | null;"));
     }
 
     #[test]

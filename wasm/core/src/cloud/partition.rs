@@ -68,6 +68,7 @@ impl<'a> CloudPartition<'a> {
             separation,
             clearance,
             cell_radius: 0.0,
+            farthest: self.cloud.points[at],
             support_radius: 0.0,
             in_acute_joint: false,
         });
@@ -83,6 +84,7 @@ impl<'a> CloudPartition<'a> {
             let farthest = self.farthest_points();
             for (site, farthest) in self.sites.iter_mut().zip(&farthest) {
                 site.cell_radius = farthest.distance;
+                site.farthest = self.cloud.points[farthest.point as usize];
             }
             let rank = |site: &Site| score(site.cell_radius, site.reach_limit());
             let (worst, by_score) = greatest(self.sites.iter().map(rank));

@@ -27,6 +27,8 @@ pub struct CloudSolution {
     solved: SolvedSites,
     /// Number of points of the caller.
     points: usize,
+    /// Rounds: the score of the worst cell before each.
+    scores: Vec<f64>,
     /// The cloud of the caller. `cloud` has short links around handles, so it contains less.
     original: PointCloud,
     /// The cloud with the handles as further points.
@@ -65,8 +67,8 @@ impl CloudSolution {
             mode: input.mode,
             quadrature: None,
         });
-        let solved = SolvedSites { sites, graph, harmonic, poser, nearest, scores };
-        Ok(Self { weights, solved, points: original.points.len(), original: original.clone(), cloud })
+        let solved = SolvedSites { sites, graph, harmonic, poser, nearest };
+        Ok(Self { weights, solved, scores, points: original.points.len(), original: original.clone(), cloud })
     }
 
     /// The weights of the cloud's points in the caller's order, then those of handles between them: points × sites.
@@ -103,10 +105,11 @@ impl CloudSolution {
         self.solved.nearest_site(point)
     }
 
-    /// See [`Solution::scores`](crate::Solution::scores). Each round inserts one site.
+    /// The score of the worst cell before each round of Algorithm 1: see [`Round`](crate::site::Round). Each round
+    /// inserts one site.
     #[must_use]
     pub fn scores(&self) -> &[f64] {
-        &self.solved.scores
+        &self.scores
     }
 
     /// Makes poses of this solution.

@@ -13,12 +13,13 @@
 //! - `placement`: where a handle can be placed.
 //! - `folds`, `creases`: where the picture turns over.
 //! - `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
-//! - `reach`, `coverage`, `bounds`, `borders`: what the overlays show.
+//! - `reach`, `coverage`, `bounds`, `borders`, `course`: what the overlays and other marks show.
 //!
 //! Cost: a blend visits the supports over each vertex; everything else is linear in the mesh.
 
 mod borders;
 mod bounds;
+mod course;
 mod coverage;
 mod creases;
 mod drawing_order;

@@ -13,6 +13,7 @@ use glam::DVec2;
 use super::{
     Bounds, Correspondence, Crease, FoldLimit, GroupWay, HandlePose, HandleWay, Pose,
     borders::posed_borders,
+    course::posed_lines,
     coverage::coverage,
     creases::creases,
     drawing_order::{depths, drawing_order},
@@ -169,6 +170,13 @@ impl PosedPicture {
         };
         let both = [corners(&self.mesh.vertices, triangle), triangle.map(posed)];
         Some(Correspondence::new(rest, interpolate(both[1], coordinates), both))
+    }
+
+    /// The posed course of lines at rest, at points no farther apart than `step` at rest. Beside the mesh its nearest
+    /// part continues.
+    #[must_use]
+    pub fn posed_lines(&self, lines: &[Vec<DVec2>], step: f64) -> Vec<Vec<DVec2>> {
+        posed_lines(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), lines, step)
     }
 
     /// The point of the picture that is drawn at a place; `None` beside the picture.

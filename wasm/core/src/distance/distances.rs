@@ -35,6 +35,11 @@ pub struct Distances<'a> {
 }
 
 impl Distances<'_> {
+    /// The field that answers.
+    pub(crate) fn field(&self) -> &DistanceField {
+        &self.field
+    }
+
     /// The source of the distances, in pixels.
     #[must_use]
     pub fn source(&self) -> DVec2 {
@@ -55,6 +60,14 @@ impl Distances<'_> {
     pub fn to_located(&self, p: Located) -> Option<f64> {
         let distance = self.field.distance(p.triangle, p.point);
         distance.is_finite().then_some(distance)
+    }
+
+    /// The vertices of the shortest path from the source to a point, both included. Returns `None` as
+    /// [`to`](Self::to) does.
+    #[must_use]
+    pub fn path_to(&self, p: DVec2) -> Option<Vec<DVec2>> {
+        let Located { triangle, point } = self.navigation.located(p)?;
+        self.field.path(self.navigation, triangle, point)
     }
 
     /// The distance to a point, in pixels, and its gradient there. Returns `None` as [`to`](Self::to) does.
@@ -123,6 +136,18 @@ mod tests {
         assert_eq!(distances.to(DVec2::new(80.0, 40.0)), Some(distance));
         assert_eq!(distances.to(DVec2::new(50.0, 50.0)), None);
         assert_eq!((distances.source(), distances.to(distances.source())), (DVec2::new(10.0, 30.0), Some(0.0)));
+    }
+
+    #[test]
+    fn path_bends_at_the_corners_of_a_hole_and_is_as_long_as_the_distance() {
+        let frame = frame();
+        let distances = frame.distances_from(DVec2::new(50.0, 20.0)).unwrap();
+        let path = distances.path_to(DVec2::new(50.0, 81.0)).unwrap();
+        assert!(path.len() == 4 && path[0] == distances.source() && path[3] == DVec2::new(50.0, 81.0), "{path:?}");
+        let length: f64 = path.windows(2).map(|ends| ends[0].distance(ends[1])).sum();
+        assert!((length - distances.to(path[3]).unwrap()).abs() < 1e-12);
+        assert_eq!(distances.path_to(DVec2::new(60.0, 25.0)).unwrap().len(), 2);
+        assert_eq!(distances.path_to(DVec2::new(50.0, 50.0)), None);
     }
 
     #[test]

@@ -93,12 +93,29 @@ impl DistanceField {
         let (half, mut end) = (path.distance / 2.0, p);
         while path.offset > half {
             end = path.pseudo_source;
-            // A corner lies in its own windows, too.
-            let before = navigation.around(end).flat_map(|triangle| self.path_ends(triangle, end));
-            let before = before.filter(|path| path.pseudo_source != end);
-            path = before.reduce(|best, path| if path.distance < best.distance { path } else { best })?;
+            path = self.path_end_at_corner(navigation, end)?;
         }
         Some(path.pseudo_source.lerp(end, (half - path.offset) / (path.distance - path.offset)))
+    }
+
+    /// The vertices of the shortest path from the source to a point, both included; `None` beyond the bound.
+    pub(crate) fn path(&self, navigation: &Navigation, triangle: NavTriangle, p: DVec2) -> Option<Vec<DVec2>> {
+        let mut path = self.path_end(triangle, p)?;
+        let mut vertices = vec![p, path.pseudo_source];
+        while path.offset > 0.0 {
+            path = self.path_end_at_corner(navigation, path.pseudo_source)?;
+            vertices.push(path.pseudo_source);
+        }
+        vertices.reverse();
+        Some(vertices)
+    }
+
+    /// The end of the shortest path to a corner at which paths bend.
+    fn path_end_at_corner(&self, navigation: &Navigation, corner: DVec2) -> Option<PathEnd> {
+        // A corner lies in its own windows, too.
+        let before = navigation.around(corner).flat_map(|triangle| self.path_ends(triangle, corner));
+        let before = before.filter(|path| path.pseudo_source != corner);
+        before.reduce(|best, path| if path.distance < best.distance { path } else { best })
     }
 
     /// The least distance to a point of the segment from `a` to `b` in one triangle. It is infinite beyond the bound,

@@ -6,8 +6,8 @@
 use glam::DVec2;
 
 use super::{
-    Site, SiteField, SiteKind,
-    farthest::FarthestPoints,
+    Round, Site, SiteField, SiteKind,
+    farthest::{FarPoint, FarthestPoints},
     obstacles::Obstacles,
     room::{Room, extend_field, make_room},
     voronoi::Voronoi,
@@ -27,8 +27,8 @@ pub(crate) struct Partition {
     pub(crate) sites: Vec<Site>,
     /// Sites: the distance field of each.
     pub(crate) fields: Vec<SiteField>,
-    /// Rounds: the score of the worst cell before each. See [`insert_virtual_sites`](super::insert_virtual_sites).
-    pub(crate) scores: Vec<f64>,
+    /// The rounds of Algorithm 1.
+    pub(crate) rounds: Vec<Round>,
 }
 
 /// Inserts sites into a Voronoi diagram.
@@ -68,7 +68,8 @@ impl<'a> SiteInserter<'a> {
         let Room { separation, clearance, in_acute_joint } =
             make_room(&mut self.voronoi, self.obstacles, self.propagation, (rest, kind, &field));
         let (cell_radius, support_radius) = (0.0, 0.0);
-        let site = Site { rest, kind, separation, clearance, cell_radius, support_radius, in_acute_joint };
+        let farthest = rest;
+        let site = Site { rest, kind, separation, clearance, cell_radius, farthest, support_radius, in_acute_joint };
         let coarse_triangle = coarse.triangle_at(rest);
         self.voronoi.insert(site, field, coarse_triangle);
         let bound = radius.map_or(f64::INFINITY, |radius| radius + coarse.longest_edge);
@@ -85,10 +86,11 @@ impl<'a> SiteInserter<'a> {
         self.obstacles.has_acute_joint(self.voronoi.navigation, self.propagation, (triangle, p), within)
     }
 
-    /// Sets the cell radii r_d of all sites.
+    /// Sets the cell radii r_d and the farthest points of all sites.
     pub(crate) fn measure_cells(&mut self) {
         for site in 0..self.voronoi.sites.len() {
-            self.voronoi.sites[site].cell_radius = self.farthest.radius(&self.voronoi, site);
+            let FarPoint { at, distance, .. } = self.farthest.first(&self.voronoi, site);
+            (self.voronoi.sites[site].cell_radius, self.voronoi.sites[site].farthest) = (distance, at);
         }
     }
 
@@ -104,9 +106,9 @@ impl<'a> SiteInserter<'a> {
         }
     }
 
-    /// The sites with their fields, and the scores of the rounds that inserted them.
-    pub(crate) fn into_partition(self, scores: Vec<f64>) -> Partition {
+    /// The sites with their fields, and the rounds that inserted them.
+    pub(crate) fn into_partition(self, rounds: Vec<Round>) -> Partition {
         let Voronoi { sites, fields, .. } = self.voronoi;
-        Partition { sites, fields, scores }
+        Partition { sites, fields, rounds }
     }
 }

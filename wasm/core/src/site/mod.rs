@@ -10,6 +10,7 @@
 //! - `inserter`: inserts one site and updates all of the above.
 //! - `chain`, `tessellation`: sites along bars and a held outline (section V-D).
 //! - `contacts`: places where the cells of two handles meet.
+//! - `round`: a round of Algorithm 1, for a replay.
 //! - `virtual_sites`: Algorithm 1.
 //! - `graph`: the cell graph (section IV-B).
 
@@ -21,6 +22,7 @@ mod graph;
 mod inserter;
 mod obstacles;
 mod room;
+mod round;
 mod tessellation;
 mod virtual_sites;
 mod visit_stamps;
@@ -34,6 +36,7 @@ use crate::distance::{DistanceField, NavTriangle};
 pub(crate) use graph::SiteGraph;
 pub(crate) use inserter::{Partition, SiteInserter};
 pub(crate) use obstacles::Obstacles;
+pub use round::{Round, RoundPoint};
 pub(crate) use tessellation::Tessellation;
 pub(crate) use virtual_sites::{allowed_score, insert_virtual_sites, score};
 
@@ -81,6 +84,16 @@ impl SiteKind {
             Self::Boundary | Self::Virtual => None,
         }
     }
+
+    /// One number for the kind: the index of the handle, −1 for a virtual site, −2 for a site of a held boundary.
+    #[must_use]
+    pub fn handle_code(self) -> i32 {
+        match self {
+            Self::Point { handle } | Self::Bone { handle, .. } => handle as i32,
+            Self::Virtual => -1,
+            Self::Boundary => -2,
+        }
+    }
 }
 
 /// The site of a point handle, located in the domain.
@@ -108,6 +121,8 @@ pub struct Site {
     pub clearance: f64,
     /// r_d: distance to the farthest point of the cell.
     pub cell_radius: f64,
+    /// A farthest point of the cell, at that distance.
+    pub farthest: DVec2,
     /// r_i: the distance at which φ reaches zero.
     pub support_radius: f64,
     /// Whether the site has no body and lies close to two bones that meet at an acute angle, between them.

@@ -21,7 +21,7 @@ use std::collections::BinaryHeap;
 use glam::DVec2;
 
 use super::{
-    Site, SiteInserter, TIE, Tessellation,
+    Round, RoundPoint, Site, SiteInserter, TIE, Tessellation,
     contacts::Contacts,
     farthest::{FarPoint, SAME_POINT},
     voronoi::Voronoi,
@@ -45,8 +45,7 @@ const CONTACT: f64 = 2.0;
 /// handles, at the [widest contacts](Contacts). They also enter at the farthest points of cells that are
 /// [large](size_rank) for their distance from handles.
 ///
-/// Returns the score δ / r_d of the worst cell before each round, as in figure 3 (right). Here δ = r_d − reach_limit,
-/// in place of r_d − r_h.
+/// Returns the rounds: their scores are the curve of figure 3 (right). The last one inserts nothing.
 ///
 /// # Errors
 /// [`Error::TooManySites`].
@@ -54,8 +53,8 @@ pub(crate) fn insert_virtual_sites(
     inserter: &mut SiteInserter,
     tessellation: &mut Tessellation,
     density: usize,
-) -> Result<Vec<f64>, Error> {
-    let mut scores = Vec::new();
+) -> Result<Vec<Round>, Error> {
+    let mut rounds = Vec::new();
     let limit = allowed_score();
     let mut inserted = 0;
     let mut contacts = Contacts::default();
@@ -63,7 +62,6 @@ pub(crate) fn insert_virtual_sites(
         // Bones first, as no virtual site may lie on them.
         tessellation.refine(inserter)?;
         let worst = greatest_rank(inserter, score_rank);
-        scores.push(worst);
         let points = if worst > limit {
             tied_farthest_points(inserter, score_rank, worst)
         } else if inserted < density && !inserter.sites().is_empty() {
@@ -71,10 +69,27 @@ pub(crate) fn insert_virtual_sites(
             let is_wider = widest.first().is_some_and(|point| CONTACT * point.distance.sqrt() > largest);
             if is_wider { spread_out(inserter, widest) } else { tied_farthest_points(inserter, size_rank, largest) }
         } else {
-            return Ok(scores);
+            Vec::new()
         };
+        let divided = points.iter().filter_map(|point| round_point(&inserter.voronoi, point)).collect();
+        rounds.push(Round { score: worst, sites: inserter.sites().len(), points: divided });
+        if points.is_empty() {
+            return Ok(rounds);
+        }
         inserted += tessellation.insert_virtual(inserter, &points)?;
     }
+}
+
+/// A point with the site whose cell it divides; `None` on an island without sites. Of several cells that meet there,
+/// the worst.
+fn round_point(voronoi: &Voronoi, &FarPoint { at, triangle, distance }: &FarPoint) -> Option<RoundPoint> {
+    let most = distance * (1.0 + SAME_POINT);
+    let meets =
+        |&site: &usize| voronoi.sites[site].rest.distance(at) <= most && voronoi.distance(site, triangle, at) <= most;
+    let limit = |site: usize| voronoi.sites[site].reach_limit();
+    let owner = (0..voronoi.sites.len()).filter(meets).min_by(|&a, &b| limit(a).total_cmp(&limit(b)))?;
+    let path = voronoi.fields[owner].distances.path(voronoi.navigation, triangle, at)?;
+    Some(RoundPoint { at, owner, distance, limit: limit(owner), path })
 }
 
 /// The greatest score that ends Algorithm 1.

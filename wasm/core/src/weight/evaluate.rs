@@ -73,6 +73,11 @@ impl WeightFunctions {
         Self { basis, bodies: BodyWeights::new(sites, skeleton), supports, fields, reaching }
     }
 
+    /// φ.
+    pub(crate) fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
     /// Sites: the distance field of each.
     pub(crate) fn fields(&self) -> &[SiteField] {
         &self.fields

@@ -102,11 +102,11 @@ impl FarthestPoints {
         }
     }
 
-    /// The cell radius r_d.
-    pub(super) fn radius(&mut self, voronoi: &Voronoi, site: usize) -> f64 {
+    /// A farthest point of a cell. Its distance is the cell radius r_d.
+    pub(super) fn first(&mut self, voronoi: &Voronoi, site: usize) -> FarPoint {
         loop {
-            if let Some(points) = self.known(site) {
-                return points[0].distance;
+            if let Some(&[point, ..]) = self.known(site) {
+                return point;
             }
             self.refine(voronoi, site);
         }

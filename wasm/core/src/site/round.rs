@@ -1,0 +1,39 @@
+//! The rounds of Algorithm 1, as they can be replayed (section IV-A, figure 3).
+//!
+//! Cost: for each point of a round a look at every site and one path, far less than its insertion. Memory: a round
+//! inserts at least one site, so the limit of sites bounds it.
+
+use glam::DVec2;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The state of Algorithm 1 before a round, and the points where the round inserts. The last round has no points.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct Round {
+    /// The score δ / r_d of the worst cell. Here δ is r_d minus the greatest radius that the cell may have, in place of
+    /// r_d − r_h.
+    pub score: f64,
+    /// The number of sites before the round. The sites that it inserts follow them.
+    pub sites: usize,
+    /// The farthest points of the worst cells.
+    pub points: Vec<RoundPoint>,
+}
+
+/// A point where a round divides a cell.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct RoundPoint {
+    /// The point, in image pixels.
+    #[schemars(with = "(f64, f64)")]
+    pub at: DVec2,
+    /// The site whose cell it divides.
+    pub owner: usize,
+    /// Its distance from the owner, in pixels: the radius r_d of the cell if it is the farthest point.
+    pub distance: f64,
+    /// The greatest radius that the cell may have, in pixels.
+    pub limit: f64,
+    /// The vertices of the shortest path from the owner to the point.
+    #[schemars(with = "Vec<(f64, f64)>")]
+    pub path: Vec<DVec2>,
+}
