@@ -229,6 +229,11 @@ test('samples open with their handles', async ({ page }) => {
   for (const [name, handle, count] of [
     ['octopus', 'arm 1', 7],
     ['cactus', 'left arm', 5],
+    ['cat', 'tail tip', 6],
+    ['giraffe', 'neck', 8],
+    ['snake', 'belly', 5],
+    ['robot', 'body', 6],
+    ['salamander', 'hips', 8],
     ['gingerbread', 'left hand', 5],
   ] as const) {
     await editor.button('Recent work, samples').click();

@@ -1,10 +1,11 @@
 /**
- * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, and one pose by
- * the methods that `npm run quality` compares.
+ * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, every sample
+ * posed, and one pose by the methods that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { launchChromium, prepareChromium } from './chromium.mjs';
+import { drawFigures } from './figures.mjs';
 import { prepare } from './prepare.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
 
@@ -30,6 +31,7 @@ await main(async () => {
   try {
     await take(browser, server.resolvedUrls?.local[0] ?? '', 'light');
     await take(browser, server.resolvedUrls?.local[0] ?? '', 'dark');
+    await drawFigures(browser);
   } finally {
     await browser.close();
     await server.close();

@@ -57,23 +57,30 @@ const content = (model: EditorModel, dispatch: Dispatch): TemplateResult => html
     />
     <button type="submit" class="button" part="button">Open</button>
   </form>
+  ${model.recent.length > 0 ? recentWork(model.recent, dispatch) : nothing}
   ${model.samples.length > 0 ? samples(model.samples, dispatch) : nothing}
-  <section aria-label=${RECENT}>
-    <h2>
-      ${RECENT}
-      ${model.recent.length > 1 ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'recent-removed', id: null })}>Remove all</button>` : nothing}
-    </h2>
-    ${
-      model.recent.length > 0
-        ? html`<ul>${model.recent.map((work) => entry(work, dispatch))}</ul>`
-        : html`<p class="faint">Pictures that you have edited are listed here once you open another.</p>`
-    }
-  </section>
+  ${model.recent.length > 0 ? nothing : noRecentWork}
   <section aria-label=${WHOLE}>
     <h2>${WHOLE}</h2>
     ${whole('save-whole', 'Save with the picture', model, dispatch)}
     ${whole('export-whole', 'Export a PNG that opens again', model, dispatch)}
   </section>`;
+
+const recentWork = (
+  works: readonly WorkSnapshot[],
+  dispatch: Dispatch,
+): TemplateResult => html`<section aria-label=${RECENT}>
+  <h2>
+    ${RECENT}
+    ${works.length > 1 ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'recent-removed', id: null })}>Remove all</button>` : nothing}
+  </h2>
+  <ul>${works.map((work) => entry(work, dispatch))}</ul>
+</section>`;
+
+const noRecentWork = html`<section aria-label=${RECENT}>
+  <h2>${RECENT}</h2>
+  <p class="faint">Pictures that you have edited are listed here once you open another.</p>
+</section>`;
 
 /** A command that writes one file with the picture and its handles. */
 const whole = (
