@@ -174,7 +174,7 @@ test.describe('addresses', () => {
     await elsewhere(page, true);
     const editor = await Editor.open(page);
     const type = async (text: string) => {
-      await editor.button('Recent work, samples').click();
+      await editor.button('Open recent work').click();
       await page.getByRole('textbox', { name: 'Address of a picture or a project' }).fill(text);
       await page.keyboard.press('Enter');
     };
@@ -236,7 +236,7 @@ test('samples open with their handles', async ({ page }) => {
     ['salamander', 'hips', 8],
     ['gingerbread', 'left hand', 5],
   ] as const) {
-    await editor.button('Recent work, samples').click();
+    await editor.button('Open recent work').click();
     await editor.button(`Open the sample ${name}`).click();
     await expect(editor.handle(handle)).toBeVisible();
     await expect(editor.handles).toHaveCount(count);
@@ -250,7 +250,7 @@ test('nothing is requested beyond the editor and its samples', async ({ page, ba
     if (/^https?:/.test(request.url())) origins.add(new URL(request.url()).origin);
   });
   const editor = await Editor.open(page);
-  await editor.button('Recent work, samples').click();
+  await editor.button('Open recent work').click();
   await bring(editor, 'drop', png('disc.png', disc(64)));
   await expect(editor.status).toContainText('64 × 64 px');
   expect([...origins]).toEqual([baseURL]);

@@ -280,7 +280,7 @@ test('the tooltip of a disabled button is fully opaque', async ({ page }) => {
 });
 
 for (const name of [
-  'Open a picture',
+  'Open recent work',
   'compare',
   'Overlays',
   'Select and move',
@@ -316,7 +316,7 @@ test('an open menu hides the tooltip of its button', async ({ page }) => {
   await overlays.focus();
   await page.keyboard.press('Enter');
   await expect.poll(tipped(overlays)).toBe(false);
-  await page.keyboard.press('Enter');
+  await page.keyboard.press('Escape');
   await expect.poll(tipped(overlays)).toBe(true);
 });
 

@@ -186,7 +186,7 @@ for (const [width, height] of [
     await page.setViewportSize({ width, height });
     await Editor.open(page);
     const stage = await box(page.locator('c2-warp .stage'));
-    const { left, right } = insetsOf({ stage, coarse: false, sheet: false, bare: null });
+    const { left, right } = insetsOf({ stage, coarse: false, sheet: 'none', bare: null });
     const cards = await page.locator('c2-warp .middle').evaluate((middle) => {
       const style = getComputedStyle(middle);
       return ['--_left', '--_right'].map((name) => Number.parseFloat(style.getPropertyValue(name)));

@@ -6,7 +6,7 @@ import { expect, test } from './fixtures';
 
 const title = (page: Page) => page.locator('c2-warp .title');
 const menu = (page: Page) =>
-  page.getByRole('dialog', { name: 'Recent work, samples' }).getByRole('region', { name: 'Recent work' });
+  page.getByRole('dialog', { name: 'Open recent work' }).getByRole('region', { name: 'Recent work' });
 
 /** The names of the recent works in storage, oldest first. */
 const storedRecent = (page: Page) =>
@@ -84,7 +84,7 @@ test('recent work is listed with thumbnails, and reopens after a reload', async 
   await expect.poll(() => storedRecent(page)).toEqual(['gingerbread.png', 'one.png', 'two.png']);
   await page.reload();
   await expect(page).toHaveTitle('• three.png – c2warp');
-  await editor.button('Recent work, samples').click();
+  await editor.button('Open recent work').click();
   const works = menu(page).getByRole('listitem');
   await expect(works).toHaveText([/two\.png\s+1 step/, /one\.png\s+1 step/, /gingerbread\.png\s+1 step/]);
   const drawn = menu(page)
@@ -106,13 +106,13 @@ test('recent work is removed, each and all, and can be put back', async ({ page 
   await page.keyboard.press('Enter');
   await bring(editor, 'drop', png('last.png', disc(64)));
   await expect.poll(() => storedRecent(page)).toEqual(['gingerbread.png', 'disc.png']);
-  await editor.button('Recent work, samples').click();
+  await editor.button('Open recent work').click();
   await menu(page).getByRole('button', { name: 'Remove disc.png from the list' }).click();
   await expect.poll(() => storedRecent(page)).toEqual(['gingerbread.png']);
   await page.keyboard.press('Escape');
   await editor.button('Put back').click();
   await expect.poll(async () => (await storedRecent(page)).sort()).toEqual(['disc.png', 'gingerbread.png']);
-  await editor.button('Recent work, samples').click();
+  await editor.button('Open recent work').click();
   await menu(page).getByRole('button', { name: 'Remove all' }).click();
   await expect(menu(page).getByRole('listitem')).toHaveCount(0);
   await expect.poll(() => storedRecent(page)).toEqual([]);

@@ -319,3 +319,50 @@ test('two fingers navigate again once the pen has left', async ({ page }) => {
   ]);
   await expect.poll(() => editor.zoom()).toBeGreaterThan(zoom * 1.2);
 });
+
+test('icons have words, and settings leave the picture in view', async ({ page }) => {
+  const editor = await Editor.open(page);
+  for (const word of ['Open', 'Undo', 'Overlays', 'More', 'Move', 'Polygon', 'Bend', 'Fit'])
+    await expect(page.locator('c2-warp .caption:visible').getByText(word, { exact: true })).toBeVisible();
+  const sheet = page.getByRole('region', { name: 'Properties' });
+  const covered = async () => {
+    const top = (await sheet.boundingBox())?.y ?? 0;
+    const feet = await Promise.all(['left foot', 'right foot'].map((name) => editor.position(name)));
+    return feet.some(({ y }) => y > top);
+  };
+  for (const name of ['How the picture bends', /^Overlays/]) {
+    await editor.button(name).tap();
+    await expect(sheet).toBeVisible();
+    await expect.poll(covered).toBe(false);
+  }
+  await editor.button('Close the list').tap();
+  await expect(sheet).toBeHidden();
+});
+
+test('colours and keys are in a menu, which has room on a phone', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.button('More').tap();
+  await editor.button('Dark colours').tap();
+  await expect(page.locator('c2-warp')).toHaveAttribute('theme', 'dark');
+  await editor.button('More').tap();
+  await expect(editor.button('Reset all handles')).toBeDisabled();
+  await page.getByRole('button', { name: 'Keys', exact: true }).tap();
+  const keys = page.getByRole('dialog', { name: 'Keys' });
+  await expect(keys).toBeVisible();
+  await editor.button('Close the list of keys').tap();
+  await expect(keys).toBeHidden();
+});
+
+test('one finger and two cannot move the picture out of view', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await editor.button('Pan').tap();
+  const session = await fingers(page);
+  const from = { x: 60, y: 300 };
+  for (let swipe = 0; swipe < 4; swipe++) await touch(session, [[from], [beside(from, 300, 300)]]);
+  const second = beside(from, 60, 0);
+  for (let swipe = 0; swipe < 3; swipe++)
+    await touch(session, [[from], [from, second], [beside(from, 260, 260), beside(second, 260, 260)]]);
+  const head = await editor.settled(() => editor.position('left hand'));
+  expect(head.x).toBeLessThan(390);
+  expect(head.y).toBeLessThan(780);
+});

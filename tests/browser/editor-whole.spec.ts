@@ -7,7 +7,7 @@ import { bytes, Editor } from './editor';
 import { bring, disc, png, project } from './files';
 import { expect, test } from './fixtures';
 
-const WHOLE = { name: 'Recent work, samples' };
+const WHOLE = { name: 'Open recent work' };
 
 async function downloadWhole(editor: Editor, label: string) {
   await editor.button(WHOLE.name).click();

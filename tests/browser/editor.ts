@@ -261,15 +261,18 @@ export class Editor {
   /** Presses the button to open files, and chooses these. */
   async chooseFile(files: string | { name: string; mimeType: string; buffer: Buffer }): Promise<void> {
     const chooser = this.page.waitForEvent('filechooser');
-    await this.button('Open a picture or a project').click();
+    const open = this.button('Open a picture or a project');
+    // On phones it is in the menu.
+    if (!(await open.isVisible())) await this.button('Open recent work').click();
+    await open.click();
     await (await chooser).setFiles(files);
   }
 
   /** Reopens recent work by its menu. */
   async openRecent(name: string): Promise<void> {
-    await this.button('Recent work, samples').click();
+    await this.button('Open recent work').click();
     await this.page
-      .getByRole('dialog', { name: 'Recent work, samples' })
+      .getByRole('dialog', { name: 'Open recent work' })
       .getByRole('button', { name })
       .first()
       .click();

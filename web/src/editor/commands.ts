@@ -12,7 +12,7 @@ export const COMMANDS = {
   point: { label: 'Add a point handle', keys: ['P'] },
   bar: { label: 'Draw a bar', keys: ['B'] },
   polygon: { label: 'Draw a polygon', keys: ['G'] },
-  lasso: { label: 'Draw around the part that bends', keys: ['L'] },
+  lasso: { label: 'Lasso: draw around the part that bends', keys: ['L'] },
   hand: { label: 'Pan', keys: ['H'] },
   open: { label: 'Open a picture or a project', keys: ['Mod+O'] },
   save: { label: 'Save the project file', keys: ['Mod+S'] },

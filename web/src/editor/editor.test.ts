@@ -57,6 +57,7 @@ const STEPS: readonly Step[] = [
   event((random) => ({ type: 'fold-guard-switched', on: random() < 0.5 })),
   event((random) => ({ type: 'snapping-switched', on: random() < 0.7 })),
   event((random) => ({ type: 'alt-held', held: random() < 0.5 })),
+  event((random) => ({ type: 'overlays-opened', open: random() < 0.5, keyed: random() < 0.5 })),
   event((random) => ({ type: 'overlay-switched', overlay: 'cells', on: random() < 0.5 })),
   event(() => ({ type: 'drawing-finished' })),
   event(() => ({ type: 'lasso-removed' })),

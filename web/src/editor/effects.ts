@@ -15,6 +15,9 @@ export interface FocusTarget {
   readonly corner: number | null;
 }
 
+/** Controls that the editor focuses by itself. */
+export type ControlName = 'overlays' | 'overlay-button';
+
 /** The DOM events of the element. */
 export type PageNotification =
   | { readonly type: 'ready' | 'load' }
@@ -99,6 +102,8 @@ export type EditorEffect =
     }
   | { readonly type: 'tell-tabs' }
   | { readonly type: 'focus'; readonly target: FocusTarget }
+  /** Focuses a control by its `data-control`, once it is rendered. Selects the text of a field. */
+  | { readonly type: 'focus-control'; readonly control: ControlName }
   /** Commits a number that is being typed. */
   | { readonly type: 'leave-field' }
   | { readonly type: 'scroll-list' }

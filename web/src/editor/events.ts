@@ -93,6 +93,8 @@ type ControlEvent =
   | { readonly type: 'settings-opened'; readonly open: boolean }
   | { readonly type: 'numbers-opened'; readonly open: boolean }
   | { readonly type: 'popover-toggled'; readonly popover: Popover; readonly open: boolean }
+  /** `keyed`: by a key. The focus goes to the open list or, once that has closed, to its button. */
+  | { readonly type: 'overlays-opened'; readonly open: boolean; readonly keyed: boolean }
   | { readonly type: 'handles-selected'; readonly ids: readonly string[] }
   | { readonly type: 'handle-toggled'; readonly id: string }
   | { readonly type: 'handle-focus-asked'; readonly id: string }

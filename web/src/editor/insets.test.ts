@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Cards, insetsOf } from './insets';
+import type { Sheet } from './view_state';
 
 /** What the cards leave free of an element of this size, CSS pixels. */
 const free = (width: number, height: number, cards: Pick<Cards, 'coarse' | 'sheet'>) => {
@@ -15,7 +16,7 @@ const free = (width: number, height: number, cards: Pick<Cards, 'coarse' | 'shee
 describe('what the cards leave free', () => {
   it('is most of the stage, however small the element', () => {
     for (const coarse of [false, true])
-      for (const sheet of [false, true])
+      for (const sheet of ['none', 'line'] as const)
         for (const [width, height] of [
           [320, 240],
           [390, 280],
@@ -34,20 +35,21 @@ describe('what the cards leave free', () => {
   it('grows with the height of a phone', () => {
     for (const coarse of [false, true]) {
       const heights = [240, 280, 320, 360, 480, 780].map(
-        (height) => free(390, height, { coarse, sheet: false }).height,
+        (height) => free(390, height, { coarse, sheet: 'none' }).height,
       );
       expect(heights).toEqual(heights.toSorted((a, b) => a - b));
     }
   });
 
   it('is more where no sheet is open', () => {
-    const room = (sheet: boolean) => free(390, 780, { coarse: true, sheet }).height;
-    expect(room(false)).toBe(room(true) + 60);
+    const room = (sheet: Sheet) => free(390, 780, { coarse: true, sheet }).height;
+    expect(room('none')).toBe(room('line') + 60);
+    expect(room('tall')).toBeGreaterThan(350);
   });
 
   it('leaves only a rim for handles without cards, and none for a plain picture', () => {
     const around = (bare: 'handles' | 'picture', coarse: boolean) =>
-      insetsOf({ stage: { width: 390, height: 300 }, coarse, sheet: true, bare });
+      insetsOf({ stage: { width: 390, height: 300 }, coarse, sheet: 'line', bare });
     expect(around('handles', false)).toEqual({ top: 16, right: 16, bottom: 16, left: 16 });
     expect(around('handles', true)).toEqual({ top: 24, right: 24, bottom: 24, left: 24 });
     expect(around('picture', true)).toEqual({ top: 0, right: 0, bottom: 0, left: 0 });

@@ -3,6 +3,7 @@
  */
 import type { Insets, Size } from '../geometry/camera';
 import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, STUDY, TOOLS } from './sizes';
+import type { Sheet } from './view_state';
 
 /** The layout that the insets depend on. */
 export interface Cards {
@@ -10,8 +11,8 @@ export interface Cards {
   readonly stage: Size;
   /** Bars and buttons are sized for fingers. */
   readonly coarse: boolean;
-  /** The panel is open, if the layout shows it as a sheet. */
-  readonly sheet: boolean;
+  /** The panel, if the layout shows it as a sheet. */
+  readonly sheet: Sheet;
   /** The study card is open, in place of the panel. */
   readonly study?: boolean;
   /** What `play` shows without bars and cards; null in the editor. */
@@ -30,10 +31,15 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, study, bare 
   const whole = toolbar + height + status;
   const tools = whole < LOWEST ? 'lowest' : 'low';
   if (width < PHONE) {
-    // Too low for room beside the sheet: the sheet may cover the picture.
-    if (whole < LOW.phone) return { ...even(8), left: TOOLS[`${tools}Phone`][kind] };
+    const settings = Math.min(SHEET.tall, (SHEET.share / 100) * height);
+    if (whole < LOW.phone) {
+      // Too low for room beside one line: the sheet may cover the picture.
+      const bottom = sheet === 'tall' ? 8 + settings : 8;
+      return { ...even(8), bottom, left: TOOLS[`${tools}Phone`][kind] };
+    }
     if (study) return { ...even(16), bottom: FROM_BOTTOM.sheet + STUDY.share * height };
-    return { ...even(16), bottom: sheet ? FROM_BOTTOM.sheet + SHEET.line : FROM_BOTTOM.aboveTools };
+    const [line, tall] = [FROM_BOTTOM.sheet + SHEET.line, FROM_BOTTOM.sheet + settings];
+    return { ...even(16), bottom: { none: FROM_BOTTOM.aboveTools, line, tall }[sheet] };
   }
   if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: study ? STUDY.wide : PANEL.narrow };
   if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: study ? STUDY.wide : PANEL.narrow };

@@ -34,8 +34,11 @@ export const PANEL = { wide: 260, narrow: 248 } as const;
 /** Width of the study card with the space around it, and its share of the height of a phone. */
 export const STUDY = { wide: 348, share: 0.52 } as const;
 
-/** Heights of the sheet on phones: one line, numbers, numbers with those of a corner; and its distance from the top. */
-export const SHEET = { line: 62, numbers: 160, ofCorner: 250, top: 12 } as const;
+/**
+ * Heights of the sheet on phones: one line, numbers, numbers with those of a corner, settings. The share of the stage
+ * is the greatest, in percent.
+ */
+export const SHEET = { line: 62, numbers: 160, ofCorner: 250, tall: 236, share: 46, top: 12 } as const;
 
 /** Distances from the bottom of the stage on phones: to the sheet, and to the area clear of the tools. */
 export const FROM_BOTTOM = { sheet: 74, aboveTools: 76 } as const;

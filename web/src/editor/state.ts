@@ -99,6 +99,8 @@ export interface DisplayState {
   readonly preview: PreviewCommand | null;
   /** Open on a small screen: the settings of the whole picture; the numbers of the selected handles. */
   readonly settings: boolean;
+  /** The list of overlays is open in the panel. */
+  readonly overlayList: boolean;
   readonly numbers: boolean;
   /** The open panel of the toolbar. */
   readonly popover: Popover | null;

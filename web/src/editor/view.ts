@@ -16,8 +16,9 @@ import {
 } from '../geometry/camera';
 import { add, midpoint, subtract, type Vec } from '../geometry/vec';
 import { insetsOf } from './insets';
+import { PHONE } from './sizes';
 import { type EditorState, projectOf, selectionOf } from './state';
-import type { ViewState } from './view_state';
+import type { Sheet, ViewState } from './view_state';
 
 /** Image pixels beyond the frame that rounding alone may cause. */
 const SLACK = 0.5;
@@ -88,19 +89,28 @@ function drawnBounds(state: EditorState): Box {
   return posed ? boxOfBoth(frameOf(state), posed) : frameOf(state);
 }
 
-/** @param besideSheet whether to leave room for the panel as a sheet. */
-export function fitView(state: EditorState, besideSheet = sheetIsOpen(state)): EditorState {
-  const view = { ...state.view, fitted: true, besideSheet };
+/** @param sheet the sheet to leave room for. */
+export function fitView(state: EditorState, sheet = openSheet(state)): EditorState {
+  const view = { ...state.view, fitted: true, sheet };
   if (!state.picture) return { ...state, view };
   const posed = posedBounds(state);
   const all = posed ? boxOfBoth(frameOf(state), posed) : frameOf(state);
-  const camera = fitted(all, state.stage, insets(state, besideSheet));
+  const camera = fitted(all, state.stage, insets(state, sheet));
   return { ...state, view: { ...view, camera } };
 }
 
-/** Fits again unless the person has panned or zoomed. A sheet that was opened since does not move the picture. */
-export const refitView = (state: EditorState): EditorState =>
-  state.view.fitted ? fitView(state, state.view.besideSheet) : state;
+/**
+ * Fits again unless the person has panned or zoomed. Makes room for settings, which somebody has opened. A sheet of one
+ * line does not move the picture, because a press has opened it.
+ */
+export function refitView(state: EditorState): EditorState {
+  if (!state.view.fitted) return state;
+  const [open, before] = [openSheet(state), state.view.sheet];
+  return fitView(state, open === 'tall' || before === 'tall' ? open : before);
+}
+
+/** Whether the layout has the panel as a sheet, which shows one thing at a time. */
+export const hasSheet = ({ stage }: EditorState): boolean => stage.width < PHONE;
 
 /** Zooms to 100 %: one image pixel for one CSS pixel. */
 export const showActualSize = (state: EditorState): EditorState =>
@@ -171,9 +181,12 @@ const frameOf = ({ picture }: EditorState): Box => ({
   max: [picture?.width ?? 0, picture?.height ?? 0],
 });
 
-const sheetIsOpen = (state: EditorState): boolean => state.display.settings || selectionOf(state).length > 0;
+function openSheet(state: EditorState): Sheet {
+  const { settings, overlayList } = state.display;
+  return settings || overlayList ? 'tall' : selectionOf(state).length > 0 ? 'line' : 'none';
+}
 
-export function insets(state: EditorState, sheet = sheetIsOpen(state)): Insets {
+export function insets(state: EditorState, sheet = openSheet(state)): Insets {
   const { playing, readonly } = state.page;
   const bare = playing ? (readonly ? 'picture' : 'handles') : null;
   const study = state.study.page !== null;

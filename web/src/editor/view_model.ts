@@ -106,6 +106,8 @@ export interface EditorModel {
   readonly filesMenu: boolean;
   readonly numbers: boolean;
   readonly study: StudyState;
+  /** The list of overlays is open. */
+  readonly overlayList: boolean;
   readonly menu: MenuState | null;
   /** The line being drawn with the current tool. */
   readonly draft: Draft | null;
@@ -209,6 +211,7 @@ export function viewModel(state: EditorState): EditorModel {
     filesMenu: display.popover === 'files',
     numbers: display.numbers,
     study: state.study,
+    overlayList: display.overlayList,
     menu: state.menu,
     draft,
     waiting: waitingDrafts(tools),

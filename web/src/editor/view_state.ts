@@ -7,6 +7,9 @@ export interface ViewState {
   readonly stage: Size;
   /** The whole picture is kept in view until the person pans or zooms. */
   readonly fitted: boolean;
-  /** The fit leaves room for the panel as a sheet. */
-  readonly besideSheet: boolean;
+  /** The sheet that the fit leaves room for. */
+  readonly sheet: Sheet;
 }
+
+/** The panel as a sheet: closed, one line about the selected handles, or settings of the whole picture. */
+export type Sheet = 'none' | 'line' | 'tall';

@@ -62,6 +62,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   store: (effect, { storage }) => storage.store(effect.work, effect.recent, effect.changed),
   'tell-tabs': (_, { storage }) => storage.tellTabs(),
   focus: (effect, { focus }) => focus.move(effect.target),
+  'focus-control': (effect, { focus }) => focus.moveToControl(effect.control),
   'leave-field': (_, { focus }) => focus.leaveField(),
   'scroll-list': (_, { root }) => requestAnimationFrame(() => showSelected(root)),
   'show-menu': (effect, { state, menu }) => menu.show(effect.at, state),

@@ -1,5 +1,5 @@
 /** The focus in the shadow tree: moves it for the editor, and reports where it is. */
-import type { FocusTarget } from '../editor/effects';
+import type { ControlName, FocusTarget } from '../editor/effects';
 import type { Dispatch } from '../editor/events';
 import { isField, untype } from '../ui/untyped';
 
@@ -41,6 +41,15 @@ export class Focus {
       const button = handle === null ? null : this.#root.querySelector(wanted);
       const target = button ?? this.#root.querySelector('.stage');
       if (target instanceof HTMLElement) target.focus({ preventScroll: true });
+    });
+  }
+
+  /** Focuses a control once it is rendered, and selects the text of a field. */
+  moveToControl(control: ControlName): void {
+    queueMicrotask(() => {
+      const target = this.#root.querySelector<HTMLElement>(`[data-control="${control}"]`);
+      target?.focus();
+      if (target instanceof HTMLInputElement && isField(target)) target.select();
     });
   }
 

@@ -7,10 +7,16 @@ import { icon, iconOf } from './icons';
 
 export interface Look {
   readonly text?: string;
+  /** The word below the icon on phones: part of the label. Without it, the text. */
+  readonly caption?: string;
   readonly pressed?: boolean;
   /** A fuller label than the table's: "Undo move head". */
   readonly label?: string;
 }
+
+/** A word below an icon, shown on phones. */
+export const captionOf = (word: string | undefined): TemplateResult | typeof nothing =>
+  word === undefined ? nothing : html`<span class="caption" aria-hidden="true">${word}</span>`;
 
 /** A button that runs a command, with the table's label, icon and keys. */
 export function commandButton(
@@ -33,6 +39,6 @@ export function commandButton(
     ?disabled=${!model.canRun(name)}
     @click=${() => dispatch({ type: 'command-run', command: name })}
   >
-    ${icon(iconOf(name))}${look.text ? html`<span class="word">${look.text}</span>` : ''}
+    ${icon(iconOf(name))}${look.text ? html`<span class="word">${look.text}</span>` : ''}${captionOf(look.caption ?? look.text)}
   </button>`;
 }

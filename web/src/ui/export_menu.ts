@@ -13,6 +13,7 @@ import type { EditorModel } from '../editor/view_model';
 import type { Area } from '../geometry/area';
 import type { Size } from '../geometry/camera';
 import { placeBelowButton } from './below_button';
+import { captionOf } from './command_button';
 import { icon } from './icons';
 import { type FieldLook, numberField } from './number_field';
 import { segment } from './segment';
@@ -57,7 +58,7 @@ export function exportMenu(model: EditorModel, dispatch: Dispatch): TemplateResu
       aria-keyshortcuts=${ariaKeys('export-as', model.platform) || nothing}
       ?disabled=${!model.canRun('export')}
     >
-      ${icon('export')}<span class="word">Export</span>
+      ${icon('export')}<span class="word">Export</span>${captionOf('Export')}
     </button>
     <div
       id="export"

@@ -1,4 +1,7 @@
-/** The menu beside Open: an address to open, recent work, and the samples of the page. */
+/**
+ * The menu beside Open: an address to open, recent work, and the samples of the page. On phones it takes the place of
+ * Open, so that the bar has room.
+ */
 import { html, nothing, type TemplateResult } from 'lit';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
@@ -6,10 +9,11 @@ import type { Sample } from '../editor/page';
 import type { EditorModel } from '../editor/view_model';
 import type { WorkSnapshot } from '../editor/work';
 import { placeBelowButton } from './below_button';
+import { captionOf } from './command_button';
 import { icon, iconOf } from './icons';
 import { shortened } from './shortened';
 
-const LABEL = 'Recent work, samples and addresses';
+const LABEL = 'Open recent work, samples or an address';
 const RECENT = 'Recent work';
 const WHOLE = 'One file with all';
 
@@ -24,7 +28,7 @@ export function filesMenu(model: EditorModel, dispatch: Dispatch): TemplateResul
       aria-label=${LABEL}
       ?disabled=${!model.canRun('open')}
     >
-      ${icon('unfold')}
+      ${icon('unfold')}${icon('open')}${captionOf('Open')}
     </button>
     <div
       id="files"
@@ -44,6 +48,7 @@ export function filesMenu(model: EditorModel, dispatch: Dispatch): TemplateResul
 }
 
 const content = (model: EditorModel, dispatch: Dispatch): TemplateResult => html`
+  ${entryOf('open', COMMANDS.open.label, model, dispatch)}
   <form class="address" novalidate @submit=${(event: Event) => openAddress(event, dispatch)}>
     <input
       name="address"
@@ -62,8 +67,8 @@ const content = (model: EditorModel, dispatch: Dispatch): TemplateResult => html
   ${model.recent.length > 0 ? nothing : noRecentWork}
   <section aria-label=${WHOLE}>
     <h2>${WHOLE}</h2>
-    ${whole('save-whole', 'Save with the picture', model, dispatch)}
-    ${whole('export-whole', 'Export a PNG that opens again', model, dispatch)}
+    ${entryOf('save-whole', 'Save with the picture', model, dispatch)}
+    ${entryOf('export-whole', 'Export a PNG that opens again', model, dispatch)}
   </section>`;
 
 const recentWork = (
@@ -82,9 +87,9 @@ const noRecentWork = html`<section aria-label=${RECENT}>
   <p class="faint">Pictures that you have edited are listed here once you open another.</p>
 </section>`;
 
-/** A command that writes one file with the picture and its handles. */
-const whole = (
-  command: 'save-whole' | 'export-whole',
+/** A command that closes the menu. */
+const entryOf = (
+  command: 'open' | 'save-whole' | 'export-whole',
   text: string,
   model: EditorModel,
   dispatch: Dispatch,
@@ -92,6 +97,7 @@ const whole = (
   type="button"
   class="button pick"
   part="button"
+  data-command=${command}
   title=${COMMANDS[command].label}
   ?disabled=${!model.canRun(command)}
   @click=${(event: Event) => {

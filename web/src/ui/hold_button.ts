@@ -3,10 +3,16 @@ import { html, type TemplateResult } from 'lit';
 import { ariaKeys, COMMANDS, keyHint, type PreviewCommand } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
+import { captionOf } from './command_button';
 import { icon, iconOf } from './icons';
 
 /** Held by pointer or key. A click without a press, as by a screen reader, toggles. */
-export function holdButton(name: PreviewCommand, model: EditorModel, dispatch: Dispatch): TemplateResult {
+export function holdButton(
+  name: PreviewCommand,
+  caption: string,
+  model: EditorModel,
+  dispatch: Dispatch,
+): TemplateResult {
   const hold = () => dispatch({ type: 'preview-held', command: name });
   const release = () => dispatch({ type: 'preview-held', command: null });
   const onKey = (event: KeyboardEvent, act: () => void) => {
@@ -35,6 +41,6 @@ export function holdButton(name: PreviewCommand, model: EditorModel, dispatch: D
     @click=${(event: MouseEvent) => event.detail === 0 && dispatch({ type: 'command-run', command: name })}
     @contextmenu=${(event: Event) => event.preventDefault()}
   >
-    ${icon(iconOf(name))}
+    ${icon(iconOf(name))}${captionOf(caption)}
   </button>`;
 }

@@ -40,6 +40,7 @@ const SHAPES = {
   light: svg`<circle cx="10" cy="10" r="3.2"/><path d="M10 2.6v1.6M10 15.8v1.6M2.6 10h1.6M15.8 10h1.6M4.8 4.8l1.1 1.1M14.1 14.1l1.1 1.1M15.2 4.8l-1.1 1.1M5.9 14.1l-1.1 1.1"/>`,
   dark: svg`<path d="M16.2 12A6.8 6.8 0 0 1 8 3.8a6.8 6.8 0 1 0 8.2 8.2Z"/>`,
   magnifier: svg`<circle cx="8.6" cy="8.6" r="5.2"/><path d="m12.5 12.5 4.3 4.3"/>`,
+  more: svg`<path d="M4.5 10h.1M10 10h.1M15.5 10h.1" stroke-width="2.6"/>`,
   lock: svg`<rect x="5" y="9" width="10" height="7.4" rx="1.4"/><path d="M7.2 9V6.6a2.8 2.8 0 0 1 5.6 0V9"/>`,
 } as const satisfies Record<string, SVGTemplateResult>;
 

@@ -88,6 +88,16 @@ export const keysCard = ({ platform }: EditorModel): TemplateResult => html`<div
   aria-label=${COMMANDS.keys.label}
   tabindex="-1"
 >
+  <button
+    type="button"
+    class="button small"
+    part="button"
+    popovertarget="keys"
+    popovertargetaction="hide"
+    aria-label="Close the list of keys"
+  >
+    ${icon('close')}
+  </button>
   <div class="columns">
     ${GROUPS.map(
       ([title, rows]) => html`<section>

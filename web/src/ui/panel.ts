@@ -1,8 +1,9 @@
 /**
- * The property panel: the numbers of the selected handles, how the picture bends, and the list of all handles.
+ * The property panel: the overlays if they are open, the numbers of the selected handles, how the picture bends, and
+ * the list of all handles.
  *
- * On a phone it is a sheet with one of the first two. For selected handles the sheet shows one line, and a press shows
- * the numbers. It keeps clear of the selected handles, and hides during a drag.
+ * On a phone it is a sheet with one of the first three. For selected handles the sheet shows one line, and a press
+ * shows the numbers. It keeps clear of the selected handles, and hides during a drag.
  */
 import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
@@ -20,18 +21,21 @@ import { cornerFields } from './corner_fields';
 import { fields } from './fields';
 import { handleList } from './handle_list';
 import { icon } from './icons';
+import { overlayList } from './overlay_list';
 
 export function panel(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const selected = selectedHandles(model.document);
-  const { settings, numbers, pressing } = model;
+  const { settings, numbers, pressing, overlayList: overlaid } = model;
   const looks = {
-    open: selected.length > 0 || settings,
+    open: selected.length > 0 || settings || overlaid,
     settings,
     numbers,
-    away: pressing && !settings,
-    high: !settings && isLow(selected, model),
+    overlaid,
+    away: pressing && !settings && !overlaid,
+    high: !settings && !overlaid && isLow(selected, model),
   };
   return html`<section class="panel card ${classMap(looks)}" part="panel" aria-label="Properties">
+    ${overlaid ? overlayList(model, dispatch) : nothing}
     ${selected.length > 0 ? properties(selected, model, dispatch) : nothing}
     ${bending(model, dispatch, selected.length === 0 || settings)} ${handleList(model, dispatch)}
   </section>`;

@@ -25,10 +25,12 @@ export function statusLine(model: EditorModel, dispatch: Dispatch): TemplateResu
       ${icon('lock')}Nothing leaves your browser
     </span>
     <span class="view" role="group" aria-label="View">
-      ${holdButton('preview', model, dispatch)} ${commandButton('zoom-out', model, dispatch)}
+      ${holdButton('preview', 'See it', model, dispatch)}
+      ${commandButton('zoom-out', model, dispatch, { caption: 'Out' })}
       <output class="percent" aria-label="Zoom">${Math.round(model.camera.scale * 100)} %</output>
-      ${commandButton('zoom-in', model, dispatch)} ${commandButton('fit', model, dispatch)}
-      ${commandButton('actual', model, dispatch)}
+      ${commandButton('zoom-in', model, dispatch, { caption: 'In' })}
+      ${commandButton('fit', model, dispatch, { caption: 'Fit' })}
+      ${commandButton('actual', model, dispatch, { caption: 'Actual' })}
     </span>
   </div>`;
 }

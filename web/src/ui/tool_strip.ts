@@ -5,13 +5,21 @@ import type { EditorModel } from '../editor/view_model';
 import type { ToolName } from '../tools/machine';
 import { commandButton } from './command_button';
 
-const TOOL_ORDER: readonly ToolName[] = ['select', 'point', 'bar', 'polygon', 'lasso', 'hand'];
+/** The tools in their order, with their words on phones. */
+const TOOLS = [
+  ['select', 'Move'],
+  ['point', 'Point'],
+  ['bar', 'Bar'],
+  ['polygon', 'Polygon'],
+  ['lasso', 'Lasso'],
+  ['hand', 'Pan'],
+] as const satisfies readonly (readonly [ToolName, string])[];
 
 export function toolStrip(model: EditorModel, dispatch: Dispatch): TemplateResult {
   return html`<div class="tools card" part="tools" role="group" aria-label="Tools">
-    ${TOOL_ORDER.map((name) => commandButton(name, model, dispatch, { pressed: model.tool === name }))}
+    ${TOOLS.map(([name, caption]) => commandButton(name, model, dispatch, { caption, pressed: model.tool === name }))}
     <span class="sheet-switch">
-      ${commandButton('settings', model, dispatch, { pressed: model.settings })}
+      ${commandButton('settings', model, dispatch, { caption: 'Bend', pressed: model.settings })}
     </span>
   </div>`;
 }

@@ -7,9 +7,10 @@ import { commandButton, type Look } from './command_button';
 import { exportMenu } from './export_menu';
 import { filesMenu } from './files_menu';
 import { holdButton } from './hold_button';
-import { icon } from './icons';
 import { keysButton } from './keys';
-import { overlayMenu } from './overlay_menu';
+import { moreMenu } from './more_menu';
+import { overlayButton } from './overlay_list';
+import { themeButton } from './theme';
 
 export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const command = (name: CommandName, look?: Look) => commandButton(name, model, dispatch, look);
@@ -21,13 +22,14 @@ export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
       ${exportMenu(model, dispatch)}
     </div>
     <div class="group">
-      ${command('undo', { label: told('Undo', model.undo) })}
-      ${command('redo', { label: told('Redo', model.redo) })}
+      ${command('undo', { label: told('Undo', model.undo), caption: 'Undo' })}
+      ${command('redo', { label: told('Redo', model.redo), caption: 'Redo' })}
     </div>
     <div class="group">
       ${command('reset-all')}
-      ${holdButton('compare', model, dispatch)} ${overlayMenu(model, dispatch)}
+      ${holdButton('compare', 'Compare', model, dispatch)} ${overlayButton(model, dispatch)}
     </div>
+    ${moreMenu(model, dispatch)}
     ${title(model)}
     ${keysButton()} ${themeButton(model, dispatch)}
   </div>`;
@@ -45,18 +47,4 @@ function title({ picture, unsaved, kept }: EditorModel): TemplateResult {
   return html`<span class="title ${unsaved ? 'unsaved' : ''}" title=${tip}>
     <span class="name">${name}</span>${state ? html`<span class="kept">${state}</span>` : nothing}
   </span>`;
-}
-
-function themeButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
-  const label = model.dark ? 'Light colours' : 'Dark colours';
-  return html`<button
-    type="button"
-    class="button theme"
-    part="button"
-    data-tip=${label}
-    aria-label=${label}
-    @click=${() => dispatch({ type: 'theme-switched' })}
-  >
-    ${icon(model.dark ? 'light' : 'dark')}
-  </button>`;
 }

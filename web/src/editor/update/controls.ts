@@ -9,6 +9,7 @@ import { finish, focus } from './corners';
 import {
   holdPreview,
   openNumbers,
+  openOverlays,
   openSettings,
   switchOverlay,
   togglePopover,
@@ -55,6 +56,7 @@ export const controlHandlers: Handlers<
   | 'settings-opened'
   | 'numbers-opened'
   | 'popover-toggled'
+  | 'overlays-opened'
   | 'handles-selected'
   | 'handle-toggled'
   | 'handle-focus-asked'
@@ -86,6 +88,7 @@ export const controlHandlers: Handlers<
   'settings-opened': (state, { open }) => openSettings(state, open),
   'numbers-opened': (state, { open }) => openNumbers(state, open),
   'popover-toggled': (state, { popover, open }) => togglePopover(state, popover, open),
+  'overlays-opened': (state, { open, keyed }, emit) => openOverlays(state, open, keyed, emit),
   'handles-selected': (state, { ids }, emit) => select(state, ids, emit),
   'handle-toggled': (state, { id }, emit) => toggleSelected(state, id, emit),
   'handle-focus-asked': (state, { id }, emit) => {

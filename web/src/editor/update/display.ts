@@ -4,7 +4,7 @@ import type { Emit } from '../effects';
 import type { OverlayFlags, OverlayName } from '../overlays';
 import type { Popover } from '../popover';
 import type { DisplayState, EditorState } from '../state';
-import { showBox } from '../view';
+import { hasSheet, refitView, showBox } from '../view';
 import { keepPassing } from './notices';
 import { withSolution } from './solve_request';
 
@@ -45,7 +45,19 @@ export const togglePreview = (state: EditorState, preview: PreviewCommand, emit:
   holdPreview(state, state.display.preview === preview ? null : preview, emit);
 
 export const openSettings = (state: EditorState, settings: boolean): EditorState =>
-  withDisplay(state, { settings });
+  refitView(withDisplay(state, { settings, overlayList: state.display.overlayList && !hasSheet(state) }));
+
+/** Opens the list of overlays, which stays open until it is closed. It takes the place of the study card. */
+export function openOverlays(state: EditorState, open: boolean, keyed: boolean, emit: Emit): EditorState {
+  if (keyed) emit({ type: 'focus-control', control: open ? 'overlays' : 'overlay-button' });
+  const settings = state.display.settings && !hasSheet(state);
+  const study = open ? { ...state.study, page: null } : state.study;
+  return refitView(withDisplay({ ...state, study }, { overlayList: open, settings }));
+}
+
+/** Closes what covers the numbers of the selected handles. On a phone, one sheet shows one of them. */
+export const showSelectedOnSheet = (state: EditorState): EditorState =>
+  withDisplay(state, { settings: false, overlayList: state.display.overlayList && !hasSheet(state) });
 
 export const openNumbers = (state: EditorState, numbers: boolean): EditorState =>
   withDisplay(state, { numbers });

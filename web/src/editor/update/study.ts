@@ -23,7 +23,8 @@ const withStudy = (state: EditorState, change: Partial<StudyState>): EditorState
 /** Shows a page of the card, or closes it. The picture keeps clear of the card. */
 export function showStudy(state: EditorState, page: StudyPage | null): EditorState {
   if (page === state.study.page || (page && (!state.picture || state.page.playing))) return state;
-  return refitView(withStudy({ ...state, display: { ...state.display, settings: false } }, { page }));
+  const display = { ...state.display, settings: false, overlayList: state.display.overlayList && !page };
+  return refitView(withStudy({ ...state, display }, { page }));
 }
 
 const labelOf = ({ name }: Setting): string => `Set ${SETTING_NAMES[name]}`;

@@ -1,5 +1,6 @@
 /** Buttons and links of all kinds. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const buttonsStyle = css`
   .button,
@@ -22,6 +23,9 @@ export const buttonsStyle = css`
     padding: 0 7px;
     border-radius: var(--_radius-control);
     transition: background var(--_speed);
+  }
+  .caption {
+    display: none;
   }
   .button.worded {
     padding: 0 10px 0 8px;
@@ -73,6 +77,28 @@ export const buttonsStyle = css`
     background: var(--_accent);
     color: var(--_on-accent);
     font-weight: 600;
+  }
+  @container ${phone} {
+    .button:has(.caption) {
+      flex-direction: column;
+      gap: 1px;
+    }
+    .button:has(.caption) .icon {
+      width: 18px;
+      height: 18px;
+    }
+    .caption {
+      display: block;
+      font-size: 10px;
+      line-height: 1.1;
+      letter-spacing: -0.01em;
+    }
+  }
+  @container shell (width < 360px) {
+    .caption {
+      font-size: 9px;
+      letter-spacing: -0.03em;
+    }
   }
   .toggle,
   .segment {

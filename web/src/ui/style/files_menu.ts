@@ -97,6 +97,10 @@ export const filesMenuStyle = css`
     border-radius: 4px;
     background: var(--_ground);
   }
+  .files [data-command='open'],
+  .button.slim .icon + .icon {
+    display: none;
+  }
   .button.slim {
     min-width: 22px;
     padding: 0 3px;
@@ -115,6 +119,19 @@ export const filesMenuStyle = css`
   @container ${phone} {
     .button.slim {
       margin-left: 0;
+    }
+    .button.slim .icon:first-child {
+      display: none;
+    }
+    .button.slim .icon + .icon {
+      display: block;
+    }
+    .files [data-command='open'] {
+      display: flex;
+      width: 100%;
+      margin-bottom: 8px;
+      background: var(--_raised);
+      font-weight: 600;
     }
   }
 `;

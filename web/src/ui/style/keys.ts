@@ -15,6 +15,14 @@ export const keysStyle = css`
     columns: 3 230px;
     column-gap: 32px;
   }
+  .keys .button {
+    position: sticky;
+    z-index: 1;
+    top: -10px;
+    float: right;
+    margin: -8px -12px 0 0;
+    background: var(--_surface);
+  }
   .keys:focus {
     outline: none;
   }
@@ -35,10 +43,5 @@ export const keysStyle = css`
     margin: 0;
     color: var(--_faint);
     white-space: nowrap;
-  }
-  @media (hover: none) {
-    .keys-button {
-      display: none;
-    }
   }
 `;

@@ -1,10 +1,13 @@
-/** The menu of overlays, and the context menu. */
+/** Check boxes, the menu of a phone, and the context menu. */
 import { css } from 'lit';
 import { phone } from './layouts';
 
 export const menuStyle = css`
   .menu {
     position: relative;
+  }
+  .menu.more {
+    display: none;
   }
   .popover {
     --_width: 208;
@@ -17,9 +20,9 @@ export const menuStyle = css`
   .check {
     display: flex;
     align-items: center;
-    gap: 9px;
-    min-height: var(--_control);
-    padding: 0 12px 0 8px;
+    gap: 6px;
+    min-height: 28px;
+    padding: 0 2px 0 8px;
     border-radius: var(--_radius-item);
     cursor: pointer;
   }
@@ -59,6 +62,17 @@ export const menuStyle = css`
   .context.tap .entry {
     min-height: var(--_finger);
   }
+  .more .entry {
+    width: 100%;
+    border: 0;
+    background: none;
+    color: inherit;
+    font: inherit;
+    text-align: left;
+  }
+  .more .entry:disabled {
+    color: color-mix(in srgb, currentcolor 35%, transparent);
+  }
   .entry:focus {
     background: var(--_raised);
   }
@@ -92,6 +106,9 @@ export const menuStyle = css`
     }
   }
   @container ${phone} {
+    .menu.more {
+      display: block;
+    }
     .popover {
       min-width: 200px;
     }

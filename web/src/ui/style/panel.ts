@@ -1,6 +1,6 @@
 /** The panel: a card at the right, or a sheet above the tools on phones. */
 import { css } from 'lit';
-import { FROM_BOTTOM, LOW } from '../../editor/sizes';
+import { FROM_BOTTOM, LOW, SHEET } from '../../editor/sizes';
 import { lowPhone, phone, strip } from './layouts';
 import { ORDER } from './order';
 
@@ -47,6 +47,20 @@ export const panelStyle = css`
     flex: 1;
     font-size: 12px;
   }
+  .overlays .row {
+    margin-top: -5px;
+  }
+  .overlays h3 {
+    flex: 1;
+  }
+  .checks {
+    display: grid;
+    grid-template-columns: auto auto;
+    margin: 0 -8px;
+    font-size: 12px;
+    white-space: nowrap;
+  }
+  .overlays + :is(.properties, .bending),
   .properties + :is(.bending, .list),
   .bending + .list {
     margin-top: 10px;
@@ -73,8 +87,11 @@ export const panelStyle = css`
       display: block;
     }
     /* One line. Its tooltips extend beyond it. */
-    .panel:not(.numbers, .settings) {
+    .panel:not(.numbers, .settings, .overlaid) {
       overflow: visible;
+    }
+    .panel:is(.settings, .overlaid) {
+      max-height: min(${SHEET.share}%, ${SHEET.tall}px);
     }
     .panel.high {
       top: var(--_edge);
@@ -86,12 +103,12 @@ export const panelStyle = css`
       transition: opacity var(--_speed) 100ms;
     }
     .panel .list,
-    .panel.settings .properties,
+    .panel:is(.settings, .overlaid) .properties,
     .panel:not(.numbers) :is(.fields, .corners),
     .panel:not(.settings) .bending {
       display: none;
     }
-    .panel.settings .bending {
+    .panel:is(.settings, .overlaid) .bending {
       margin: 0;
       padding: 0;
       border: 0;

@@ -60,6 +60,10 @@ export const statusStyle = css`
     color: var(--_warning);
     box-shadow: inset 0 0 0 1.5px currentcolor;
   }
+  /* Words below the icons need the height of a line for fingers. */
+  .status .caption {
+    display: none;
+  }
   .percent {
     min-width: 46px;
     text-align: center;

@@ -43,9 +43,11 @@ export const tooltipsStyle = css`
         visibility: hidden;
       }
     }
-    /* An open menu explains its button, and would cover part of the tooltip. */
+    /* An open menu or list explains its button, and would cover part of the tooltip. */
     .menu:has(:popover-open) > [data-tip]:is(:hover, :focus-visible)::after,
-    .menu:has(:popover-open) > [data-tip]:hover::before {
+    .menu:has(:popover-open) > [data-tip]:hover::before,
+    [data-tip][aria-expanded='true']:is(:hover, :focus-visible)::after,
+    [data-tip][aria-expanded='true']:hover::before {
       content: none;
     }
     .tools [data-tip]:is(:hover, :focus-visible)::after {
@@ -88,6 +90,9 @@ export const tooltipsStyle = css`
         left: auto;
         right: 0;
         translate: none;
+      }
+      .top .group ~ .group [data-command='compare'][data-tip]:is(:hover, :focus-visible)::after {
+        right: -44px;
       }
       /* Tooltips above this row would be hidden: the sheet scrolls, or the bar lies above it. */
       .panel:is(.numbers, .high) .row [data-tip]:is(:hover, :focus-visible)::after {

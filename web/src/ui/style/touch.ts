@@ -5,7 +5,7 @@
  */
 import { css } from 'lit';
 import { BARS, TOOLS } from '../../editor/sizes';
-import { lowestPhone, lowPhone } from './layouts';
+import { lowestPhone, lowPhone, phone } from './layouts';
 
 export const touchStyle = css`
   @media (pointer: coarse) {
@@ -52,6 +52,11 @@ export const touchStyle = css`
     .percent {
       font-size: 14px;
     }
+    @container ${phone} {
+      .status .caption {
+        display: block;
+      }
+    }
     @container ${lowPhone} {
       .middle {
         --_left: ${TOOLS.lowPhone.coarse}px;
@@ -71,20 +76,9 @@ export const touchStyle = css`
     .top {
       gap: 0;
     }
-    .top .group {
+    .top .menu,
+    .top .group > .button {
       flex: 1 1 0;
-      gap: 0;
-    }
-    .top .group:has(> :nth-child(4)) {
-      flex-grow: 2;
-    }
-    .top .group > .menu,
-    .top .group > .button,
-    .top .menu > .button {
-      flex: 1 1 0;
-      width: 100%;
-      min-width: 0;
-      padding: 0;
     }
     .tools {
       gap: 0;

@@ -1,0 +1,43 @@
+/** The menu of a phone, for commands that its bar has no room for. */
+import { html, type TemplateResult } from 'lit';
+import { COMMANDS } from '../editor/commands';
+import type { Dispatch, EditorEvent } from '../editor/events';
+import type { EditorModel } from '../editor/view_model';
+import { placeBelowButton } from './below_button';
+import { captionOf } from './command_button';
+import { type IconName, icon } from './icons';
+import { themeLabel } from './theme';
+
+export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const entry = (name: IconName, label: string, event: EditorEvent, possible = true) => html`<button
+    type="button"
+    class="entry"
+    ?disabled=${!possible}
+    @click=${({ currentTarget }: Event) => {
+      (currentTarget as Element).closest<HTMLElement>('[popover]')?.hidePopover();
+      dispatch(event);
+    }}
+  >
+    ${icon(name)}${label}
+  </button>`;
+  const reset = { type: 'command-run', command: 'reset-all' } as const;
+  const keys = { type: 'command-run', command: 'keys' } as const;
+  return html`<div class="menu more">
+    <button type="button" class="button" part="button" popovertarget="more" aria-label="More">
+      ${icon('more')}${captionOf('More')}
+    </button>
+    <div
+      id="more"
+      class="popover card"
+      part="menu"
+      popover
+      role="group"
+      aria-label="More"
+      @beforetoggle=${placeBelowButton}
+    >
+      ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
+      ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
+      ${entry('keys', COMMANDS.keys.label, keys)}
+    </div>
+  </div>`;
+}
