@@ -31,6 +31,8 @@ const STATES: Readonly<Record<string, (editor: Editor) => Promise<void>>> = {
     await expect(editor.page.getByRole('menu')).toBeVisible();
   },
   'a reach is shown': async (editor) => {
+    // The open menu may lie over the bar.
+    await editor.page.keyboard.press('Escape');
     await editor.button('Overlays').click();
     await editor.page.getByRole('checkbox', { name: 'Reach' }).click();
   },

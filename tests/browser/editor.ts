@@ -85,7 +85,8 @@ export class Editor {
   }
 
   handle(name: string): Locator {
-    const label = name.startsWith('handle ') ? name : `Handle ${name}`;
+    // A name that says the kind of the handle needs no other word.
+    const label = /^(handle|point|bar|polygon) /.test(name) ? name : `Handle ${name}`;
     return this.page.getByRole('button', { name: `${label}, ` });
   }
 

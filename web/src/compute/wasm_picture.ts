@@ -120,8 +120,9 @@ class WasmPicture implements PosedPicture {
   /** Turns of automatic handles: of their own sites, or of the picture around handles that are not solved yet. */
   turnsOf(pose: WasmPose): Turns {
     const sites = new Map<string, number>();
+    const followed = followedHandles(this.#solved, pose.project);
     this.data.siteHandle.forEach((index, site) => {
-      const handle = this.#solved.handles[index];
+      const handle = followed[index];
       if (handle) sites.set(handle.id, site);
     });
     const automatic = pose.project.handles.filter(isAutomatic);

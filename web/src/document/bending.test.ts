@@ -6,7 +6,7 @@ import type { PointHandle, Project } from './project';
 const point = (id: string, rotation?: PointHandle['rotation']): PointHandle => ({
   id,
   kind: 'point',
-  rest: [0, 0],
+  rest: [id.charCodeAt(0), 0],
   posed: [9, 9],
   ...(rotation === undefined ? {} : { rotation }),
 });

@@ -8,6 +8,7 @@ import type { Blend } from '../geometry/skin';
 import { EDITOR_SETTINGS, PAPER_SETTINGS } from './generated/settings';
 import { isLine, rotationOf, type Turns, turnedTo, withAutoRotation } from './handle';
 import type { Handle, PoseMode, Project, Rotation } from './project';
+import { placeKey } from './solved';
 
 /** Virtual sites to request. More of them bend a rigid picture more finely. */
 export const DETAILS = { coarse: 30, medium: EDITOR_SETTINGS.density, fine: 200 } as const;
@@ -64,11 +65,12 @@ export function withMode(
 /** Makes points automatic as they were, if nobody has turned them since. */
 function freed(back: ModeReturn | null): (handle: Handle) => Handle {
   const rotations = ({ handles }: Project) =>
-    new Map(handles.map((handle) => [handle.id, handle.rotation ?? 0]));
+    new Map(handles.map((handle) => [placeKey(handle), handle.rotation ?? 0]));
   const [before, after] = [back?.before, back?.after].map((project) => project && rotations(project));
   return (handle) => {
-    const { id, rotation = 0 } = handle;
-    const last = after?.get(id) === rotation ? before?.get(id) : undefined;
+    const { rotation = 0 } = handle;
+    const key = placeKey(handle);
+    const last = after?.get(key) === rotation ? before?.get(key) : undefined;
     return last === 'auto' || (last === undefined && rotation === 0) ? withAutoRotation(handle) : handle;
   };
 }

@@ -16,6 +16,7 @@ import {
   posedLike,
   turnedTo,
 } from './handle';
+import { nameFault } from './names';
 import type { Handle, LineHandle, Project } from './project';
 
 const withHandles = (document: Document, handles: readonly Handle[]): Document => ({
@@ -136,10 +137,12 @@ export function selectHandles(document: Document, ids: readonly string[]): Docum
   return { ...document, selection: [...new Set(ids)].filter((id) => known.has(id)) };
 }
 
-/** Returns an unused id such as "bar-2". Numbers start after the count of ids with this word: reuse is rare. */
+/**
+ * Returns an id such as "bar-2" that reads like no other. Numbers start after the count of ids with this word: reuse is
+ * rare.
+ */
 export function freeId(project: Project, word = 'handle'): string {
-  const taken = new Set(project.handles.map((handle) => handle.id));
   let number = project.handles.filter(({ id }) => id.startsWith(`${word}-`)).length + 1;
-  while (taken.has(`${word}-${number}`)) number++;
+  while (nameFault(project, '', `${word}-${number}`)) number++;
   return `${word}-${number}`;
 }

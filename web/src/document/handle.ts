@@ -72,8 +72,9 @@ export const DEPTHS = { least: -10, most: 10 } as const;
 /** The range of scales that an edit can give a handle. */
 export const SCALES = { least: 0.01, most: 100 } as const;
 
-/** The handle's name for screen readers and messages: its id as words. */
-export const nameOf = ({ id }: Pick<Handle, 'id'>): string => id.replace(/[-_]+/g, ' ').trim() || id;
+/** The handle's name for people: its id, as words if it is written in small letters and hyphens. */
+export const nameOf = ({ id }: Pick<Handle, 'id'>): string =>
+  /[\s\p{Lu}]/u.test(id) ? id : id.replace(/[-_]+/g, ' ').trim() || id;
 
 /** Applies `place` to every posed corner. */
 const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>

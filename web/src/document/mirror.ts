@@ -5,6 +5,7 @@ import { midpoint, type Vec } from '../geometry/vec';
 import { type Document, selectedHandles } from './document';
 import { addHandle, freeId, putHandles, selectHandles } from './edits';
 import { corners, edges, isClosed, isLine, posedLike, rounded, roundedVec } from './handle';
+import { nameFault, ofOtherSide } from './names';
 import type { Handle, Project } from './project';
 
 /**
@@ -84,9 +85,6 @@ function apart(a: Handle, b: Handle): number {
 
 /** Returns "right-hand" for "left-hand" if that id is free, or else another free id. */
 function idOpposite(project: Project, { id, kind }: Handle): string {
-  const opposite = id.replace(/(?<![a-z])(left|right)(?![a-z])/, (side) =>
-    side === 'left' ? 'right' : 'left',
-  );
-  const taken = project.handles.some((handle) => handle.id === opposite);
-  return taken ? freeId(project, kind === 'point' ? undefined : kind) : opposite;
+  const opposite = ofOtherSide(id);
+  return nameFault(project, '', opposite) ? freeId(project, kind === 'point' ? undefined : kind) : opposite;
 }

@@ -1,6 +1,8 @@
 /**
  * The inputs of a solution, and the application of a newer pose to an older solution.
  *
+ * Names of handles change no solution: handles of a kind at the same rest place are the same handle.
+ *
  * Changes of the pose or the blend need no new solve. Other settings do, and so do handles that are placed or removed.
  * While a newer solve runs, the picture follows the handles of the last solution.
  */
@@ -8,7 +10,7 @@ import type { Handle, Project } from './project';
 
 /** Two projects have the same key if and only if they have the same solution. */
 export const solveKey = (project: Project): string =>
-  `${settingsKey(project)} ${project.handles.map(handleKey).join(' ')}`;
+  `${settingsKey(project)} ${project.handles.map(placeKey).join(' ')}`;
 
 /** The part of {@link solveKey} that is independent of the handles. */
 export function settingsKey({ handles: _, pose, ...settings }: Project): string {
@@ -22,16 +24,39 @@ export const solvesWith = (project: Project, handle: Handle): boolean =>
 
 export const solvesAlike = (a: Handle, b: Handle): boolean => handleKey(a) === handleKey(b);
 
-const handleKey = ({ id, kind, rest }: Handle): string => JSON.stringify([id, kind, rest]);
+const handleKey = (handle: Handle): string => JSON.stringify([handle.id, placeKey(handle)]);
 
-/** Replaces the handles of `solved` by those of `current` with the same id, kind and number of corners. */
+/** The keys of rest places, which poses share: every frame of a drag asks for them. */
+const placeKeys = new WeakMap<Handle['rest'], string>();
+
+/** Two handles have the same key if and only if they have the same kind and rest place. */
+export function placeKey({ kind, rest }: Handle): string {
+  const key = placeKeys.get(rest) ?? JSON.stringify(rest);
+  placeKeys.set(rest, key);
+  return `${kind} ${key}`;
+}
+
+/**
+ * Replaces the handles of `solved` by those of `current` at the same rest place, or else with the same id, kind and
+ * number of corners.
+ */
 export function followedHandles(solved: Project, current: Project): readonly Handle[] {
-  const now = new Map(current.handles.map((handle) => [handle.id, handle]));
+  const at = new Map(current.handles.map((handle) => [placeKey(handle), handle]));
+  const named = new Map(current.handles.map((handle) => [handle.id, handle]));
+  const kept = new Set(solved.handles.map(placeKey));
   return solved.handles.map((handle) => {
-    const own = now.get(handle.id);
-    return own && hasSameForm(own, handle) ? own : handle;
+    const own = named.get(handle.id);
+    const here = own && placeKey(own) === placeKey(handle) ? own : at.get(placeKey(handle));
+    if (here) return here;
+    return own && hasSameForm(own, handle) && !kept.has(placeKey(own)) ? own : handle;
   });
 }
+
+/** A project with the ids of another one that has the same solution. */
+export const withIdsOf = (solved: Project, project: Project): Project => ({
+  ...project,
+  handles: project.handles.map((handle, k) => ({ ...handle, id: solved.handles[k]?.id ?? handle.id })),
+});
 
 /** Whether two handles have the same kind and number of corners. A point's place has the length 2. */
 export const hasSameForm = (a: Handle, b: Handle): boolean =>

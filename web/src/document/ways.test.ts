@@ -7,7 +7,7 @@ import type { Handle, Project } from './project';
 import { groupWay, handleWay } from './ways';
 
 const point = (id: string, x: number, more: Partial<Handle> = {}): Handle =>
-  ({ id, kind: 'point', rest: [0, 0], posed: [x, 0], ...more }) as Handle;
+  ({ id, kind: 'point', rest: [id.charCodeAt(0), 0], posed: [x, 0], ...more }) as Handle;
 const holding = (...handles: readonly Handle[]): Project => ({
   ...newProject({ src: '', width: 8, height: 8 }, null),
   handles,

@@ -14,13 +14,14 @@ import {
   NO_HANDLES,
   NO_LINE,
   NO_PICTURE,
+  NO_SINGLE,
   NONE_SELECTED,
   NOTHING_TO_REDO,
   NOTHING_TO_UNDO,
   STILL_HERE,
   VIEW_ONLY,
 } from './reason_texts';
-import { documentOf, type EditorState, projectOf } from './state';
+import { documentOf, type EditorState, projectOf, selectionOf } from './state';
 
 export const canRun = (state: EditorState, command: CommandName): boolean =>
   reasonAgainst(state, command) === null;
@@ -101,6 +102,7 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   paste: either(unlessChangeable, withoutHandles),
   reset: unlessSelected((handle) => !isAtRest(handle), AT_REST),
   mirror: unlessAnySelected,
+  rename: either(unlessChangeable, (state) => (selectionOf(state).length === 1 ? null : NO_SINGLE)),
   remove: (state) => (isDrawing(state) ? null : unlessAnySelected(state)),
   forward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.most, IN_FRONT),
   backward: unlessSelected((handle) => depthOf(handle) !== DEPTHS.least, AT_BACK),

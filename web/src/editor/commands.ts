@@ -28,6 +28,7 @@ export const COMMANDS = {
   mirror: { label: 'Mirror to the other side', keys: ['M'] },
   copy: { label: 'Copy the pose', keys: ['Mod+C'] },
   paste: { label: 'Paste a pose', keys: ['Mod+V'] },
+  rename: { label: 'Rename', keys: ['F2'] },
   remove: { label: 'Delete', keys: ['Delete', 'Backspace'] },
   'add-point': { label: 'Add a point here', keys: [] },
   'add-corner': { label: 'Add a corner', keys: ['C'] },

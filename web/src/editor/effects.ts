@@ -16,7 +16,7 @@ export interface FocusTarget {
 }
 
 /** Controls that the editor focuses by itself. */
-export type ControlName = 'overlays' | 'overlay-button';
+export type ControlName = 'name' | 'overlays' | 'overlay-button';
 
 /** The DOM events of the element. */
 export type PageNotification =

@@ -97,7 +97,12 @@ type ControlEvent =
   | { readonly type: 'overlays-opened'; readonly open: boolean; readonly keyed: boolean }
   | { readonly type: 'handles-selected'; readonly ids: readonly string[] }
   | { readonly type: 'handle-toggled'; readonly id: string }
-  | { readonly type: 'handle-focus-asked'; readonly id: string }
+  | { readonly type: 'handle-focus-asked' | 'rename-asked'; readonly id: string }
+  /** While the name of a handle is typed. */
+  | { readonly type: 'name-typed'; readonly name: string }
+  /** `keyed`: by Enter. A refused name then stays to be corrected; otherwise the handle keeps the old one. */
+  | { readonly type: 'name-given'; readonly name: string; readonly keyed: boolean }
+  | { readonly type: 'renaming-ended' }
   | { readonly type: 'place-revealed'; readonly at: Vec }
   | { readonly type: 'number-refused'; readonly text: string };
 

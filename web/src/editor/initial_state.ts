@@ -49,6 +49,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       preview: null,
       settings: false,
       overlayList: false,
+      renaming: null,
       numbers: false,
       popover: null,
       snapping: false,

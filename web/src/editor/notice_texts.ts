@@ -1,4 +1,5 @@
 /** Texts of notices. */
+import type { NameFault } from '../document/names';
 
 export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle on the picture.';
 
@@ -47,6 +48,16 @@ export function outsideText(handles: readonly string[], lassoed = false): string
     ? `Part of ${handles[0]} lies outside ${where} and moves nothing.`
     : `Parts of ${named(handles)} lie outside ${where} and move nothing.`;
 }
+
+/** Why a handle cannot have a name. */
+export const NAME_FAULTS: Readonly<Record<NameFault, string>> = {
+  empty: 'A handle needs a name.',
+  taken: 'Another handle has this name.',
+};
+
+/** @param name that of a handle whose new name was refused. */
+export const nameStaysText = (fault: NameFault, name: string): string =>
+  `${NAME_FAULTS[fault].slice(0, -1)}: “${name}” keeps its own.`;
 
 export const SAME_THERE = 'Both sides are the same already.';
 

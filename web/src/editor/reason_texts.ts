@@ -5,6 +5,7 @@ export const VIEW_ONLY = 'This picture is for viewing only';
 export const NO_PICTURE = 'Open a picture first';
 export const NO_HANDLES = 'There is no handle yet';
 export const NONE_SELECTED = 'Select a handle first';
+export const NO_SINGLE = 'Select a single handle';
 export const NO_LINE = 'Select a single bar or polygon';
 export const NOTHING_TO_UNDO = 'There is nothing to undo';
 export const NOTHING_TO_REDO = 'There is nothing to redo';

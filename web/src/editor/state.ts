@@ -6,6 +6,7 @@
  */
 import type { Document } from '../document/document';
 import type { History } from '../document/history';
+import type { NameFault } from '../document/names';
 import type { Handle, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
@@ -93,6 +94,12 @@ export interface Title {
   readonly unsaved: boolean;
 }
 
+/** The handle whose name is being typed, and why it cannot have the typed name. */
+export interface Renaming {
+  readonly id: string;
+  readonly fault: NameFault | null;
+}
+
 export interface DisplayState {
   readonly overlays: OverlayFlags;
   /** The picture is shown without handles: the original, or the posed picture. */
@@ -101,6 +108,7 @@ export interface DisplayState {
   readonly settings: boolean;
   /** The list of overlays is open in the panel. */
   readonly overlayList: boolean;
+  readonly renaming: Renaming | null;
   readonly numbers: boolean;
   /** The open panel of the toolbar. */
   readonly popover: Popover | null;

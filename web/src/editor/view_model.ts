@@ -28,7 +28,15 @@ import { handlesAreShown } from './permissions';
 import type { Picture } from './picture';
 import { snapped } from './snapping';
 import type { SolveReport } from './solution';
-import { documentOf, type EditorState, isUnsaved, overlaysOf, projectOf } from './state';
+import {
+  documentOf,
+  type EditorState,
+  isUnsaved,
+  overlaysOf,
+  projectOf,
+  type Renaming,
+  selectionOf,
+} from './state';
 import type { StudyState } from './study_state';
 import type { Task } from './task';
 import { isKept } from './update/autosave';
@@ -108,6 +116,8 @@ export interface EditorModel {
   readonly study: StudyState;
   /** The list of overlays is open. */
   readonly overlayList: boolean;
+  /** The name of the only selected handle is being typed. */
+  readonly renaming: Renaming | null;
   readonly menu: MenuState | null;
   /** The line being drawn with the current tool. */
   readonly draft: Draft | null;
@@ -119,6 +129,8 @@ export interface EditorModel {
   /** Whether handles snap to guides, and the guides that what is moved or placed lies on. */
   readonly snapping: boolean;
   readonly guides: readonly Guide[];
+  /** The ids of handles whose names are shown beside them: of the one selected, and of the one under the pointer. */
+  readonly named: readonly string[];
   /** The id of the handle whose ring Alt shows. */
   readonly ringed: string | null;
   readonly cursor: Cursor;
@@ -212,6 +224,7 @@ export function viewModel(state: EditorState): EditorModel {
     numbers: display.numbers,
     study: state.study,
     overlayList: display.overlayList,
+    renaming: page.readonly ? null : display.renaming,
     menu: state.menu,
     draft,
     waiting: waitingDrafts(tools),
@@ -220,6 +233,9 @@ export function viewModel(state: EditorState): EditorModel {
     snapping: display.snapping,
     get guides() {
       return guidesShown(state);
+    },
+    get named() {
+      return namedOf(state);
     },
     get ringed() {
       return ringedOf(state);
@@ -249,6 +265,18 @@ function guidesShown(state: EditorState): readonly Guide[] {
   if (isPressing(tools) || !aims || !pointer.hovered || !handlesAreShown(state)) return display.guides;
   return hitAt(state, pointer.hovered, false) ? [] : snapped(state, pointer.hovered, []).guides;
 }
+
+/** Names help to find a handle. During a press or a drawing they would cover the picture. */
+function namedOf(state: EditorState): readonly string[] {
+  const { tools, pointer, page } = state;
+  if (page.playing || !handlesAreShown(state) || isPressing(tools) || draftOf(tools)) return NO_IDS;
+  const under = pointer.hovered && hitAt(state, pointer.hovered, false);
+  const hovered = under && under.part !== 'ring' && under.part !== 'grip' ? [under.id] : NO_IDS;
+  const selection = selectionOf(state);
+  return selection.length === 1 ? [...selection, ...hovered] : hovered;
+}
+
+const NO_IDS: readonly string[] = [];
 
 /** With Alt held, the handle under the pointer. Not during a press or a drawing, which need no other marks. */
 function ringedOf(state: EditorState): string | null {

@@ -10,6 +10,7 @@ import { checkedProject } from '../compute/module';
 import type { PixelSource, SolutionData } from '../compute/solution';
 import { checkedHandle } from '../document/handle';
 import type { Project, ProjectFile } from '../document/project';
+import { solveKey, withIdsOf } from '../document/solved';
 import type { Dispatch } from '../editor/events';
 import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
@@ -74,7 +75,10 @@ export class Solver {
   /** The warped picture, ready to be drawn: see `Engine.draw`. */
   async draw(project: Project, options: DrawingOptions): Promise<Drawing> {
     const engine = await this.#started();
-    return engine.draw(project, options);
+    const key = solveKey(project);
+    const solved = [...this.#solved.keys()].findLast((solution) => solution.key === key)?.project;
+    // The worker compares ids too, and would solve again for a handle that was only renamed.
+    return engine.draw(solved ? withIdsOf(solved, project) : project, options);
   }
 
   /** Parses a project file. @throws WarpError with a message that names the invalid key. */

@@ -22,7 +22,7 @@ const ofHandles = (corners: readonly CommandName[]): Groups => [
   ['copy', 'paste'],
   ['forward', 'backward'],
   corners,
-  ['remove'],
+  ['rename', 'remove'],
 ];
 
 export function contextMenu(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {

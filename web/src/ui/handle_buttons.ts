@@ -23,15 +23,22 @@ import type { EditorModel } from '../editor/view_model';
 import { toStage } from '../geometry/camera';
 import type { Vec } from '../geometry/vec';
 
+/** The name of a handle with its kind, which the name may say already: "Handle head", "bar 1, with 2 corners". */
+function kindWords(handle: Handle): readonly string[] {
+  const name = nameOf(handle);
+  const says = (kind: string) => name.toLowerCase().split(' ').includes(kind);
+  if (!isLine(handle)) return [says('handle') || says('point') ? name : `Handle ${name}`];
+  const corners = `with ${handle.posed.length} corners`;
+  return says(handle.kind) ? [name, corners] : [`Handle ${name}`, `${handle.kind} ${corners}`];
+}
+
 /** The label of a handle for screen readers. */
 export function handleLabel(handle: Handle, turns: Turns): string {
   const [x, y] = anchor(handle);
   const scale = rounded(scaleOf(handle));
   const depth = depthOf(handle);
-  const name = nameOf(handle);
   return [
-    /^handle\b/i.test(name) ? name : `Handle ${name}`,
-    ...(isLine(handle) ? [`${handle.kind} with ${handle.posed.length} corners`] : []),
+    ...kindWords(handle),
     `x ${Math.round(x)}`,
     `y ${Math.round(y)}`,
     turnWords(rotationOf(handle, turns)),

@@ -41,6 +41,7 @@ const SHAPES = {
   dark: svg`<path d="M16.2 12A6.8 6.8 0 0 1 8 3.8a6.8 6.8 0 1 0 8.2 8.2Z"/>`,
   magnifier: svg`<circle cx="8.6" cy="8.6" r="5.2"/><path d="m12.5 12.5 4.3 4.3"/>`,
   more: svg`<path d="M4.5 10h.1M10 10h.1M15.5 10h.1" stroke-width="2.6"/>`,
+  rename: svg`<path d="m12.6 4.4 3 3L7 16H4v-3ZM11 6l3 3"/>`,
   lock: svg`<rect x="5" y="9" width="10" height="7.4" rx="1.4"/><path d="M7.2 9V6.6a2.8 2.8 0 0 1 5.6 0V9"/>`,
 } as const satisfies Record<string, SVGTemplateResult>;
 

@@ -47,6 +47,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'backward',
       'add-corner',
       'remove-corner',
+      'rename',
       'remove',
     ],
   ],

@@ -9,7 +9,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { selectedHandles } from '../document/document';
 import { groupCentre } from '../document/group';
-import { anchor, isLine, nameOf } from '../document/handle';
+import { anchor, isLine } from '../document/handle';
 import type { Handle } from '../document/project';
 import type { Dispatch } from '../editor/events';
 import { FROM_BOTTOM, SHEET } from '../editor/sizes';
@@ -21,6 +21,7 @@ import { cornerFields } from './corner_fields';
 import { fields } from './fields';
 import { handleList } from './handle_list';
 import { icon } from './icons';
+import { nameTitle } from './name_field';
 import { overlayList } from './overlay_list';
 
 export function panel(model: EditorModel, dispatch: Dispatch): TemplateResult {
@@ -58,10 +59,9 @@ function isLow(selected: readonly Handle[], { camera, stage, numbers, corner }: 
 function properties(selected: readonly Handle[], model: EditorModel, dispatch: Dispatch): TemplateResult {
   const [first] = selected;
   if (!first) return html``;
-  const title = selected.length === 1 ? nameOf(first) : `${selected.length} handles`;
   const rest = anchor(first, 'rest').map((value) => Math.round(value));
   return html`<section class="properties" aria-label="Selected handle">
-    <h2>${title}</h2>
+    ${selected.length === 1 ? nameTitle(first, model, dispatch) : html`<h2>${selected.length} handles</h2>`}
     ${fields(selected, model, dispatch)}
     ${selected.length === 1 && isLine(first) ? cornerFields(first, model, dispatch) : nothing}
     <div class="row">

@@ -14,6 +14,7 @@ import { frame } from './frame';
 import { guideLines } from './guides';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
+import { nameMarks } from './name_marks';
 import { cellOverlay, creaseOverlay, siteOverlay } from './overlays';
 
 /** Keys without a control of their own. */
@@ -44,7 +45,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
   ${model.playing ? nothing : frame(model)} ${cellOverlay(model.borders, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
-  ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)}
+  ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)} ${handled ? nameMarks(model) : nothing}
   ${selectionBox(model)}`;
 
 /** The picture for screen readers while the editor is inert. */

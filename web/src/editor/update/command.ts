@@ -34,6 +34,7 @@ import { cancelExport, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
 import { announce, dismiss, notify, shownNotice } from './notices';
 import { applyTools } from './press';
+import { renameSelected } from './renaming';
 import { select } from './selection';
 import { redo, undo } from './steps';
 import { showStudy } from './study';
@@ -87,6 +88,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
     if (before.focus.on === 'handle' || before.focus.on === 'corner') focus(emit, selectionOf(state)[0]);
     return state;
   }),
+  rename: edit(renameSelected),
   remove: edit((state, emit, menu) =>
     isDrawing(state) ? takeBack(state, emit, menu) : removeSelected(state, emit),
   ),

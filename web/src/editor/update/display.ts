@@ -3,7 +3,7 @@ import type { PreviewCommand } from '../commands';
 import type { Emit } from '../effects';
 import type { OverlayFlags, OverlayName } from '../overlays';
 import type { Popover } from '../popover';
-import type { DisplayState, EditorState } from '../state';
+import { type DisplayState, type EditorState, selectionOf } from '../state';
 import { hasSheet, refitView, showBox } from '../view';
 import { keepPassing } from './notices';
 import { withSolution } from './solve_request';
@@ -55,9 +55,18 @@ export function openOverlays(state: EditorState, open: boolean, keyed: boolean, 
   return refitView(withDisplay({ ...state, study }, { overlayList: open, settings }));
 }
 
-/** Closes what covers the numbers of the selected handles. On a phone, one sheet shows one of them. */
-export const showSelectedOnSheet = (state: EditorState): EditorState =>
-  withDisplay(state, { settings: false, overlayList: state.display.overlayList && !hasSheet(state) });
+/**
+ * Uncovers the numbers of the selected handles, since the sheet of a phone shows one thing. Closes the field
+ * for the name of a handle that is no longer selected.
+ */
+export function showSelected(state: EditorState): EditorState {
+  const { overlayList, renaming } = state.display;
+  return withDisplay(state, {
+    settings: false,
+    overlayList: overlayList && !hasSheet(state),
+    renaming: renaming && selectionOf(state).includes(renaming.id) ? renaming : null,
+  });
+}
 
 export const openNumbers = (state: EditorState, numbers: boolean): EditorState =>
   withDisplay(state, { numbers });

@@ -7,7 +7,7 @@ import { isLassoing } from '../hit_areas';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
 import { contain } from '../view';
 import { saveWork } from './autosave';
-import { showSelectedOnSheet } from './display';
+import { showSelected } from './display';
 import { withDocument } from './document_slice';
 import { closeMenuUnlessSelected } from './menu_closing';
 import { closeStepNotice } from './notices';
@@ -56,7 +56,7 @@ function selected(state: EditorState, emit: Emit): EditorState {
   if (isLassoing(state) && selectionOf(state).length > 0) {
     emit({ type: 'follow-up', event: { type: 'tool-set', tool: 'select' } });
   }
-  return showSelectedOnSheet(state);
+  return showSelected(state);
 }
 
 function withFocusedCornerSelected(state: EditorState): EditorState {

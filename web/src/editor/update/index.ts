@@ -24,6 +24,7 @@ import { pageHandlers } from './page';
 import { followCamera, pointerHandlers } from './pointer';
 import { checkPose } from './pose_checks';
 import { recentHandlers } from './recent';
+import { renamingHandlers } from './renaming';
 import { requestEndHandlers } from './request_end';
 import { requestHandlers } from './requests';
 import { showStage } from './solve_request';
@@ -65,6 +66,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...pageHandlers,
   ...pointerHandlers,
   ...recentHandlers,
+  ...renamingHandlers,
   ...requestEndHandlers,
   ...requestHandlers,
   ...solveHandlers,

@@ -9,10 +9,11 @@ import { mayEdit, pressesPan } from '../permissions';
 import type { StagePointer } from '../stage_pointer';
 import { type EditorState, type PointerState, selectionOf } from '../state';
 import { moveCamera } from '../view';
-import { focus, toggleCorner } from './corners';
+import { focus } from './corners';
 import type { Handlers } from './handlers';
 import { closeMenu } from './menu_closing';
 import { applyTools } from './press';
+import { doublePress } from './renaming';
 import { select } from './selection';
 
 export const withPointer = (state: EditorState, change: Partial<PointerState>): EditorState => ({
@@ -93,7 +94,7 @@ export const pointerHandlers: Handlers<
   // With another tool a double click ends a drawing.
   'double-pressed': (state, { pointer }, emit) =>
     !pressesPan(state) && state.tools.tool === 'select' && !pointer.alt
-      ? toggleCorner(state, pressOf(state, pointer).at, emit)
+      ? doublePress(state, pressOf(state, pointer).at, emit)
       : state,
   'pointer-hovered': (state, { pointer }) => hovered(state, pointer),
   'pointer-noted': (state, { coarse }) => noteKind(state, coarse),

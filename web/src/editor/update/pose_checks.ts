@@ -5,13 +5,13 @@
  * Creases and the frame need a pass over the whole mesh. It is made a few times a second during a drag, and once after
  * it.
  */
-import { handleById } from '../../document/document';
 import { ringsOf } from '../../document/domain';
 import { nameOf } from '../../document/handle';
+import { placeKey } from '../../document/solved';
 import type { Emit } from '../effects';
 import { outsideText } from '../notice_texts';
-import type { SolveReport } from '../solution';
-import { documentOf, type EditorState, projectOf } from '../state';
+import type { Solution } from '../solution';
+import { type EditorState, projectOf } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { informOfStep } from './notices';
 
@@ -33,13 +33,17 @@ export function checkPose(state: EditorState): EditorState {
 }
 
 /** Names the handles that lie partly outside the picture, when a solve finds others than the solve before. */
-export function checkSolution(before: EditorState, { outside }: SolveReport, emit: Emit): EditorState {
+export function checkSolution(before: EditorState, { project, report }: Solution, emit: Emit): EditorState {
   const state = schedulePoseCheck(before, emit);
+  const { outside } = report;
   const key = JSON.stringify(outside);
   if (key === state.checks.outside) return state;
   const next = { ...state, checks: { ...state.checks, outside: key } };
-  const ids = [...new Set(outside.map(({ handle }) => handle))];
-  const names = ids.flatMap((id) => handleById(documentOf(next), id) ?? []).map(nameOf);
+  const ids = new Set(outside.map(({ handle }) => handle));
+  const places = project.handles.filter(({ id }) => ids.has(id)).map(placeKey);
+  const names = projectOf(next)
+    .handles.filter((handle) => places.includes(placeKey(handle)))
+    .map(nameOf);
   return names.length > 0
     ? informOfStep(next, outsideText(names, ringsOf(projectOf(next)).length > 0), emit)
     : next;

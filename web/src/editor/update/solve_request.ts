@@ -41,7 +41,7 @@ export function requestSolution(state: EditorState, emit: Emit): EditorState {
 export function showSolution(state: EditorState, solution: Solution, emit: Emit): EditorState {
   const first = state.solution.shown === null;
   let next = withSolution(endStages(state, emit), { shown: solution, ready: true });
-  next = checkSolution(closeRetryNotice(next), solution.report, emit);
+  next = checkSolution(closeRetryNotice(next), solution, emit);
   if (!first) return next;
   // The bounds of the posed picture are known only now.
   return saveOpened(isInHand(next) ? next : refitView(next), emit);

@@ -1,12 +1,12 @@
 /** Undo steps: edits, undo and redo, and changes by the page. */
 import { type ModeReturn, modeOf } from '../../document/bending';
-import { type Document, isSameWork } from '../../document/document';
+import { type Document, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
 import type { Handle, PoseMode } from '../../document/project';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
 import type { Emit } from '../effects';
-import { type EditorState, selectionOf } from '../state';
+import { documentOf, type EditorState, selectionOf } from '../state';
 import type { Work } from '../work';
 import { guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
@@ -76,6 +76,10 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
     way === 'undo' ? [history.undoLabel(present), history.undo] : [history.redoLabel(present), history.redo];
   if (label === null) return state;
   const travelled = withDocument(state, { history: move(present), travelled: way });
+  const { handle } = state.focus;
+  // The focused handle may have another name now: keys go on at the selected one.
+  if (handle !== null && !handleById(documentOf(travelled), handle))
+    emit({ type: 'focus', target: { handle: selectionOf(travelled)[0] ?? null, corner: null } });
   return announce(edited(travelled, 'change', emit), `${way === 'undo' ? 'Undone' : 'Redone'}: ${label}`);
 }
 

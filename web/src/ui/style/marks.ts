@@ -59,6 +59,20 @@ export const marksStyle = css`
     stroke: #fffa;
     stroke-width: 3;
   }
+  .marks .name {
+    fill: var(--_casing);
+    stroke: #1b1c20d9;
+    stroke-width: 3.5;
+    stroke-linejoin: round;
+    paint-order: stroke;
+    font-size: 12px;
+    font-weight: 650;
+    text-anchor: middle;
+    dominant-baseline: central;
+  }
+  .marks .number {
+    font-size: 11px;
+  }
   .ring {
     stroke: var(--_casing);
     stroke-width: 1.75;

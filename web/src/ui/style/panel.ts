@@ -31,6 +31,62 @@ export const panelStyle = css`
   h2::first-letter {
     text-transform: uppercase;
   }
+  button.name {
+    display: flex;
+    align-items: center;
+    gap: 6px;
+    max-width: calc(100% + 12px);
+    margin: -4px -6px;
+    padding: 4px 6px;
+    border: 0;
+    border-radius: var(--_radius-item);
+    background: none;
+    color: inherit;
+    font: inherit;
+    cursor: text;
+  }
+  button.name span {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  button.name span::first-letter {
+    text-transform: uppercase;
+  }
+  button.name .icon {
+    width: 15px;
+    height: 15px;
+    color: var(--_faint);
+    opacity: 0;
+  }
+  button.name:is(:hover, :focus-visible) {
+    background: var(--_raised);
+  }
+  button.name:is(:hover, :focus-visible) .icon {
+    opacity: 1;
+  }
+  @media (hover: none) {
+    button.name .icon {
+      opacity: 1;
+    }
+  }
+  .naming {
+    min-width: 0;
+    margin: -7px -8px -6px;
+  }
+  .naming .field input {
+    font-size: 14px;
+    font-weight: 650;
+    text-align: left;
+  }
+  .naming .field:has([aria-invalid='true']) {
+    border-color: var(--_danger);
+  }
+  .fault {
+    margin: 4px 8px 0;
+    color: var(--_danger);
+    font-size: 12px;
+  }
   h3 {
     font-size: 12px;
     font-weight: 600;
@@ -122,6 +178,15 @@ export const panelStyle = css`
       grid-template:
         'name name row' auto 'fields fields fields' auto
         'corners corners corners' auto 'of-corner of-corner of-corner' auto / 1fr auto auto;
+    }
+    h2 {
+      min-width: 0;
+    }
+    .naming {
+      margin: 0 6px 0 0;
+    }
+    .fault {
+      margin: 2px 6px;
     }
     .row {
       grid-area: row;

@@ -32,7 +32,8 @@ export const touchStyle = css`
     .field {
       height: var(--_finger);
     }
-    .field input {
+    .field input,
+    .naming .field input {
       font-size: 16px;
     }
     .field .unit {
@@ -43,7 +44,8 @@ export const touchStyle = css`
     .entry,
     .switch,
     .link,
-    .bending summary {
+    .bending summary,
+    button.name {
       min-height: var(--_finger);
     }
     .link {

@@ -1,0 +1,49 @@
+/**
+ * Names of handles. The name of a handle is its id, by which programs and project files refer to it, so a new name is a
+ * new id.
+ */
+import type { Document } from './document';
+import { nameOf } from './handle';
+import type { Handle, Project } from './project';
+
+export type NameFault = 'empty' | 'taken';
+
+/** Characters that a person can type. Longer names fit no list. */
+export const MOST_CHARACTERS = 60;
+
+/** A typed name without spaces around it, and with single spaces inside. */
+export const tidyName = (typed: string): string => typed.trim().replace(/\s+/gu, ' ');
+
+/** Why a handle cannot have a tidy name; null if it can. Names that read alike are the same, whatever their case. */
+export function nameFault({ handles }: Project, id: string, name: string): NameFault | null {
+  if (name === '') return 'empty';
+  const read = (id: string) => nameOf({ id }).toLowerCase();
+  return handles.some((other) => other.id !== id && read(other.id) === read(name)) ? 'taken' : null;
+}
+
+/** Gives a handle another id. A selected handle stays selected. */
+export function renameHandle(document: Document, id: string, name: string): Document {
+  const renamed = (handle: Handle): Handle => (handle.id === id ? { ...handle, id: name } : handle);
+  return {
+    project: { ...document.project, handles: document.project.handles.map(renamed) },
+    selection: document.selection.map((selected) => (selected === id ? name : selected)),
+  };
+}
+
+const NUMBERED = /^(?:handle|bar|polygon)-(\d+)$/;
+
+/** The number of a handle that nobody has named; null for others. */
+export const numberOf = ({ id }: Handle): string | null => NUMBERED.exec(id)?.[1] ?? null;
+
+const SIDE = /(?<![a-z])(left|right)(?![a-z])/i;
+const OPPOSITE: Readonly<Record<string, string>> = {
+  left: 'right',
+  right: 'left',
+  Left: 'Right',
+  Right: 'Left',
+  LEFT: 'RIGHT',
+  RIGHT: 'LEFT',
+};
+
+/** The name for the other side: "right-hand" for "left-hand". Other names stay. */
+export const ofOtherSide = (name: string): string => name.replace(SIDE, (side) => OPPOSITE[side] ?? side);
