@@ -7,6 +7,7 @@ import { WarpError } from '../error';
 import { sharedWorker } from '../start_worker';
 import type { Display } from './display';
 import type { PictureRequest, ReadReply, ReadRequest } from './picture_messages';
+import { PixelRelay } from './pixel_relay';
 import type { PictureFacts } from './read_picture';
 import picture from './worker/picture?worker&url';
 
@@ -72,7 +73,18 @@ async function openInWorker(file: Blob, signal: AbortSignal): Promise<OpenPictur
     });
     if (reply.kind === 'read') {
       const { facts, display } = reply;
-      return opened(facts, display, (to) => request({ kind: 'send', to }, [to]), release);
+      const relay = new PixelRelay((to) => request({ kind: 'send', to }, [to]));
+      const used = new AbortController();
+      reader.addEventListener('error', () => relay.lose(), { signal: used.signal });
+      return opened(
+        facts,
+        display,
+        (to) => relay.sendTo(to),
+        () => {
+          used.abort();
+          release();
+        },
+      );
     }
     release();
     if (reply.kind === 'lacking') return null;
