@@ -207,9 +207,14 @@ test.describe('addresses', () => {
   });
 
   test('an address of the page that cannot be opened is refused in a notice', async ({ page }) => {
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(request.url()));
     await page.goto('/?src=samples/missing.png');
     const editor = new Editor(page);
     await expect(editor.notice).toContainText('missing.png could not be loaded: the server answered 404');
+    expect(asked.filter((address) => address.includes('missing.png') && !address.includes('?'))).toHaveLength(
+      1,
+    );
   });
 });
 

@@ -71,7 +71,7 @@ import type { Media, PageAttributes, Sample } from './editor/page';
 import type { NamedFile } from './editor/picture';
 import { documentOf, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
-import type { BlobOptions, HandlePose, NewHandle, WarpOptions } from './element/api';
+import type { BlobOptions, HandlePose, LoadOptions, NewHandle, WarpOptions } from './element/api';
 import { areaOf, blobSettings } from './element/blob_settings';
 import { emitter, TypedElement } from './element/events';
 import type { Vec } from './geometry/vec';
@@ -83,7 +83,14 @@ import { editorStyle } from './ui/style/editor';
 
 export type { Handle, HandleFile, Project, ProjectFile } from './document/project';
 export type { Sample } from './editor/page';
-export type { BlobOptions, C2WarpProps, HandlePose, NewHandle, WarpOptions } from './element/api';
+export type {
+  BlobOptions,
+  C2WarpProps,
+  HandlePose,
+  LoadOptions,
+  NewHandle,
+  WarpOptions,
+} from './element/api';
 export type { C2WarpEventMap } from './element/events';
 
 export class C2Warp extends TypedElement {
@@ -189,13 +196,18 @@ export class C2Warp extends TypedElement {
 
   /**
    * Opens a picture, with the given project or a new one. Resolves once the picture is solved. The newest call wins.
+   * With `notice`, a failure is told to the person too.
    *
    * @throws Error with a `code` if the picture cannot be opened. The previous one stays open. If there was none, the
    *   picture stays without the handles that the solver refuses.
    * @throws DOMException AbortError if another picture is opened or the element is removed first.
    * @throws TypeError if `source` is neither an address nor a Blob.
    */
-  async load(source: string | URL | Blob, project?: string | URL | ProjectFile | null): Promise<void> {
+  async load(
+    source: string | URL | Blob,
+    project?: string | URL | ProjectFile | null,
+    { notice = false }: LoadOptions = {},
+  ): Promise<void> {
     const runtime = this.#present;
     const picture = source instanceof URL ? source.href : source;
     if (typeof picture !== 'string' && !(picture instanceof Blob)) {
@@ -203,7 +215,8 @@ export class C2Warp extends TypedElement {
     }
     const given = project instanceof URL ? project.href : (project ?? null);
     // Copied now: the page may change its object later.
-    await runtime.load(named(picture), typeof given === 'object' && given ? deepCopy(given) : given);
+    const copied = typeof given === 'object' && given ? deepCopy(given) : given;
+    await runtime.load(named(picture), copied, notice);
   }
 
   /**

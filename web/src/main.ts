@@ -21,12 +21,8 @@ if (editor) {
   if (src) {
     editor.removeAttribute('src');
     editor.removeAttribute('project');
-    editor.load(src, project).catch((error: Error) => {
-      if (error.name === 'AbortError') return;
-      // The editor tells the person of attributes that it cannot open.
-      if (project) editor.setAttribute('project', project);
-      editor.setAttribute('src', src);
-    });
+    // The editor tells the person of a failure.
+    editor.load(src, project, { notice: true }).catch(() => {});
   }
   editor.theme = stored((storage) => storage.getItem(THEME));
   // The editor's theme switch sets the attribute.

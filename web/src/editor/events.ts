@@ -148,6 +148,8 @@ type FileEvent =
       readonly reply: number;
       readonly source: string | NamedFile;
       readonly project: string | ProjectFile | null;
+      /** The person is told of a failure. */
+      readonly notice: boolean;
     }
   /** The attributes `src` or `project` have changed; the new values follow with `page-changed`. */
   | { readonly type: 'source-changed' }

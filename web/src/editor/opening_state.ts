@@ -20,8 +20,16 @@ export type Purpose =
   | { readonly by: 'person'; readonly received: readonly NamedFile[] }
   /** A person goes back to recent work. */
   | { readonly by: 'back'; readonly work: WorkSnapshot }
-  /** The page, by `load()`. `usesPageProject`: with the project that the page set before. */
-  | { readonly by: 'load'; readonly reply: number; readonly usesPageProject: ProjectFile | null }
+  /**
+   * The page, by `load()`. `usesPageProject`: with the project that the page set before. `notice`: the person is told
+   * of a failure.
+   */
+  | {
+      readonly by: 'load';
+      readonly reply: number;
+      readonly usesPageProject: ProjectFile | null;
+      readonly notice: boolean;
+    }
   /** The attributes. `revision` tells a change from a newer one. */
   | { readonly by: 'attributes'; readonly revision: number }
   /** A person retries after a failure of the solver. */

@@ -187,7 +187,7 @@ describe('input while a picture is being opened', () => {
   it('is for the shown picture while the page loads another one', () => {
     const runtime = new FakeRuntime(PAGE);
     runtime.open();
-    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'b.png', project: null });
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'b.png', project: null, notice: false });
     for (const event of [run('point'), ...press([50, 50])]) send(runtime, event);
     expect(projectOf(runtime.state).handles).toHaveLength(1);
   });

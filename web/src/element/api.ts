@@ -25,6 +25,11 @@ export type C2WarpProps = {
   selection?: readonly string[] | null | undefined;
 };
 
+export interface LoadOptions {
+  /** A notice of the editor names a failure. By default only the page hears of it. */
+  readonly notice?: boolean;
+}
+
 /** How a warped picture is drawn. */
 export interface WarpOptions {
   /** Enlarges the result to hold the parts that are bent beyond the picture. */

@@ -161,11 +161,11 @@ export class EditorRuntime {
   }
 
   /** Opens a picture for the page. Resolves once it is solved. The newest call wins. */
-  load(source: string | NamedFile, project: string | ProjectFile | null): Promise<void> {
+  load(source: string | NamedFile, project: string | ProjectFile | null, notice: boolean): Promise<void> {
     const reply = ++this.#lastReply;
     return new Promise((resolve, reject) => {
       this.#loads.set(reply, { resolve, reject });
-      this.dispatch({ type: 'load-asked', reply, source, project });
+      this.dispatch({ type: 'load-asked', reply, source, project, notice });
     });
   }
 

@@ -127,8 +127,8 @@ describe('opening a picture', () => {
 describe('a newer request', () => {
   it('supersedes one that is being read', () => {
     const runtime = new FakeRuntime();
-    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'cat.png', project: null });
-    runtime.dispatch({ type: 'load-asked', reply: 2, source: 'dog.png', project: null });
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'cat.png', project: null, notice: false });
+    runtime.dispatch({ type: 'load-asked', reply: 2, source: 'dog.png', project: null, notice: false });
     expect(effects(runtime, 'settle-load')).toMatchObject([{ reply: 1, error: 'superseded' }]);
     runtime.read(dog);
     runtime.solve();
@@ -138,7 +138,7 @@ describe('a newer request', () => {
 
   it('supersedes a trial and inherits its way back', () => {
     const runtime = opened();
-    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'dog.png', project: null });
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'dog.png', project: null, notice: false });
     runtime.read(dog);
     drop(runtime, 'fox.png');
     runtime.read(testPicture('fox.png'));
@@ -241,7 +241,7 @@ describe('a project file alone', () => {
 
   it('does not go with a picture of the page', () => {
     const runtime = waiting();
-    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'cat.png', project: null });
+    runtime.dispatch({ type: 'load-asked', reply: 1, source: 'cat.png', project: null, notice: false });
     runtime.read(cat);
     runtime.solve();
     expect(projectOf(runtime.state).samples).not.toBe(2000);

@@ -51,17 +51,18 @@ const failed = (state: EditorState, outcome: OpenOutcome, emit: Emit): EditorSta
   outcome instanceof Error ? report(state, outcome, emit) : state;
 
 function endLoad(
-  state: EditorState,
-  { reply, usesPageProject }: Extract<Purpose, { by: 'load' }>,
+  before: EditorState,
+  { reply, usesPageProject, notice }: Extract<Purpose, { by: 'load' }>,
   outcome: OpenOutcome,
   emit: Emit,
 ): EditorState {
   if (outcome === 'opened') {
     notifyLoad(emit);
     emit({ type: 'settle-load', reply, error: null });
-    return state;
+    return before;
   }
   emit({ type: 'settle-load', reply, error: outcome });
+  const state = notice ? failed(before, outcome, emit) : before;
   const { pageProject } = state.opening;
   const blamed = usesPageProject !== null && usesPageProject === pageProject && isOfProject(outcome);
   return blamed ? withOpening(state, { pageProject: null }) : state;

@@ -156,9 +156,9 @@ export const requestHandlers: Handlers<
     const source = project === undefined ? null : { address: project };
     return requestPicture(state, { by: 'person', received: [] }, { pictures: [src], project: source }, emit);
   },
-  'load-asked': (state, { reply, source, project }, emit) => {
+  'load-asked': (state, { reply, source, project, notice }, emit) => {
     const { pageProject } = state.opening;
-    const purpose = { by: 'load', reply, usesPageProject: project ? null : pageProject } as const;
+    const purpose = { by: 'load', reply, usesPageProject: project ? null : pageProject, notice } as const;
     return requestPicture(
       state,
       purpose,
