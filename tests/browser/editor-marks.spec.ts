@@ -208,3 +208,13 @@ test('a handle is placed on the axis of the picture, which shows before the pres
   await page.mouse.click(middle + 4, left.y + 90);
   await expect.poll(() => editor.shownPose('handle 1')).toMatchObject({ x: 512 });
 });
+
+test('the switch of the guides is kept after a reload', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const guides = editor.switch('Snap to guides');
+  await guides.check();
+  await expect.poll(() => editor.storedWork()).toMatchObject({ snapping: true });
+  await page.reload();
+  await editor.ready();
+  await expect(guides).toBeChecked();
+});

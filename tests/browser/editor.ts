@@ -25,6 +25,8 @@ export interface StoredWork {
   readonly selection: readonly string[];
   /** Whether the fold guard is on. */
   readonly guarded: boolean;
+  /** Whether handles snap to guides. */
+  readonly snapping: boolean;
   /** Whether the picture is drawn as pixel art. */
   readonly pixelated: boolean;
   /** Whether a file holds the present project. */
@@ -186,13 +188,14 @@ export class Editor {
       const { past, present } = document.record;
       const { project, selection } = present;
       const step = past.at(-1)?.label ?? null;
-      const { guarded, pixelated, exports, drawings } = document;
+      const { guarded, snapping, pixelated, exports, drawings } = document;
       return {
         picture: picture.name,
         step,
         handles: project.handles,
         selection,
         guarded,
+        snapping,
         pixelated,
         saved: document.saved === project,
         exports,

@@ -17,7 +17,7 @@ type StoredPicture = Pick<WorkSnapshot, 'id' | 'file' | 'name' | 'thumbnail'> & 
 
 type StoredDocument = Pick<
   WorkSnapshot,
-  'record' | 'drawings' | 'pixelated' | 'guarded' | 'saved' | 'exports'
+  'record' | 'drawings' | 'pixelated' | 'guarded' | 'snapping' | 'saved' | 'exports'
 > & {
   readonly mark: string;
   /** The tab that wrote it, and a name for this version. */
@@ -124,7 +124,8 @@ export class StoredWork {
     }
     // An earlier version of this tab is part of this one.
     values.delete(this.#nameOf(this.#writer));
-    const { id, file, name, thumbnail, record, drawings = [], guarded, pixelated, saved, exports } = work;
+    const { id, file, name, thumbnail, record, drawings = [], guarded, ...more } = work;
+    const { snapping, pixelated, saved, exports } = more;
     if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
     const mark = this.#mark;
     if (picture?.mark !== mark) values.put(`${this.#key}/picture`, { id, file, name, thumbnail, mark });
@@ -133,6 +134,7 @@ export class StoredWork {
     const version = known ?? `${this.#writer}/${++this.#writes}`;
     const settings = {
       guarded,
+      ...(snapping !== undefined && { snapping }),
       ...(pixelated !== undefined && { pixelated }),
       ...(saved && { saved }),
       ...(exports && { exports }),

@@ -26,11 +26,11 @@ export const workOf = ({ document, tools, view, pixelated }: EditorState): Work 
 
 /** The open picture and its work; during a trial, the previous ones. */
 export function snapshotOf(state: EditorState): WorkSnapshot | null {
-  const { picture, opening, guard, exporting } = state;
+  const { picture, opening, guard, display, exporting } = state;
   const open = opening.trial ? opening.trial.before : picture && { picture, work: workOf(state) };
   if (!open) return null;
   const { id, file, name, thumbnail } = open.picture;
-  const settings = { guarded: guard.on, exports: exporting.choices };
+  const settings = { guarded: guard.on, snapping: display.snapping, exports: exporting.choices };
   return { id, file, name, thumbnail, ...open.work, ...settings };
 }
 

@@ -78,7 +78,8 @@ export const controlHandlers: Handlers<
   'boundary-switched': (state, { held }, emit) => edit(state, () => setBoundaryHeld(state, held, emit)),
   'fold-guard-switched': (state, { on }, emit) => setGuard(state, on, emit),
   'pixel-art-switched': (state, { on }, emit) => saveWork({ ...state, pixelated: on }, emit),
-  'snapping-switched': (state, { on }) => ({ ...state, display: { ...state.display, snapping: on } }),
+  'snapping-switched': (state, { on }, emit) =>
+    saveWork({ ...state, display: { ...state.display, snapping: on } }, emit),
   'drawing-finished': (state, _, emit) => edit(state, () => finish(state, emit)),
   'corner-taken-back': (state, _, emit) => applyTools(state, takeBackCorner(state.tools), emit),
   'theme-switched': (state, _, emit) => {

@@ -67,7 +67,8 @@ export function restore(
   const restoring: Restoring = { id, work, from, phase: 'reading' };
   const guard = { ...state.guard, on: work.guarded, holding: false };
   const exporting = { ...state.exporting, choices: work.exports ?? state.exporting.choices };
-  return withOpening({ ...state, guard, exporting }, { restoring, nextId: id + 1 });
+  const display = { ...state.display, snapping: work.snapping ?? state.display.snapping };
+  return withOpening({ ...state, guard, display, exporting }, { restoring, nextId: id + 1 });
 }
 
 const isProject = ({ name, file }: NamedFile): boolean =>
