@@ -218,3 +218,16 @@ test('the switch of the guides is kept after a reload', async ({ page }) => {
   await editor.ready();
   await expect(guides).toBeChecked();
 });
+
+test('Enter places at the crosshair while a handle has the focus', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await page.keyboard.press('p');
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('handle 1')).toBeFocused();
+  await page.keyboard.press('Escape');
+  for (let press = 0; press < 3; press++) await page.keyboard.press('Shift+ArrowDown');
+  await expect(editor.handle('handle 1')).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(editor.handle('handle 2')).toBeFocused();
+});

@@ -119,7 +119,8 @@ export class KeyboardInput {
       if (!takesTurn(state)) return false;
       dispatch({ type: 'turn-pressed', degrees: turn * (ten ? 15 : 1), scale: 1 });
     } else {
-      if (event.key !== 'Enter' || !target.matches('.shell, .stage') || !takesPlace(state)) return false;
+      if (event.key !== 'Enter' || !target.matches('.shell, .stage, .handle') || !takesPlace(state))
+        return false;
       dispatch({ type: 'place-pressed' });
     }
     return true;

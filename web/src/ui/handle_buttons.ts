@@ -100,9 +100,12 @@ const cornerButtons = (
     ></button>`;
   });
 
-/** Enter takes a handle and never lets go of it. Screen readers toggle by a click without a pointer. */
+/**
+ * Enter takes a handle and never lets go of it; at the crosshair or during a drawing it is left to the tool. Screen
+ * readers toggle by a click without a pointer.
+ */
 function entered(event: KeyboardEvent, id: string, model: EditorModel, dispatch: Dispatch): void {
-  if (event.key !== 'Enter') return;
+  if (event.key !== 'Enter' || model.crosshair || model.draft) return;
   event.preventDefault();
   if (!model.document.selection.includes(id)) dispatch({ type: 'handles-selected', ids: [id] });
 }
