@@ -12,10 +12,10 @@ export const emptyStyle = css`
     color: var(--_faint);
     font-size: 15px;
   }
-  /* Most pictures load before anybody could read the text. */
+  /* A picture that comes within a tenth of a second seems to be there at once, and needs no word. */
   .empty.opening {
     /* Presses are for the picture, and wait for it. */
     pointer-events: none;
-    animation: appear var(--_speed) 350ms backwards;
+    animation: appear var(--_speed) 100ms backwards;
   }
 `;
