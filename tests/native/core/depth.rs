@@ -3,11 +3,12 @@
 use c2warp::{
     Picture, ResampleOptions, Solution,
     deform::Pose,
-    project::{Project, Support},
+    project::{Handle, PoseMode, Project, Rotation, Support},
 };
 use glam::DVec2;
 
 use crate::handles::{bar, point_handle, polygon};
+use crate::random::Random;
 use crate::scenes::{SIZE, project, solved};
 
 const RED: [u8; 4] = [220, 30, 30, 255];
@@ -33,6 +34,11 @@ fn posed(project: &Project) -> (Solution, Pose) {
     let solution = solved(project).expect("a valid scene");
     let pose = solution.poser().pose(&project.handles, project.pose.blend).expect("finite");
     (solution, pose)
+}
+
+/// The same handle where it rests.
+fn point_at_rest(handle: &Handle) -> Handle {
+    Handle::point(handle.id.clone(), handle.shape.rest()[0]).at_depth(handle.depth)
 }
 
 /// Warps a figure that is red on the left and blue on the right.
@@ -121,7 +127,15 @@ fn inverse_map_returns_the_rest_position() {
 fn equal_depths_keep_the_drawing_order() {
     let flat = warped(&crossing([0.0; 3]));
     assert!(warped(&crossing([7.3; 3])) == flat && warped(&crossing([-1e9; 3])) == flat);
-    let (solution, pose) = posed(&crossing([7.3; 3]));
+    let drawn = |depth: f64| {
+        let (solution, pose) = posed(&crossing([depth; 3]));
+        solution.drawn_triangles(&pose).into_owned()
+    };
+    assert_eq!(drawn(7.3), drawn(0.0));
+    // At rest nothing crosses.
+    let mut still = crossing([7.3; 3]);
+    still.handles.iter_mut().for_each(|handle| *handle = point_at_rest(handle));
+    let (solution, pose) = posed(&still);
     assert_eq!(solution.drawn_triangles(&pose), solution.triangles());
 }
 
@@ -133,4 +147,59 @@ fn depths_reorder_the_triangles() {
     drawn.sort_unstable();
     all.sort_unstable();
     assert!(drawn == all);
+}
+
+/// Whether a place lies in a triangle of either orientation.
+fn contains(corners: [DVec2; 3], p: DVec2) -> bool {
+    let [a, b, c] = corners;
+    let sides = [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)];
+    sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
+}
+
+/// Handles on a bent figure split the legs into cells of many depths and places in the order of the mesh. Wherever both
+/// legs lie, the same one must be drawn.
+#[test]
+fn legs_that_cross_are_whole_whatever_handles_are_added() {
+    let mut random = Random(30);
+    let mut seen = [0; 2];
+    for scene in 0..24 {
+        let mut depth = || if scene % 2 == 0 { 0.0 } else { (4.0 * random.unit()).round() - 2.0 };
+        let mut project = crossing([depth(), depth(), depth()]);
+        project.pose.mode = PoseMode::Rigid;
+        let (bent, pose) = posed(&project);
+        for id in 3..4 + random.below(4) as usize {
+            let rest = DVec2::new(70.0 + 260.0 * random.unit(), 50.0 + 300.0 * random.unit());
+            let is_free = project.handles.iter().all(|handle| handle.shape.rest()[0].distance(rest) > 15.0);
+            if let (true, Some(mapped)) = (is_free, bent.map(&pose, rest)) {
+                let depth = if scene % 2 == 0 { 0.0 } else { random.below(3) as f64 };
+                let added = point_handle(id, rest, mapped.posed, 0.0).turned(Rotation::Auto);
+                project.handles.push(added.at_depth(depth));
+            }
+        }
+        let (solution, pose) = posed(&project);
+        let (rest, posed) = (solution.vertices(), solution.posed_vertices(&pose));
+        let leg = |p: DVec2| (p.y > 150.0).then_some(usize::from(p.x > 200.0));
+        let places: Vec<DVec2> = (0..60 * 60)
+            .map(|at| DVec2::new(50.5 + 5.0 * f64::from(at % 60), 140.5 + 4.0 * f64::from(at / 60)))
+            .collect();
+        let drawn = solution.rest_points(&pose, &places);
+        let mut tops = [0; 2];
+        for (place, drawn) in places.iter().zip(drawn) {
+            let there = |own: usize| {
+                let of_leg = |t: &&[u32; 3]| t.iter().all(|&vertex| leg(rest[vertex as usize]) == Some(own));
+                let mut triangles = solution.triangles().iter().filter(of_leg);
+                triangles.any(|t| contains(t.map(|vertex| posed[vertex as usize]), *place))
+            };
+            if let Some(top) = drawn.and_then(leg)
+                && there(0)
+                && there(1)
+            {
+                tops[top] += 1;
+            }
+        }
+        assert!(tops[0] == 0 || tops[1] == 0, "scene {scene}: legs show at {tops:?} places of their crossing");
+        assert!(tops[0] + tops[1] > 20, "scene {scene}: the legs do not cross");
+        seen[usize::from(tops[1] > 0)] += 1;
+    }
+    assert!(seen[0] > 0 && seen[1] > 0, "{seen:?}");
 }

@@ -5,7 +5,9 @@
 
 use c2warp::{
     BorderPiece, Error, deform,
-    deform::{Bounds, Correspondence, FoldLimit, GroupMember, GroupTransform, GroupWay, HandleWay, PictureMesh, Turn},
+    deform::{
+        Bounds, Correspondence, FoldLimit, GroupMember, GroupTransform, GroupWay, HandleWay, Lead, PictureMesh, Turn,
+    },
     pose::Poser,
     project::{Blend, handles_from_json},
     weight::SparseWeights,
@@ -102,14 +104,40 @@ impl PosedPicture {
         self.0.locate(DVec2::new(x, y)).map(numbers)
     }
 
-    /// Like [`locate`](Self::locate); beside the picture its nearest part continues.
-    pub fn locate_near(&self, x: f64, y: f64) -> Option<Vec<f64>> {
-        self.0.locate_near(DVec2::new(x, y)).map(numbers)
+    /// The rest points under the corners of a drawing, corners × 2, all on the layer of the first: six numbers each.
+    /// Beside the picture its nearest part continues. `undefined` without triangles.
+    pub fn layer_under(&self, corners: &[f64]) -> Option<Vec<f64>> {
+        Some(self.0.layer_under(&pairs(corners))?.into_iter().flat_map(numbers).collect())
     }
 
     /// Where a handle can be placed, at most `within` away, as six numbers; `undefined` farther away.
     pub fn placement(&self, x: f64, y: f64, within: f64) -> Option<Vec<f64>> {
         self.0.placement(DVec2::new(x, y), within).map(numbers)
+    }
+
+    /// The box around all places where the present pose draws one part of the picture over another.
+    pub fn crossed(&self) -> Option<Vec<f64>> {
+        self.0.crossed().map(edges)
+    }
+
+    /// How the parts that the `selected` handles move lie to the parts that they cross in the present pose. It must be
+    /// that of `poses`. −1 is behind one of the parts, 0 level with one of them, 1 in front of all.
+    ///
+    /// # Errors
+    /// As for [`set_pose`](Self::set_pose).
+    pub fn lead(&self, poses: &[f64], selected: &[u32]) -> Result<i32, JsValue> {
+        let selected: Vec<usize> = selected.iter().map(|&index| index as usize).collect();
+        let lead = self.0.lead(&read(poses)?, &selected).map_err(|error| to_js(&error))?;
+        Ok(match lead {
+            Lead::Behind => -1,
+            Lead::Level => 0,
+            Lead::Front => 1,
+        })
+    }
+
+    /// Rest points × 2: for each 1 if the present pose draws another part of the picture over it, else 0.
+    pub fn hidden(&self, rest: &[f64]) -> Vec<u8> {
+        self.0.hidden(&pairs(rest)).into_iter().map(u8::from).collect()
     }
 
     /// Whether a rest point bends.
@@ -260,6 +288,10 @@ fn blend(rigid: bool) -> Blend {
 fn points(coordinates: &[f32]) -> Vec<DVec2> {
     let point = |&[x, y]: &[f32; 2]| DVec2::new(x.into(), y.into());
     coordinates.as_chunks::<2>().0.iter().map(point).collect()
+}
+
+fn pairs(coordinates: &[f64]) -> Vec<DVec2> {
+    coordinates.as_chunks::<2>().0.iter().copied().map(DVec2::from).collect()
 }
 
 fn flat(points: impl Iterator<Item = DVec2>) -> Vec<f32> {

@@ -7,7 +7,7 @@ use glam::DVec2;
 use crate::{
     bone::OutsidePart,
     cell_borders::{BorderPiece, cell_borders},
-    deform::{FoldingMesh, Mapped, Pose, depths, drawing_order, rest_points},
+    deform::{Adjacency, DepthOrder, DrawnPose, FoldingMesh, Mapped, Pose, PosedMesh, depths, rest_points},
     distance::Navigation,
     domain::Domain,
     error::Error,
@@ -241,14 +241,25 @@ impl Solution {
         pose.blend_all(&self.mesh.vertices, &self.weights)
     }
 
-    /// The triangles in the drawing order of a pose, later ones over earlier ones: by the depths of the handles.
+    /// The triangles in the drawing order of a pose, later ones over earlier ones: by the depths of the handles. Where
+    /// two parts of the picture cross, one lies in front of the other as a whole.
     ///
     /// # Panics
     /// If the pose is of another solution.
     #[must_use]
     pub fn drawn_triangles(&self, pose: &Pose) -> Cow<'_, [[u32; 3]]> {
         self.solved.expect_own(pose);
-        drawing_order(&self.mesh.triangles, &self.weights, &depths(pose.motions()))
+        match self.drawn_pose(pose, &self.posed_vertices(pose)).triangles {
+            Cow::Borrowed(_) => Cow::Borrowed(&self.mesh.triangles),
+            Cow::Owned(triangles) => Cow::Owned(triangles),
+        }
+    }
+
+    /// How the posed vertices of a pose are drawn.
+    fn drawn_pose<'a>(&'a self, pose: &Pose, posed: &'a [DVec2]) -> DrawnPose<'a> {
+        let RenderMesh { vertices: rest, triangles } = &self.mesh;
+        let order = DepthOrder::new(triangles, &self.weights, &depths(pose.motions()));
+        order.drawn(PosedMesh { rest, posed, triangles }, &Adjacency::new(triangles))
     }
 
     /// The rest point that a pose draws at a place. Costs nearly as much as [`rest_points`](Self::rest_points) of many.
@@ -280,7 +291,8 @@ impl Solution {
             return points.iter().map(|p| Some(*p).filter(drawn)).collect();
         }
         let (vertices, around) = (&self.mesh.vertices, self.background.vertices());
-        let moved = rest_points(vertices, &self.posed_vertices(pose), &self.drawn_triangles(pose), points);
+        let posed = self.posed_vertices(pose);
+        let moved = rest_points(vertices, &posed, &self.drawn_pose(pose, &posed).triangles, points);
         let still = rest_points(around, around, self.background.triangles(), points);
         moved.into_iter().zip(still).map(|(moved, still)| moved.or(still)).collect()
     }
@@ -334,15 +346,20 @@ impl Solution {
         if self.handle_counts == [0; 3] {
             let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
             let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-            return Ok(Drawn { rest: corners.into(), posed: corners.into(), triangles: vec![[0, 1, 2], [0, 2, 3]] });
+            return Ok(Drawn {
+                rest: corners.into(),
+                posed: corners.into(),
+                triangles: vec![[0, 1, 2], [0, 2, 3]],
+            });
         }
         let around = self.background.vertices();
         let first = around.len() as u32;
-        let drawn = self.drawn_triangles(pose);
-        let moved = drawn.iter().map(|triangle| triangle.map(|vertex| first + vertex));
+        let posed = self.posed_vertices(pose);
+        let DrawnPose { triangles, .. } = self.drawn_pose(pose, &posed);
+        let moved = triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex));
         Ok(Drawn {
             rest: [around, &self.mesh.vertices].concat(),
-            posed: [around, &self.posed_vertices(pose)].concat(),
+            posed: [around, &posed].concat(),
             triangles: self.background.triangles().iter().copied().chain(moved).collect(),
         })
     }

@@ -5,7 +5,7 @@
  * one solution and never changes. Every query depends on its arguments alone; the module caches the pose of the last
  * query. Places are image pixels, angles degrees.
  */
-import type { Turns } from '../document/handle';
+import type { HiddenCorners, Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
@@ -63,7 +63,7 @@ export interface Pose {
   readonly project: Project;
   /** Sites × 12 for the graphics card, see `MOTION_STRIDE`. */
   readonly motions: Float32Array<ArrayBuffer>;
-  /** Triangles × 3 in drawing order. Poses of the same depths return the same array. */
+  /** Triangles × 3 in drawing order. Poses of the same order return the same array. */
   readonly triangles: Uint32Array;
   /** Vertices × 2: the posed mesh. */
   readonly positions: Float32Array<ArrayBuffer>;
@@ -71,6 +71,8 @@ export interface Pose {
   readonly turns: Turns;
   /** Where the picture is visibly turned over, from the largest. */
   readonly creases: readonly Crease[];
+  /** For each handle, which of its corners lie behind another part of the picture. */
+  readonly hidden: HiddenCorners;
 
   /** Triangles × 3: those of the creases. */
   creasedTriangles(): Uint32Array<ArrayBuffer>;
@@ -78,8 +80,18 @@ export interface Pose {
   map(rest: Vec): MappedPoint | null;
   /** The point of the original that is drawn at a place; null beside the picture. */
   locate(posed: Vec): LocatedPoint | null;
-  /** Like {@link locate}; beside the picture its nearest part continues. Null without triangles. */
-  locateNear(posed: Vec): LocatedPoint | null;
+  /**
+   * The points of the original under the corners of a drawing, all on the layer of the first one. Beside the picture
+   * its nearest part continues. Null without triangles.
+   */
+  layerUnder(corners: readonly Vec[]): readonly LocatedPoint[] | null;
+  /** The box around all places where one part of the picture is drawn over another; null if there are none. */
+  crossed(): Box | null;
+  /**
+   * How the parts that some handles move lie to the parts that they cross. Negative is behind one of them, 0 is level
+   * with one of them, positive is in front of all.
+   */
+  lead(ids: readonly string[]): number;
   /** Where a handle can be placed: at a place, or at the nearest one that bends, at most `within` away. */
   placement(posed: Vec, within: number): Placement | null;
   /** The bounding box of the posed picture and its static background, without the rim; null without vertices. */

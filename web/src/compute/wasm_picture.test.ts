@@ -68,7 +68,7 @@ describe('a posed picture', () => {
     expect(pose.locate([51, 28])?.rest[0]).toBeCloseTo(48, 4);
     expect(pose.map([-1, 0])).toBeNull();
     expect(pose.locate([-5, 0])).toBeNull();
-    expect(pose.locateNear([-5, 0])?.rest[0]).toBeLessThan(0);
+    expect(pose.layerUnder([[-5, 0]])?.[0]?.rest[0]).toBeLessThan(0);
     const still = picture.pose(solved);
     expect(still.placement([-5, 10], 2)).toBeNull();
     expect(still.placement([-1, 10], 2)?.posed[0]).toBeGreaterThan(0);

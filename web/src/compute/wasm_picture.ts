@@ -4,7 +4,7 @@
  * The module caches one pose. A query about another one poses again, which takes the time of a frame.
  */
 import { blendOf } from '../document/bending';
-import { anchor, isAutomatic, rounded, type Turns } from '../document/handle';
+import { anchor, corners, type HiddenCorners, isAutomatic, rounded, type Turns } from '../document/handle';
 import { projectPoses } from '../document/handle_poses';
 import type { Project } from '../document/project';
 import { followedHandles } from '../document/solved';
@@ -75,12 +75,17 @@ class WasmPicture implements PosedPicture {
   }
 
   reach(project: Project, selection: readonly string[]): Float32Array<ArrayBuffer> | null {
-    const handles = followedHandles(this.#solved, project);
-    const selected = handles.flatMap(({ id }, index) => (selection.includes(id) ? [index] : []));
+    const selected = this.indicesOf(project, selection);
     if (selected.length === 0) return null;
     const { width, height } = project.image;
     const poses = projectPoses(this.#solved, project);
-    return this.#module.reach(poses, isRigid(project), Uint32Array.from(selected), Math.hypot(width, height));
+    return this.#module.reach(poses, isRigid(project), selected, Math.hypot(width, height));
+  }
+
+  /** The indices in the solution of a project's handles. */
+  indicesOf(project: Project, ids: readonly string[]): Uint32Array {
+    const followed = followedHandles(this.#solved, project);
+    return Uint32Array.from(followed.flatMap(({ id }, index) => (ids.includes(id) ? [index] : [])));
   }
 
   coverage(): Float32Array<ArrayBuffer> {
@@ -148,6 +153,7 @@ class WasmPose implements Pose {
   #positions: Float32Array<ArrayBuffer> | undefined;
   #turns: Turns | undefined;
   #creases: readonly Crease[] | undefined;
+  #hidden: HiddenCorners | undefined;
 
   constructor(picture: WasmPicture, project: Project, handles: Float64Array) {
     this.#picture = picture;
@@ -174,6 +180,26 @@ class WasmPose implements Pose {
     return this.#creases;
   }
 
+  get hidden(): HiddenCorners {
+    this.#hidden ??= this.#findHidden();
+    return this.#hidden;
+  }
+
+  #findHidden(): HiddenCorners {
+    const { handles } = this.project;
+    const found = this.#module.hidden(
+      Float64Array.from(handles.flatMap((handle) => corners(handle, 'rest')).flat()),
+    );
+    let next = 0;
+    return new Map(
+      handles.map((handle) => {
+        const from = next;
+        next += corners(handle).length;
+        return [handle.id, Array.from(found.subarray(from, next), (flag) => flag === 1)];
+      }),
+    );
+  }
+
   creasedTriangles(): Uint32Array<ArrayBuffer> {
     return this.#module.creased_triangles();
   }
@@ -186,8 +212,18 @@ class WasmPose implements Pose {
     return asPlacement(this.#module.locate(x, y));
   }
 
-  locateNear([x, y]: Vec): LocatedPoint | null {
-    return asPlacement(this.#module.locate_near(x, y));
+  layerUnder(corners: readonly Vec[]): readonly LocatedPoint[] | null {
+    const numbers = this.#module.layer_under(Float64Array.from(corners.flat()));
+    if (!numbers) return null;
+    return corners.flatMap((_, k) => asPlacement(numbers.subarray(6 * k, 6 * k + 6)) ?? []);
+  }
+
+  lead(ids: readonly string[]): number {
+    return this.#module.lead(this.handles, this.#picture.indicesOf(this.project, ids));
+  }
+
+  crossed(): Box | null {
+    return asBox(this.#module.crossed());
   }
 
   placement([x, y]: Vec, within: number): Placement | null {

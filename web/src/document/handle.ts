@@ -16,6 +16,9 @@ export type Turns = ReadonlyMap<string, number>;
 
 const NO_TURNS: Turns = new Map();
 
+/** For each handle by id, whether each of its corners lies behind another part of the picture. */
+export type HiddenCorners = ReadonlyMap<string, readonly boolean[]>;
+
 /** Larger numbers are rejected, without rounding: hundredths mean nothing, and drawing them would overflow. */
 const BEYOND = 1e12;
 

@@ -5,7 +5,7 @@
  * tests from a plane. Places are image pixels, rotations degrees. A pose that the solver cannot compute, such as a bar
  * without length, gives the last answer again.
  */
-import type { Turns } from '../document/handle';
+import type { HiddenCorners, Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
@@ -61,10 +61,20 @@ export interface GroupWay {
 export interface Deformation {
   /** Where a point handle can be placed: at `posed`, or at most `within` away on the nearest part that bends. */
   placement(project: Project, posed: Vec, within: number): Placement | null;
-  /** The point of the original that is drawn at a place. Beside the picture its nearest part continues. */
-  locate(project: Project, posed: Vec): LocatedPoint;
+  /**
+   * The points of the original under the corners of a drawing, all on the layer of the first one. Beside the picture
+   * its nearest part continues.
+   */
+  layerUnder(project: Project, corners: readonly Vec[]): readonly LocatedPoint[];
   /** The turns of automatic handles. */
   turns(project: Project): Turns;
+  /** The corners of handles that lie behind another part of the picture. */
+  hidden(project: Project): HiddenCorners;
+  /**
+   * How the parts that some handles move lie to the parts that they cross. Negative is behind one of them, 0 is level
+   * with one of them, positive is in front of all.
+   */
+  lead(project: Project, ids: readonly string[]): number;
   /** The sites and the edges between their cells. */
   siteGraph(project: Project): SiteGraph | null;
   /** Pieces × 2 ends × 2: where the pose puts the borders between cells. */

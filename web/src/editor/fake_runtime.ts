@@ -4,7 +4,7 @@
  */
 
 import { groupCentre } from '../document/group';
-import { anchor, rotationOf, type Turns } from '../document/handle';
+import { anchor, type HiddenCorners, rotationOf, type Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type { Crease } from '../geometry/crease';
 import { add, subtract, type Vec } from '../geometry/vec';
@@ -63,12 +63,21 @@ class PlaneDeformation implements Deformation {
     return inside ? { posed, rest, rotation: 0, scale: 1 } : null;
   }
 
-  locate(project: Project, posed: Vec) {
-    return { rest: subtract(posed, shift(project)), rotation: 0, scale: 1 };
+  layerUnder(project: Project, corners: readonly Vec[]) {
+    const by = shift(project);
+    return corners.map((posed) => ({ rest: subtract(posed, by), rotation: 0, scale: 1 }));
   }
 
   turns({ handles }: Project): Turns {
     return new Map(handles.map((handle) => [handle.id, rotationOf(handle)]));
+  }
+
+  hidden(): HiddenCorners {
+    return new Map();
+  }
+
+  lead(): number {
+    return 1;
   }
 
   creases({ handles }: Project): readonly Crease[] {

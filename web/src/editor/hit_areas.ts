@@ -1,6 +1,6 @@
 /** The hit areas of a press, as large as the pointer in use needs, and the context in which tools find them. */
 
-import type { Turns } from '../document/handle';
+import type { HiddenCorners, Turns } from '../document/handle';
 import { toImage } from '../geometry/camera';
 import { type Hit, hit } from '../tools/hit';
 import type { Grips, Press, ToolContext } from '../tools/state';
@@ -47,7 +47,8 @@ export function toolContext(state: EditorState): ToolContext {
       // Without a solution, the point of the original is the place itself.
       return isOnPicture(state, at) ? { posed: at, rest: at, rotation: 0, scale: 1 } : null;
     },
-    placeNear: (at) => deformation?.locate(project, at) ?? { rest: at, rotation: 0, scale: 1 },
+    layerUnder: (corners) =>
+      deformation?.layerUnder(project, corners) ?? corners.map((rest) => ({ rest, rotation: 0, scale: 1 })),
   };
 }
 
@@ -62,6 +63,12 @@ export const turnsOf = (state: EditorState): Turns =>
   state.solution.shown?.deformation.turns(projectOf(state)) ?? NO_TURNS;
 
 const NO_TURNS: Turns = new Map();
+
+/** The corners of handles that lie behind another part; none before the first solution. */
+export const hiddenOf = (state: EditorState): HiddenCorners =>
+  state.solution.shown?.deformation.hidden(projectOf(state)) ?? NOTHING_HIDDEN;
+
+const NOTHING_HIDDEN: HiddenCorners = new Map();
 
 export const isLassoing = ({ tools }: EditorState): boolean => tools.tool === 'lasso';
 

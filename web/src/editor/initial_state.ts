@@ -2,6 +2,7 @@
 import { type Document, newProject, openDocument } from '../document/document';
 import { historyOf } from '../document/history';
 import { initialTools } from '../tools/machine';
+import { NO_CROSSING } from './crossing';
 import { DEFAULT_CHOICES } from './export_choices';
 import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS } from './overlays';
@@ -25,6 +26,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       refused: [],
       saved: emptyDocument.project,
       posedByPage: [],
+      crossing: NO_CROSSING,
       touched: false,
       reported: { selection: [], undo: null, redo: null, title: null },
     },

@@ -17,6 +17,7 @@ import type { Tools } from '../tools/machine';
 import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
+import type { Crossing } from './crossing';
 import type { EditorEvent } from './events';
 import type { ExportChoices } from './export_choices';
 import type { Focus } from './focus';
@@ -75,6 +76,8 @@ export interface DocumentState {
   readonly saved: Project;
   /** Ids of handles that the page has posed during the current press. */
   readonly posedByPage: readonly string[];
+  /** Whether the current drag brings its handles to the front. */
+  readonly crossing: Crossing;
   /** Whether the document was ever changed: the page's hint ends then. */
   readonly touched: boolean;
   /** What the page was last told of the selection, the history and the title. */

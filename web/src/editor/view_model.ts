@@ -1,7 +1,7 @@
 /** Everything that the templates show, derived from the state. */
 import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
-import { anchor, isLine, type Turns } from '../document/handle';
+import { anchor, type HiddenCorners, isLine, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
 import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
@@ -17,7 +17,7 @@ import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
 import type { ExportChoices } from './export_choices';
-import { gripsOf, hitAt, isLassoing, turnsOf } from './hit_areas';
+import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
 import { noticeIsAside } from './notice_place';
@@ -48,6 +48,8 @@ import type { WorkSnapshot } from './work';
 export interface EditorModel {
   readonly document: Document;
   readonly turns: Turns;
+  /** The corners of handles that lie behind another part of the picture. */
+  readonly hidden: HiddenCorners;
   readonly picture: Picture | null;
   /** No file holds the last changes of the project. */
   readonly unsaved: boolean;
@@ -176,6 +178,9 @@ export function viewModel(state: EditorState): EditorModel {
     // Only when asked: without visible handles nothing else may need the pose.
     get turns() {
       return turnsOf(state);
+    },
+    get hidden() {
+      return hiddenOf(state);
     },
     picture,
     unsaved: isUnsaved(state),

@@ -8,7 +8,7 @@ export type Blend = 'linear' | 'rigid';
 export interface Skin {
   /** Vertices × 2, rest positions in image pixels. */
   readonly positions: Float32Array;
-  /** Triangles × 3: vertices. Later triangles cover earlier ones while all sites have the same depth. */
+  /** Triangles × 3: vertices. The drawing order of a pose without depths or crossings. */
   readonly triangles: Uint32Array;
   /** Vertices + 1: vertex v has the entries `offsets[v]` to `offsets[v + 1]` of `sites` and `weights`. */
   readonly offsets: Uint32Array;

@@ -1,7 +1,7 @@
 /** Answers the editor's questions about one solution from the WebAssembly module. */
 import type { Pose, PosedPicture } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
-import type { Turns } from '../document/handle';
+import type { HiddenCorners, Turns } from '../document/handle';
 import type { Project } from '../document/project';
 import type {
   CellBorders,
@@ -19,6 +19,10 @@ import { type Symmetry, symmetryOf } from '../geometry/symmetry';
 import type { Vec } from '../geometry/vec';
 
 const NO_TURNS: Turns = new Map();
+const NOTHING_HIDDEN: HiddenCorners = new Map();
+
+/** A point of an unwarped picture. */
+const atRest = (rest: Vec): LocatedPoint => ({ rest, rotation: 0, scale: 1 });
 
 export class SolutionDeformation implements Deformation {
   readonly data: SolutionData;
@@ -50,8 +54,8 @@ export class SolutionDeformation implements Deformation {
     return this.pose(project)?.placement(posed, within) ?? null;
   }
 
-  locate(project: Project, posed: Vec): LocatedPoint {
-    return this.pose(project)?.locateNear(posed) ?? { rest: posed, rotation: 0, scale: 1 };
+  layerUnder(project: Project, corners: readonly Vec[]): readonly LocatedPoint[] {
+    return this.pose(project)?.layerUnder(corners) ?? corners.map(atRest);
   }
 
   /** Where a point of the original goes; null outside the mesh. */
@@ -61,6 +65,14 @@ export class SolutionDeformation implements Deformation {
 
   turns(project: Project): Turns {
     return this.pose(project)?.turns ?? NO_TURNS;
+  }
+
+  hidden(project: Project): HiddenCorners {
+    return this.pose(project)?.hidden ?? NOTHING_HIDDEN;
+  }
+
+  lead(project: Project, ids: readonly string[]): number {
+    return this.pose(project)?.lead(ids) ?? 1;
   }
 
   siteGraph(project: Project): SiteGraph | null {

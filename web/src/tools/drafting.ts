@@ -137,7 +137,7 @@ function finished(draft: Draft, context: ToolContext, rest: State): Outcome {
     const lassoed = { type: 'lassoed', ring: corners, hole } as const;
     return outcome(rest, { type: 'drafted', draft: null }, lassoed);
   }
-  const handle = lineHandle(project, { kind, corners }, (at) => context.placeNear(at));
+  const handle = lineHandle(project, { kind, corners }, (places) => context.layerUnder(places));
   return outcome(
     rest,
     { type: 'begin', label: `Add ${kind}` },
@@ -154,10 +154,10 @@ function finished(draft: Draft, context: ToolContext, rest: State): Outcome {
 export function lineHandle(
   project: Project,
   { kind, corners }: { readonly kind: LineKind; readonly corners: readonly Vec[] },
-  place: ToolContext['placeNear'],
+  layerUnder: ToolContext['layerUnder'],
 ): LineHandle {
   const posed = corners.map(roundedVec);
-  const placements = posed.map((at) => place(at));
+  const placements = layerUnder(posed);
   const joints = project.handles.filter(isLine);
   const rest = placements.map(
     (placement, k) => jointAt(joints, posed[k] ?? placement.rest) ?? roundedVec(placement.rest),

@@ -11,7 +11,7 @@ const scene: ToolContext = {
   snap: (at) => ({ at, guides: [] }),
   turns: new Map(),
   place: () => null,
-  placeNear: (rest) => ({ rest, rotation: 0, scale: 1 }),
+  layerUnder: (corners) => corners.map((rest) => ({ rest, rotation: 0, scale: 1 })),
 };
 const press = (at: Vec, keys: Partial<Press> = {}): Press => ({
   at,

@@ -26,7 +26,7 @@ class Bench {
     snap: (at) => ({ at, guides: [] }),
     turns: new Map(),
     place: () => null,
-    placeNear: ([x, y]) => ({ rest: [x - 1000, y], rotation: 0, scale: 2 }),
+    layerUnder: (corners) => corners.map(([x, y]) => ({ rest: [x - 1000, y], rotation: 0, scale: 2 })),
   });
 
   take(tool: ToolName) {

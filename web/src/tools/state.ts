@@ -58,8 +58,11 @@ export interface ToolContext {
   place(at: Vec): Placement | null;
   /** Snaps a place to guides, except to those of the moving handles. */
   snap(at: Vec, moving: readonly string[]): SnappedPlace;
-  /** Returns the part of the picture at a point. Outside, the nearest part is extended. */
-  placeNear(at: Vec): LocatedPoint;
+  /**
+   * Returns the points of the picture under the corners of a drawing. All are on the layer of the first corner, which
+   * another part may cover. Outside, the nearest part is extended.
+   */
+  layerUnder(corners: readonly Vec[]): readonly LocatedPoint[];
 }
 
 /** A bar, a polygon or a lasso that is being drawn. */

@@ -87,7 +87,7 @@ class Bench {
       posesOnly: this.posesOnly,
       snap: (at) => snappedTo(at, this.guides, 5),
       place: (at) => this.placement && { posed: this.led ?? at, ...this.placement },
-      placeNear: (at) => this.placement ?? { rest: at, rotation: 0, scale: 1 },
+      layerUnder: (corners) => corners.map((at) => this.placement ?? { rest: at, rotation: 0, scale: 1 }),
     };
   }
 

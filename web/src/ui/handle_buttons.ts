@@ -9,6 +9,7 @@ import { repeat } from 'lit/directives/repeat.js';
 import {
   anchor,
   depthOf,
+  type HiddenCorners,
   isLine,
   nameOf,
   rotationOf,
@@ -33,7 +34,7 @@ function kindWords(handle: Handle): readonly string[] {
 }
 
 /** The label of a handle for screen readers. */
-export function handleLabel(handle: Handle, turns: Turns): string {
+export function handleLabel(handle: Handle, turns: Turns, hidden: HiddenCorners): string {
   const [x, y] = anchor(handle);
   const scale = rounded(scaleOf(handle));
   const depth = depthOf(handle);
@@ -44,8 +45,13 @@ export function handleLabel(handle: Handle, turns: Turns): string {
     turnWords(rotationOf(handle, turns)),
     ...(scale === 1 ? [] : [`scale ${scale}`]),
     ...(depth === 0 ? [] : [`depth ${depth}`]),
+    ...(isBehind(handle, hidden) ? ['behind another part'] : []),
   ].join(', ');
 }
+
+/** Whether all corners lie behind another part of the picture. */
+const isBehind = ({ id }: Handle, hidden: HiddenCorners): boolean =>
+  hidden.get(id)?.every((corner) => corner) ?? false;
 
 export function handleButtons(model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { document, camera } = model;
@@ -58,10 +64,10 @@ export function handleButtons(model: EditorModel, dispatch: Dispatch): TemplateR
         const selected = document.selection.includes(handle.id);
         return html`<button
             type="button"
-            class="handle ${isLine(handle) ? 'middle-mark' : ''}"
+            class="handle ${isLine(handle) ? 'middle-mark' : ''} ${isBehind(handle, model.hidden) ? 'behind' : ''}"
             part="handle"
             data-handle=${handle.id}
-            aria-label=${handleLabel(handle, model.turns)}
+            aria-label=${handleLabel(handle, model.turns, model.hidden)}
             aria-pressed=${selected ? 'true' : 'false'}
             .style=${`transform: translate(${x}px, ${y}px)`}
             @focus=${(event: FocusEvent) => focused(event, handle.id, anchor(handle), model, dispatch)}
@@ -85,9 +91,10 @@ const cornerButtons = (
     const [x, y] = toStage(model.camera, corner);
     const [left, top] = corner.map(Math.round);
     const inHand = selected && model.corner === index;
+    const behind = model.hidden.get(handle.id)?.[index];
     return html`<button
       type="button"
-      class="handle corner ${selected ? 'selected' : ''} ${inHand ? 'in-hand' : ''}"
+      class="handle corner ${selected ? 'selected' : ''} ${inHand ? 'in-hand' : ''} ${behind ? 'behind' : ''}"
       part="handle"
       data-of=${handle.id}
       data-corner=${index}

@@ -2,17 +2,30 @@
 //!
 //! The depth of handles spreads as motions do: by harmonic weights to the virtual sites (eq. 4), by weights to the
 //! vertices (eq. 1). A triangle has the mean of its corners' depths. Nearer triangles are drawn later; equally deep
-//! ones keep the order of the mesh. A depth buffer keeps one triangle of a pixel, but soft edges need all of them.
+//! ones keep the order of the mesh.
 //!
-//! Cost: linear in the stored weights, and a sort of the triangles. The order depends on depths alone, not on where
-//! handles are posed.
+//! By that order alone, triangles of one limb would show through another one where the depths of both meet. So each
+//! [crossing](super::crossings) is ordered as a whole: the part with the greater mean depth lies in front. At equal
+//! depths it is the part with more triangles that are drawn later. All pairs of triangles in crossings are then sorted
+//! topologically.
 //!
-//! Limits: triangles are not split where they intersect. Depths are rounded to [`DEPTH_STEPS`] depth steps, so that
-//! rounding decides nothing where many triangles are equally deep.
+//! A depth buffer keeps one triangle of a pixel, but soft edges need all of them.
+//!
+//! Cost: linear in the stored weights, a sort of the triangles, and the search for crossings.
+//!
+//! Limits: triangles are not split where they intersect. A ring of parts, each in front of the next, has no order: one
+//! of them shows through. Depths are rounded to [`DEPTH_STEPS`] depth steps, so that rounding decides nothing where
+//! many triangles are equally deep.
 
 use std::borrow::Cow;
 
-use crate::{pose::Motion, weight::SparseWeights};
+use glam::DVec2;
+
+use super::{
+    Bounds,
+    crossings::{Adjacency, Crossing, PosedMesh},
+};
+use crate::{pose::Motion, rows::Rows, weight::SparseWeights};
 
 /// Depth steps from the farthest site to the nearest. Even, so that no boundary between steps lies half way.
 const DEPTH_STEPS: f64 = 1024.0;
@@ -24,37 +37,128 @@ pub(crate) fn depths(motions: &[Motion]) -> Vec<f64> {
     motions.iter().map(|motion| motion.depth).collect()
 }
 
-/// The triangles in drawing order, for the `depths` of the sites. A vertex without weights has depth 0.
-pub(crate) fn drawing_order<'a>(
-    triangles: &'a [[u32; 3]],
-    weights: &SparseWeights,
-    depths: &[f64],
-) -> Cow<'a, [[u32; 3]]> {
-    let vertices = || 0..weights.len();
-    let has_still_vertex = vertices().any(|vertex| weights.row(vertex).next().is_none());
-    let all = || depths.iter().copied().chain(has_still_vertex.then_some(0.0));
-    let (low, high) = all().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));
-    let range = high - low;
-    // Without any sites the range is below 0.
-    if range <= SAME_DEPTH * low.abs().max(high.abs()) {
-        return Cow::Borrowed(triangles);
+/// How a pose is drawn.
+#[derive(Debug)]
+pub(crate) struct DrawnPose<'a> {
+    /// The triangles in drawing order.
+    pub(crate) triangles: Cow<'a, [[u32; 3]]>,
+    pub(crate) crossings: Vec<Crossing>,
+    /// The box around all crossings, in posed pixels.
+    pub(crate) crossed: Option<Bounds>,
+}
+
+/// The triangles by the depths of a pose.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct DepthOrder {
+    /// The triangles by depth, as indices; `None` where all are equally deep.
+    sorted: Option<ByDepth>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct ByDepth {
+    triangles: Vec<u32>,
+    /// From 0 to `range`.
+    vertex_depths: Vec<f64>,
+    range: f64,
+}
+
+impl DepthOrder {
+    /// For the `depths` of the sites. A vertex without weights has depth 0.
+    pub(crate) fn new(triangles: &[[u32; 3]], weights: &SparseWeights, depths: &[f64]) -> Self {
+        let vertices = || 0..weights.len();
+        let has_still_vertex = vertices().any(|vertex| weights.row(vertex).next().is_none());
+        let all = || depths.iter().copied().chain(has_still_vertex.then_some(0.0));
+        let (low, high) = all().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));
+        let range = high - low;
+        // Without any sites the range is below 0.
+        if range <= SAME_DEPTH * low.abs().max(high.abs()) {
+            return Self { sorted: None };
+        }
+        let depth = |vertex: usize| {
+            let add = |sum: Option<f64>, (site, weight): (usize, f64)| {
+                Some(sum.unwrap_or(0.0) + weight * (depths[site] - low))
+            };
+            weights.row(vertex).fold(None, add).unwrap_or(-low)
+        };
+        let vertex_depths: Vec<f64> = vertices().map(depth).collect();
+        let step = |corners: &[u32; 3]| {
+            let sum = sum_of(&vertex_depths, *corners);
+            // Weights that are rounded may sum to a little more than 1.
+            (sum / (3.0 * range) * DEPTH_STEPS).round().min(DEPTH_STEPS) as usize
+        };
+        let triangles = sorted(triangles, step);
+        Self { sorted: Some(ByDepth { triangles, vertex_depths, range }) }
     }
-    let depth = |vertex: usize| {
-        let add =
-            |sum: Option<f64>, (site, weight): (usize, f64)| Some(sum.unwrap_or(0.0) + weight * (depths[site] - low));
-        weights.row(vertex).fold(None, add).unwrap_or(-low)
-    };
-    let vertex_depths: Vec<f64> = vertices().map(depth).collect();
-    let step = |corners: &[u32; 3]| {
-        let sum: f64 = corners.iter().map(|&vertex| vertex_depths[vertex as usize]).sum();
-        // Weights that are rounded may sum to a little more than 1.
-        (sum / (3.0 * range) * DEPTH_STEPS).round().min(DEPTH_STEPS) as usize
-    };
-    Cow::Owned(sorted(triangles, step))
+
+    /// The triangles of a pose in drawing order.
+    pub(crate) fn drawn<'a>(&self, mesh: PosedMesh<'a>, adjacency: &Adjacency) -> DrawnPose<'a> {
+        let PosedMesh { triangles, posed, .. } = mesh;
+        let by_depth = self.sorted.as_ref().map(|sorted| &sorted.triangles[..]);
+        let crossings = adjacency.crossings(mesh);
+        let ordered = (!crossings.is_empty()).then(|| self.with_whole_parts(triangles, &crossings)).flatten();
+        let drawn = match ordered.as_deref().or(by_depth) {
+            Some(order) => Cow::Owned(order.iter().map(|&t| triangles[t as usize]).collect()),
+            None => Cow::Borrowed(triangles),
+        };
+        let corners =
+            crossings.iter().flat_map(|crossing| &crossing.pairs).flatten().flat_map(|&t| triangles[t as usize]);
+        let crossed: Vec<DVec2> = corners.map(|vertex| posed[vertex as usize]).collect();
+        DrawnPose { triangles: drawn, crossed: Bounds::new(&crossed), crossings }
+    }
+
+    /// The triangles with each crossing ordered as a whole; `None` where the order by depth does so.
+    fn with_whole_parts(&self, triangles: &[[u32; 3]], crossings: &[Crossing]) -> Option<Vec<u32>> {
+        let by_mesh: Vec<u32>;
+        let order = match &self.sorted {
+            Some(sorted) => &sorted.triangles,
+            None => {
+                by_mesh = (0..triangles.len() as u32).collect();
+                &by_mesh
+            }
+        };
+        let mut ranks = vec![0_u32; triangles.len()];
+        for (&t, rank) in order.iter().zip(0..) {
+            ranks[t as usize] = rank;
+        }
+        let is_drawn_later = |a: u32, b: u32| ranks[a as usize] > ranks[b as usize];
+        let over = |crossing: &Crossing| {
+            let first = (!crossing.is_tangled).then(|| self.first_is_in_front(triangles, crossing, &is_drawn_later));
+            move |&[a, b]: &[u32; 2]| if first.unwrap_or_else(|| is_drawn_later(a, b)) { [a, b] } else { [b, a] }
+        };
+        let pairs: Vec<[u32; 2]> =
+            crossings.iter().flat_map(|crossing| crossing.pairs.iter().map(over(crossing))).collect();
+        if pairs.iter().all(|&[front, back]| is_drawn_later(front, back)) {
+            return None;
+        }
+        let backs = Rows::from_pairs(triangles.len(), || pairs.iter().map(|&[front, back]| (front as usize, back)));
+        Some(topological(order, &backs))
+    }
+
+    /// Whether the first part of a crossing lies in front.
+    fn first_is_in_front(
+        &self,
+        triangles: &[[u32; 3]],
+        crossing: &Crossing,
+        is_drawn_later: &impl Fn(u32, u32) -> bool,
+    ) -> bool {
+        if let Some(ByDepth { vertex_depths, range, .. }) = &self.sorted {
+            let depth = |t: u32| sum_of(vertex_depths, triangles[t as usize]);
+            let sum: f64 = crossing.pairs.iter().map(|&[a, b]| depth(a) - depth(b)).sum();
+            if sum.abs() > SAME_DEPTH * range * crossing.pairs.len() as f64 {
+                return sum > 0.0;
+            }
+        }
+        let later = crossing.pairs.iter().filter(|&&[a, b]| is_drawn_later(a, b)).count();
+        2 * later >= crossing.pairs.len()
+    }
+}
+
+fn sum_of(vertex_depths: &[f64], corners: [u32; 3]) -> f64 {
+    corners.iter().map(|&vertex| vertex_depths[vertex as usize]).sum()
 }
 
 /// The triangles sorted by step, from 0 to [`DEPTH_STEPS`]. Equal steps keep their order. A counting sort: linear.
-fn sorted(triangles: &[[u32; 3]], step: impl Fn(&[u32; 3]) -> usize) -> Vec<[u32; 3]> {
+fn sorted(triangles: &[[u32; 3]], step: impl Fn(&[u32; 3]) -> usize) -> Vec<u32> {
     let steps: Vec<usize> = triangles.iter().map(step).collect();
     let mut next = [0; DEPTH_STEPS as usize + 2];
     for &step in &steps {
@@ -63,12 +167,40 @@ fn sorted(triangles: &[[u32; 3]], step: impl Fn(&[u32; 3]) -> usize) -> Vec<[u32
     for step in 1..next.len() {
         next[step] += next[step - 1];
     }
-    let mut sorted = triangles.to_vec();
-    for (triangle, step) in triangles.iter().zip(steps) {
-        sorted[next[step]] = *triangle;
+    let mut sorted = vec![0; triangles.len()];
+    for (t, step) in (0..).zip(steps) {
+        sorted[next[step]] = t;
         next[step] += 1;
     }
     sorted
+}
+
+/// The triangles in their order, except that each comes after all that lie behind it. A depth-first search, which
+/// ignores the pair that closes a ring.
+fn topological(order: &[u32], backs: &Rows<u32>) -> Vec<u32> {
+    let mut drawn = Vec::with_capacity(order.len());
+    let mut is_begun = vec![false; order.len()];
+    // Triangles that wait for those behind them, and the next one of these.
+    let mut waiting: Vec<(u32, usize)> = Vec::new();
+    for &t in order {
+        if !is_begun[t as usize] {
+            is_begun[t as usize] = true;
+            waiting.push((t, 0));
+        }
+        while let Some((t, next)) = waiting.last_mut() {
+            let Some(&back) = backs.row(*t as usize).get(*next) else {
+                drawn.push(*t);
+                waiting.pop();
+                continue;
+            };
+            *next += 1;
+            if !is_begun[back as usize] {
+                is_begun[back as usize] = true;
+                waiting.push((back, 0));
+            }
+        }
+    }
+    drawn
 }
 
 #[cfg(test)]
@@ -83,7 +215,10 @@ mod tests {
         for vertex in 0..9 {
             weights.push_row((vertex < 6).then_some((vertex / 3, 1.0)).into_iter());
         }
-        drawing_order(&TRIANGLES, &weights, &depths).iter().map(|corners| corners[0]).collect()
+        let points: Vec<DVec2> = (0..9).map(|vertex| DVec2::new(f64::from(vertex), f64::from(vertex % 3))).collect();
+        let mesh = PosedMesh { rest: &points, posed: &points, triangles: &TRIANGLES };
+        let drawn = DepthOrder::new(&TRIANGLES, &weights, &depths).drawn(mesh, &Adjacency::new(&TRIANGLES));
+        drawn.triangles.iter().map(|corners| corners[0]).collect()
     }
 
     #[test]

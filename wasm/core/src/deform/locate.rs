@@ -80,10 +80,14 @@ pub(super) fn locate_near(rest: &[DVec2], posed: &[DVec2], drawn: &[[u32; 3]], a
     }
     let (triangle, vertex) = nearest?;
     let both = [rest, posed].map(|points| corners(points, triangle));
-    let (rotation, scale) = nearest_similarity(both[0], both[1]);
-    let (sin, cos) = libm::sincos(-rotation.to_radians());
-    let back = DVec2::new(cos, sin) / scale.max(f64::EPSILON);
-    Some(Correspondence { rest: rest[vertex] + back.rotate(at - posed[vertex]), posed: at, rotation, scale })
+    Some(similar(Correspondence::new(rest[vertex], posed[vertex], both), at))
+}
+
+/// The point that is drawn at a place if the similarity of another point continues there.
+pub(super) fn similar(near: Correspondence, at: DVec2) -> Correspondence {
+    let (sin, cos) = libm::sincos(-near.rotation.to_radians());
+    let back = DVec2::new(cos, sin) / near.scale.max(f64::EPSILON);
+    Correspondence { rest: near.rest + back.rotate(at - near.posed), posed: at, ..near }
 }
 
 #[cfg(test)]

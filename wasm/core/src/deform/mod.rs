@@ -4,13 +4,15 @@
 //! For every point:
 //!
 //! - `pose`: p′ = Σ w_i(p) T_i(p) (eq. 1), or the rigid blend of `dual`.
-//! - `drawing_order`: the triangles from the farthest to the nearest.
+//! - `drawing_order`: the triangles from the farthest to the nearest. `crossings`: where parts cover each other.
 //! - `locate`, `inverse`: the point of the picture that is drawn at one place, or at many.
 //!
 //! For the editor:
 //!
 //! - `posed_picture`: all of it for one solution, without the solution itself.
-//! - `placement`: where a handle can be placed.
+//! - `layer`: the points under a drawing, all on one layer where the picture covers itself.
+//! - `placement`: where a handle can be placed. `hidden`, `lead`: the handles that lie behind another
+//!   part, and parts that lie in front.
 //! - `folds`, `creases`: where the picture turns over.
 //! - `way`, `fold_guard`: how far handles go before the picture folds. `rounding` is the editor's.
 //! - `reach`, `coverage`, `bounds`, `borders`, `course`: what the overlays and other marks show.
@@ -22,12 +24,16 @@ mod bounds;
 mod course;
 mod coverage;
 mod creases;
+mod crossings;
 mod drawing_order;
 mod dual;
 mod fold_guard;
 mod folds;
 mod handle_pose;
+mod hidden;
 mod inverse;
+mod layer;
+mod lead;
 mod locate;
 mod placement;
 mod pose;
@@ -39,11 +45,13 @@ mod way;
 
 pub use bounds::Bounds;
 pub use creases::Crease;
-pub(crate) use drawing_order::{depths, drawing_order};
+pub(crate) use crossings::{Adjacency, PosedMesh};
+pub(crate) use drawing_order::{DepthOrder, DrawnPose, depths};
 pub use fold_guard::FoldLimit;
 pub(crate) use folds::FoldingMesh;
 pub use handle_pose::HandlePose;
 pub(crate) use inverse::rest_points;
+pub use lead::Lead;
 pub use locate::Correspondence;
 pub use pose::{Mapped, Pose};
 pub use posed_picture::{PictureMesh, PosedPicture};

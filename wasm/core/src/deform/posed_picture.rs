@@ -3,8 +3,7 @@
 //! This is all that a page needs while handles are dragged; the solution itself stays with the thread that solves.
 //! Vertices and weights may be rounded to 32 bits, as they are for a graphics card.
 //!
-//! Cost: a pose takes the time of [`Poser::pose`]. Posed vertices and the drawing order are computed at first use and
-//! kept until the next pose.
+//! Cost: a pose takes the time of [`Poser::pose`], of blending all vertices and of finding the parts that cross.
 
 use std::{borrow::Cow, cell::OnceCell};
 
@@ -16,10 +15,14 @@ use super::{
     course::posed_lines,
     coverage::coverage,
     creases::creases,
-    drawing_order::{depths, drawing_order},
+    crossings::{Adjacency, Crossing, PosedMesh},
+    drawing_order::{DepthOrder, DrawnPose, depths},
     fold_guard::fold_limit,
     folds::FoldingMesh,
-    locate::{locate, locate_near, triangle_at},
+    hidden::hidden,
+    layer::Layers,
+    lead::{Lead, lead},
+    locate::{locate, triangle_at},
     placement::placement,
     reach::{MOVES, STEP, reach},
     triangle::{corners, interpolate},
@@ -56,25 +59,29 @@ pub struct PosedPicture {
     /// The handles as they were solved.
     handles: Vec<Handle>,
     folding: FoldingMesh,
+    adjacency: Adjacency,
     background: Option<Bounds>,
-    present: Present,
+    present: Option<Present>,
     order: Order,
 }
 
-/// The present pose, and its vertices and creases once they are asked for.
-#[derive(Debug, Default)]
+/// The present pose and its vertices, and its creases once they are asked for.
+#[derive(Debug)]
 struct Present {
-    pose: Option<Pose>,
-    posed: OnceCell<Vec<DVec2>>,
+    pose: Pose,
+    posed: Vec<DVec2>,
     creases: OnceCell<Vec<Crease>>,
 }
 
-/// The triangles of the present depths.
+/// The drawing order of the present pose.
 #[derive(Debug, Default)]
 struct Order {
-    depths: Vec<f64>,
+    /// The order of the present depths.
+    by_depth: Option<(Vec<f64>, DepthOrder)>,
     /// `None` while the order is that of the mesh.
     triangles: Option<Vec<[u32; 3]>>,
+    crossings: Vec<Crossing>,
+    crossed: Option<Bounds>,
     version: u32,
 }
 
@@ -94,7 +101,8 @@ impl PosedPicture {
         }
         let folding = FoldingMesh::new(&mesh.vertices, &mesh.triangles, mesh.samples);
         let background = Bounds::new(&mesh.background);
-        Ok(Self { mesh, poser, handles, folding, background, present: Present::default(), order: Order::default() })
+        let adjacency = Adjacency::new(&mesh.triangles);
+        Ok(Self { mesh, poser, handles, folding, adjacency, background, present: None, order: Order::default() })
     }
 
     /// Poses the picture. `poses` are those of the solved handles, in their order; more may follow. Returns the
@@ -104,17 +112,28 @@ impl PosedPicture {
     /// Those of [`Poser::pose`], and [`Error::PoseMismatch`] for fewer poses than handles. The present pose then stays.
     pub fn set_pose(&mut self, poses: &[HandlePose], blend: Blend) -> Result<&Pose, Error> {
         let pose = self.pose(poses, blend)?;
+        let posed = pose.blend_all(&self.mesh.vertices, &self.mesh.weights);
+        self.reorder(&pose, &posed);
+        Ok(&self.present.insert(Present { pose, posed, creases: OnceCell::new() }).pose)
+    }
+
+    fn reorder(&mut self, pose: &Pose, posed: &[DVec2]) {
+        let PictureMesh { vertices: rest, triangles, weights, .. } = &self.mesh;
         let depths = depths(pose.motions());
-        if self.order.depths != depths {
-            self.order.triangles = match drawing_order(&self.mesh.triangles, &self.mesh.weights, &depths) {
-                Cow::Borrowed(_) => None,
-                Cow::Owned(triangles) => Some(triangles),
-            };
-            self.order.version += 1;
-            self.order.depths = depths;
+        let order = &mut self.order;
+        let by_depth = match order.by_depth.take() {
+            Some((known, by_depth)) if known == depths => by_depth,
+            _ => DepthOrder::new(triangles, weights, &depths),
+        };
+        let mesh = PosedMesh { rest, posed, triangles };
+        let DrawnPose { triangles: drawn, crossings, crossed } = by_depth.drawn(mesh, &self.adjacency);
+        let drawn = if let Cow::Owned(drawn) = drawn { Some(drawn) } else { None };
+        (order.crossings, order.crossed) = (crossings, crossed);
+        if drawn != order.triangles {
+            order.triangles = drawn;
+            order.version += 1;
         }
-        self.present = Present::default();
-        Ok(self.present.pose.insert(pose))
+        order.by_depth = Some((depths, by_depth));
     }
 
     /// Any pose of the picture.
@@ -142,10 +161,7 @@ impl PosedPicture {
     /// The posed vertices.
     #[must_use]
     pub fn posed_vertices(&self) -> &[DVec2] {
-        match &self.present.pose {
-            Some(pose) => self.present.posed.get_or_init(|| pose.blend_all(&self.mesh.vertices, &self.mesh.weights)),
-            None => &self.mesh.vertices,
-        }
+        self.present.as_ref().map_or(&self.mesh.vertices, |present| &present.posed)
     }
 
     /// The triangles in drawing order.
@@ -154,21 +170,17 @@ impl PosedPicture {
         self.order.triangles.as_deref().unwrap_or(&self.mesh.triangles)
     }
 
-    /// A number that changes with the depths, and so with every change of [`drawn_triangles`](Self::drawn_triangles).
+    /// A number that changes with every change of [`drawn_triangles`](Self::drawn_triangles).
     #[must_use]
     pub fn order_version(&self) -> u32 {
         self.order.version
     }
 
-    /// The place that a point of the picture goes to; `None` outside the mesh. Blends three vertices.
+    /// The place that a point of the picture goes to; `None` outside the mesh.
     #[must_use]
     pub fn map(&self, rest: DVec2) -> Option<Correspondence> {
         let (triangle, coordinates) = triangle_at(self.drawn_triangles(), &self.mesh.vertices, rest)?;
-        let posed = |vertex: u32| {
-            let (p, vertex) = (self.mesh.vertices[vertex as usize], vertex as usize);
-            self.present.pose.as_ref().map_or(p, |pose| pose.blended(p, self.mesh.weights.row(vertex)))
-        };
-        let both = [corners(&self.mesh.vertices, triangle), triangle.map(posed)];
+        let both = [&self.mesh.vertices[..], self.posed_vertices()].map(|points| corners(points, triangle));
         Some(Correspondence::new(rest, interpolate(both[1], coordinates), both))
     }
 
@@ -185,10 +197,14 @@ impl PosedPicture {
         locate(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
     }
 
-    /// Like [`locate`](Self::locate); beside the picture its nearest part continues. `None` without triangles.
+    /// The points of the picture under the corners of a drawing, all on the layer of the first one. Beside the picture
+    /// its nearest part continues. `None` without triangles.
     #[must_use]
-    pub fn locate_near(&self, posed: DVec2) -> Option<Correspondence> {
-        locate_near(&self.mesh.vertices, self.posed_vertices(), self.drawn_triangles(), posed)
+    pub fn layer_under(&self, corners: &[DVec2]) -> Option<Vec<Correspondence>> {
+        let PictureMesh { vertices: rest, triangles, samples, .. } = &self.mesh;
+        let mesh = PosedMesh { rest, posed: self.posed_vertices(), triangles };
+        let drawn = self.drawn_triangles();
+        Layers { mesh, adjacency: &self.adjacency, samples: *samples, drawn }.under(corners)
     }
 
     /// Where a handle can be placed: at a place that bends, or at the nearest one, at most `within` pixels away.
@@ -196,6 +212,39 @@ impl PosedPicture {
     pub fn placement(&self, posed: DVec2, within: f64) -> Option<Correspondence> {
         let both = [&self.mesh.vertices[..], self.posed_vertices()];
         placement(both, self.drawn_triangles(), self.mesh.samples, posed, within)
+    }
+
+    /// The box around all places where the present pose draws one part of the picture over another.
+    #[must_use]
+    pub fn crossed(&self) -> Option<Bounds> {
+        self.order.crossed
+    }
+
+    /// How the parts that the `selected` handles move lie to the parts that they cross in the present pose.
+    ///
+    /// # Errors
+    /// Those of [`set_pose`](Self::set_pose).
+    ///
+    /// # Panics
+    /// If a selected index is out of bounds.
+    pub fn lead(&self, poses: &[HandlePose], selected: &[usize]) -> Result<Lead, Error> {
+        if self.order.crossings.is_empty() {
+            return Ok(Lead::Front);
+        }
+        let mut handles = self.posed_handles(poses)?;
+        let of_sites = |handles: &[Handle]| self.poser.pose(handles, Blend::Linear).map(|pose| depths(pose.motions()));
+        let by_depth = of_sites(&handles)?;
+        for (index, handle) in handles.iter_mut().enumerate() {
+            handle.depth = f64::from(u8::from(selected.contains(&index)));
+        }
+        let shares = of_sites(&handles)?;
+        Ok(lead(&self.mesh.triangles, &self.mesh.weights, &self.order.crossings, &by_depth, &shares))
+    }
+
+    /// For each point at rest, whether the present pose draws another part of the picture over it.
+    #[must_use]
+    pub fn hidden(&self, rest: &[DVec2]) -> Vec<bool> {
+        hidden([&self.mesh.vertices, self.posed_vertices()], self.drawn_triangles(), self.mesh.samples, rest)
     }
 
     /// Whether a point at rest bends: whether it is part of the domain, and not of the skirt around it.
@@ -208,7 +257,11 @@ impl PosedPicture {
     /// The places where the present pose visibly turns the picture over, from the largest.
     #[must_use]
     pub fn creases(&self) -> &[Crease] {
-        self.present.creases.get_or_init(|| self.creases_of(self.posed_vertices()))
+        // At rest nothing is turned over.
+        match &self.present {
+            Some(present) => present.creases.get_or_init(|| self.creases_of(&present.posed)),
+            None => &[],
+        }
     }
 
     /// The number of triangles in the visible creases of any pose.
@@ -304,5 +357,6 @@ impl PosedPicture {
             + size_of_val(weights.weights())
             + size_of_val(&background[..])
             + self.folding.bytes()
+            + self.adjacency.bytes()
     }
 }

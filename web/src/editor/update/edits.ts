@@ -1,6 +1,6 @@
 /** Edits of the document: each is one undo step with a label, announced to screen readers. */
 import { type Detail, modeOf, withBlend, withDetail, withMode } from '../../document/bending';
-import { handleById, isSameWork, selectedHandles } from '../../document/document';
+import { type Document, handleById, isSameWork, selectedHandles } from '../../document/document';
 import {
   changeHandles,
   holdBoundary,
@@ -31,6 +31,7 @@ import type { Handle, PoseMode } from '../../document/project';
 import type { Blend } from '../../geometry/skin';
 import { add, type Vec } from '../../geometry/vec';
 import type { Corner } from '../corner';
+import { beginCrossing, crossed, withDepths } from '../crossing';
 import type { Emit } from '../effects';
 import type { Field, NumberChange } from '../events';
 import { guarded } from '../fold_guard';
@@ -232,8 +233,9 @@ export function setField(state: EditorState, field: Field, change: NumberChange,
   const { selection } = document;
   const wanted = { document: changeHandles(document, selection, set[field]) };
   const label = `Set ${field} of ${selectionName(document)}`;
-  const next = guardedStep(state, label, wanted, `${field} ${selection.join(' ')}`, emit);
-  return field === 'depth' ? announceDepth(next) : next;
+  const key = `${field} ${selection.join(' ')}`;
+  if (field === 'depth') return announceDepth(commitStep(state, label, wanted.document, emit, key));
+  return guardedStep(state, label, wanted, key, emit);
 }
 
 /** Commits a change as far as the guard against folds allows, and announces the result. */
@@ -254,8 +256,16 @@ function guardedStep(
   );
   const limited = { ...state, guard };
   if (document === present && guard.holding) return announce(limited, 'Stopped: more would fold the picture');
-  const next = commitStep(limited, label, document, emit, key);
+  const next = commitStep(limited, label, inFront(state, document), emit, key);
   return announce(next, words(next));
+}
+
+/** A moved document, with the selected handles in front of what they have come to lie behind. */
+function inFront(state: EditorState, moved: Document): Document {
+  const present = documentOf(state);
+  const deformation = state.solution.shown?.deformation ?? null;
+  const crossing = crossed(beginCrossing(deformation, present), deformation, present, moved);
+  return withDepths(moved, crossing);
 }
 
 function announceDepth(state: EditorState): EditorState {

@@ -7,6 +7,7 @@ import { revertHandle } from '../../document/reverting';
 import { panned } from '../../geometry/camera';
 import { cancelPress, type ToolsOutcome } from '../../tools/machine';
 import type { Effect } from '../../tools/state';
+import { beginCrossing, crossed, withDepths, withNeededDepths } from '../crossing';
 import type { Emit } from '../effects';
 import { beginGuarding, guarded } from '../fold_guard';
 import { turnsOf } from '../hit_areas';
@@ -65,15 +66,17 @@ export const endPress = (state: EditorState, { tools, effects }: ToolsOutcome, e
   applyTools(state, { tools, effects: effects.filter(({ type }) => type === 'box') }, emit);
 
 /** Opens an undo step for a drag. */
-const beginDrag = (state: EditorState, label: string): EditorState => ({
-  ...withDocument(state, {
+function beginDrag(state: EditorState, label: string): EditorState {
+  const deformation = state.solution.shown?.deformation ?? null;
+  const begun = withDocument(state, {
     history: history.begin(state.document.history, label, isSameWork),
     travelled: null,
     refused: [],
     posedByPage: [],
-  }),
-  guard: beginGuarding(state.guard, documentOf(state), state.solution.shown?.deformation ?? null),
-});
+    crossing: beginCrossing(deformation, documentOf(state)),
+  });
+  return { ...begun, guard: beginGuarding(state.guard, documentOf(state), deformation) };
+}
 
 /** Carries out one move of a drag. */
 function drag(state: EditorState, edit: PosedDocument, emit: Emit): EditorState {
@@ -83,17 +86,20 @@ function drag(state: EditorState, edit: PosedDocument, emit: Emit): EditorState 
   const led = state.document.posedByPage.flatMap((id) => handleById(present, id) ?? []);
   const wanted = state.document.refused.reduce(
     (mended, handle) => revertHandle(mended, handle, present),
-    putHandles(edit.document, led),
+    putHandles(withDepths(edit.document, state.document.crossing), led),
   );
-  const folds = state.solution.shown?.deformation ?? null;
-  const { document, guard } = guarded(state.guard, folds, present, { ...edit, document: wanted });
-  const moved = withHistory({ ...state, guard }, history.update(state.document.history, document));
-  return edited(moved, 'input', emit);
+  const deformation = state.solution.shown?.deformation ?? null;
+  const { document, guard } = guarded(state.guard, deformation, present, { ...edit, document: wanted });
+  const before = state.document.history.open?.value ?? present;
+  const crossing = crossed(state.document.crossing, deformation, before, document);
+  const raised = crossing === state.document.crossing ? document : withDepths(document, crossing);
+  const next = withDocument(state, { crossing, history: history.update(state.document.history, raised) });
+  return edited({ ...next, guard }, 'input', emit);
 }
 
 /** Ends a drag: one undo step, or none if it changed nothing. */
 function endDrag(before: EditorState, emit: Emit): EditorState {
-  const state = guardEnded(before);
+  const state = guardEnded(loweredAgain(before));
   const committed = withHistory(state, history.commit(state.document.history, isSameWork));
   // A drag that changed nothing: its label must disappear from undo.
   if (committed.document.history.past === state.document.history.past)
@@ -102,6 +108,16 @@ function endDrag(before: EditorState, emit: Emit): EditorState {
   const label = history.undoLabel(next.document.history) ?? '';
   const place = placeWords(documentOf(next), turnsOf(next));
   return announce(next, place === '' ? label : `${label}. ${place}`);
+}
+
+/** Drops the depths that a drag has decided, where it ends without a crossing. */
+function loweredAgain(state: EditorState): EditorState {
+  const { history: steps, crossing } = state.document;
+  const leader = state.solution.shown?.deformation ?? null;
+  const before = steps.open?.value;
+  if (!before) return state;
+  const document = withNeededDepths(steps.present, crossing, leader, before);
+  return document === steps.present ? state : withHistory(state, history.update(steps, document));
 }
 
 /** Takes a drag back. */

@@ -48,6 +48,18 @@ export const handlesStyle = css`
   .handle:focus-visible {
     outline: none;
   }
+  /* Behind another part of the picture: a dashed ring, through which that part shows. */
+  .handle.behind::before,
+  .handle.behind[aria-pressed='true']::before {
+    border: 2px dashed var(--_handle);
+    background: #fff4;
+    box-shadow: 0 0 0 1px #fffa;
+    opacity: 0.8;
+  }
+  .handle.behind[aria-pressed='true']::before {
+    background: #fff9;
+    opacity: 1;
+  }
   /* Corners of bars and polygons are smaller than point handles, since there are more of them. */
   .handle.corner::before {
     inset: 16px;
