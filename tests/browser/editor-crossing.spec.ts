@@ -74,3 +74,21 @@ test('all corners of a drawing come from the part of the first one', async ({ pa
   expect(away).toHaveLength(5);
   expect(Math.max(...away)).toBeLessThan(40);
 });
+
+test('the edge of a part in front can be switched off', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const toPage = await editor.fromImage('right hand', [900, 516]);
+  // The left border of the hand, in front of the belly.
+  const border = toPage(512, 790);
+  await dragRightHand(editor, [600, 800]);
+  await expect.poll(() => depthOf(editor, 'right-hand')).toBe(1);
+  // Lets go of the hand, whose ring would be in the picture.
+  await page.keyboard.press('Escape');
+  await expect(editor.handle('right hand')).toHaveAttribute('aria-pressed', 'false');
+  const edged = await editor.screenshot(border, 30);
+  await editor.switch('Edges where parts cross').click();
+  const change = async () => meanDifference(edged, await editor.screenshot(border, 30));
+  await expect.poll(change).toBeGreaterThan(0.5);
+  await page.keyboard.press('Control+z');
+  await expect.poll(change).toBeLessThan(0.2);
+});

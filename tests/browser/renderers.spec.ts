@@ -78,6 +78,20 @@ test('the rigid blend, with very different turns and a stretch', async ({ page }
   expectAgreement(await difference(webgl, cpu, info));
 });
 
+/** Two legs that cross, with the depths of hip, left and right leg. */
+const crossing = ([hip, left, right]: readonly [number, number, number], edges: boolean): Project => ({
+  format: 'c2warp/1',
+  image: { src: 'legs.png', width: 256, height: 256 },
+  pose: { density: 20 },
+  weighting: { support: 'smooth' },
+  edges,
+  handles: [
+    { id: 'hip', kind: 'point', rest: [128, 50], posed: [128, 50], depth: hip },
+    { id: 'left', kind: 'point', rest: [75, 215], posed: [180, 205], rotation: -35, depth: left },
+    { id: 'right', kind: 'point', rest: [181, 215], posed: [76, 205], rotation: 35, depth: right },
+  ],
+});
+
 for (const [nearer, depths] of [
   ['left', [0, 1, -1]],
   ['right', [0, -1, 1]],
@@ -85,25 +99,8 @@ for (const [nearer, depths] of [
 ] as const) {
   test(`two legs that cross, ${nearer} in front`, async ({ page }, info) => {
     const { webgl, cpu } = await page.evaluate(
-      async ([hip, left, right]) => {
-        const file = await harness.drawnLegs();
-        return harness.drawnTwice(
-          {
-            format: 'c2warp/1',
-            image: { src: 'legs.png', width: 256, height: 256 },
-            pose: { density: 20 },
-            weighting: { support: 'smooth' },
-            handles: [
-              { id: 'hip', kind: 'point', rest: [128, 50], posed: [128, 50], depth: hip },
-              { id: 'left', kind: 'point', rest: [75, 215], posed: [180, 205], rotation: -35, depth: left },
-              { id: 'right', kind: 'point', rest: [181, 215], posed: [76, 205], rotation: 35, depth: right },
-            ],
-          },
-          file,
-          1.5,
-        );
-      },
-      [...depths] as const,
+      async (project) => harness.drawnTwice(project, await harness.drawnLegs(), 1.5),
+      crossing(depths, false),
     );
     expectAgreement(await difference(webgl, cpu, info));
     // At the crossing, the left leg is red and the right leg blue.
@@ -111,6 +108,38 @@ for (const [nearer, depths] of [
     const at = 4 * (Math.round(155 * 1.5) * width + Math.round(128 * 1.5));
     const found = (data[at] ?? 0) > (data[at + 2] ?? 0) ? 'left' : 'right';
     if (nearer !== 'neither') expect(found).toBe(nearer);
+  });
+}
+
+for (const scale of [1, 2]) {
+  test(`the edge of a leg in front of another, at ${scale} times its size`, async ({ page }, info) => {
+    const [edged, plain] = await page.evaluate(
+      async ({ edged, plain, scale }) => {
+        const file = await harness.drawnLegs();
+        return [await harness.drawnTwice(edged, file, scale), await harness.drawnTwice(plain, file, scale)];
+      },
+      { edged: crossing([0, 1, -1], true), plain: crossing([0, 1, -1], false), scale },
+    );
+    if (!edged || !plain) throw new Error('two pictures');
+    expectAgreement(await difference(edged.webgl, edged.cpu, info));
+    for (const renderer of ['webgl', 'cpu'] as const) {
+      const [before, after] = [plain, edged].map(
+        (drawn) => decode(Buffer.from(drawn[renderer], 'base64')).data,
+      );
+      if (!before || !after) throw new Error('two pictures');
+      let [darker, other] = [0, 0];
+      for (let at = 0; at < after.length; at += 4) {
+        const change = [0, 1, 2, 3].map(
+          (channel) => (after[at + channel] ?? 0) - (before[at + channel] ?? 0),
+        );
+        if (change.every((by, channel) => (channel < 3 ? by <= 1 : by === 0))) {
+          if (Math.min(...change) < -12) darker++;
+        } else other++;
+      }
+      expect(other).toBe(0);
+      expect(darker).toBeGreaterThan(100);
+      expect(darker).toBeLessThan(0.03 * (after.length / 4));
+    }
   });
 }
 

@@ -18,7 +18,8 @@ export async function drawnTwice(project: Project, file: Blob, scale: number) {
   const renderer = new Renderer(document.createElement('canvas'));
   renderer.setPicture(picture);
   renderer.setSolution(solution);
-  renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles);
+  const crossed = project.edges ? pose.crossed() : null;
+  renderer.setMotions(pose.motions, project.pose?.blend, pose.triangles, crossed);
   const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
   const webgl = straight(renderer.readPixels({ scale, x: 0, y: 0, width, height }));
   const cpu = await drawnPixels(engine, project, scale);

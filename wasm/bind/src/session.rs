@@ -100,7 +100,8 @@ impl Session {
         pixelated: bool,
     ) -> Result<Drawing, JsValue> {
         let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
-        let drawing = self.try_draw(project_json, ResampleOptions { scale, canvas: canvas.into(), filter });
+        let options = ResampleOptions { scale, canvas: canvas.into(), filter, ..ResampleOptions::default() };
+        let drawing = self.try_draw(project_json, options);
         drawing.map(Drawing::from).map_err(|error| to_js(&error))
     }
 
@@ -170,6 +171,7 @@ impl Session {
     fn try_draw(&mut self, project_json: &str, options: ResampleOptions) -> Result<c2warp::Drawing, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
+        let options = ResampleOptions { edges: project.edges, ..options };
         // Invalid scales are rejected before the solve, because it takes time.
         raster::warped_size(width, height, options.scale)?;
         self.try_solve(&project)?;

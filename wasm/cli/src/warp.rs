@@ -52,6 +52,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         scale: arguments.scale,
         canvas: if arguments.grow { Canvas::Grown } else { Canvas::Picture },
         filter: if arguments.pixelated { Filter::Nearest } else { Filter::Cubic },
+        edges: loaded.project.edges,
     };
     let warped = solution.warped(&picture, &pose, options).map_err(|reason| loaded.refused(reason))?;
     output.write(|writer| writer.write_all(&encode_png(&warped, loaded.profile()).map_err(io::Error::other)?))?;

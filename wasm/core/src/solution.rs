@@ -7,7 +7,7 @@ use glam::DVec2;
 use crate::{
     bone::OutsidePart,
     cell_borders::{BorderPiece, cell_borders},
-    deform::{Adjacency, DepthOrder, DrawnPose, FoldingMesh, Mapped, Pose, PosedMesh, depths, rest_points},
+    deform::{Adjacency, Bounds, DepthOrder, DrawnPose, FoldingMesh, Mapped, Pose, PosedMesh, depths, rest_points},
     distance::Navigation,
     domain::Domain,
     error::Error,
@@ -15,7 +15,12 @@ use crate::{
     pose::Poser,
     prepared_domain::PreparedDomain,
     project::{Project, Weighting},
-    raster::{self, Drawing, options::ResampleOptions, sources::Source, warped::Warped},
+    raster::{
+        self, Drawing,
+        options::{Filter, ResampleOptions},
+        sources::Source,
+        warped::Warped,
+    },
     render_mesh::RenderMesh,
     report::{Fingerprint, Report},
     site::{Round, Site},
@@ -68,6 +73,8 @@ struct Drawn {
     rest: Vec<DVec2>,
     posed: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
+    /// The box around all crossings.
+    crossed: Option<Bounds>,
 }
 
 /// The mesh.
@@ -317,8 +324,14 @@ impl Solution {
     /// # Errors
     /// Those of [`warped`](Self::warped).
     pub fn drawing(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Drawing, Error> {
-        let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
-        Drawing::new(picture, &rest, &posed, &triangles, options)
+        let Drawn { rest, posed, triangles, crossed } = self.drawn(picture, pose)?;
+        let drawing = Drawing::new(picture, &rest, &posed, &triangles, options)?;
+        Ok(match crossed {
+            Some(around) if options.edges && options.filter != Filter::Nearest => {
+                drawing.with_edges(picture, options.scale, around)
+            }
+            _ => drawing,
+        })
     }
 
     /// The [sources](raster::sources()) of the pixels of a warped picture, in rows from top to bottom. `warped` is the
@@ -333,7 +346,7 @@ impl Solution {
         options: ResampleOptions,
         warped: &Warped,
     ) -> Result<Vec<Source>, Error> {
-        let Drawn { rest, posed, triangles } = self.drawn(picture, pose)?;
+        let Drawn { rest, posed, triangles, .. } = self.drawn(picture, pose)?;
         Ok(raster::sources(picture, &rest, &posed, &triangles, options, warped))
     }
 
@@ -350,17 +363,19 @@ impl Solution {
                 rest: corners.into(),
                 posed: corners.into(),
                 triangles: vec![[0, 1, 2], [0, 2, 3]],
+                crossed: None,
             });
         }
         let around = self.background.vertices();
         let first = around.len() as u32;
         let posed = self.posed_vertices(pose);
-        let DrawnPose { triangles, .. } = self.drawn_pose(pose, &posed);
+        let DrawnPose { triangles, crossed, .. } = self.drawn_pose(pose, &posed);
         let moved = triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex));
         Ok(Drawn {
             rest: [around, &self.mesh.vertices].concat(),
             posed: [around, &posed].concat(),
             triangles: self.background.triangles().iter().copied().chain(moved).collect(),
+            crossed,
         })
     }
 

@@ -25,6 +25,7 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   weighting: { shape_factor: 1, degree: 5, filling: 'line', support: 'smooth' },
   pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },
   fix_boundary: false,
+  edges: true,
   handles: [],
 });
 

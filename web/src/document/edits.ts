@@ -128,6 +128,12 @@ export const holdBoundary = (document: Document, held: boolean): Document => ({
   project: { ...document.project, fix_boundary: held },
 });
 
+/** Draws or omits the edges where parts cross. */
+export const withEdges = (document: Document, edges: boolean): Document => ({
+  ...document,
+  project: { ...document.project, edges },
+});
+
 export const resetHandles = (document: Document, ids: readonly string[]): Document =>
   changeHandles(document, ids, (handle) => atRest(handle, restingRotation(document.project)));
 

@@ -54,6 +54,7 @@ const STEPS: readonly Step[] = [
   event((random) => ({ type: 'pose-mode-chosen', mode: among(['rigid', 'harmonic'] as const, random) })),
   event((random) => ({ type: 'detail-chosen', detail: among(['coarse', 'fine'] as const, random) })),
   event((random) => ({ type: 'boundary-switched', held: random() < 0.5 })),
+  event((random) => ({ type: 'edges-switched', on: random() < 0.5 })),
   event((random) => ({ type: 'fold-guard-switched', on: random() < 0.5 })),
   event((random) => ({ type: 'snapping-switched', on: random() < 0.7 })),
   event((random) => ({ type: 'alt-held', held: random() < 0.5 })),

@@ -86,6 +86,7 @@ type ControlEvent =
   | { readonly type: 'blend-chosen'; readonly blend: Blend }
   | { readonly type: 'lasso-removed' }
   | { readonly type: 'boundary-switched'; readonly held: boolean }
+  | { readonly type: 'edges-switched'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
   | { readonly type: 'crease-zoomed' }
   | { readonly type: 'pixel-art-switched' | 'snapping-switched'; readonly on: boolean }

@@ -7,10 +7,12 @@
  * blends the motions per vertex.
  */
 import * as twgl from 'twgl.js';
+import type { Box } from '../geometry/box';
 import type { HeatMap } from '../geometry/heat';
 import { type Blend, MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
 import { createDataTexture, type DataTexture } from './data_texture';
+import { EdgeLayer } from './edges';
 import { HeatLayer } from './heat';
 import lineFragment from './line.frag.glsl?raw';
 import {
@@ -60,6 +62,9 @@ export class Painter {
   #heat: HeatLayer | undefined;
   /** Created at first use. */
   #pixels: PixelLayer | undefined;
+  /** Created at the first crossing. */
+  #edges: EdgeLayer | undefined;
+  #crossed: Box | null = null;
   #posed = false;
   #blend: Blend = 'linear';
 
@@ -97,6 +102,8 @@ export class Painter {
     this.#heat?.clear();
     this.#pixels?.dispose();
     this.#pixels = undefined;
+    this.#edges?.dispose();
+    this.#edges = undefined;
     [this.#picture, this.#whole, this.#loaded, this.#background] = [
       undefined,
       undefined,
@@ -144,9 +151,16 @@ export class Painter {
    * Sets the motions, sites × 12; null draws the mesh at rest.
    *
    * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
+   * @param crossed The box around all crossings, whose edges are drawn; null draws none.
    */
-  setMotions(motions: Float32Array | null, blend: Blend, triangles: Uint32Array | null): void {
+  setMotions(
+    motions: Float32Array | null,
+    blend: Blend,
+    triangles: Uint32Array | null,
+    crossed: Box | null,
+  ): void {
     this.#posed = motions !== null;
+    this.#crossed = crossed;
     this.#blend = blend;
     const loaded = this.#loaded;
     if (!motions || !loaded) return;
@@ -206,6 +220,11 @@ export class Painter {
       if (behind) drawWith(gl, this.#pictureProgram, behind.triangles, atRest, gl.TRIANGLES);
       if (heat) heat.draw(loaded.triangles, uniforms, view.pixelRatio ?? 1);
       else drawWith(gl, this.#pictureProgram, loaded.triangles, uniforms, gl.TRIANGLES);
+      // As in exports, pixel art has no edges.
+      if (this.#crossed && this.#posed && !view.compare && !view.pixelated) {
+        this.#edges ??= new EdgeLayer(gl);
+        this.#edges.draw(loaded.triangles, uniforms, picture, this.#crossed, view);
+      }
     }
     if (view.overlays?.mesh && !view.compare) {
       loaded.edges ??= meshLines(gl, loaded);

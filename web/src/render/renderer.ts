@@ -4,6 +4,7 @@
  * The renderer takes flat arrays and knows neither handles nor solver. It keeps its inputs, to fill the context again
  * after a context loss.
  */
+import type { Box } from '../geometry/box';
 import type { HeatMap } from '../geometry/heat';
 import { type Blend, MOTION_STRIDE } from '../geometry/skin';
 import type { View } from '../geometry/view';
@@ -23,6 +24,7 @@ export class Renderer {
   #heat: HeatMap | null = null;
   #blend: Blend = 'linear';
   #triangles: Uint32Array | null = null;
+  #crossed: Box | null = null;
 
   /** Called when the context is lost: until `onrestore`, drawing does nothing. */
   onlose: (() => void) | null = null;
@@ -61,6 +63,7 @@ export class Renderer {
     this.#mesh = mesh;
     this.#motions = null;
     this.#triangles = null;
+    this.#crossed = null;
     this.#heat = null;
     this.#fillMesh();
   }
@@ -69,12 +72,14 @@ export class Renderer {
    * Sets the motions, sites × 12, and their blend; null draws the mesh at rest. See {@link MOTION_STRIDE}.
    *
    * @param triangles The mesh's triangles in the drawing order of the pose; null keeps the order of the mesh.
+   * @param crossed The box around all crossings, whose edges are drawn; null draws none.
    * @throws RangeError unless there is one motion per site of the mesh.
    */
   setMotions(
     motions: Float32Array | null,
     blend: Blend = 'linear',
     triangles: Uint32Array | null = null,
+    crossed: Box | null = null,
   ): void {
     const sites = (this.#mesh?.siteRest.length ?? 0) / 2;
     if (motions && motions.length !== sites * MOTION_STRIDE) {
@@ -85,7 +90,8 @@ export class Renderer {
     this.#motions = motions;
     this.#blend = blend;
     this.#triangles = triangles;
-    if (!this.lost) this.#painter?.setMotions(motions, blend, triangles);
+    this.#crossed = crossed;
+    if (!this.lost) this.#painter?.setMotions(motions, blend, triangles, crossed);
   }
 
   /**
@@ -164,7 +170,7 @@ export class Renderer {
     if (this.#asleep || gl.isContextLost()) return;
     this.#painter = new Painter(gl);
     this.#fill();
-    this.#painter.setMotions(this.#motions, this.#blend, this.#triangles);
+    this.#painter.setMotions(this.#motions, this.#blend, this.#triangles, this.#crossed);
     this.#painter.setHeat(this.#heat);
     this.onrestore?.();
   }

@@ -121,8 +121,10 @@ export class Frames {
   }
 
   #show(pose: Pose | null): void {
-    if (pose) this.#renderer.setMotions(pose.motions, blendOf(pose.project), pose.triangles);
-    else this.#renderer.setMotions(null);
+    if (pose) {
+      const { motions, project, triangles } = pose;
+      this.#renderer.setMotions(motions, blendOf(project), triangles, project.edges ? pose.crossed() : null);
+    } else this.#renderer.setMotions(null);
   }
 }
 

@@ -61,6 +61,7 @@ export function bending(
     }
     ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
+    ${toggle('Edges where parts cross', 'A thin shadow keeps parts of one colour apart.', project.edges === true, model, (on) => dispatch({ type: 'edges-switched', on }))}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => dispatch({ type: 'fold-guard-switched', on }))}
     ${toggle('Snap to guides', `The axis, other handles, a grid. ${modifier(model.platform)} suspends it.`, model.snapping, model, (on) => dispatch({ type: 'snapping-switched', on }))}
     ${

@@ -101,6 +101,9 @@ pub struct Project {
     /// Whether the boundary of the domain stays in place.
     #[schemars(default)]
     pub fix_boundary: bool,
+    /// Whether parts of the picture cast a thin dark edge on the parts that they cross.
+    #[schemars(default)]
+    pub edges: bool,
     /// The handles. Their order has no meaning.
     pub handles: Vec<Handle>,
 }
@@ -127,8 +130,8 @@ impl Project {
 
     /// The same project with the editor's settings for new projects.
     ///
-    /// They are rigid mode, at least 100 virtual sites, smooth supports, and automatic rotations for points without
-    /// rotation. Dragged parts then keep their shape, and distant parts stay.
+    /// They are rigid mode, at least 100 virtual sites, smooth supports, edges where parts cross, and automatic
+    /// rotations for points without rotation. Dragged parts then keep their shape, and distant parts stay.
     ///
     /// Add handles first: later ones keep their own rotation. Or add them as [`turned`](Handle::turned) by
     /// [`Rotation::Auto`].
@@ -136,6 +139,7 @@ impl Project {
     pub fn with_editor_settings(mut self) -> Self {
         self.weighting.support = Support::Smooth;
         self.pose = PoseSpec { mode: PoseMode::Rigid, density: 100, ..self.pose };
+        self.edges = true;
         for handle in &mut self.handles {
             if matches!(handle.shape, Shape::Point { .. }) && handle.rotation == Rotation::default() {
                 handle.rotation = Rotation::Auto;
@@ -155,6 +159,7 @@ impl Project {
             weighting: Weighting::default(),
             pose: PoseSpec::default(),
             fix_boundary: false,
+            edges: false,
             handles: Vec::new(),
         }
     }
@@ -177,6 +182,7 @@ impl Project {
             "weighting",
             "pose",
             "fix_boundary",
+            "edges",
             "handles",
         ])?;
         let project = Self {
@@ -187,6 +193,7 @@ impl Project {
             weighting: project.value_or("weighting", Weighting::default(), Weighting::read)?,
             pose: project.value_or("pose", PoseSpec::default(), PoseSpec::read)?,
             fix_boundary: project.value_or("fix_boundary", false, |value| value.bool())?,
+            edges: project.value_or("edges", false, |value| value.bool())?,
             handles: project.required("handles").and_then(read_handles)?,
         };
         project.check()?;
@@ -198,7 +205,8 @@ impl Project {
     /// # Errors
     /// For the first number out of range or not finite, bar or polygon with too few points, and empty or duplicate id.
     pub fn check(&self) -> Result<(), ProjectError> {
-        let Self { format: Format::V1, image, domain, samples, weighting, pose, fix_boundary: _, handles } = self;
+        let Self { format: Format::V1, image, domain, samples, weighting, pose, fix_boundary: _, edges: _, handles } =
+            self;
         image.check(&Path::Top.key("image"))?;
         domain.as_ref().map_or(Ok(()), DomainSpec::check)?;
         validate::whole_number(&Path::Top.key("samples"), *samples, &SAMPLES)?;

@@ -14,6 +14,7 @@ const FULL: &str = r#"{
   "weighting": { "shape_factor": 0.25, "degree": 7, "filling": "half", "support": "smooth" },
   "pose": { "mode": "rigid", "blend": "rigid", "density": 120 },
   "fix_boundary": true,
+  "edges": true,
   "handles": [
     { "id": "head", "kind": "point", "rest": [128, 40.5], "posed": [140, 0.1], "rotation": 15, "scale": 1, "depth": 0 },
     { "id": "tail", "kind": "bar", "rest": [[60, 200], [120, 220]], "posed": [[60, 200], [130, 240]], "rotation": "auto", "scale": 2, "depth": -1 },
@@ -77,7 +78,7 @@ fn errors_name_the_key() {
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, handles",
+            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, handles",
         ),
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),
@@ -131,7 +132,8 @@ fn code_and_text_make_the_same_project() {
     let read = LEAST.replace("a.png", "").replace("[]", handles);
     assert_eq!(made, Project::from_json(&read).unwrap());
     let rigid = made.clone().with_editor_settings();
-    let settings = r#""weighting": { "support": "smooth" }, "pose": { "mode": "rigid", "density": 100 }, "handles""#;
+    let settings = r#""weighting": { "support": "smooth" }, "pose": { "mode": "rigid", "density": 100 }, "edges": true,
+        "handles""#;
     let read = read.replace("\"handles\"", settings).replace("[1.5, 2]", "[1.5, 2], \"rotation\": \"auto\"");
     assert_eq!(rigid, Project::from_json(&read).unwrap());
     made.handles[0].rotation = Rotation::Degrees(20.0);

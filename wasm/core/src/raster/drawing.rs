@@ -6,13 +6,14 @@ use glam::DVec2;
 
 use super::band::Band;
 use super::covered::covered;
+use super::edges::Edges;
 use super::facet::{Facet, mesh_facets};
 use super::frame::{Area, Frame};
 use super::options::{Canvas, Filter, ResampleOptions};
 use super::texture::{MipLevel, Texture, mip_levels};
 use super::warped::Warped;
 use super::{BAND_ROWS, check_range, facets_by_band, warped_size};
-use crate::{error::Error, picture::Picture};
+use crate::{deform::Bounds, error::Error, picture::Picture};
 
 /// A warped picture, ready to be drawn.
 ///
@@ -40,6 +41,7 @@ pub struct Drawing {
     /// Indices of the facets in each band of [`BAND_ROWS`].
     bins: Vec<Vec<u32>>,
     mip_levels: Vec<MipLevel>,
+    edges: Option<Edges>,
 }
 
 impl Drawing {
@@ -60,7 +62,7 @@ impl Drawing {
         rest: &[DVec2],
         posed: &[DVec2],
         triangles: &[[u32; 3]],
-        ResampleOptions { scale, canvas, filter }: ResampleOptions,
+        ResampleOptions { scale, canvas, filter, edges: _ }: ResampleOptions,
     ) -> Result<Self, Error> {
         let picture_size = warped_size(picture.width(), picture.height(), scale)?;
         let mut facets = mesh_facets(rest, posed, triangles, scale);
@@ -68,7 +70,7 @@ impl Drawing {
         let own = Frame::of_picture(picture_size);
         if canvas == Canvas::Picture {
             let bins = facets_by_band(&facets, own.size[1]);
-            return Ok(Self { frame: own, filter, facets, bins, mip_levels });
+            return Ok(Self { frame: own, filter, facets, bins, mip_levels, edges: None });
         }
         check_range(posed, triangles, scale)?;
         let around = own.around(&facets)?;
@@ -83,7 +85,14 @@ impl Drawing {
         let frame = around.of_area(&area);
         move_by(&mut facets, [0, 1].map(|axis| frame.origin[axis] - around.origin[axis]));
         let bins = facets_by_band(&facets, frame.size[1]);
-        Ok(Self { frame, filter, facets, bins, mip_levels })
+        Ok(Self { frame, filter, facets, bins, mip_levels, edges: None })
+    }
+
+    /// The same drawing with edges where parts cross. `around` bounds all crossings, in pixels of the picture, and
+    /// `scale` is that of [`new`](Self::new).
+    pub(crate) fn with_edges(self, picture: &Picture<'_>, scale: f64, around: Bounds) -> Self {
+        let edges = Edges::new(picture, self.frame, &self.facets, scale, around);
+        Self { edges, ..self }
     }
 
     /// Width in pixels.
@@ -120,6 +129,9 @@ impl Drawing {
                 band.draw(&self.facets[facet as usize], &texture);
             }
             band.resolve(bytes);
+        }
+        if let Some(edges) = &self.edges {
+            edges.darken(picture, &mut rgba, start);
         }
         rgba
     }

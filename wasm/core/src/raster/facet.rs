@@ -43,7 +43,7 @@ pub(super) fn mesh_facets(rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]
 ///
 /// Its corners are relative to the picture's rectangle until [`move_by`](Facet::move_by) makes them relative to the
 /// frame.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Facet {
     /// Corners in subpixels, with positive orientation.
     corners: [[i64; 2]; 3],

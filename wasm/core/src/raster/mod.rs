@@ -26,6 +26,7 @@
 mod band;
 mod covered;
 mod drawing;
+mod edges;
 mod facet;
 mod footprint;
 mod frame;

@@ -16,6 +16,10 @@ pub struct ResampleOptions {
     pub canvas: Canvas,
     /// The reconstruction filter.
     pub filter: Filter,
+    /// Whether parts cast a thin dark edge on the parts that they cross: see
+    /// [`Project::edges`](crate::project::Project::edges). [`Filter::Nearest`] draws none, and neither does
+    /// [`raster::warp`](crate::raster::warp), which does not know the parts.
+    pub edges: bool,
 }
 
 /// The rectangle that a warped picture occupies.
@@ -46,6 +50,6 @@ pub enum Filter {
 
 impl Default for ResampleOptions {
     fn default() -> Self {
-        Self { scale: 1.0, canvas: Canvas::default(), filter: Filter::default() }
+        Self { scale: 1.0, canvas: Canvas::default(), filter: Filter::default(), edges: false }
     }
 }

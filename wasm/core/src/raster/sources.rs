@@ -93,7 +93,8 @@ mod tests {
     use super::*;
 
     const SQUARE: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-    const GROWN: ResampleOptions = ResampleOptions { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
+    const GROWN: ResampleOptions =
+        ResampleOptions { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic, edges: false };
 
     fn corners(from: [f64; 2], to: [f64; 2]) -> [DVec2; 4] {
         let ([left, top], [right, bottom]) = (from, to);

@@ -16,6 +16,8 @@ export interface Project {
   readonly pose?: Pose;
   /** Whether the boundary of the domain stays in place. Left out: false. */
   readonly fix_boundary?: boolean;
+  /** Whether parts of the picture cast a thin dark edge on the parts that they cross. Left out: false. */
+  readonly edges?: boolean;
   /** The handles. Their order has no meaning. */
   readonly handles: readonly Handle[];
 }

@@ -21,6 +21,7 @@ import {
   setBoundaryHeld,
   setCornerField,
   setDetail,
+  setEdges,
   setField,
   setPoseMode,
 } from './edits';
@@ -47,6 +48,7 @@ export const controlHandlers: Handlers<
   | 'blend-chosen'
   | 'lasso-removed'
   | 'boundary-switched'
+  | 'edges-switched'
   | 'fold-guard-switched'
   | 'pixel-art-switched'
   | 'snapping-switched'
@@ -75,6 +77,7 @@ export const controlHandlers: Handlers<
   'detail-chosen': (state, { detail }, emit) => edit(state, () => setDetail(state, detail, emit)),
   'blend-chosen': (state, { blend }, emit) => edit(state, () => setBlend(state, blend, emit)),
   'lasso-removed': (state, _, emit) => edit(state, () => removeLasso(state, emit)),
+  'edges-switched': (state, { on }, emit) => edit(state, () => setEdges(state, on, emit)),
   'boundary-switched': (state, { held }, emit) => edit(state, () => setBoundaryHeld(state, held, emit)),
   'fold-guard-switched': (state, { on }, emit) => setGuard(state, on, emit),
   'pixel-art-switched': (state, { on }, emit) => saveWork({ ...state, pixelated: on }, emit),

@@ -11,6 +11,7 @@ import {
   removeHandles,
   resetHandles,
   turnHandles,
+  withEdges,
 } from '../../document/edits';
 import { type PosedDocument, posedGroup } from '../../document/group';
 import {
@@ -167,6 +168,14 @@ export const setBlend = (state: EditorState, blend: Blend, emit: Emit): EditorSt
 
 export const setBoundaryHeld = (state: EditorState, held: boolean, emit: Emit): EditorState =>
   step(state, held ? 'Hold the boundary' : 'Free the boundary', holdBoundary(documentOf(state), held), emit);
+
+export const setEdges = (state: EditorState, on: boolean, emit: Emit): EditorState =>
+  step(
+    state,
+    on ? 'Show edges where parts cross' : 'Hide edges where parts cross',
+    withEdges(documentOf(state), on),
+    emit,
+  );
 
 /** Turns the selected handle about its own place. Several handles, or a scale, transform as one group. */
 export function turn(state: EditorState, degrees: number, scale: number, emit: Emit): EditorState {

@@ -29,7 +29,8 @@ fn opaque(mut rgba: Vec<u8>) -> Vec<u8> {
 }
 
 /// The grown canvas at scale 1.
-const GROWN: ResampleOptions = ResampleOptions { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic };
+const GROWN: ResampleOptions =
+    ResampleOptions { scale: 1.0, canvas: Canvas::Grown, filter: Filter::Cubic, edges: false };
 
 /// Warps on the picture's own canvas and returns the bytes.
 fn warp_bytes(picture: &Picture<'_>, rest: &[DVec2], posed: &[DVec2], triangles: &[[u32; 3]], scale: f64) -> Vec<u8> {

@@ -1,0 +1,131 @@
+/**
+ * Thin dark edges where one part of the picture lies in front of another, as in exports: see
+ * `wasm/core/src/raster/edges.rs`.
+ *
+ * Two passes note the point of the picture at each pixel, and the one of another part below it. A third pass darkens.
+ *
+ * Cost: nothing while no parts cross, otherwise three passes over the rectangle around all crossings.
+ */
+import * as twgl from 'twgl.js';
+import type { Box } from '../geometry/box';
+import type { Size } from '../geometry/camera';
+import type { View } from '../geometry/view';
+import edgesFragment from './edges.frag.glsl?raw';
+import layerFragment from './layer.frag.glsl?raw';
+import { drawWith, program } from './program';
+
+/** Radius of the edge as a fraction of the picture's diagonal, and the least one in pixels of the picture. */
+const RADIUS = 0.004;
+const LEAST_RADIUS_PX = 2;
+/** Points of the picture farther apart than this belong to different parts, in radii. */
+const APART = 4;
+
+/** One triangle that covers the screen. */
+const SCREEN = `#version 300 es
+void main() {
+  gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
+}`;
+
+/** The width of the edge, image pixels. */
+export const edgeRadius = ({ width, height }: Size): number =>
+  Math.max(LEAST_RADIUS_PX, RADIUS * Math.hypot(width, height));
+
+export class EdgeLayer {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #places: twgl.ProgramInfo;
+  readonly #edges: twgl.ProgramInfo;
+  readonly #top: twgl.FramebufferInfo;
+  readonly #below: twgl.FramebufferInfo;
+
+  /** @throws Error if a shader does not compile. */
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#places = program(gl, layerFragment);
+    this.#edges = twgl.createProgramInfo(gl, [SCREEN, edgesFragment]);
+    const attachment = { internalFormat: gl.RG16UI, format: gl.RG_INTEGER, type: gl.UNSIGNED_SHORT };
+    const points = () =>
+      twgl.createFramebufferInfo(gl, [{ ...attachment, minMag: gl.NEAREST, wrap: gl.CLAMP_TO_EDGE }], 1, 1);
+    [this.#top, this.#below] = [points(), points()];
+  }
+
+  /**
+   * Darkens what is drawn.
+   *
+   * @param uniforms Those that the mesh was drawn with.
+   * @param picture Image pixels.
+   * @param crossed The box around all crossings, image pixels.
+   */
+  draw(
+    mesh: twgl.BufferInfo,
+    uniforms: Record<string, unknown>,
+    picture: Size,
+    crossed: Box,
+    view: View,
+  ): void {
+    const gl = this.#gl;
+    const radius = edgeRadius(picture);
+    const [top, below] = [this.#top, this.#below].map((layer) => this.#sized(layer, view));
+    if (!top || !below || !this.#bound(crossed, radius, view)) return;
+    gl.disable(gl.BLEND);
+    const points = { ...uniforms, u_apart: APART * radius };
+    const [u_top, u_below] = [top.attachments[0], below.attachments[0]];
+    this.#note(top, mesh, { ...points, u_below: false, u_top: u_below });
+    this.#note(below, mesh, { ...points, u_below: true, u_top });
+
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.ZERO, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
+    gl.useProgram(this.#edges.program);
+    twgl.setUniforms(this.#edges, {
+      u_top,
+      u_below,
+      u_picture_size: [picture.width, picture.height],
+      u_scale: view.scale,
+      u_radius: radius,
+    });
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  dispose(): void {
+    for (const { framebuffer, attachments } of [this.#top, this.#below]) {
+      this.#gl.deleteFramebuffer(framebuffer);
+      for (const attachment of attachments) this.#gl.deleteTexture(attachment);
+    }
+    this.#gl.deleteProgram(this.#edges.program);
+  }
+
+  #sized(layer: twgl.FramebufferInfo, { width, height }: View): twgl.FramebufferInfo {
+    const gl = this.#gl;
+    if (layer.width !== width || layer.height !== height) {
+      gl.bindTexture(gl.TEXTURE_2D, layer.attachments[0] as WebGLTexture);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG16UI, width, height, 0, gl.RG_INTEGER, gl.UNSIGNED_SHORT, null);
+      [layer.width, layer.height] = [width, height];
+    }
+    return layer;
+  }
+
+  /** Limits drawing to the crossings that are in view. Returns whether there are any. */
+  #bound({ min, max }: Box, radius: number, view: View): boolean {
+    const pixel = (at: number, offset: number, most: number) =>
+      Math.min(most, Math.max(0, at * view.scale + offset));
+    const left = Math.floor(pixel(min[0] - radius, view.x, view.width));
+    const right = Math.ceil(pixel(max[0] + radius, view.x, view.width));
+    const top = Math.floor(pixel(min[1] - radius, view.y, view.height));
+    const bottom = Math.ceil(pixel(max[1] + radius, view.y, view.height));
+    if (left >= right || top >= bottom) return false;
+    this.#gl.scissor(left, view.height - bottom, right - left, bottom - top);
+    return true;
+  }
+
+  /** Draws the points of the picture into a layer. */
+  #note(layer: twgl.FramebufferInfo, mesh: twgl.BufferInfo, uniforms: Record<string, unknown>): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, layer.framebuffer);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+    gl.enable(gl.SCISSOR_TEST);
+    drawWith(gl, this.#places, mesh, uniforms, gl.TRIANGLES);
+  }
+}
