@@ -89,7 +89,8 @@ export class Editor {
   handle(name: string): Locator {
     // A name that says the kind of the handle needs no other word.
     const label = /^(handle|point|bar|polygon) /.test(name) ? name : `Handle ${name}`;
-    return this.page.getByRole('button', { name: `${label}, ` });
+    // From the start: the labels of corners end with the name of their handle.
+    return this.page.getByRole('button', { name: new RegExp(`^${label}, `, 'i') });
   }
 
   get handles(): Locator {
