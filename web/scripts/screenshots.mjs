@@ -1,6 +1,6 @@
 /**
- * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, every sample
- * posed, and one pose by the methods that `npm run quality` compares.
+ * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, its lens, every
+ * sample posed, and one pose by the methods that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -72,5 +72,24 @@ async function take(browser, url, colorScheme) {
   const path = join(FOLDER, `editor-${colorScheme}.png`);
   await page.screenshot({ path });
   console.log(path);
+  if (colorScheme === 'light') await takeLens(page);
   await page.close();
+}
+
+/**
+ * The lens between the raised arm and the belly.
+ *
+ * @param {import('@playwright/test').Page} page
+ */
+async function takeLens(page) {
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('i');
+  await page.getByRole('region', { name: 'Lens' }).waitFor();
+  const head = await page.getByRole('button', { name: 'Handle head' }).boundingBox();
+  if (!head) throw new Error('the handle head is not on screen');
+  await page.mouse.click(head.x - 70, head.y + 150);
+  await page.getByRole('region', { name: 'Weights' }).getByText('Virtual handles', { exact: true }).waitFor();
+  const path = join(FOLDER, 'lens.png');
+  await page.screenshot({ path });
+  console.log(path);
 }

@@ -5,7 +5,7 @@
  * |---|---|
  * | `src` | the address of the picture; a new address replaces the open picture |
  * | `project` | the address of the project file for `src`. Both are opened again when either changes |
- * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso` or `hand` |
+ * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso`, `hand` or `lens` |
  * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
  * | `play` | only the picture and its handles, for an article; with `readonly`, only the picture |

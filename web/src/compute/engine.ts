@@ -5,8 +5,11 @@
  * A newer solve overtakes an older one. Placing a handle therefore never waits for more than one stage of the previous
  * solve, and the page itself never waits.
  */
+import type { Lens } from '../document/generated/lens';
+import type { Study } from '../document/generated/study';
 import type { Project } from '../document/project';
 import { ENGINE, WarpError } from '../error';
+import type { Vec } from '../geometry/vec';
 import { startWorker } from '../start_worker';
 import { Drawing } from './drawing';
 import { superseded } from './errors';
@@ -77,6 +80,16 @@ export class Engine {
     return this.#ask('cells', { project: JSON.stringify(project) });
   }
 
+  /** A project's solution, explained. @throws as {@link cells}. */
+  study(project: Project): Promise<Study> {
+    return this.#ask('study', { project: JSON.stringify(project) });
+  }
+
+  /** The weights and paths of a rest point; null outside the domain. @throws as {@link cells}. */
+  lens(project: Project, at: Vec): Promise<Lens | null> {
+    return this.#ask('lens', { project: JSON.stringify(project), at });
+  }
+
   /** The picture of a solution, to be posed. Free it with the solution. @param project The project that was solved. */
   posedPicture(solution: SolutionData, project: Project): PosedPicture {
     return createPosedPicture(solution, project);
@@ -97,7 +110,10 @@ export class Engine {
   }
 
   /** Asks about the present picture, once the worker has it. */
-  async #ask<N extends 'draw' | 'cells'>(name: N, body: Messages[N][0]): Promise<Messages[N][1]> {
+  async #ask<N extends 'draw' | 'cells' | 'study' | 'lens'>(
+    name: N,
+    body: Messages[N][0],
+  ): Promise<Messages[N][1]> {
     const picture = this.#picture;
     await picture;
     if (picture !== this.#picture) throw superseded();

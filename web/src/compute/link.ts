@@ -49,6 +49,8 @@ const BROKE: Readonly<Record<Name, string>> = {
   rows: TOO_MUCH_TO_DRAW,
   release: TOO_MUCH_TO_DRAW,
   cells: 'The cells are more than the solver can do in this browser.',
+  study: 'The figures are more than the solver can do in this browser.',
+  lens: 'The lens is more than the solver can do in this browser.',
 };
 
 export class Link {

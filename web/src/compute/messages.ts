@@ -1,4 +1,6 @@
 /** The messages between page and worker. */
+import type { Lens } from '../document/generated/lens';
+import type { Study } from '../document/generated/study';
 import type { Area } from '../geometry/area';
 import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
 
@@ -35,6 +37,13 @@ export interface Messages {
   release: [request: { readonly drawing: number }, response: null];
   /** The borders between the cells of the project's solution. */
   cells: [request: { readonly project: string }, response: CellBorders];
+  /** The project's solution, explained. */
+  study: [request: { readonly project: string }, response: Study];
+  /** The weights and paths of a rest point; null outside the domain. */
+  lens: [
+    request: { readonly project: string; readonly at: readonly [number, number] },
+    response: Lens | null,
+  ];
 }
 
 export type Name = keyof Messages;

@@ -94,6 +94,8 @@ export interface Pose {
   lead(ids: readonly string[]): number;
   /** Where a handle can be placed: at a place, or at the nearest one that bends, at most `within` away. */
   placement(posed: Vec, within: number): Placement | null;
+  /** The posed course of lines at rest, at places no farther apart than `step` at rest. */
+  lines(rest: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[];
   /** The bounding box of the posed picture and its static background, without the rim; null without vertices. */
   bounds(): Box | null;
   /** Pieces × 2 ends × 2: the borders between cells, posed. */

@@ -230,6 +230,21 @@ class WasmPose implements Pose {
     return asPlacement(this.#module.placement(x, y, within));
   }
 
+  lines(rest: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[] {
+    // A pair of NaN separates lines.
+    const flat = rest.flatMap((line, at) =>
+      at === 0 ? line.flat() : [Number.NaN, Number.NaN, ...line.flat()],
+    );
+    const posed = this.#module.posed_lines(Float64Array.from(flat), step);
+    const lines: Vec[][] = [[]];
+    for (let at = 0; at < posed.length; at += 2) {
+      const [x = 0, y = 0] = posed.subarray(at, at + 2);
+      if (Number.isNaN(x)) lines.push([]);
+      else lines.at(-1)?.push([x, y]);
+    }
+    return lines;
+  }
+
   bounds(): Box | null {
     return asBox(this.#module.bounds());
   }

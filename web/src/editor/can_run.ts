@@ -76,6 +76,7 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   bar: unlessChangeable,
   polygon: unlessChangeable,
   lasso: unlessChangeable,
+  lens: unlessOpen,
   open: unlessChangeable,
   save: unlessOpen,
   'save-whole': unlessOpen,

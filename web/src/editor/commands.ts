@@ -14,6 +14,7 @@ export const COMMANDS = {
   polygon: { label: 'Draw a polygon', keys: ['G'] },
   lasso: { label: 'Lasso: draw around the part that bends', keys: ['L'] },
   hand: { label: 'Pan', keys: ['H'] },
+  lens: { label: 'Look at the weights of a point', keys: ['I'] },
   open: { label: 'Open a picture or a project', keys: ['Mod+O'] },
   save: { label: 'Save the project file', keys: ['Mod+S'] },
   'save-whole': { label: 'Save the project with its picture', keys: ['Mod+Shift+S'] },

@@ -6,6 +6,7 @@ import type { ExportChoices } from './export_choices';
 import type { NamedFile, Picture } from './picture';
 import type { Solution } from './solution';
 import type { Title } from './state';
+import type { FigureName } from './study_state';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
@@ -48,6 +49,10 @@ export type EditorEffect =
   | { readonly type: 'use-picture'; readonly picture: Picture | null }
   | { readonly type: 'solve'; readonly key: string; readonly project: Project }
   | { readonly type: 'find-borders'; readonly solution: Solution }
+  | { readonly type: 'find-study'; readonly solution: Solution }
+  /** Saves a figure of the study card as SVG. */
+  | { readonly type: 'save-figure'; readonly figure: FigureName; readonly name: string }
+  | { readonly type: 'find-lens'; readonly solution: Solution; readonly at: Vec }
   /** Reads a picture, a project file, or both. Answered by `read-ended` or `read-failed`. */
   | {
       readonly type: 'read';

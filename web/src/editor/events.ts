@@ -5,8 +5,11 @@
  * `update` decides what follows. Places are image pixels unless the name says otherwise.
  */
 import type { Detail } from '../document/bending';
+import type { Lens } from '../document/generated/lens';
+import type { Study } from '../document/generated/study';
 import type { Handle, PoseMode, Project, ProjectFile } from '../document/project';
 import type { Preset, Setting } from '../document/settings';
+import type { Variant } from '../document/variants';
 import type { Camera, Size } from '../geometry/camera';
 import type { Blend } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
@@ -23,7 +26,7 @@ import type { NamedFile, Picture, SourceFile } from './picture';
 import type { Popover } from './popover';
 import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
-import type { StudyPage } from './study_state';
+import type { FigureName, StudyPage } from './study_state';
 import type { TaskName } from './task';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
@@ -112,7 +115,19 @@ type StudyEvent =
   | { readonly type: 'study-shown'; readonly page: StudyPage | null }
   /** `setting-slid`: during a drag of a slider, which `setting-set` ends. */
   | { readonly type: 'setting-set' | 'setting-slid'; readonly setting: Setting }
-  | { readonly type: 'preset-chosen'; readonly preset: Preset };
+  | { readonly type: 'preset-chosen'; readonly preset: Preset }
+  /** The lens follows the pointer again. */
+  | { readonly type: 'lens-released' }
+  /** A site whose falloff is to be shown. */
+  | { readonly type: 'lens-site-chosen'; readonly site: number }
+  /** A round of the replay, from 0. */
+  | { readonly type: 'round-shown'; readonly round: number }
+  | { readonly type: 'replay-switched'; readonly on: boolean }
+  | { readonly type: 'variant-solved'; readonly variant: Variant; readonly refusal: string | null }
+  | { readonly type: 'figure-asked'; readonly figure: FigureName }
+  | { readonly type: 'figure-saved'; readonly name: string }
+  /** A place of the posed picture, pointed at by other means than the pointer. */
+  | { readonly type: 'lens-pointed'; readonly at: Vec };
 
 /** What a tool did with a press, when more than the document is concerned. */
 type ToolEvent =
@@ -209,7 +224,15 @@ type SolverEvent =
   | { readonly type: 'solved'; readonly solution: Solution }
   /** `failed`: the solver itself failed, so the project is not to blame. */
   | { readonly type: 'solve-refused'; readonly key: string; readonly error: Error; readonly failed: boolean }
-  | { readonly type: 'borders-found'; readonly solution: Solution; readonly borders: CellBorders };
+  | { readonly type: 'borders-found'; readonly solution: Solution; readonly borders: CellBorders }
+  /** Null if the solver could not answer. */
+  | { readonly type: 'study-found'; readonly solution: Solution; readonly study: Study | null }
+  | {
+      readonly type: 'lens-found';
+      readonly solution: Solution;
+      readonly at: Vec;
+      readonly lens: Lens | null;
+    };
 
 /** The next input that has waited for its picture is carried out. */
 type WaitingEvent = { readonly type: 'input-released' };

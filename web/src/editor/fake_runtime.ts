@@ -124,6 +124,10 @@ class PlaneDeformation implements Deformation {
     return new Float32Array();
   }
 
+  posedLines(project: Project, lines: readonly (readonly Vec[])[]): readonly (readonly Vec[])[] {
+    return lines.map((line) => line.map((place) => add(place, shift(project))));
+  }
+
   creasedMesh(): null {
     return null;
   }
@@ -142,7 +146,13 @@ const isInside = ({ image }: Project, [x, y]: Vec, within: number): boolean =>
 export const solutionOf = (key: string, project: Project): Solution => ({
   key,
   project,
-  report: { samples: 100, virtualSites: 0, outside: [], ms: 1 },
+  report: {
+    samples: 100,
+    virtualSites: 0,
+    outside: [],
+    ms: 1,
+    times: { domain: 0, sampling: 0, regions: 1, weights: 0, pose: 0 },
+  },
   deformation: new PlaneDeformation(),
 });
 

@@ -72,14 +72,14 @@ const NOTHING_HIDDEN: HiddenCorners = new Map();
 
 export const isLassoing = ({ tools }: EditorState): boolean => tools.tool === 'lasso';
 
-/** The part of a handle at a place; null while a lasso covers the handles. */
+/** The part of a handle at a place; null while a lasso covers the handles, or the lens looks through them. */
 export const hitAt = (
   state: EditorState,
   at: Press['at'],
   bodies = true,
   context = toolContext(state),
   alt = false,
-): Hit | null => (isLassoing(state) ? null : hit(context, at, bodies, alt));
+): Hit | null => (isLassoing(state) || state.tools.tool === 'lens' ? null : hit(context, at, bodies, alt));
 
 export function pressOf(state: EditorState, { stage, shift, alt, free }: StagePointer): Press {
   return { at: toImage(state.view.camera, stage), stage, shift, alt, free };

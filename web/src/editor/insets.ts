@@ -3,6 +3,7 @@
  */
 import type { Insets, Size } from '../geometry/camera';
 import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, STUDY, TOOLS } from './sizes';
+import type { StudyPage } from './study_state';
 import type { Sheet } from './view_state';
 
 /** The layout that the insets depend on. */
@@ -14,7 +15,7 @@ export interface Cards {
   /** The panel, if the layout shows it as a sheet. */
   readonly sheet: Sheet;
   /** The study card is open, in place of the panel. */
-  readonly study?: boolean;
+  readonly study?: StudyPage | null;
   /** What `play` shows without bars and cards; null in the editor. */
   readonly bare: 'handles' | 'picture' | null;
 }
@@ -24,7 +25,12 @@ const RIM = { fine: 16, coarse: 24 } as const;
 
 const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by });
 
+/** Room for the study card. A comparison takes half of the stage. */
+const studyWidth = (page: StudyPage, stage: number): number =>
+  page === 'compare' ? Math.max(STUDY.wide, stage / 2) : STUDY.wide;
+
 export function insetsOf({ stage: { width, height }, coarse, sheet, study, bare }: Cards): Insets {
+  const right = (panel: number) => (study ? studyWidth(study, width) : panel);
   const kind = coarse ? 'coarse' : 'fine';
   if (bare) return even(bare === 'picture' ? 0 : RIM[kind]);
   const { toolbar, status } = BARS[kind];
@@ -41,7 +47,7 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, study, bare 
     const [line, tall] = [FROM_BOTTOM.sheet + SHEET.line, FROM_BOTTOM.sheet + settings];
     return { ...even(16), bottom: { none: FROM_BOTTOM.aboveTools, line, tall }[sheet] };
   }
-  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: study ? STUDY.wide : PANEL.narrow };
-  if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: study ? STUDY.wide : PANEL.narrow };
-  return { ...even(28), left: TOOLS.wide, right: study ? STUDY.wide : PANEL.wide };
+  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: right(PANEL.narrow) };
+  if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: right(PANEL.narrow) };
+  return { ...even(28), left: TOOLS.wide, right: right(PANEL.wide) };
 }

@@ -14,6 +14,6 @@ export const mayReceive = (state: EditorState): boolean => mayChange(state) && !
 export const handlesAreShown = (state: EditorState): boolean =>
   mayEdit(state) && state.display.preview === null;
 
-/** Whether a press moves the view with every tool. */
+/** Whether a press moves the view with every tool but the lens, or even with that. */
 export const pressesPan = (state: EditorState): boolean =>
-  !state.page.playing && (!handlesAreShown(state) || state.pointer.space);
+  !state.page.playing && (state.pointer.space || (!handlesAreShown(state) && state.tools.tool !== 'lens'));

@@ -1,4 +1,4 @@
-/** The settings in words. */
+/** The settings in words: a name, and the effect of each on the picture. */
 import type { SettingName } from '../document/settings';
 
 /** The names as undo steps have them. */

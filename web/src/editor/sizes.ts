@@ -32,7 +32,7 @@ export const TOOLS = {
 export const PANEL = { wide: 260, narrow: 248 } as const;
 
 /** Width of the study card with the space around it, and its share of the height of a phone. */
-export const STUDY = { wide: 348, share: 0.52 } as const;
+export const STUDY = { wide: 360, share: 0.52 } as const;
 
 /**
  * Heights of the sheet on phones: one line, numbers, numbers with those of a corner, settings. The share of the stage

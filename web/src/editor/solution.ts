@@ -8,8 +8,9 @@ export interface SolveReport {
   readonly virtualSites: number;
   /** Parts of bars and polygons that lie outside the domain. */
   readonly outside: readonly { readonly handle: string }[];
-  /** Milliseconds of all stages. */
+  /** Milliseconds of all stages, and of each. */
   readonly ms: number;
+  readonly times: Readonly<Record<SolveStage | 'pose', number>>;
 }
 
 /** A solution and the project that was solved. */

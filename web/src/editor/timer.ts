@@ -1,2 +1,2 @@
 /** Timers by their purpose. Starting one again restarts it. */
-export type Timer = 'notice' | 'solve-patience' | 'merge-end' | 'pose-check' | 'graphics';
+export type Timer = 'notice' | 'solve-patience' | 'merge-end' | 'pose-check' | 'graphics' | 'replay';

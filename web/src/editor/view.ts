@@ -189,6 +189,6 @@ function openSheet(state: EditorState): Sheet {
 export function insets(state: EditorState, sheet = openSheet(state)): Insets {
   const { playing, readonly } = state.page;
   const bare = playing ? (readonly ? 'picture' : 'handles') : null;
-  const study = state.study.page !== null;
+  const study = state.study.page;
   return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, study, bare });
 }

@@ -140,6 +140,8 @@ export interface EditorModel {
   readonly alt: string | null;
   readonly dark: boolean;
   readonly exporting: ExportModel;
+  /** The posed course of lines at rest, at places no farther apart than `step` at rest. */
+  posedLines(lines: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[];
   canRun(command: CommandName): boolean;
   /** Why a command cannot run now; null if it can. */
   reasonAgainst(command: CommandName): string | null;
@@ -213,7 +215,7 @@ export function viewModel(state: EditorState): EditorModel {
     overlays,
     sites: shown && (overlays.sites || overlays.graph) ? shown.deformation.siteGraph(project) : null,
     borders:
-      shown && overlays.cells && borders?.of === shown && borders.pieces
+      shown && (overlays.cells || state.study.page === 'cells') && borders?.of === shown && borders.pieces
         ? shown.deformation.posedBorders(project, borders.pieces)
         : null,
     creased: shown && overlays.creases ? shown.deformation.creasedMesh(project) : null,
@@ -257,6 +259,7 @@ export function viewModel(state: EditorState): EditorModel {
       const size = display.popover === 'export' ? exportSize(state) : null;
       return { choices, running: running !== null, size };
     },
+    posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),
     reasonAgainst: (command) => reasonAgainst(state, command),
   };

@@ -86,6 +86,14 @@ export class SolutionDeformation implements Deformation {
     return this.pose(project)?.borders(borders) ?? new Float32Array();
   }
 
+  posedLines(
+    project: Project,
+    lines: readonly (readonly Vec[])[],
+    step: number,
+  ): readonly (readonly Vec[])[] {
+    return this.pose(project)?.lines(lines, step) ?? lines;
+  }
+
   creasedMesh(project: Project): CreasedMesh | null {
     const pose = this.pose(project);
     if (!pose || pose.creases.length === 0) return null;

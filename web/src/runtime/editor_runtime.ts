@@ -110,7 +110,7 @@ export class EditorRuntime {
       pixelRatioChanged: () => this.#frames?.request(),
     });
     this.#reach = new ReachCache(() => this.#frames?.request());
-    this.#study = new Study(element.root, this.#store);
+    this.#study = new Study(element.root, this.#store, this.#pictures);
     const resources = this.#resourcesOf(element);
   }
 
@@ -213,6 +213,7 @@ export class EditorRuntime {
     this.#store.dispose();
     this.#listening.abort();
     this.#timers.dispose();
+    this.#study.dispose();
     this.#reach.dispose();
     this.#media.dispose();
     this.#drop.dispose();
@@ -309,6 +310,7 @@ export class EditorRuntime {
       pictures: this.#pictures,
       solver: this.#solver,
       storage: this.#storage,
+      study: this.#study,
       timers: this.#timers,
       notifyPage: (notification) => element.notifyPage(notification),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),

@@ -11,6 +11,7 @@ import type { MenuPopover } from './menu_popover';
 import type { Pictures } from './pictures';
 import type { Solver } from './solver';
 import type { Storage } from './storage';
+import type { Study } from './study';
 import type { Timers } from './timers';
 
 /** The resources that carry out effects. */
@@ -24,6 +25,7 @@ export interface Resources {
   readonly pictures: Pictures;
   readonly solver: Solver;
   readonly storage: Storage;
+  readonly study: Study;
   readonly timers: Timers;
   /** Whether the picture is shown as pixel art. */
   readonly pixelated: boolean;
@@ -44,6 +46,10 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     solver.usePicture(effect.picture && pictures.opened(effect.picture).pixels),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
   'find-borders': (effect, { solver }) => solver.findBorders(effect.solution),
+  'find-study': (effect, { solver }) => solver.findStudy(effect.solution),
+  'save-figure': (effect, { files, state, study }) =>
+    files.saveFigure(effect.name, study.figureText(effect.figure, state)),
+  'find-lens': (effect, { solver }) => solver.findLens(effect.solution, effect.at),
   read: (effect, { files }) => files.read(effect.id, effect.pictures, effect.project, effect.inside),
   'abandon-read': (effect, { files }) => files.abandon(effect.id),
   'settle-load': (effect, resources) => resources.settleLoad(effect.reply, effect.error),

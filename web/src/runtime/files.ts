@@ -128,6 +128,18 @@ export class Files {
     }
   }
 
+  /** Saves an SVG; nothing if it is null. */
+  async saveFigure(name: string, figure: Promise<string | null>): Promise<void> {
+    try {
+      const text = await figure;
+      if (text === null) return;
+      const saved = await saveFile(new Blob([text], { type: 'image/svg+xml' }), name, 'svg');
+      if (saved) this.#dispatch({ type: 'figure-saved', name: saved });
+    } catch (error) {
+      this.#dispatch({ type: 'error-reported', error: asError(error) });
+    }
+  }
+
   /** Saves the warped picture. A PNG carries the project. */
   async export(
     name: string,

@@ -15,6 +15,7 @@ import type { Dispatch } from '../editor/events';
 import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
 import { asError, codeOf, isAbort, isEngineFailure, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
+import type { Vec } from '../geometry/vec';
 import { SolutionDeformation } from './deformation';
 
 const gone = (): DOMException => new DOMException('the editor is gone', 'AbortError');
@@ -69,6 +70,26 @@ export class Solver {
       this.#dispatch({ type: 'borders-found', solution, borders });
     } catch {
       // The picture was replaced, or the solver failed. The newest request reports that.
+    }
+  }
+
+  /** Answers with null where the picture was replaced, or the solver failed: the newest request reports that. */
+  async findStudy(solution: Solution): Promise<void> {
+    const study = await this.#asked((engine) => engine.study(solution.project));
+    this.#dispatch({ type: 'study-found', solution, study });
+  }
+
+  /** As {@link findStudy}. */
+  async findLens(solution: Solution, at: Vec): Promise<void> {
+    const lens = await this.#asked((engine) => engine.lens(solution.project, at));
+    this.#dispatch({ type: 'lens-found', solution, at, lens });
+  }
+
+  async #asked<T>(ask: (engine: Engine) => Promise<T>): Promise<T | null> {
+    try {
+      return await ask(await this.#started());
+    } catch {
+      return null;
     }
   }
 
@@ -161,6 +182,7 @@ const reportOf = ({ report }: SolutionData): SolveReport => ({
   virtualSites: report.virtual_sites,
   outside: report.outside ?? [],
   ms: Object.values(report.ms).reduce((sum, stage) => sum + stage, 0),
+  times: report.ms,
 });
 
 /** Refuses a project that is valid as a file but has a handle that cannot be drawn. */

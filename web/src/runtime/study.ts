@@ -1,17 +1,31 @@
 /** Loads the templates and styles of the study card when it is first shown: most visitors never open it. */
+import { render } from 'lit';
+import { byVariant } from '../document/variants';
 import type { EditorAccess } from '../editor/access';
+import type { EditorState } from '../editor/state';
+import type { FigureName } from '../editor/study_state';
+import { viewModel } from '../editor/view_model';
 import { WarpError } from '../error';
-import type { StudyView } from '../ui/study_view';
+import { svgText } from '../io/svg';
+import type { StudyView, VariantCanvases } from '../ui/study_view';
+import type { Compare } from './compare';
+import type { Pictures } from './pictures';
 
 export class Study {
   readonly #root: ShadowRoot;
   readonly #editor: EditorAccess;
+  readonly #pictures: Pictures;
+  #canvases: VariantCanvases;
+  /** While the comparison is on show. */
+  #compare: Promise<Compare> | null = null;
   #view: StudyView | null = null;
   #loading = false;
 
-  constructor(root: ShadowRoot, editor: EditorAccess) {
+  constructor(root: ShadowRoot, editor: EditorAccess, pictures: Pictures) {
     this.#root = root;
     this.#editor = editor;
+    this.#pictures = pictures;
+    this.#canvases = this.#freshCanvases();
   }
 
   /** Null until it is loaded. */
@@ -21,32 +35,87 @@ export class Study {
 
   /** Loads the card if the state shows it. @param loaded called once it can be rendered. */
   follow(loaded: () => void): void {
+    this.#followComparison();
     if (this.#view || this.#loading || this.#editor.state.study.page === null) return;
     this.#loading = true;
     import('../ui/study/study')
-      .then(({ study: view }) => {
+      .then(({ studyView }) => {
+        const view = studyView(() => this.#canvases);
         this.#dress(view);
         this.#view = view;
         loaded();
       })
-      .catch((cause: unknown) => {
-        this.#editor.dispatch({ type: 'study-shown', page: null });
-        const error = new WarpError('file', 'This card could not be loaded: is the network there?', {
-          cause,
-        });
-        this.#editor.dispatch({ type: 'error-reported', error });
-      })
+      .catch((cause: unknown) => this.#failed(cause))
       .finally(() => {
         this.#loading = false;
       });
   }
 
+  /** A figure as an SVG file, in light colours; null while it is not known. */
+  async figureText(name: FigureName, state: EditorState): Promise<string | null> {
+    const compare = await this.#compare;
+    const figure = this.#view?.figure(name, viewModel(state), compare?.pngs() ?? null);
+    if (!figure) return null;
+    const place = this.#root.ownerDocument.createElement('div');
+    place.className = 'figure-to-save';
+    this.#root.append(place);
+    try {
+      render(figure, place);
+      const drawn = place.querySelector('svg');
+      return drawn && svgText(drawn);
+    } finally {
+      place.remove();
+    }
+  }
+
+  dispose(): void {
+    this.#endComparison();
+  }
+
+  #failed(cause: unknown): void {
+    this.#compare = null;
+    this.#editor.dispatch({ type: 'study-shown', page: null });
+    const error = new WarpError('file', 'This card could not be loaded: is the network there?', { cause });
+    this.#editor.dispatch({ type: 'error-reported', error });
+  }
+
+  /** Begins, follows or ends the comparison, as the state has it. */
+  #followComparison(): void {
+    const { study, page } = this.#editor.state;
+    if (study.page !== 'compare' || page.playing) {
+      this.#endComparison();
+      return;
+    }
+    this.#compare ??= import('./compare').then(
+      ({ Compare }) => new Compare(this.#editor, this.#pictures, this.#canvases),
+    );
+    this.#compare.then(
+      (compare) => compare.follow(),
+      (cause: unknown) => this.#failed(cause),
+    );
+  }
+
+  #endComparison(): void {
+    if (!this.#compare) return;
+    this.#compare.then(
+      (compare) => compare.dispose(),
+      () => {},
+    );
+    this.#compare = null;
+    // Released ones cannot be drawn on again.
+    this.#canvases = this.#freshCanvases();
+  }
+
+  #freshCanvases(): VariantCanvases {
+    return byVariant(() => this.#root.ownerDocument.createElement('canvas'));
+  }
+
   /** Style sheets belong to the document that made them. */
-  #dress({ style }: StudyView): void {
+  #dress({ styles }: StudyView): void {
     const window = this.#root.ownerDocument.defaultView;
     if (!window) return;
     const sheet = new window.CSSStyleSheet();
-    sheet.replaceSync(String(style));
+    sheet.replaceSync(styles.join('\n'));
     this.#root.adoptedStyleSheets = [...this.#root.adoptedStyleSheets, sheet];
   }
 }

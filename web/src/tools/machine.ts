@@ -7,12 +7,13 @@ import { CORNERS_NEEDED } from '../document/handle';
 import { resumed } from './drafting';
 import { hand } from './hand';
 import { lasso } from './lasso';
+import { lens } from './lens';
 import { bar, polygon } from './lines';
 import { point } from './point';
 import { select } from './select';
 import type { Draft, Effect, Outcome, Press, State, ToolContext } from './state';
 
-export const TOOLS = { select, point, bar, polygon, lasso, hand } satisfies Record<string, State>;
+export const TOOLS = { select, point, bar, polygon, lasso, hand, lens } satisfies Record<string, State>;
 
 export type ToolName = keyof typeof TOOLS;
 
@@ -27,8 +28,11 @@ export const isToolName = (name: unknown): name is ToolName =>
 /** Whether a tool draws a line from press to press. */
 export const draws = (tool: ToolName): tool is Draft['kind'] => tool in CORNERS_NEEDED;
 
+/** Tools that place nothing on the picture. */
+const PLACELESS: readonly ToolName[] = ['select', 'hand', 'lens'];
+
 /** Whether a tool places something on the picture. */
-export const places = (tool: ToolName): boolean => tool !== 'select' && tool !== 'hand';
+export const places = (tool: ToolName): boolean => !PLACELESS.includes(tool);
 
 export interface Tools {
   readonly tool: ToolName;

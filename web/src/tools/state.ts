@@ -90,6 +90,8 @@ export type Effect =
   /** The guides that the moved place lies on. */
   | { readonly type: 'guides'; readonly guides: readonly Guide[] }
   | { readonly type: 'pan'; readonly by: Vec }
+  /** The lens is put on a place of the posed picture. */
+  | { readonly type: 'look'; readonly at: Vec }
   | { readonly type: 'miss' }
   /** A corner was set or undone. */
   | { readonly type: 'drafted'; readonly draft: Draft | null }

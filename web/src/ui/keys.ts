@@ -17,6 +17,7 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'polygon',
       'lasso',
       'hand',
+      'lens',
       ['Enter', 'Finish a drawing, or place at the crosshair'],
       ['Shift', 'Draw and move by 45°, turn by 15°'],
     ],

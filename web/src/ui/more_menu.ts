@@ -21,6 +21,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
     ${icon(name)}${label}
   </button>`;
   const reset = { type: 'command-run', command: 'reset-all' } as const;
+  const lens = { type: 'command-run', command: 'lens' } as const;
   const keys = { type: 'command-run', command: 'keys' } as const;
   return html`<div class="menu more">
     <button type="button" class="button" part="button" popovertarget="more" aria-label="More">
@@ -37,6 +38,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
     >
       ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
+      ${entry('lens', COMMANDS.lens.label, lens, model.canRun('lens'))}
       ${entry('keys', COMMANDS.keys.label, keys)}
     </div>
   </div>`;

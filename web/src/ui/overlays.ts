@@ -19,10 +19,12 @@ const outlined = (name: string, path: string): SVGTemplateResult =>
   svg`<path class="${name} pale" d=${path}/><path class=${name} d=${path}/>`;
 
 /** @param borders Pieces × 2 ends × 2, image pixels. */
-export function cellOverlay(borders: Float32Array | null, camera: Camera): Overlay {
-  if (!borders) return nothing;
-  return outlined('cells', path(borders.length / 2, 2, through(borders, camera)));
-}
+export const cellOverlay = (borders: Float32Array | null, camera: Camera): Overlay =>
+  borders ? outlined('cells', cellPath(borders, camera)) : nothing;
+
+/** @param borders as for {@link cellOverlay}. */
+export const cellPath = (borders: Float32Array | null, camera: Camera): string =>
+  borders ? path(borders.length / 2, 2, through(borders, camera)) : '';
 
 export function creaseOverlay(creased: CreasedMesh | null, camera: Camera): Overlay {
   if (!creased) return nothing;

@@ -36,11 +36,11 @@ export function shell(
   return html`${playing ? room(model) : nothing}
   <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
     ${playing ? nothing : topBar(model, dispatch)}
-    <div class="middle ${studying ? 'studying' : ''}">
-      ${stage(model, dispatch, canvas)} ${model.picture ? nothing : emptyStage(model, dispatch)}
+    <div class="middle ${studying ? `studying on-${model.study.page}` : ''}">
+      ${stage(model, dispatch, canvas, studying ? study.marks(model) : nothing)} ${model.picture ? nothing : emptyStage(model, dispatch)}
       ${playing ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
       ${model.task ? progressBar(model.task) : nothing}
-      ${model.hint && !model.preview ? bubble(model.hint, model.camera) : nothing}
+      ${model.hint && !model.preview && !studying ? bubble(model.hint, model.camera) : nothing}
       ${playing ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model)} ${legends(model)}`}
       ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
       ${playing ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}

@@ -20,7 +20,13 @@ import { cellOverlay, creaseOverlay, siteOverlay } from './overlays';
 /** Keys without a control of their own. */
 const KEYS = 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.';
 
-export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvasElement): TemplateResult {
+/** @param studied marks of the study card. */
+export function stage(
+  model: EditorModel,
+  dispatch: Dispatch,
+  canvas: HTMLCanvasElement,
+  studied: SVGTemplateResult | typeof nothing,
+): TemplateResult {
   const { playing } = model;
   const handled = !(playing && model.readonly);
   return html`<div
@@ -35,7 +41,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
     ${canvas} ${cornerMarks()}
     <svg class="marks" aria-hidden="true">
       ${guideLines(model)} ${model.tool === 'lasso' ? domainMarks(model) : posedMarks(model, handled)} ${draftMarks(model)}
-      ${crosshair(model)} ${waitingMarks(model)}
+      ${studied} ${crosshair(model)} ${waitingMarks(model)}
     </svg>
     ${handled && model.tool !== 'lasso' ? handleButtons(model, dispatch) : nothing}
   </div>`;
@@ -43,7 +49,7 @@ export function stage(model: EditorModel, dispatch: Dispatch, canvas: HTMLCanvas
 
 /** The marks on the posed picture. */
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
-  ${model.playing ? nothing : frame(model)} ${cellOverlay(model.borders, model.camera)}
+  ${model.playing ? nothing : frame(model)} ${cellOverlay(model.overlays.cells ? model.borders : null, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
   ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)} ${handled ? nameMarks(model) : nothing}
   ${selectionBox(model)}`;

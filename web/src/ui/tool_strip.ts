@@ -13,6 +13,7 @@ const TOOLS = [
   ['polygon', 'Polygon'],
   ['lasso', 'Lasso'],
   ['hand', 'Pan'],
+  ['lens', 'Lens'],
 ] as const satisfies readonly (readonly [ToolName, string])[];
 
 export function toolStrip(model: EditorModel, dispatch: Dispatch): TemplateResult {

@@ -96,6 +96,13 @@ async function handle(session: Session, request: Request): Promise<void> {
       borders.free();
       return done({ corners, barycentric }, [corners.buffer, barycentric.buffer]);
     }
+    case 'study':
+      return done(JSON.parse(session.study(request.body.project)));
+    case 'lens': {
+      const { project, at } = request.body;
+      const lens = session.lens(project, ...at);
+      return done(lens === undefined ? null : JSON.parse(lens));
+    }
   }
 }
 

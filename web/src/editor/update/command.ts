@@ -65,6 +65,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   polygon: (state, emit) => takeTool(state, 'polygon', emit),
   lasso: (state, emit) => takeTool(state, 'lasso', emit),
   hand: (state, emit) => takeTool(state, 'hand', emit),
+  lens: (state, emit) => showStudy(state, state.study.page === 'lens' ? null : 'lens', emit),
   open: effect('pick-file'),
   save: (state, emit) => save(state, false, emit),
   'save-whole': (state, emit) => save(state, true, emit),
@@ -141,6 +142,8 @@ function bailTarget(
   if (state.display.settings) return 'settings';
   if (state.exporting.running) return 'export';
   if (notice && !notice.action) return 'notice';
+  // The lens looks through the selection.
+  if (state.tools.tool === 'lens' && state.study.page) return 'study';
   if (selectionOf(state).length > 0) return 'selection';
   if (notice) return 'notice';
   return state.study.page ? 'study' : null;
@@ -165,7 +168,7 @@ function bail(state: EditorState, emit: Emit): EditorState {
     case 'selection':
       return select(state, [], emit);
     case 'study':
-      return showStudy(state, null);
+      return showStudy(state, null, emit);
     case null:
       return state;
   }

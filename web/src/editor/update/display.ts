@@ -80,7 +80,8 @@ export function togglePopover(state: EditorState, popover: Popover, open: boolea
 /** Asks for the borders of the shown solution's cells, once they are to be shown. */
 export function requestBorders(state: EditorState, emit: Emit): EditorState {
   const { shown, borders } = state.solution;
-  if (!state.display.overlays.cells || state.page.playing || !shown || borders?.of === shown) return state;
+  const shows = state.display.overlays.cells || state.study.page === 'cells';
+  if (!shows || state.page.playing || !shown || borders?.of === shown) return state;
   emit({ type: 'find-borders', solution: shown });
   return withSolution(state, { borders: { of: shown, pieces: null } });
 }

@@ -18,6 +18,7 @@ import { graphicsHandlers, tellOfLostGraphics } from './graphics';
 import type { Handlers } from './handlers';
 import { keyHandlers } from './keys';
 import { lassoHandlers } from './lasso';
+import { lensHandlers, requestStudy } from './lens';
 import { menuHandlers } from './menu';
 import { dismiss, noticeHandlers } from './notices';
 import { pageHandlers } from './page';
@@ -25,6 +26,7 @@ import { followCamera, pointerHandlers } from './pointer';
 import { checkPose } from './pose_checks';
 import { recentHandlers } from './recent';
 import { renamingHandlers } from './renaming';
+import { playOn, replayHandlers } from './replay';
 import { requestEndHandlers } from './request_end';
 import { requestHandlers } from './requests';
 import { showStage } from './solve_request';
@@ -44,6 +46,8 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
         return showStage(state, emit);
       case 'merge-end':
         return endMerging(state);
+      case 'replay':
+        return playOn(state, emit);
       case 'pose-check':
         return checkPose(state);
       case 'graphics':
@@ -61,12 +65,14 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...graphicsHandlers,
   ...keyHandlers,
   ...lassoHandlers,
+  ...lensHandlers,
   ...menuHandlers,
   ...noticeHandlers,
   ...pageHandlers,
   ...pointerHandlers,
   ...recentHandlers,
   ...renamingHandlers,
+  ...replayHandlers,
   ...requestEndHandlers,
   ...requestHandlers,
   ...solveHandlers,
@@ -103,11 +109,13 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
 }
 
 /**
- * Follows from any state: the hover under a moved camera, borders to be shown, input to be released, guides that end,
+ * Follows from any state: the hover under a moved camera, what is to be shown, input to be released, guides that end,
  * the title.
  */
-const settled = (state: EditorState, emit: Emit): EditorState =>
-  reportTitle(askForRelease(requestBorders(followCamera(withoutGuides(state)), emit), emit), emit);
+const settled = (before: EditorState, emit: Emit): EditorState => {
+  const shown = requestStudy(requestBorders(followCamera(withoutGuides(before)), emit), emit);
+  return reportTitle(askForRelease(shown, emit), emit);
+};
 
 /** Guides end with their press. */
 const withoutGuides = (state: EditorState): EditorState =>

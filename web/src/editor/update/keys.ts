@@ -14,6 +14,7 @@ import { awaitsPicture } from '../waiting_input';
 import { finish, focus } from './corners';
 import { nudge, nudgeCorner, turn } from './edits';
 import type { Handlers } from './handlers';
+import { moveLens } from './lens';
 import { announce } from './notices';
 import { holdAlt, withPointer } from './pointer';
 import { applyTools } from './press';
@@ -22,7 +23,8 @@ import { applyTools } from './press';
 const PAN_CSS_PX = 40;
 
 /** The effect of an arrow key; null if it is left to the page. */
-function arrowTarget(state: EditorState): 'corner' | 'handles' | 'crosshair' | 'view' | null {
+function arrowTarget(state: EditorState): 'lens' | 'corner' | 'handles' | 'crosshair' | 'view' | null {
+  if (state.tools.tool === 'lens' && state.picture) return 'lens';
   const drawing = draftOf(state.tools) !== null;
   if (mayEdit(state)) {
     if (state.focus.corner && !drawing) return 'corner';
@@ -41,6 +43,7 @@ export const takesSpace = ({ page }: EditorState): boolean => !page.playing;
 
 function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {
   const target = arrowTarget(state);
+  if (target === 'lens') return moveLens(state, by);
   if (target === 'corner' && state.focus.corner) return nudgeCorner(state, state.focus.corner, by, emit);
   if (target === 'handles') return nudge(state, by, emit);
   if (target === 'crosshair') return moveCrosshair(state, by);

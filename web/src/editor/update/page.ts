@@ -16,6 +16,7 @@ import { schedulePoseCheck } from './pose_checks';
 import { applyTools } from './press';
 import { withOpening } from './requests';
 import { poseForPage, redo, selectForPage, step, undo } from './steps';
+import { showStudy } from './study';
 import { choose } from './tool_choice';
 
 /** Takes the attributes. Setting `readonly` or `disabled`, or changing `play`, ends what is in progress. */
@@ -72,7 +73,8 @@ export const pageHandlers: Handlers<
     const keyboard = typing && state.pointer.coarse && size.width === state.stage.width;
     return resize(state, size, keyboard || isPressing(state.tools));
   },
-  'tool-set': (state, { tool }, emit) => choose(state, tool, emit),
+  'tool-set': (state, { tool }, emit) =>
+    tool === 'lens' && state.picture ? showStudy(state, 'lens', emit) : choose(state, tool, emit),
   'handle-added': (state, { handle }, emit) =>
     step(state, 'Add handle', addHandle(documentOf(state), handle), emit),
   'handle-changed': (state, { handle }, emit) =>

@@ -11,6 +11,7 @@ import { type EditorState, type PointerState, selectionOf } from '../state';
 import { moveCamera } from '../view';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
+import { followPointer } from './lens';
 import { closeMenu } from './menu_closing';
 import { applyTools } from './press';
 import { doublePress } from './renaming';
@@ -54,9 +55,11 @@ function end(before: EditorState, pointer: StagePointer, emit: Emit): EditorStat
 function hovered(state: EditorState, pointer: StagePointer | null): EditorState {
   const press = pointer && pressOf(state, pointer);
   const last = pointer && { pointer, camera: state.view.camera };
-  return withPointer(
-    { ...state, tools: hover(state.tools, press, toolContext(state)) },
-    { hovered: press?.at ?? null, alt: press?.alt ?? false, last },
+  return followPointer(
+    withPointer(
+      { ...state, tools: hover(state.tools, press, toolContext(state)) },
+      { hovered: press?.at ?? null, alt: press?.alt ?? false, last },
+    ),
   );
 }
 

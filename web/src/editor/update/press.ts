@@ -17,6 +17,7 @@ import { draftWords, placeWords } from '../wording';
 import { saveWork } from './autosave';
 import { guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
+import { look } from './lens';
 import { announce } from './notices';
 import { select } from './selection';
 
@@ -46,6 +47,11 @@ function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
       return { ...state, display: { ...state.display, guides: effect.guides } };
     case 'pan':
       return moveCamera(state, panned(state.view.camera, effect.by));
+    case 'look':
+      // The tool may have been chosen before there was a picture.
+      if (state.study.page !== 'lens')
+        emit({ type: 'follow-up', event: { type: 'study-shown', page: 'lens' } });
+      return look(state, effect.at);
     case 'miss':
       emit({ type: 'follow-up', event: { type: 'placement-missed' } });
       return state;

@@ -27,7 +27,7 @@ const withRenaming = (state: EditorState, renaming: Renaming | null): EditorStat
 function beginRenaming(before: EditorState, id: string, emit: Emit): EditorState {
   if (!mayEdit(before) || !handleById(documentOf(before), id)) return before;
   emit({ type: 'focus-control', control: 'name' });
-  const state = showStudy(select(before, [id], emit), null);
+  const state = showStudy(select(before, [id], emit), null, emit);
   return withRenaming(state.display.settings ? openSettings(state, false) : state, { id, fault: null });
 }
 

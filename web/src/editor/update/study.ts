@@ -4,27 +4,30 @@ import * as history from '../../document/history';
 import { presetMode, type Setting, withPreset, withSetting } from '../../document/settings';
 import { cancelPress } from '../../tools/machine';
 import type { Emit } from '../effects';
+import { savedText } from '../notice_texts';
 import { mayEdit } from '../permissions';
+import { stem } from '../picture';
 import { SETTING_NAMES } from '../setting_texts';
 import { documentOf, type EditorState, projectOf } from '../state';
-import type { StudyPage, StudyState } from '../study_state';
+import type { StudyPage } from '../study_state';
 import { refitView } from '../view';
 import { withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import type { Handlers } from './handlers';
+import { beginLooking, withStudy } from './lens';
+import { inform } from './notices';
 import { applyTools } from './press';
 import { commitStep, step } from './steps';
-
-const withStudy = (state: EditorState, change: Partial<StudyState>): EditorState => ({
-  ...state,
-  study: { ...state.study, ...change },
-});
+import { choose, takeTool } from './tool_choice';
 
 /** Shows a page of the card, or closes it. The picture keeps clear of the card. */
-export function showStudy(state: EditorState, page: StudyPage | null): EditorState {
-  if (page === state.study.page || (page && (!state.picture || state.page.playing))) return state;
-  const display = { ...state.display, settings: false, overlayList: state.display.overlayList && !page };
-  return refitView(withStudy({ ...state, display }, { page }));
+export function showStudy(before: EditorState, page: StudyPage | null, emit: Emit): EditorState {
+  if (page === before.study.page || (page && (!before.picture || before.page.playing))) return before;
+  const display = { ...before.display, settings: false, overlayList: before.display.overlayList && !page };
+  const state = refitView(withStudy({ ...before, display }, { page }));
+  if (page === 'lens') return beginLooking(takeTool(state, 'lens', emit));
+  if (state.tools.tool !== 'lens') return state;
+  return choose(state, state.page.readonly ? 'hand' : 'select', emit);
 }
 
 const labelOf = ({ name }: Setting): string => `Set ${SETTING_NAMES[name]}`;
@@ -59,8 +62,24 @@ function beginSliding(before: EditorState, label: string, emit: Emit): EditorSta
   return withDocument(state, { history: begun, travelled: null, refused: [], posedByPage: [] });
 }
 
-export const studyHandlers: Handlers<'study-shown' | 'setting-set' | 'setting-slid' | 'preset-chosen'> = {
-  'study-shown': (state, { page }) => showStudy(state, page),
+export const studyHandlers: Handlers<
+  | 'study-shown'
+  | 'setting-set'
+  | 'setting-slid'
+  | 'preset-chosen'
+  | 'figure-asked'
+  | 'figure-saved'
+  | 'variant-solved'
+> = {
+  'study-shown': (state, { page }, emit) => showStudy(state, page, emit),
+  'variant-solved': (state, { variant, refusal }) =>
+    withStudy(state, { refusals: { ...state.study.refusals, [variant]: refusal } }),
+  'figure-asked': (state, { figure }, emit) => {
+    const name = `${stem(state.picture?.name ?? 'picture')}-${figure}.svg`;
+    emit({ type: 'save-figure', figure, name });
+    return state;
+  },
+  'figure-saved': (state, { name }, emit) => inform(state, savedText(name, false), emit),
   'setting-set': (state, { setting }, emit) => (mayEdit(state) ? set(state, setting, emit) : state),
   'setting-slid': (state, { setting }, emit) => (mayEdit(state) ? slide(state, setting, emit) : state),
   'preset-chosen': (state, { preset }, emit) => {

@@ -10,7 +10,7 @@ import { select } from './selection';
 
 export function choose(state: EditorState, tool: ToolName, emit: Emit): EditorState {
   const { playing, readonly } = state.page;
-  if (playing || (readonly && tool !== 'hand')) return state;
+  if (playing || (readonly && tool !== 'hand' && tool !== 'lens')) return state;
   let next = applyTools(state, chooseTool(state.tools, tool), emit);
   // Arrow keys move the crosshair of such a tool only while nothing is selected.
   if (draws(tool)) {
@@ -27,7 +27,7 @@ export function takeTool(state: EditorState, tool: ToolName, emit: Emit): Editor
   const next = choose(state, tool, emit);
   if (next.tools.tool !== tool) return next;
   // Arrows and Enter place with it.
-  if (places(tool)) focusStage(emit);
+  if (places(tool) || tool === 'lens') focusStage(emit);
   return announce(next, COMMANDS[tool].label);
 }
 

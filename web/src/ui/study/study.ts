@@ -1,20 +1,35 @@
 /** The study card: one page at a time, beside the picture. Loaded when it is first shown. */
-import { html, type TemplateResult } from 'lit';
+import { html, type SVGTemplateResult, svg, type TemplateResult } from 'lit';
+import { keyed } from 'lit/directives/keyed.js';
 import type { Dispatch } from '../../editor/events';
 import { STUDY_PAGES, type StudyPage } from '../../editor/study_state';
 import type { EditorModel } from '../../editor/view_model';
 import { icon } from '../icons';
-import type { StudyView } from '../study_view';
+import type { MakeStudyView, VariantCanvases } from '../study_view';
+import { cellMarks } from './cell_marks';
+import { cellsPage } from './cells_page';
+import { comparePage } from './compare_page';
+import { figureStyle } from './figure_style';
+import { figure } from './figures';
+import { figuresStyle } from './figures_style';
+import { lensMarks } from './lens_marks';
+import { lensPage } from './lens_page';
+import { roundMarks } from './round_marks';
+import { roundsPage } from './rounds_page';
 import { settingsPage } from './settings_page';
 import { studyStyle } from './style';
 
-type Page = (model: EditorModel, dispatch: Dispatch) => TemplateResult;
+type Page = (model: EditorModel, dispatch: Dispatch, canvases: VariantCanvases) => TemplateResult;
 
 const PAGES: Readonly<Record<StudyPage, { readonly word: string; readonly page: Page }>> = {
+  lens: { word: 'Lens', page: lensPage },
+  cells: { word: 'Cells', page: cellsPage },
+  rounds: { word: 'Rounds', page: roundsPage },
+  compare: { word: 'Compare', page: comparePage },
   settings: { word: 'Settings', page: settingsPage },
 };
 
-function card(model: EditorModel, dispatch: Dispatch): TemplateResult {
+function card(model: EditorModel, dispatch: Dispatch, canvases: VariantCanvases): TemplateResult {
   const { page } = model.study;
   if (!page) return html``;
   return html`<section class="study card" part="panel" aria-label="See the paper">
@@ -33,7 +48,15 @@ function card(model: EditorModel, dispatch: Dispatch): TemplateResult {
         ${icon('close')}
       </button>
     </header>
-    <div class="page" tabindex="0" role="region" aria-label=${PAGES[page].word}>${PAGES[page].page(model, dispatch)}</div>
+    ${
+      // A new page begins at its top.
+      keyed(
+        page,
+        html`<div class="page" tabindex="0" role="region" aria-label=${PAGES[page].word}>
+          ${PAGES[page].page(model, dispatch, canvases)}
+        </div>`,
+      )
+    }
   </section>`;
 }
 
@@ -47,4 +70,12 @@ const tab = (name: StudyPage, shown: StudyPage, dispatch: Dispatch): TemplateRes
   ${PAGES[name].word}
 </button>`;
 
-export const study: StudyView = { style: studyStyle, card };
+const marks = (model: EditorModel): SVGTemplateResult =>
+  svg`${lensMarks(model)} ${cellMarks(model)} ${roundMarks(model)}`;
+
+export const studyView: MakeStudyView = (canvases) => ({
+  styles: [studyStyle, figureStyle, figuresStyle],
+  card: (model, dispatch) => card(model, dispatch, canvases()),
+  marks,
+  figure,
+});

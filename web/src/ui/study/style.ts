@@ -28,6 +28,13 @@ export const studyStyle = css`
     flex: 1;
     margin: 0;
   }
+  .study header .segment {
+    flex: 1 1 auto;
+    min-width: 0;
+    /* Five words share the width of the card. */
+    padding: 0 3px;
+    font-size: 12px;
+  }
   .study .page {
     overflow: auto;
     padding: 12px 14px 14px;
@@ -42,6 +49,10 @@ export const studyStyle = css`
   }
   .study p {
     font-size: 12px;
+  }
+  .study sub {
+    font-size: inherit;
+    line-height: 0;
   }
   .setting + .setting,
   .presets {
@@ -78,6 +89,142 @@ export const studyStyle = css`
     display: flex;
     flex-wrap: wrap;
     gap: 8px;
+  }
+  .point {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    gap: 8px;
+    min-height: var(--_control);
+    margin-bottom: 4px;
+  }
+  .point h3 {
+    font-variant-numeric: tabular-nums;
+  }
+  .point .faint {
+    font-size: 12px;
+  }
+  .weights ul {
+    margin: 0 -8px;
+  }
+  .row-of-bar {
+    display: grid;
+    grid-template: 'name track number' auto 'way way way' auto / minmax(0, 106px) 1fr 44px;
+    align-items: center;
+    column-gap: 8px;
+    width: 100%;
+    padding: 4px 8px;
+    border: 0;
+    border-radius: var(--_radius-item);
+    background: none;
+    color: inherit;
+    font: inherit;
+    font-size: 12px;
+    text-align: left;
+    cursor: pointer;
+  }
+  .row-of-bar:hover {
+    background: var(--_raised);
+  }
+  .row-of-bar[aria-pressed='true'] {
+    background: color-mix(in srgb, var(--_accent) 12%, transparent);
+  }
+  .row-of-bar .name {
+    overflow: hidden;
+    font-weight: 600;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .row-of-bar .name::first-letter {
+    text-transform: uppercase;
+  }
+  .row-of-bar .number {
+    text-align: right;
+  }
+  .row-of-bar .way {
+    grid-area: way;
+  }
+  .row-of-bar:is(:hover, [aria-pressed='true']) .way {
+    color: inherit;
+  }
+  .track {
+    display: flex;
+    height: 10px;
+    border-radius: 3px;
+    background: var(--_raised);
+    overflow: hidden;
+  }
+  .track .own,
+  .swatch.own {
+    background: var(--_accent);
+  }
+  :is(.track.of-virtual, .virtual ul) .own {
+    background: light-dark(#0b8a56, #4cc38f);
+  }
+  .track .passed,
+  .swatch.passed {
+    background: color-mix(in srgb, var(--_accent) 36%, var(--_surface));
+  }
+  .swatch {
+    display: inline-block;
+    width: 10px;
+    height: 10px;
+    margin: 0 5px 0 0;
+    border-radius: 3px;
+  }
+  .key .meaning {
+    display: inline-block;
+    margin-right: 10px;
+  }
+  .virtual summary {
+    margin: 0 -8px;
+    width: calc(100% + 16px);
+    list-style: none;
+  }
+  .virtual summary::-webkit-details-marker {
+    display: none;
+  }
+  .key {
+    margin-top: 6px;
+  }
+  .falloff {
+    margin-top: 12px;
+    padding-top: 12px;
+    border-top: 1px solid var(--_line);
+  }
+  .falloff .control {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+  }
+  .falloff .symbol {
+    font-weight: 600;
+  }
+  .variants {
+    display: grid;
+    grid-template-columns: repeat(auto-fit, minmax(150px, 1fr));
+    gap: 14px;
+    margin-top: 10px;
+  }
+  .variants figure {
+    margin: 0;
+  }
+  .study .variant canvas {
+    display: block;
+    position: static;
+    width: 100%;
+    height: auto;
+    aspect-ratio: 3 / 4;
+    max-height: 46vh;
+    border-radius: var(--_radius-item);
+    background: repeating-conic-gradient(var(--_checker) 0 25%, var(--_ground) 0 50%) 0 0 / 16px 16px;
+    transition: opacity var(--_speed);
+  }
+  .variant canvas.waiting {
+    opacity: 0.45;
+  }
+  .variants figcaption {
+    margin-top: 6px;
   }
   @container ${phone} {
     .study {

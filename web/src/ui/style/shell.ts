@@ -53,6 +53,9 @@ export const shellStyle = css`
   .middle.studying {
     --_right: ${STUDY.wide}px;
   }
+  .middle.on-compare {
+    --_right: max(${STUDY.wide}px, 50%);
+  }
   /* Phones have no cards at the sides. Low phones have the tools there. */
   @container ${phone} {
     .middle,

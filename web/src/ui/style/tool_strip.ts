@@ -70,7 +70,18 @@ export const toolStripStyle = css`
       border: 0;
     }
   }
-  /* No room for a seventh tool: two fingers, the middle button and the space bar pan too. */
+  /* No room for the lens: its card has it, too. */
+  @container ${low} {
+    .tools [data-command='lens'] {
+      display: none;
+    }
+  }
+  @container ${phone} {
+    .tools [data-command='lens'] {
+      display: none;
+    }
+  }
+  /* No room for a sixth tool and the settings: two fingers, the middle button and the space bar pan too. */
   @container ${lowestPhone} {
     .tools [data-command='hand'] {
       display: none;

@@ -1,0 +1,30 @@
+/** The comparison as a figure to be saved: three pictures with their names. */
+import { nothing, svg } from 'lit';
+import { VARIANTS } from '../../document/variants';
+import type { VariantPictures } from '../study_view';
+import { VARIANT_TEXTS } from './compare_page';
+import { type Drawn, linesOf } from './figure';
+
+/** Each picture has the form of its canvas: 3 to 4. */
+const PICTURE = { width: 270, height: 360 } as const;
+const GAP = 20;
+const LINE = 17;
+/** Characters that fit below a picture. */
+const LINE_LENGTH = 42;
+
+export function compareFigure(pictures: VariantPictures): Drawn {
+  const { width, height } = PICTURE;
+  const columns = VARIANTS.map((variant, at) => {
+    const [title, note] = VARIANT_TEXTS[variant];
+    const url = pictures[variant];
+    return svg`<g transform="translate(${GAP + at * (width + GAP)} ${GAP})">
+      ${url === null ? nothing : svg`<image width=${width} height=${height} href=${url}/>`}
+      <text class="strong" y=${height + LINE}>${title}</text>
+      ${linesOf(note, LINE_LENGTH).map(
+        (line, below) => svg`<text class="tick" y=${height + (below + 2) * LINE}>${line}</text>`,
+      )}
+    </g>`;
+  });
+  const content = svg`${columns}`;
+  return { content, width: 3 * width + 4 * GAP, height: height + 2 * GAP + 4 * LINE };
+}

@@ -1,0 +1,14 @@
+/** Saves the figure of a page as SVG. */
+import { html, type TemplateResult } from 'lit';
+import type { Dispatch } from '../../editor/events';
+import type { FigureName } from '../../editor/study_state';
+import { icon } from '../icons';
+
+export const saveButton = (figure: FigureName, dispatch: Dispatch): TemplateResult => html`<button
+  type="button"
+  class="button toggle save-figure"
+  part="button"
+  @click=${() => dispatch({ type: 'figure-asked', figure })}
+>
+  ${icon('export')}Save as SVG
+</button>`;
