@@ -7,6 +7,7 @@ mod bars;
 mod blend;
 mod cloud;
 mod depth;
+mod fine_outlines;
 mod geodesic;
 mod handles;
 mod input_mesh;

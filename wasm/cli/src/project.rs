@@ -1,11 +1,13 @@
 //! A project with its picture: the input of every subcommand.
 
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use c2warp::Picture;
 use c2warp::Solution;
 use c2warp::deform::Pose;
+use c2warp::domain::{Domain, OutlineDetail};
 use c2warp::project::Project;
 
 use crate::carried;
@@ -78,9 +80,14 @@ impl LoadedProject {
         self.image.profile.as_deref()
     }
 
-    /// Solves the project.
+    /// Solves the project. Tells on standard error if the outline could not be followed closely.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
-        c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))
+        let solution = c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))?;
+        if let Some(remark) = remark(solution.domain()) {
+            // If standard error is closed, nobody reads it.
+            let _ = writeln!(io::stderr(), "c2warp: {}: {remark}", self.image_path.display());
+        }
+        Ok(solution)
     }
 
     /// Poses the handles as the project asks.
@@ -91,5 +98,18 @@ impl LoadedProject {
     /// Returns an error about the contents of the project.
     pub(crate) fn refused(&self, reason: c2warp::Error) -> CliError {
         CliError::Refused { path: self.project_path.clone(), reason }
+    }
+}
+
+/// A remark on an outline that does not follow the picture closely.
+fn remark(domain: &Domain) -> Option<String> {
+    match domain.detail() {
+        OutlineDetail::Simplified => Some("the outline is very fine: it is followed to half a pixel".into()),
+        OutlineDetail::Bridged => {
+            let gap = domain.bridged_gap();
+            Some(format!("the outline is too fine to be followed: parts up to {gap} px apart bend together"))
+        }
+        OutlineDetail::Picture => Some("the outline is too fine to be followed: the whole picture bends".into()),
+        _ => None,
     }
 }

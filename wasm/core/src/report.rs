@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::{bone::OutsidePart, stage::StageTimes};
+use crate::{bone::OutsidePart, domain::OutlineDetail, stage::StageTimes};
 
 /// The figures of `c2warp inspect --json`, without the times.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -17,6 +17,10 @@ pub struct Report {
     pub holes: usize,
     /// Opaque regions too small to keep.
     pub specks: usize,
+    /// How closely the outline follows the picture.
+    pub outline: OutlineDetail,
+    /// Greatest width of a gap that the domain takes in, in pixels.
+    pub bridged_gap: f64,
     /// Corners of the outline at which shortest paths may bend.
     pub reflex_corners: usize,
     /// Point handles.

@@ -406,6 +406,8 @@ impl Solution {
             islands: self.domain().islands(),
             holes: self.domain().holes(),
             specks: self.domain().specks(),
+            outline: self.domain().detail(),
+            bridged_gap: self.domain().bridged_gap(),
             reflex_corners: self.prepared.navigation.reflex_corners().count(),
             point_handles: self.handle_counts[0],
             bar_handles: self.handle_counts[1],

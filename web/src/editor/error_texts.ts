@@ -45,7 +45,6 @@ export function refusalWords(error: Error, reverted = false): string {
 /** Refusals of a picture without a project, in which the person has set nothing. */
 const TEXTS: Readonly<Record<string, string>> = {
   'nothing-opaque': 'nothing in this picture is opaque enough to be warped.',
-  domain: 'the outline of this picture has too many corners to be warped: smooth its transparency.',
   'too-much': 'this picture is more than the solver can do in this browser.',
 };
 

@@ -15,7 +15,7 @@ import { initialState } from './initial_state';
 import { initialOpening, nothingCarried } from './opening_state';
 import type { Media, PageAttributes } from './page';
 import type { Picture, SourceFile } from './picture';
-import type { Solution } from './solution';
+import type { Solution, SolveReport } from './solution';
 import type { EditorState } from './state';
 import { update } from './update';
 
@@ -150,6 +150,8 @@ export const solutionOf = (key: string, project: Project): Solution => ({
     samples: 100,
     virtualSites: 0,
     outside: [],
+    outline: 'traced',
+    bridgedGap: 0,
     ms: 1,
     times: { domain: 0, sampling: 0, regions: 1, weights: 0, pose: 0 },
   },
@@ -177,12 +179,12 @@ export class FakeRuntime {
     if (effects.some(({ type }) => type === 'release-input')) this.dispatch({ type: 'input-released' });
   }
 
-  /** Opens a picture and solves it. */
-  open(picture = testPicture()): void {
+  /** Opens a picture and solves it, with these figures in the solver's report. */
+  open(picture = testPicture(), figures: Partial<SolveReport> = {}): void {
     this.dispatch({ type: 'stage-resized', size: { width: 400, height: 300 }, typing: false });
     this.dispatch({ type: 'files-received', files: [{ name: picture.name, file: picture.file }] });
     this.read(picture);
-    this.solve();
+    this.solve(figures);
   }
 
   /** Answers the newest pending read. */
@@ -209,10 +211,12 @@ export class FakeRuntime {
     if (effect) this.dispatch({ type: 'read-failed', id: effect.id, error });
   }
 
-  /** Solves the newest request. */
-  solve(): void {
+  /** Solves the newest request, with these figures in the solver's report. */
+  solve(figures: Partial<SolveReport> = {}): void {
     const effect = this.#take('solve');
-    if (effect) this.dispatch({ type: 'solved', solution: solutionOf(effect.key, effect.project) });
+    if (!effect) return;
+    const solution = solutionOf(effect.key, effect.project);
+    this.dispatch({ type: 'solved', solution: { ...solution, report: { ...solution.report, ...figures } } });
   }
 
   /** Refuses the newest request; `failed`: the solver itself failed. */

@@ -1,5 +1,6 @@
 /** Texts of notices. */
 import type { NameFault } from '../document/names';
+import type { OutlineDetail } from './solution';
 
 export const NOTHING_TO_HOLD = 'There is nothing to hold here: place the handle on the picture.';
 
@@ -58,6 +59,24 @@ export const NAME_FAULTS: Readonly<Record<NameFault, string>> = {
 /** @param name that of a handle whose new name was refused. */
 export const nameStaysText = (fault: NameFault, name: string): string =>
   `${NAME_FAULTS[fault].slice(0, -1)}: “${name}” keeps its own.`;
+
+/**
+ * Null for an outline that follows the picture.
+ *
+ * @param gap the widest gap that is bridged, in image pixels.
+ */
+export function outlineText(outline: OutlineDetail, gap: number): string | null {
+  switch (outline) {
+    case 'traced':
+      return null;
+    case 'simplified':
+      return 'This outline is very fine: it is followed to half a pixel.';
+    case 'bridged':
+      return `This outline is too fine to be followed: parts up to ${Math.ceil(gap)} pixels apart bend together.`;
+    case 'picture':
+      return 'This outline is too fine to be followed: the whole picture bends.';
+  }
+}
 
 export const SAME_THERE = 'Both sides are the same already.';
 

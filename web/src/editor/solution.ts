@@ -2,12 +2,18 @@
 import type { Project } from '../document/project';
 import type { CellBorders, Deformation } from './deformation';
 
+/** How closely an outline follows the picture. Other values than `traced`: it would have too many corners. */
+export type OutlineDetail = 'traced' | 'simplified' | 'bridged' | 'picture';
+
 /** The part of the solver's report that the editor goes by. */
 export interface SolveReport {
   readonly samples: number;
   readonly virtualSites: number;
   /** Parts of bars and polygons that lie outside the domain. */
   readonly outside: readonly { readonly handle: string }[];
+  readonly outline: OutlineDetail;
+  /** Widest gap that bends with what is around it, in image pixels. */
+  readonly bridgedGap: number;
   /** Milliseconds of all stages, and of each. */
   readonly ms: number;
   readonly times: Readonly<Record<SolveStage | 'pose', number>>;

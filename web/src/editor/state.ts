@@ -157,6 +157,8 @@ export interface PoseChecks {
   readonly beyond: boolean;
   /** The parts of handles outside the domain, as a key. */
   readonly outside: string;
+  /** How closely the outline follows the picture, as a key. */
+  readonly outline: string;
 }
 
 export const documentOf = ({ document }: EditorState): Document => document.history.present;

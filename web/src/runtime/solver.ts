@@ -181,6 +181,8 @@ const reportOf = ({ report }: SolutionData): SolveReport => ({
   samples: report.samples,
   virtualSites: report.virtual_sites,
   outside: report.outside ?? [],
+  outline: report.outline,
+  bridgedGap: report.bridged_gap,
   ms: Object.values(report.ms).reduce((sum, stage) => sum + stage, 0),
   times: report.ms,
 });

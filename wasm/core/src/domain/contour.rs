@@ -1,7 +1,7 @@
-//! Sub-pixel contours of the alpha channel by marching squares.
+//! Sub-pixel contours of a field over pixels by marching squares.
 //!
-//! Pixel centres are the nodes. Outside the picture, alpha is zero. Contours are closed, simple and disjoint. Their
-//! opaque side is on the right in the y-down image, so outer contours have positive area and holes negative area. At
+//! Pixel centres are the nodes. Nodes beyond the field lie outside. Contours are closed, simple and disjoint. Their
+//! inside is on the right in the y-down image, so outer contours have positive area and holes negative area. At
 //! saddles the mean of the four nodes decides, so a diagonal stroke one pixel wide stays connected.
 //!
 //! Cost: linear in the pixels, with one byte of memory for each, besides the current contour.
@@ -9,7 +9,6 @@
 use glam::DVec2;
 
 use super::ring::Ring;
-use crate::picture::Picture;
 
 /// Least distance of a crossing from the nodes of its edge, as a fraction of the edge.
 ///
@@ -20,10 +19,21 @@ const NODE_CLEARANCE: f64 = 1.0 / 64.0;
 /// The crossings of a picture and of its mirror image are then mirrored to the last bit.
 const CROSSING_STEP: f64 = 1.0 / 65_536.0;
 
-/// The contours of `alpha ≥ threshold`. The threshold must be in (0, 1].
-pub(super) fn alpha_contours<'a>(picture: &'a Picture<'a>, threshold: f64) -> impl Iterator<Item = Ring> + 'a {
-    let field = Alpha { picture, threshold };
-    let (width, height) = (i64::from(picture.width()), i64::from(picture.height()));
+/// Numbers at pixels.
+pub(super) trait Field {
+    /// Width and height in pixels.
+    fn size(&self) -> (u32, u32);
+    /// The number at a pixel of the field.
+    fn at(&self, x: u32, y: u32) -> f64;
+    /// The number at every pixel beyond the field. It must be below the level of every contour.
+    const BEYOND: f64;
+}
+
+/// The contours of `field ≥ level`, clamped to the field's rectangle.
+pub(super) fn contours<'a, F: Field>(field: &'a F, level: f64) -> impl Iterator<Item = Ring> + 'a {
+    let (width, height) = field.size();
+    let (width, height) = (i64::from(width), i64::from(height));
+    let field = Nodes { field, width, height, level };
     let mut seen = vec![false; (width * height) as usize];
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y))).filter_map(move |(x, y)| {
         // Every contour passes a node with its left neighbour outside.
@@ -48,23 +58,24 @@ enum Side {
     Left,
 }
 
-struct Alpha<'a> {
-    picture: &'a Picture<'a>,
-    threshold: f64,
+struct Nodes<'a, F> {
+    field: &'a F,
+    width: i64,
+    height: i64,
+    level: f64,
 }
 
-impl Alpha<'_> {
+impl<F: Field> Nodes<'_, F> {
     fn at(&self, x: i64, y: i64) -> f64 {
-        let (width, height) = (i64::from(self.picture.width()), i64::from(self.picture.height()));
-        if (0..width).contains(&x) && (0..height).contains(&y) {
-            f64::from(self.picture.rgba()[((y * width + x) * 4 + 3) as usize]) / 255.0
+        if (0..self.width).contains(&x) && (0..self.height).contains(&y) {
+            self.field.at(x as u32, y as u32)
         } else {
-            0.0
+            F::BEYOND
         }
     }
 
     fn inside(&self, x: i64, y: i64) -> bool {
-        self.at(x, y) >= self.threshold
+        self.at(x, y) >= self.level
     }
 
     /// Follows the contour upwards through the edge between (x − 1, y), outside, and (x, y), inside.
@@ -111,10 +122,10 @@ impl Alpha<'_> {
     fn saddle_inside(&self, Cell { x, y }: Cell) -> bool {
         // Sum by diagonals: a mirror image gives the same bits.
         let sum = (self.at(x, y) + self.at(x + 1, y + 1)) + (self.at(x + 1, y) + self.at(x, y + 1));
-        sum / 4.0 >= self.threshold
+        sum / 4.0 >= self.level
     }
 
-    /// The point where the contour crosses a side, clamped to the picture.
+    /// The point where the contour crosses a side, clamped to the field's rectangle.
     fn crossing(&self, Cell { x, y }: Cell, side: Side) -> DVec2 {
         let ((ax, ay), (bx, by)) = match side {
             Side::Top => ((x, y), (x + 1, y)),
@@ -123,10 +134,10 @@ impl Alpha<'_> {
             Side::Left => ((x, y), (x, y + 1)),
         };
         let (a, b) = (self.at(ax, ay), self.at(bx, by));
-        let t = ((self.threshold - a) / (b - a)).clamp(NODE_CLEARANCE, 1.0 - NODE_CLEARANCE);
+        let t = ((self.level - a) / (b - a)).clamp(NODE_CLEARANCE, 1.0 - NODE_CLEARANCE);
         let t = (t / CROSSING_STEP).round() * CROSSING_STEP;
         let (from, to) = (DVec2::new(ax as f64, ay as f64), DVec2::new(bx as f64, by as f64));
-        let size = DVec2::new(f64::from(self.picture.width()), f64::from(self.picture.height()));
+        let size = DVec2::new(self.width as f64, self.height as f64);
         (from + (to - from) * t + 0.5).clamp(DVec2::ZERO, size)
     }
 }

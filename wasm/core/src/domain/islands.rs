@@ -21,6 +21,8 @@ const SPRITE_AREA: f64 = 128.0 * 128.0;
 pub(super) struct FilteredRings {
     pub(super) rings: Vec<Ring>,
     pub(super) specks: usize,
+    /// Area of the islands among them, in square pixels.
+    pub(super) speck_area: f64,
 }
 
 /// Drops small islands, with the holes in them, and small holes.
@@ -29,16 +31,19 @@ pub(super) struct FilteredRings {
 pub(super) fn without_specks(contours: impl Iterator<Item = Ring>, picture_area: f64) -> FilteredRings {
     let least_hole = SPECK_AREA.max(SPECK_FRACTION * picture_area);
     let least_island = if picture_area <= SPRITE_AREA { 0.0 } else { least_hole };
-    let mut specks = 0;
+    let (mut specks, mut speck_area) = (0, 0.0);
     let is_kept = |ring: &Ring| {
         // A hole is larger than a speck only if the island around it is, so no hole remains without its island.
         let area = signed_area(ring);
         let is_kept = if area > 0.0 { area >= least_island } else { -area >= least_hole };
-        specks += usize::from(!is_kept);
+        if !is_kept {
+            specks += 1;
+            speck_area += area.max(0.0);
+        }
         is_kept
     };
     let rings = contours.filter(is_kept).collect();
-    FilteredRings { rings, specks }
+    FilteredRings { rings, specks, speck_area }
 }
 
 /// The same rings, with positive area for outer rings and negative area for holes. A ring at an odd depth of nesting

@@ -1,16 +1,19 @@
 //! Ω: the closed region to warp, as rings in image pixels (section III-A).
 //!
 //! A domain consists of islands, each an outer ring with holes. Rings never cross or touch. They come from the
-//! picture's rectangle, from its alpha (`contour`, then `simplify`), or from the project (`polygon`).
+//! picture's rectangle, from its alpha (`outline`), or from the project (`polygon`).
 
 mod contour;
 mod islands;
+mod nearness;
+mod outline;
 mod polygon;
 mod ring;
 mod simplify;
 
 use glam::DVec2;
 
+use self::outline::Outline;
 use crate::{
     error::Error,
     limits::{MAX_COORDINATE, MAX_CORNERS},
@@ -19,6 +22,7 @@ use crate::{
     segment::segment_distance,
 };
 
+pub use outline::OutlineDetail;
 pub use ring::Ring;
 #[cfg(test)]
 pub(crate) use ring::contains;
@@ -30,6 +34,8 @@ pub struct Domain {
     rings: Vec<Ring>,
     islands: usize,
     specks: usize,
+    detail: OutlineDetail,
+    gap: f64,
 }
 
 impl Domain {
@@ -57,26 +63,20 @@ impl Domain {
 
     /// The region where the picture's alpha reaches `threshold` (in (0, 1]), bounded by sub-pixel contours.
     ///
+    /// An outline with more than [`MAX_CORNERS`] corners is simplified, and takes in gaps if need be: see
+    /// [`detail`](Self::detail).
+    ///
     /// # Errors
     /// - [`Error::Project`] for a threshold out of range.
     /// - [`Error::NothingOpaque`] or [`Error::OnlySpecks`] if no region is large enough.
-    /// - [`Error::OutlineTooFine`] for too many corners.
     pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
         DomainSpec::check_threshold(threshold)?;
-        let area = f64::from(picture.width()) * f64::from(picture.height());
-        let filtered = islands::without_specks(contour::alpha_contours(picture, threshold), area);
-        if filtered.rings.is_empty() {
-            return Err(match filtered.specks {
-                0 => Error::NothingOpaque { threshold },
-                specks => Error::OnlySpecks { threshold, specks },
-            });
-        }
-        // Simplification keeps at least three corners of each ring, so many rings are refused before it.
-        let check = |corners| if corners > MAX_CORNERS { Err(Error::OutlineTooFine { corners }) } else { Ok(()) };
-        check(3 * filtered.rings.len())?;
-        let rings = simplify::simplified(&filtered.rings);
-        check(corners(&rings))?;
-        Ok(Self::from_checked(rings, filtered.specks))
+        let Outline { rings, detail, gap, specks } = Outline::new(picture, threshold, MAX_CORNERS)?;
+        let domain = match detail {
+            OutlineDetail::Picture => Self::rectangle(picture.width(), picture.height()),
+            _ => Self::from_checked(rings, specks),
+        };
+        Ok(Self { detail, gap, ..domain })
     }
 
     /// The inside of the project's rings by the even-odd rule, within a picture of the given size.
@@ -139,7 +139,7 @@ impl Domain {
     /// A domain from checked rings, each with the domain to its right.
     fn from_checked(rings: Vec<Ring>, specks: usize) -> Self {
         let islands = rings.iter().filter(|ring| signed_area(ring) > 0.0).count();
-        Self { rings, islands, specks }
+        Self { rings, islands, specks, detail: OutlineDetail::Traced, gap: 0.0 }
     }
 
     /// Outer rings and holes, in image pixels.
@@ -164,6 +164,18 @@ impl Domain {
     #[must_use]
     pub fn specks(&self) -> usize {
         self.specks
+    }
+
+    /// How closely the outline follows the picture.
+    #[must_use]
+    pub fn detail(&self) -> OutlineDetail {
+        self.detail
+    }
+
+    /// Greatest width of a gap that the domain takes in, as its outline would have too many corners; in pixels.
+    #[must_use]
+    pub fn bridged_gap(&self) -> f64 {
+        self.gap
     }
 
     /// Area in square pixels.

@@ -40,7 +40,7 @@ impl Error {
     /// | `canvas` | a warped picture that is too large to be drawn as a whole |
     /// | `nothing-drawn` | a covered part without a pixel |
     /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
-    /// | `domain` | invalid rings, or an outline with too many corners |
+    /// | `domain` | invalid rings, or rings with too many corners |
     /// | `handle-outside` | a handle outside the domain |
     /// | `handles-too-close` | two handles that coincide |
     /// | `bar-too-short` | two corners of a bar or polygon that coincide |
@@ -70,7 +70,6 @@ impl Error {
             | Self::RingDuplicate { .. }
             | Self::RingFlat { .. }
             | Self::RingsCross { .. }
-            | Self::OutlineTooFine { .. }
             | Self::RingsTooFine { .. } => "domain",
             Self::HandleOutside { .. } => "handle-outside",
             Self::HandlesTooClose { .. } => "handles-too-close",

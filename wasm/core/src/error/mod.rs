@@ -179,16 +179,6 @@ pub enum Error {
         /// Index of the other edge's first point.
         other_point: usize,
     },
-    /// The opaque part has too many corners to be solved in reasonable time.
-    #[error(
-        "the outline has {corners} or more corners, but at most {max} are supported: raise domain.threshold, or smooth \
-         the picture's alpha",
-        max = limits::MAX_CORNERS
-    )]
-    OutlineTooFine {
-        /// Number of corners after simplification, or a lower bound of it.
-        corners: usize,
-    },
     /// The rings have too many corners to be solved in reasonable time.
     #[error("domain.rings have {corners} points, but at most {max} are supported: draw the rings with fewer points",
         max = limits::MAX_CORNERS)]

@@ -10,6 +10,10 @@ export interface Inspection {
   readonly holes: number;
   /** Opaque regions too small to keep. */
   readonly specks: number;
+  /** How closely the outline follows the picture. */
+  readonly outline: OutlineDetail;
+  /** Greatest width of a gap that the domain takes in, in pixels. */
+  readonly bridged_gap: number;
   /** Corners of the outline at which shortest paths may bend. */
   readonly reflex_corners: number;
   /** Point handles. */
@@ -39,6 +43,9 @@ export interface Inspection {
   /** The time of each stage. */
   readonly ms: StageTimes;
 }
+
+/** How closely the outline of a domain follows the picture. */
+export type OutlineDetail = 'traced' | 'simplified' | 'bridged' | 'picture';
 
 /** A part of a bar or polygon that lies outside the domain, or on its held boundary. It moves nothing. */
 export interface OutsidePart {

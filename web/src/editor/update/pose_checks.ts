@@ -1,6 +1,6 @@
 /**
- * Checks for faults that a person may overlook: creases, parts of the picture outside its frame, and handles partly
- * outside the picture.
+ * Checks for what a person may overlook: creases, parts of the picture outside its frame, handles partly outside the
+ * picture, and outlines that do not follow it.
  *
  * Creases and the frame need a pass over the whole mesh. It is made a few times a second during a drag, and once after
  * it.
@@ -9,8 +9,8 @@ import { ringsOf } from '../../document/domain';
 import { nameOf } from '../../document/handle';
 import { placeKey } from '../../document/solved';
 import type { Emit } from '../effects';
-import { outsideText } from '../notice_texts';
-import type { Solution } from '../solution';
+import { outlineText, outsideText } from '../notice_texts';
+import type { Solution, SolveReport } from '../solution';
 import { type EditorState, projectOf } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { informOfStep } from './notices';
@@ -32,9 +32,21 @@ export function checkPose(state: EditorState): EditorState {
   };
 }
 
-/** Names the handles that lie partly outside the picture, when a solve finds others than the solve before. */
-export function checkSolution(before: EditorState, { project, report }: Solution, emit: Emit): EditorState {
-  const state = schedulePoseCheck(before, emit);
+/** Tells what a solve finds that the solve before did not. */
+export const checkSolution = (state: EditorState, solution: Solution, emit: Emit): EditorState =>
+  checkOutline(checkOutside(schedulePoseCheck(state, emit), solution, emit), solution.report, emit);
+
+/** Says how an outline is simplified that is too fine to be followed. */
+function checkOutline(state: EditorState, { outline, bridgedGap }: SolveReport, emit: Emit): EditorState {
+  const key = `${outline} ${bridgedGap}`;
+  if (key === state.checks.outline) return state;
+  const next = { ...state, checks: { ...state.checks, outline: key } };
+  const text = outlineText(outline, bridgedGap);
+  return text === null ? next : informOfStep(next, text, emit);
+}
+
+/** Names the handles that lie partly outside the picture. */
+function checkOutside(state: EditorState, { project, report }: Solution, emit: Emit): EditorState {
   const { outside } = report;
   const key = JSON.stringify(outside);
   if (key === state.checks.outside) return state;

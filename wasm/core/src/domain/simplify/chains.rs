@@ -6,11 +6,6 @@ use robust::{Coord, orient2d};
 use super::point_grid::PointGrid;
 use crate::{domain::ring::Ring, min_entry::MinEntry, segment::segment_distance};
 
-/// Greatest distance of an original point from the simplified outline, in pixels.
-///
-/// It is below the half pixel that is visible on an edge. A disc of radius 100 px keeps some 56 corners.
-const TOLERANCE: f64 = 0.35;
-
 /// Costs are rounded to multiples of this many pixels, above rounding errors and far below the tolerance. They are
 /// then the same in a mirror image.
 const COST_STEP: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -37,13 +32,15 @@ pub(super) struct Chains {
     /// Number of points that remain of each ring, indexed by the ring's first point.
     remaining: Vec<usize>,
     remoteness: Vec<Remoteness>,
+    /// Greatest distance of an original point from the outline, in pixels.
+    tolerance: f64,
     /// Number of original points from each point to the end of the exactly straight run that begins there: 1 or more.
     straight: Vec<usize>,
     grid: PointGrid,
 }
 
 impl Chains {
-    pub(super) fn new(rings: &[Ring]) -> Self {
+    pub(super) fn new(rings: &[Ring], tolerance: f64) -> Self {
         let points: Vec<DVec2> = rings.iter().flatten().copied().collect();
         let (mut ring, mut prev, mut next, mut remoteness) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut straight = Vec::with_capacity(points.len());
@@ -65,7 +62,7 @@ impl Chains {
             remaining[start] = len;
         }
         let (alive, stamp, tied) = (vec![true; n], vec![0; n], vec![(0, 0); n]);
-        Self { points, ring, prev, next, alive, stamp, tied, remaining, remoteness, straight, grid }
+        Self { points, ring, prev, next, alive, stamp, tied, remaining, remoteness, tolerance, straight, grid }
     }
 
     /// Number of original points.
@@ -142,7 +139,7 @@ impl Chains {
         while steps <= last {
             let i = start + (from - start + steps) % len;
             cost = cost.max((segment_distance(self.points[i], a, b) / COST_STEP).round() * COST_STEP);
-            if cost > TOLERANCE {
+            if cost > self.tolerance {
                 return None;
             }
             // No point of a straight run is farther from the chord than both its ends, so skip to its end.

@@ -23,8 +23,10 @@ use self::chains::{Candidate, Chains};
 use super::ring::Ring;
 
 /// Simplifies rings. They must be simple and disjoint, and stay so.
-pub(super) fn simplified(rings: &[Ring]) -> Vec<Ring> {
-    let mut chains = Chains::new(rings);
+///
+/// `tolerance` is the greatest distance of an original point from the simplified outline, in pixels.
+pub(super) fn simplified(rings: &[Ring], tolerance: f64) -> Vec<Ring> {
+    let mut chains = Chains::new(rings, tolerance);
     let mut queue: BinaryHeap<Candidate> = (0..chains.len()).filter_map(|at| chains.candidate(at)).collect();
     let mut rounds = 0;
     while let Some(first) = queue.pop() {
@@ -54,6 +56,11 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
+
+    /// With the tolerance of a traced outline.
+    fn simplified(rings: &[Ring]) -> Vec<Ring> {
+        super::simplified(rings, 0.35)
+    }
 
     #[test]
     fn straight_edge_keeps_only_its_ends() {

@@ -1,0 +1,51 @@
+/** Pictures with transparency: their outline, its least opacity, and parts without a handle. */
+import { encode } from 'fast-png';
+import type { C2Warp } from '../../web/src/element';
+import { Editor } from './editor';
+import { bring, png } from './files';
+import { expect, test } from './fixtures';
+
+/** A picture of `size` × `size` px with this alpha at each pixel. */
+function picture(size: number, alpha: (x: number, y: number) => number): Buffer {
+  const data = new Uint8Array(size * size * 4);
+  for (let pixel = 0; pixel < size * size; pixel++) {
+    data.set([60, 120, 80, alpha(pixel % size, Math.floor(pixel / size))], pixel * 4);
+  }
+  return Buffer.from(encode({ width: size, height: size, data, channels: 4 }));
+}
+
+async function opened(editor: Editor, name: string, buffer: Buffer): Promise<void> {
+  await bring(editor, 'drop', png(name, buffer));
+  await expect(editor.page.getByRole('application', { name: `Picture ${name}` })).toBeVisible();
+  await expect(editor.solved).toContainText('sample');
+}
+
+/** Where the page shows a place of the picture, CSS pixels. */
+const shown = (editor: Editor, x: number, y: number): Promise<readonly [number, number]> =>
+  editor.page.locator('c2-warp').evaluate(
+    (element, at) => {
+      const place = (element as C2Warp).imageToClient(at);
+      if (!place) throw new Error('no picture is shown');
+      return place;
+    },
+    [x, y] as const,
+  );
+
+async function placeHandle(editor: Editor, x: number, y: number): Promise<void> {
+  await editor.page.keyboard.press('p');
+  const at = await shown(editor, x, y);
+  await editor.waitForSolve(() => editor.page.mouse.click(...at));
+}
+
+test('a picture of thousands of dots opens, says what bends together, and bends', async ({ page }) => {
+  const editor = await Editor.open(page);
+  // Some 15,600 dots.
+  const dots = picture(1000, (x, y) => (Math.hypot((x % 8) - 3.5, (y % 8) - 3.5) < 3 ? 255 : 0));
+  await opened(editor, 'dots.png', dots);
+  await expect(page.getByText(/too fine to be followed: parts up to \d+ pixels apart bend/)).toBeVisible();
+  await placeHandle(editor, 500, 800);
+  await placeHandle(editor, 500, 200);
+  await page.keyboard.press('v');
+  await editor.dragHandle('handle 2', { x: 60, y: -10 });
+  await expect.poll(() => editor.mappedDistance([500, 200], [500, 200])).toBeGreaterThan(20);
+});

@@ -1,0 +1,90 @@
+//! Outlines with very many corners: they are simplified, gaps are bridged, or the whole picture is taken.
+
+use c2warp::{
+    Picture,
+    domain::{Domain, OutlineDetail},
+    limits::MAX_CORNERS,
+    project::{DomainSpec, Handle, Project},
+    solve,
+};
+use glam::DVec2;
+
+use crate::random::Random;
+
+/// A picture with this alpha at each pixel.
+fn pixels(side: u32, alpha: impl Fn(u32, u32) -> u8) -> Vec<u8> {
+    (0..side * side).flat_map(|i| [40, 90, 60, alpha(i % side, i / side)]).collect()
+}
+
+fn corners(domain: &Domain) -> usize {
+    domain.rings().iter().map(Vec::len).sum()
+}
+
+/// Whether the domain has all opaque pixels, with a pixel of tolerance.
+fn has_all_pixels(domain: &Domain, side: u32, rgba: &[u8]) -> bool {
+    let navigation = c2warp::distance::Navigation::new(domain);
+    (0..side * side).filter(|&i| rgba[i as usize * 4 + 3] > 127).step_by(7).all(|i| {
+        let p = DVec2::new(f64::from(i % side), f64::from(i / side)) + 0.5;
+        [DVec2::ZERO, DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y].iter().any(|&by| navigation.located(p + by).is_some())
+    })
+}
+
+/// Leaves: thousands of small ellipses within a circle.
+fn leaves(side: u32, count: usize) -> Vec<u8> {
+    let mut random = Random(5);
+    let mut alpha = vec![0_u8; (side * side) as usize];
+    let middle = f64::from(side) / 2.0;
+    for _ in 0..count {
+        let out = DVec2::from_angle(std::f64::consts::TAU * random.unit());
+        let at = DVec2::splat(middle) + 0.45 * f64::from(side) * random.unit().sqrt() * out;
+        let (along, length) = (DVec2::from_angle(6.3 * random.unit()), 3.0 + 3.0 * random.unit());
+        for y in (at.y - 7.0) as u32..(at.y + 7.0) as u32 {
+            for x in (at.x - 7.0) as u32..(at.x + 7.0) as u32 {
+                let off = DVec2::new(f64::from(x), f64::from(y)) + 0.5 - at;
+                let (u, v) = (off.dot(along) / length, off.perp_dot(along) / (0.45 * length));
+                if u * u + v * v < 1.0 {
+                    alpha[(y * side + x) as usize] = 255;
+                }
+            }
+        }
+    }
+    pixels(side, |x, y| alpha[(y * side + x) as usize])
+}
+
+#[test]
+fn gaps_between_leaves_and_between_dots_are_bridged() {
+    let side = 900;
+    let dots = pixels(side, |x, y| {
+        let off = DVec2::new(f64::from(x % 9), f64::from(y % 9)) - 4.0;
+        if off.length() < 2.0 + 2.2 * f64::from(x) / f64::from(side) { 255 } else { 0 }
+    });
+    for (name, rgba) in [("leaves", leaves(side, 6000)), ("dots", dots)] {
+        let domain = Domain::from_alpha(&Picture::new(side, side, &rgba).expect("a picture"), 0.5).expect(name);
+        assert_eq!(domain.detail(), OutlineDetail::Bridged, "{name}");
+        assert!(corners(&domain) <= MAX_CORNERS && domain.bridged_gap() > 0.0, "{name}: {}", corners(&domain));
+        assert!(has_all_pixels(&domain, side, &rgba), "{name}");
+    }
+}
+
+#[test]
+fn scattered_squares_are_bridged_even_if_each_is_a_speck() {
+    let side = 1800;
+    // Squares of 4 px in cells of 20 px, at a random place in each.
+    let mut random = Random(3);
+    let mut alpha = vec![0; (side * side) as usize];
+    for (row, column) in (0..side / 20).flat_map(|row| (0..side / 20).map(move |column| (row, column))) {
+        let (x, y) = (20 * column + 2 + random.below(13) as u32, 20 * row + 2 + random.below(13) as u32);
+        for i in 0..16 {
+            alpha[((y + i / 4) * side + x + i % 4) as usize] = 255;
+        }
+    }
+    let rgba = pixels(side, |x, y| alpha[(y * side + x) as usize]);
+    let picture = Picture::new(side, side, &rgba).expect("a picture");
+    let domain = Domain::from_alpha(&picture, 0.5).expect("a domain");
+    assert!(corners(&domain) <= MAX_CORNERS);
+    assert!(has_all_pixels(&domain, side, &rgba));
+    assert_eq!(domain.detail(), OutlineDetail::Bridged);
+    let mut project = Project::for_picture(side, side).with_handles([Handle::point("a", [750.0, 750.0])]);
+    project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
+    assert!(solve(&project, &picture).is_ok_and(|solution| solution.domain() == &domain));
+}
