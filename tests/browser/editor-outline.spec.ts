@@ -37,6 +37,10 @@ async function placeHandle(editor: Editor, x: number, y: number): Promise<void> 
   await editor.waitForSolve(() => editor.page.mouse.click(...at));
 }
 
+/** Unfolds the settings of bending, which a selection folds. */
+const unfold = (editor: Editor): Promise<void> =>
+  editor.page.locator('c2-warp summary').filter({ hasText: 'Bending' }).click();
+
 test('a picture of thousands of dots opens, says what bends together, and bends', async ({ page }) => {
   const editor = await Editor.open(page);
   // Some 15,600 dots.
@@ -48,4 +52,24 @@ test('a picture of thousands of dots opens, says what bends together, and bends'
   await page.keyboard.press('v');
   await editor.dragHandle('handle 2', { x: 60, y: -10 });
   await expect.poll(() => editor.mappedDistance([500, 200], [500, 200])).toBeGreaterThan(20);
+});
+
+test('parts without a handle follow if they are asked to', async ({ page }) => {
+  const editor = await Editor.open(page);
+  // Three squares in a row.
+  const isSquare = (x: number, y: number) => x % 100 < 80 && x % 100 > 20 && y > 120 && y < 180;
+  await opened(
+    editor,
+    'squares.png',
+    picture(300, (x, y) => (isSquare(x, y) ? 255 : 0)),
+  );
+  await placeHandle(editor, 150, 150);
+  await expect(page.getByText('2 parts have no handle and stay behind.')).toBeVisible();
+  await editor.button('Let them follow').click();
+  await unfold(editor);
+  await expect(editor.switch('Loose parts follow')).toBeChecked();
+  await page.keyboard.press('v');
+  await editor.dragHandle('handle 1', { x: 0, y: -40 });
+  // A point of the first square.
+  await expect.poll(() => editor.mappedDistance([50, 150], [50, 150])).toBeGreaterThan(10);
 });

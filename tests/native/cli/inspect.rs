@@ -46,6 +46,7 @@ fn counts_handles_islands_and_holes() {
     assert_eq!((count(&portrait, "point_handles"), &portrait["outside"]), (0, &Value::Array(Vec::new())));
     let islands = report("islands");
     assert_eq!((count(&islands, "islands"), count(&islands, "holes"), count(&islands, "point_handles")), (2, 0, 1));
+    assert_eq!((count(&islands, "loose_islands"), &islands["outline"]), (1, &Value::from("traced")));
     assert_eq!(count(&report("untouched"), "real_sites"), 0);
     // The project asks for 1,500 samples.
     assert!((750..=3000).contains(&count(&report("strip"), "samples")));

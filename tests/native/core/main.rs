@@ -11,6 +11,7 @@ mod fine_outlines;
 mod geodesic;
 mod handles;
 mod input_mesh;
+mod loose_parts;
 mod noise;
 mod properties;
 mod quality;

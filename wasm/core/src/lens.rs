@@ -57,10 +57,11 @@ pub struct LensSite {
 }
 
 impl Solution {
-    /// Explains how a point moves; `None` outside the domain.
+    /// Explains how a point moves; `None` outside the domain. In a loose part, it explains the point that the part
+    /// follows.
     #[must_use]
     pub fn lens(&self, p: DVec2) -> Option<Lens> {
-        let distances = self.navigation().distances_from(p).ok()?;
+        let distances = self.navigation().distances_from(self.leading_point(p)).ok()?;
         let field = distances.field();
         let at = field.source;
         let weights = self.weights_at(at)?;

@@ -37,6 +37,7 @@ mod disjoint_sets;
 mod grid;
 mod min_entry;
 mod min_max;
+mod point_tree;
 mod rows;
 mod segment;
 mod triangulation;
@@ -51,6 +52,7 @@ mod prepared_domain;
 mod bone; // section V-D
 pub mod deform;
 pub mod distance;
+mod loose;
 pub mod pose;
 mod sample;
 pub mod site;

@@ -7,9 +7,10 @@ use std::sync::Arc;
 use crate::{
     distance::{Navigation, Propagation},
     error::Error,
+    loose::Loose,
     pose::{HarmonicFields, Poser, PoserInput, Quadrature},
     prepared_domain::PreparedDomain,
-    project::{PoseMode, Weighting},
+    project::{LooseParts, PoseMode, Weighting},
     render_mesh::{RenderMesh, leading_parts},
     sample::{CoarseSamples, Samples, SamplingCache, coarse_sample_count},
     site::{Obstacles, Partition, Site, SiteField, SiteGraph, SiteInserter, Tessellation, insert_virtual_sites},
@@ -98,7 +99,14 @@ pub(crate) fn compute_weights(
         mode: input.mode,
         quadrature,
     });
-    let leading = leading_parts(&nearest, &sites, &harmonic);
+    let mut loose = Loose::default();
+    let mut leading = leading_parts(&nearest, &sites, &harmonic);
+    if input.loose_parts == LooseParts::Follow {
+        loose = Loose::new(navigation, &samples, &functions.islands());
+        let owners = loose.owners(navigation, &samples);
+        weights = weights.copied(&owners);
+        leading = owners.iter().map(|&owner| leading[owner as usize]).collect();
+    }
     weights.push_copies(&samples.skirt.owners);
     Solution {
         background: prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default(),
@@ -110,6 +118,7 @@ pub(crate) fn compute_weights(
         rounds,
         weighting: input.weighting.clone(),
         functions,
+        loose,
         handle_counts: input.handle_counts(),
         outside,
         prepared,

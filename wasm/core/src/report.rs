@@ -15,6 +15,8 @@ pub struct Report {
     pub islands: usize,
     /// Holes of the domain.
     pub holes: usize,
+    /// Islands without a handle.
+    pub loose_islands: usize,
     /// Opaque regions too small to keep.
     pub specks: usize,
     /// How closely the outline follows the picture.

@@ -11,6 +11,7 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     error::Error,
+    loose::Loose,
     picture::Picture,
     pose::Poser,
     prepared_domain::PreparedDomain,
@@ -65,6 +66,8 @@ pub struct Solution {
     pub(crate) functions: WeightFunctions,
     pub(crate) weighting: Weighting,
     pub(crate) rounds: Vec<Round>,
+    /// Islands without sites that follow others.
+    pub(crate) loose: Loose,
     pub(crate) prepared: Arc<PreparedDomain>,
 }
 
@@ -198,8 +201,14 @@ impl Solution {
     /// sites.
     #[must_use]
     pub fn influences_at(&self, p: DVec2) -> Option<Vec<Influence>> {
-        let (triangle, p) = self.prepared.navigation.locate(p)?;
-        Some(self.functions.at(triangle, p))
+        let navigation = &self.prepared.navigation;
+        let (triangle, p) = navigation.locate(p)?;
+        let Some((triangle, leader)) = self.loose.leader(navigation.island_of(triangle)) else {
+            return Some(self.functions.at(triangle, p));
+        };
+        let mut influences = self.functions.at(triangle, leader);
+        influences.iter_mut().for_each(|influence| influence.gradient = DVec2::ZERO);
+        Some(influences)
     }
 
     /// The sites that move a point and their weights, ascending by site; `None` outside the domain.
@@ -405,6 +414,7 @@ impl Solution {
             samples: self.samples,
             islands: self.domain().islands(),
             holes: self.domain().holes(),
+            loose_islands: self.loose_islands(),
             specks: self.domain().specks(),
             outline: self.domain().detail(),
             bridged_gap: self.domain().bridged_gap(),
@@ -422,6 +432,18 @@ impl Solution {
             folded_triangles: self.folded_triangles(pose),
             weights_hash: Fingerprint::of(offsets.chain(sites).chain(bits)).to_string(),
         }
+    }
+
+    /// The point that decides where another one goes: that one itself, unless it follows in a loose part.
+    pub(crate) fn leading_point(&self, p: DVec2) -> DVec2 {
+        let navigation = &self.prepared.navigation;
+        let leader = navigation.locate(p).and_then(|(triangle, _)| self.loose.leader(navigation.island_of(triangle)));
+        leader.map_or(p, |(_, leader)| leader)
+    }
+
+    /// The number of islands without a handle. All of them, if there are no handles.
+    fn loose_islands(&self) -> usize {
+        self.domain().islands() - self.functions.islands().len()
     }
 
     /// The number of triangles over the domain that a pose turns over.

@@ -13,7 +13,7 @@ use crate::{
     picture::Picture,
     pose::SolvedHandle,
     prepared_domain::PreparedDomain,
-    project::{Handle, PoseMode, Project, Shape, ShapeKind, Weighting},
+    project::{Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
     site::PointSite,
 };
 
@@ -29,6 +29,7 @@ pub(crate) struct SolveInput {
     pub(crate) mode: PoseMode,
     pub(crate) weighting: Weighting,
     pub(crate) fix_boundary: bool,
+    pub(crate) loose_parts: LooseParts,
     /// The handles of all kinds, in the order of the project.
     pub(crate) handles: Vec<SolvedHandle>,
     points: Vec<PointHandle>,
@@ -98,6 +99,7 @@ impl SolveInput {
             mode: project.pose.mode,
             weighting: project.weighting.clone(),
             fix_boundary: project.fix_boundary,
+            loose_parts: project.loose_parts,
             handles: project.handles.iter().map(solved).collect(),
             points,
             polylines,

@@ -26,6 +26,7 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   pose: { mode: 'rigid', blend: 'linear', density: DETAILS.medium },
   fix_boundary: false,
   edges: true,
+  loose_parts: 'stay',
   handles: [],
 });
 

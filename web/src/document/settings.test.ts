@@ -16,6 +16,7 @@ const CHANGES: readonly Setting[] = [
   { name: 'density', value: 7 },
   { name: 'blend', value: 'rigid' },
   { name: 'threshold', value: 0.1 },
+  { name: 'loose_parts', value: 'follow' },
 ];
 
 describe('the settings of a project', () => {
@@ -36,6 +37,7 @@ describe('the settings of a project', () => {
       support: 'paper',
       density: 0,
       blend: 'linear',
+      loose_parts: 'stay',
     });
   });
 
@@ -51,8 +53,9 @@ describe('the settings of a project', () => {
   it('are set together, apart from the domain', () => {
     const changed = CHANGES.reduce(withSetting, fresh);
     const paper = withPreset(changed, 'paper');
-    expect(settingsOf(paper)).toEqual({ ...settingsOf(bare), threshold: 0.1 });
+    expect(settingsOf(paper)).toEqual({ ...settingsOf(bare), threshold: 0.1, loose_parts: 'follow' });
     expect(paper.pose?.mode).toBe('harmonic');
-    expect(settingsOf(withPreset(paper, 'editor'))).toEqual({ ...settingsOf(fresh), threshold: 0.1 });
+    const kept = { threshold: 0.1, loose_parts: 'follow' } as const;
+    expect(settingsOf(withPreset(paper, 'editor'))).toEqual({ ...settingsOf(fresh), ...kept });
   });
 });

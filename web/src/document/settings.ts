@@ -2,7 +2,7 @@
 
 import { withMode } from './bending';
 import { domainOf } from './domain';
-import type { Blend, Filling, Support } from './generated/project';
+import type { Blend, Filling, LooseParts, Support } from './generated/project';
 import { EDITOR_SETTINGS, PAPER_SETTINGS } from './generated/settings';
 import type { PoseMode, Project } from './project';
 
@@ -17,6 +17,7 @@ export interface Settings {
   readonly blend: Blend;
   /** Least opacity of what bends; null where the domain does not depend on it. */
   readonly threshold: number | null;
+  readonly loose_parts: LooseParts;
 }
 
 export type SettingName = keyof Settings;
@@ -30,7 +31,7 @@ export type Setting = {
 const THRESHOLD = 0.5;
 
 /** All settings of a project. What its file leaves out is as in the paper. */
-export function settingsOf({ samples, weighting, pose, domain }: Project): Settings {
+export function settingsOf({ samples, weighting, pose, domain, loose_parts }: Project): Settings {
   return {
     samples: samples ?? PAPER_SETTINGS.samples,
     shape_factor: weighting?.shape_factor ?? PAPER_SETTINGS.shape_factor,
@@ -40,6 +41,7 @@ export function settingsOf({ samples, weighting, pose, domain }: Project): Setti
     density: pose?.density ?? PAPER_SETTINGS.density,
     blend: pose?.blend ?? PAPER_SETTINGS.blend,
     threshold: domain?.kind === 'alpha' ? (domain.threshold ?? THRESHOLD) : null,
+    loose_parts: loose_parts ?? 'stay',
   };
 }
 
@@ -47,6 +49,8 @@ export function withSetting(project: Project, { name, value }: Setting): Project
   switch (name) {
     case 'samples':
       return { ...project, samples: value };
+    case 'loose_parts':
+      return { ...project, loose_parts: value };
     case 'density':
     case 'blend':
       return { ...project, pose: { ...project.pose, [name]: value } };
@@ -64,7 +68,7 @@ const PRESETS = { paper: PAPER_SETTINGS, editor: EDITOR_SETTINGS } as const;
 
 export const presetMode = (preset: Preset): PoseMode => PRESETS[preset].mode;
 
-/** Sets all settings but the threshold, which belongs to the picture. Unturned points rest as the mode has it. */
+/** Sets all settings but the threshold and loose parts, which belong to the picture. Unturned points rest as the mode has it. */
 export function withPreset(project: Project, preset: Preset): Project {
   const { samples, shape_factor, degree, filling, support, mode, blend, density } = PRESETS[preset];
   return {

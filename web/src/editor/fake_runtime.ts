@@ -152,6 +152,7 @@ export const solutionOf = (key: string, project: Project): Solution => ({
     outside: [],
     outline: 'traced',
     bridgedGap: 0,
+    looseParts: 0,
     ms: 1,
     times: { domain: 0, sampling: 0, regions: 1, weights: 0, pose: 0 },
   },

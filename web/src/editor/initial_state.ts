@@ -76,6 +76,6 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       storing: false,
       failing: false,
     },
-    checks: { pending: false, creases: [], beyond: false, outside: '', outline: '' },
+    checks: { pending: false, creases: [], beyond: false, outside: '', outline: '', loose: false },
   };
 }

@@ -78,6 +78,10 @@ export function outlineText(outline: OutlineDetail, gap: number): string | null 
   }
 }
 
+/** @param count the number of parts without a handle, at least one. */
+export const looseText = (count: number): string =>
+  count === 1 ? 'One part has no handle and stays behind.' : `${count} parts have no handle and stay behind.`;
+
 export const SAME_THERE = 'Both sides are the same already.';
 
 /** @param handles names of handles without a place on the other side, at least one. */

@@ -11,4 +11,5 @@ export const SETTING_NAMES: Readonly<Record<SettingName, string>> = {
   density: 'the number of virtual handles',
   blend: 'the blend',
   threshold: 'the least opacity',
+  loose_parts: 'the motion of loose parts',
 };

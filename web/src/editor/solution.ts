@@ -14,6 +14,8 @@ export interface SolveReport {
   readonly outline: OutlineDetail;
   /** Widest gap that bends with what is around it, in image pixels. */
   readonly bridgedGap: number;
+  /** Number of connected parts without a handle. */
+  readonly looseParts: number;
   /** Milliseconds of all stages, and of each. */
   readonly ms: number;
   readonly times: Readonly<Record<SolveStage | 'pose', number>>;

@@ -159,6 +159,8 @@ export interface PoseChecks {
   readonly outside: string;
   /** How closely the outline follows the picture, as a key. */
   readonly outline: string;
+  /** Parts of this picture without a handle have been mentioned. */
+  readonly loose: boolean;
 }
 
 export const documentOf = ({ document }: EditorState): Document => document.history.present;

@@ -183,6 +183,7 @@ const reportOf = ({ report }: SolutionData): SolveReport => ({
   outside: report.outside ?? [],
   outline: report.outline,
   bridgedGap: report.bridged_gap,
+  looseParts: report.loose_islands,
   ms: Object.values(report.ms).reduce((sum, stage) => sum + stage, 0),
   times: report.ms,
 });

@@ -4,6 +4,7 @@ import { live } from 'lit/directives/live.js';
 import { blendOf, DETAILS, type Detail, detailOf, modeOf } from '../document/bending';
 import { ringsOf } from '../document/domain';
 import type { PoseMode } from '../document/project';
+import { settingsOf } from '../document/settings';
 import { modifier } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
@@ -62,6 +63,7 @@ export function bending(
     ${ringsOf(project).length > 0 ? lassoed(model, dispatch) : nothing}
     ${toggle('Hold the boundary', 'The outline stays as it is.', project.fix_boundary === true, model, (on) => dispatch({ type: 'boundary-switched', held: on }))}
     ${toggle('Edges where parts cross', 'A thin shadow keeps parts of one colour apart.', project.edges === true, model, (on) => dispatch({ type: 'edges-switched', on }))}
+    ${looseParts(model, dispatch)}
     ${toggle('Stop at folds', 'Drags end before the picture turns over.', model.guarded, model, (on) => dispatch({ type: 'fold-guard-switched', on }))}
     ${toggle('Snap to guides', `The axis, other handles, a grid. ${modifier(model.platform)} suspends it.`, model.snapping, model, (on) => dispatch({ type: 'snapping-switched', on }))}
     ${
@@ -96,6 +98,18 @@ const lassoed = (model: EditorModel, dispatch: Dispatch): TemplateResult => html
     All of it
   </button>
 </div>`;
+
+/** Shown while there are parts without a handle, or they follow. */
+function looseParts(model: EditorModel, dispatch: Dispatch): TemplateResult | typeof nothing {
+  const { project } = model.document;
+  const count = model.solved?.looseParts ?? 0;
+  const follow = settingsOf(project).loose_parts === 'follow';
+  if (project.handles.length === 0 || (count === 0 && !follow)) return nothing;
+  const parts = count === 1 ? 'One part has' : `${count} parts have`;
+  return toggle('Loose parts follow', `${parts} no handle.`, follow, model, (on) =>
+    dispatch({ type: 'setting-set', setting: { name: 'loose_parts', value: on ? 'follow' : 'stay' } }),
+  );
+}
 
 const toggle = (
   word: string,

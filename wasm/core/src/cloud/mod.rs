@@ -13,12 +13,10 @@
 
 mod partition;
 mod solution;
-mod tree;
 
 use glam::DVec2;
 
-use self::tree::Tree;
-use crate::{distance::graph::Graph, error::Error, limits::MAX_COORDINATE, triangulation::NONE};
+use crate::{distance::graph::Graph, error::Error, limits::MAX_COORDINATE, point_tree::Tree, triangulation::NONE};
 
 pub use solution::CloudSolution;
 

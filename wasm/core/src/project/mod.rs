@@ -34,6 +34,7 @@ mod format;
 mod handle;
 mod image;
 mod layout;
+mod loose_parts;
 mod path;
 mod points;
 mod pose;
@@ -57,6 +58,7 @@ pub use self::error::ProjectError;
 pub use self::format::Format;
 pub use self::handle::Handle;
 pub use self::image::ImageRef;
+pub use self::loose_parts::LooseParts;
 pub use self::pose::{Blend, PoseMode, PoseSpec};
 pub use self::rotation::Rotation;
 pub use self::shape::Shape;
@@ -104,6 +106,9 @@ pub struct Project {
     /// Whether parts of the picture cast a thin dark edge on the parts that they cross.
     #[schemars(default)]
     pub edges: bool,
+    /// How connected parts of the domain without a handle move.
+    #[schemars(default)]
+    pub loose_parts: LooseParts,
     /// The handles. Their order has no meaning.
     pub handles: Vec<Handle>,
 }
@@ -160,6 +165,7 @@ impl Project {
             pose: PoseSpec::default(),
             fix_boundary: false,
             edges: false,
+            loose_parts: LooseParts::default(),
             handles: Vec::new(),
         }
     }
@@ -183,6 +189,7 @@ impl Project {
             "pose",
             "fix_boundary",
             "edges",
+            "loose_parts",
             "handles",
         ])?;
         let project = Self {
@@ -194,6 +201,7 @@ impl Project {
             pose: project.value_or("pose", PoseSpec::default(), PoseSpec::read)?,
             fix_boundary: project.value_or("fix_boundary", false, |value| value.bool())?,
             edges: project.value_or("edges", false, |value| value.bool())?,
+            loose_parts: project.value_or("loose_parts", LooseParts::default(), LooseParts::read)?,
             handles: project.required("handles").and_then(read_handles)?,
         };
         project.check()?;
@@ -205,8 +213,7 @@ impl Project {
     /// # Errors
     /// For the first number out of range or not finite, bar or polygon with too few points, and empty or duplicate id.
     pub fn check(&self) -> Result<(), ProjectError> {
-        let Self { format: Format::V1, image, domain, samples, weighting, pose, fix_boundary: _, edges: _, handles } =
-            self;
+        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, .. } = self;
         image.check(&Path::Top.key("image"))?;
         domain.as_ref().map_or(Ok(()), DomainSpec::check)?;
         validate::whole_number(&Path::Top.key("samples"), *samples, &SAMPLES)?;

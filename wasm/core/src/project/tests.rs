@@ -15,6 +15,7 @@ const FULL: &str = r#"{
   "pose": { "mode": "rigid", "blend": "rigid", "density": 120 },
   "fix_boundary": true,
   "edges": true,
+  "loose_parts": "follow",
   "handles": [
     { "id": "head", "kind": "point", "rest": [128, 40.5], "posed": [140, 0.1], "rotation": 15, "scale": 1, "depth": 0 },
     { "id": "tail", "kind": "bar", "rest": [[60, 200], [120, 220]], "posed": [[60, 200], [130, 240]], "rotation": "auto", "scale": 2, "depth": -1 },
@@ -75,10 +76,11 @@ fn errors_name_the_key() {
         (r#""density": 120"#, r#""density": -1"#, "pose.density: expected a whole number from 0 to 4096, found -1"),
         (r#""density": 120"#, r#""density": 4097"#, "pose.density: expected a whole number from 0 to 4096, found 4097"),
         ("true", "1", "fix_boundary: expected true or false, found 1"),
+        (r#""follow""#, "true", r#"loose_parts: expected "stay" or "follow", found true"#),
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, handles",
+            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, loose_parts, handles",
         ),
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),

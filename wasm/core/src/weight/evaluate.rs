@@ -5,7 +5,10 @@
 //!
 //! Limits: where two paths to a site are equally short, weights have a crease, and the gradient is a mean.
 
-use std::{collections::HashSet, ops::Range};
+use std::{
+    collections::{BTreeSet, HashSet},
+    ops::Range,
+};
 
 use glam::DVec2;
 
@@ -76,6 +79,12 @@ impl WeightFunctions {
     /// φ.
     pub(crate) fn basis(&self) -> &Basis {
         &self.basis
+    }
+
+    /// The islands with sites, ascending.
+    pub(crate) fn islands(&self) -> Vec<usize> {
+        let islands: BTreeSet<usize> = self.fields.iter().map(|field| field.island).collect();
+        islands.into_iter().collect()
     }
 
     /// Sites: the distance field of each.

@@ -161,6 +161,18 @@ impl SparseWeights {
         &mut self.weights[self.offsets[point] as usize..self.offsets[point + 1] as usize]
     }
 
+    /// A matrix with a copy of the row of each owner.
+    pub(crate) fn copied(&self, owners: &[u32]) -> Self {
+        let mut copies = Self::with_capacity(owners.len());
+        for &owner in owners {
+            let range = self.offsets[owner as usize] as usize..self.offsets[owner as usize + 1] as usize;
+            copies.sites.extend_from_slice(&self.sites[range.clone()]);
+            copies.weights.extend_from_slice(&self.weights[range]);
+            copies.offsets.push(copies.sites.len() as u32);
+        }
+        copies
+    }
+
     /// Appends a copy of the row of each owner.
     pub(crate) fn push_copies(&mut self, owners: &[u32]) {
         for &owner in owners {

@@ -8,6 +8,8 @@ export interface Inspection {
   readonly islands: number;
   /** Holes of the domain. */
   readonly holes: number;
+  /** Islands without a handle. */
+  readonly loose_islands: number;
   /** Opaque regions too small to keep. */
   readonly specks: number;
   /** How closely the outline follows the picture. */

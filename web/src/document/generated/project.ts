@@ -18,6 +18,8 @@ export interface Project {
   readonly fix_boundary?: boolean;
   /** Whether parts of the picture cast a thin dark edge on the parts that they cross. Left out: false. */
   readonly edges?: boolean;
+  /** How connected parts of the domain without a handle move. Left out: "stay". */
+  readonly loose_parts?: LooseParts;
   /** The handles. Their order has no meaning. */
   readonly handles: readonly Handle[];
 }
@@ -93,6 +95,9 @@ export type PoseMode = 'harmonic' | 'rigid';
 
 /** How the motions at a point are blended. */
 export type Blend = 'linear' | 'rigid';
+
+/** How connected parts of the domain without a handle move. */
+export type LooseParts = 'stay' | 'follow';
 
 /** One point. */
 export interface PointHandle {

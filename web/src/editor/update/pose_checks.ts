@@ -1,19 +1,21 @@
 /**
  * Checks for what a person may overlook: creases, parts of the picture outside its frame, handles partly outside the
- * picture, and outlines that do not follow it.
+ * picture, outlines that do not follow it, and parts without a handle.
  *
  * Creases and the frame need a pass over the whole mesh. It is made a few times a second during a drag, and once after
  * it.
  */
 import { ringsOf } from '../../document/domain';
 import { nameOf } from '../../document/handle';
+import { settingsOf } from '../../document/settings';
 import { placeKey } from '../../document/solved';
 import type { Emit } from '../effects';
-import { outlineText, outsideText } from '../notice_texts';
+import { looseText, outlineText, outsideText } from '../notice_texts';
+import { mayEdit } from '../permissions';
 import type { Solution, SolveReport } from '../solution';
 import { type EditorState, projectOf } from '../state';
 import { reachesBeyondFrame } from '../view';
-import { informOfStep } from './notices';
+import { informOfStep, notify } from './notices';
 
 const PAUSE_MS = 200;
 
@@ -33,8 +35,22 @@ export function checkPose(state: EditorState): EditorState {
 }
 
 /** Tells what a solve finds that the solve before did not. */
-export const checkSolution = (state: EditorState, solution: Solution, emit: Emit): EditorState =>
-  checkOutline(checkOutside(schedulePoseCheck(state, emit), solution, emit), solution.report, emit);
+export function checkSolution(before: EditorState, solution: Solution, emit: Emit): EditorState {
+  const state = checkOutside(schedulePoseCheck(before, emit), solution, emit);
+  return checkLooseParts(checkOutline(state, solution.report, emit), solution.report, emit);
+}
+
+/** Offers to let parts without a handle follow the others, once for each picture. */
+function checkLooseParts(state: EditorState, { looseParts }: SolveReport, emit: Emit): EditorState {
+  const project = projectOf(state);
+  const isFine =
+    looseParts === 0 || project.handles.length === 0 || settingsOf(project).loose_parts === 'follow';
+  if (isFine || state.checks.loose || !mayEdit(state)) return state;
+  const event = { type: 'setting-set', setting: { name: 'loose_parts', value: 'follow' } } as const;
+  const action = { label: 'Let them follow', event } as const;
+  const notice = { kind: 'info', text: looseText(looseParts), action, passes: true, ofStep: true } as const;
+  return notify({ ...state, checks: { ...state.checks, loose: true } }, notice, emit);
+}
 
 /** Says how an outline is simplified that is too fine to be followed. */
 function checkOutline(state: EditorState, { outline, bridgedGap }: SolveReport, emit: Emit): EditorState {

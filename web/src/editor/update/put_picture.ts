@@ -32,6 +32,6 @@ function showPicture(before: EditorState, picture: Picture | null, emit: Emit): 
   const solution = { shown: null, recent: [], wanted: null, borders: null } as const;
   const state = closeMenu(clearNotices(withSolution(endStages(before, emit), solution), emit), emit);
   emit({ type: 'use-picture', picture });
-  const next = { ...state, picture, checks: { ...state.checks, outline: '' } };
+  const next = { ...state, picture, checks: { ...state.checks, outline: '', loose: false } };
   return picture && !next.page.playing ? announce(next, `${picture.name} is open`) : next;
 }

@@ -7,19 +7,19 @@ use glam::DVec2;
 
 /// A permutation of the points into a tree, split by x and y alternately.
 #[derive(Debug, Clone)]
-pub(super) struct Tree {
+pub(crate) struct Tree {
     order: Vec<u32>,
 }
 
 impl Tree {
-    pub(super) fn new(points: &[DVec2]) -> Self {
+    pub(crate) fn new(points: &[DVec2]) -> Self {
         let mut order: Vec<u32> = (0..points.len() as u32).collect();
         arrange(points, &mut order, 0);
         Self { order }
     }
 
     /// The `count` points nearest to a position, ascending by squared distance, then by index.
-    pub(super) fn nearest(&self, points: &[DVec2], p: DVec2, count: usize) -> Vec<(f64, u32)> {
+    pub(crate) fn nearest(&self, points: &[DVec2], p: DVec2, count: usize) -> Vec<(f64, u32)> {
         let mut found = Vec::with_capacity(count + 1);
         search(points, &self.order, 0, (p, count), &mut found);
         found
