@@ -73,3 +73,19 @@ test('parts without a handle follow if they are asked to', async ({ page }) => {
   // A point of the first square.
   await expect.poll(() => editor.mappedDistance([50, 150], [50, 150])).toBeGreaterThan(10);
 });
+
+test('the boundary of a soft shadow is held, and the figure inside bends', async ({ page }) => {
+  const editor = await Editor.open(page);
+  const shadow = (x: number, y: number) => {
+    const out = Math.hypot(x - 450, y - 450) - 150;
+    return out < 0 ? 255 : 120 * Math.exp((-out * out) / 20000);
+  };
+  await opened(editor, 'shadow.png', picture(900, shadow));
+  await placeHandle(editor, 450, 450);
+  await unfold(editor);
+  await editor.waitForSolve(() => editor.switch('Hold the boundary').check());
+  await page.keyboard.press('v');
+  await editor.dragHandle('handle 1', { x: 40, y: 0 });
+  await expect.poll(() => editor.mappedDistance([450, 450], [450, 450])).toBeGreaterThan(20);
+  await expect(page.getByText('The step was taken back')).toHaveCount(0);
+});

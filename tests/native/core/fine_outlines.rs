@@ -5,6 +5,7 @@ use c2warp::{
     domain::{Domain, OutlineDetail},
     limits::MAX_CORNERS,
     project::{DomainSpec, Handle, Project},
+    site::SiteKind,
     solve,
 };
 use glam::DVec2;
@@ -87,4 +88,54 @@ fn scattered_squares_are_bridged_even_if_each_is_a_speck() {
     let mut project = Project::for_picture(side, side).with_handles([Handle::point("a", [750.0, 750.0])]);
     project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
     assert!(solve(&project, &picture).is_ok_and(|solution| solution.domain() == &domain));
+}
+
+#[test]
+fn held_soft_shadow_needs_few_sites() {
+    // A disc with a shadow that fades by less than a level a pixel.
+    let side = 900;
+    let rgba = pixels(side, |x, y| {
+        let out = DVec2::new(f64::from(x), f64::from(y)).distance(DVec2::splat(450.0)) - 150.0;
+        if out < 0.0 { 255 } else { (120.0 * libm::exp(-out * out / 20_000.0)) as u8 }
+    });
+    let mut project = Project::for_picture(side, side).with_handles([Handle::point("a", [450.0, 450.0])]);
+    project.domain = Some(DomainSpec::Alpha { threshold: 6.0 / 255.0 });
+    project.fix_boundary = true;
+    let solution = solve(&project, &Picture::new(side, side, &rgba).expect("a picture")).expect("a solution");
+    let held = solution.sites().iter().filter(|site| site.kind == SiteKind::Boundary).count();
+    assert!(held < 200, "{held} sites hold the boundary");
+    assert_ne!(solution.domain().detail(), OutlineDetail::Bridged);
+}
+
+#[test]
+fn held_fur_has_a_coarser_outline_than_free_fur() {
+    let side = 600;
+    let fur = pixels(side, |x, y| {
+        let off = DVec2::new(f64::from(x), f64::from(y)) - 300.0;
+        let reach = 180.0 + 90.0 * libm::pow(libm::sin(90.0 * libm::atan2(off.y, off.x)).abs(), 3.0);
+        if off.length() < reach { 255 } else { 0 }
+    });
+    let picture = Picture::new(side, side, &fur).expect("a picture");
+    let mut project = Project::for_picture(side, side).with_handles([Handle::point("a", [300.0, 300.0])]);
+    project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
+    let free = solve(&project, &picture).expect("a solution");
+    project.fix_boundary = true;
+    let held = solve(&project, &picture).expect("a solution");
+    assert_eq!((free.domain().detail(), held.domain().detail()), (OutlineDetail::Traced, OutlineDetail::Bridged));
+    assert!(corners(free.domain()) > 500 && corners(held.domain()) <= 250);
+}
+
+#[test]
+fn rings_with_many_sharp_corners_are_not_held() {
+    let zigzag = |k: i32| {
+        let radius = if k % 2 == 0 { 190.0 } else { 150.0 };
+        DVec2::splat(200.0) + radius * DVec2::from_angle(f64::from(k) * std::f64::consts::TAU / 1200.0)
+    };
+    let mut project = Project::for_picture(400, 400).with_handles([Handle::point("a", [200.0, 200.0])]);
+    project.domain = Some(DomainSpec::Polygon { rings: vec![(0..1200).map(zigzag).collect()] });
+    project.fix_boundary = true;
+    let rgba = vec![255; 400 * 400 * 4];
+    let error = solve(&project, &Picture::new(400, 400, &rgba).expect("a picture")).expect_err("too many corners");
+    assert_eq!(error.code(), "held-too-fine");
+    assert!(error.to_string().contains("1200 sharp corners"), "{error}");
 }

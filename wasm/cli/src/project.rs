@@ -104,7 +104,7 @@ impl LoadedProject {
 /// A remark on an outline that does not follow the picture closely.
 fn remark(domain: &Domain) -> Option<String> {
     match domain.detail() {
-        OutlineDetail::Simplified => Some("the outline is very fine: it is followed to half a pixel".into()),
+        OutlineDetail::Simplified => Some("the outline is very fine, so it is followed less closely".into()),
         OutlineDetail::Bridged => {
             let gap = domain.bridged_gap();
             Some(format!("the outline is too fine to be followed: parts up to {gap} px apart bend together"))

@@ -15,6 +15,15 @@ pub const MAX_COORDINATE: f64 = 1e6;
 /// Greatest number of corners of an outline. Paths bend at corners, so this bounds the cost of a distance field.
 pub const MAX_CORNERS: usize = 20_000;
 
+/// Greatest number of sharp corners of a held boundary. Each needs a site, and sites around it.
+pub const MAX_HELD_CORNERS: usize = 1000;
+/// Greatest number of corners of an outline from a picture's alpha, if it is held. A solve then takes half a second.
+pub(crate) const MAX_HELD_OUTLINE: usize = 250;
+/// Greatest memory of distance fields in one solve, in bytes. A browser tab has 4 GB for everything.
+pub(crate) const MAX_FIELD_BYTES: usize = 1 << 30;
+/// Greatest absolute number of a pose: a coordinate in pixels, a scale, or a depth.
+pub(crate) const MAX_POSED: f64 = 1e12;
+
 /// Sites closer than this, in pixels, coincide.
 pub const MIN_SEPARATION: f64 = 0.01;
 /// Greatest number of handles in one solve.

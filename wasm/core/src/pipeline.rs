@@ -47,7 +47,7 @@ pub(crate) fn sample_coarsely(
 /// Partitions the domain into the cells of real and virtual sites (sections III-B and IV-A).
 ///
 /// # Errors
-/// [`Error::TooManySites`].
+/// [`Error::TooManySites`], [`Error::TooMuchMemory`].
 pub(crate) fn partition(
     propagation: &mut Propagation,
     prepared: &PreparedDomain,

@@ -24,12 +24,12 @@ pub(crate) struct PreparedDomain {
 }
 
 impl PreparedDomain {
-    /// Finds the domain of a picture and triangulates it.
+    /// Finds the domain of a picture and triangulates it. If its boundary is `held`, it has fewer corners.
     ///
     /// # Errors
     /// The errors of [`Domain::new`].
-    pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
-        let domain = Domain::new(spec, picture)?;
+    pub(crate) fn new(spec: Option<&DomainSpec>, picture: &Picture, held: bool) -> Result<Self, Error> {
+        let domain = Domain::bounded(spec, picture, held)?;
         let navigation = Navigation::new(&domain);
         let has_skirt = match spec {
             Some(DomainSpec::Alpha { .. }) => true,
@@ -54,10 +54,11 @@ impl PreparedDomain {
 pub(crate) struct DomainKey {
     domain: Option<DomainSpec>,
     picture: (u32, u32),
+    held: bool,
 }
 
 impl DomainKey {
     pub(crate) fn of(project: &Project) -> Self {
-        Self { domain: project.domain.clone(), picture: project.image.size() }
+        Self { domain: project.domain.clone(), picture: project.image.size(), held: project.fix_boundary }
     }
 }

@@ -109,7 +109,7 @@ pub fn distances(
     at: &[DVec2],
 ) -> Result<Vec<Option<f64>>, Error> {
     check_picture(project.image.size(), picture)?;
-    let navigation = Navigation::new(&Domain::new(project.domain.as_ref(), picture)?);
+    let navigation = Navigation::new(&Domain::bounded(project.domain.as_ref(), picture, project.fix_boundary)?);
     let distances = navigation.distances_from(from)?;
     Ok(at.iter().map(|&p| distances.to(p)).collect())
 }

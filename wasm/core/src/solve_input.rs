@@ -9,12 +9,12 @@ use glam::DVec2;
 use crate::{
     bone::{OutsidePart, Polyline, Skeleton},
     error::Error,
-    limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_SITES, MIN_SEPARATION},
+    limits::{HELD_CLEARANCE, MAX_HANDLES, MAX_HELD_CORNERS, MAX_POSED, MAX_SITES, MIN_SEPARATION},
     picture::Picture,
     pose::SolvedHandle,
     prepared_domain::PreparedDomain,
     project::{Handle, LooseParts, PoseMode, Project, Shape, ShapeKind, Weighting},
-    site::PointSite,
+    site::{PointSite, sharp_corners},
 };
 
 /// Handles closer than this, in pixels, are refused: [`MIN_SEPARATION`] less a tolerance, so that handles exactly that
@@ -75,10 +75,14 @@ impl SolveInput {
     /// - [`Error::TooManyHandles`].
     /// - [`Error::TooManyCorners`] if bars and polygons have more segments than the limit of sites, as each needs a
     ///   site.
+    /// - [`Error::PoseNotFinite`] for a pose that no solution could take.
     pub(crate) fn new(project: &Project) -> Result<Self, Error> {
         project.check()?;
         if let Some(handle) = project.handles.get(MAX_HANDLES) {
             return Err(Error::TooManyHandles { count: project.handles.len(), id: handle.id.clone() });
+        }
+        if let Some(handle) = project.handles.iter().find(|handle| !is_posed_in_bounds(handle)) {
+            return Err(Error::PoseNotFinite { id: handle.id.clone() });
         }
         let (mut points, mut polylines) = (Vec::new(), Vec::new());
         for (at, handle) in project.handles.iter().enumerate() {
@@ -109,8 +113,8 @@ impl SolveInput {
     /// Locates the handles in a domain and cuts bars and polygons into bones.
     ///
     /// # Errors
-    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
-    /// [`Error::BarsOverlap`].
+    /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::HeldTooFine`],
+    /// [`Error::BarTooShort`], [`Error::BarsOverlap`].
     pub(crate) fn locate(&self, prepared: &PreparedDomain) -> Result<LocatedHandles, Error> {
         let PreparedDomain { domain, navigation, .. } = prepared;
         let site = |point: &PointHandle| {
@@ -121,6 +125,10 @@ impl SolveInput {
         points.sort_by(|a, b| from_top(a.rest, b.rest));
         self.check_distances(&points.iter().map(|point| (point.rest, point.handle)).collect::<Vec<_>>())?;
         if self.fix_boundary {
+            let corners = domain.rings().iter().map(|ring| sharp_corners(ring).count()).sum();
+            if corners > MAX_HELD_CORNERS {
+                return Err(Error::HeldTooFine { corners });
+            }
             let on_boundary = |point: &&PointHandle| domain.distance_to_outline(point.rest) < HELD_CLEARANCE;
             if let Some(point) = self.points.iter().find(on_boundary) {
                 return Err(Error::OnHeldBoundary { id: point.id.clone() });
@@ -202,6 +210,12 @@ impl PointHandle {
     fn outside(&self) -> Error {
         Error::HandleOutside { id: self.id.clone(), x: self.rest.x, y: self.rest.y }
     }
+}
+
+/// Whether all numbers of a pose are small enough for a solution. A solution may refuse further poses of bars.
+fn is_posed_in_bounds(handle: &Handle) -> bool {
+    let coordinates = handle.shape.posed().iter().flat_map(DVec2::to_array);
+    coordinates.chain([handle.scale, handle.depth]).all(|number| number.abs() <= MAX_POSED)
 }
 
 /// Orders positions from top to bottom, then from left to right.

@@ -106,6 +106,7 @@ impl Solver {
     /// - [`Error::PictureMismatch`].
     /// - [`Error::Project`] if [`Project::check`] fails.
     /// - [`Error::TooManyHandles`], [`Error::TooManyCorners`].
+    /// - [`Error::PoseNotFinite`] for a pose that no solution could take.
     /// - Those of [`Domain::new`](crate::domain::Domain::new).
     pub fn begin(&mut self, project: &Project, picture: &Picture<'_>) -> Result<(), Error> {
         self.pending = None;
@@ -113,7 +114,7 @@ impl Solver {
         let input = SolveInput::new(project)?;
         let key = DomainKey::of(project);
         if self.domain.as_ref().is_none_or(|known| known.key != key) {
-            let prepared = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture)?);
+            let prepared = Arc::new(PreparedDomain::new(project.domain.as_ref(), picture, project.fix_boundary)?);
             self.domain = Some(DomainCache { key, prepared, sampling: SamplingCache::default() });
         }
         self.pending = Some(PendingSolve { input, progress: Progress::Begun });
@@ -124,7 +125,8 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::HandleOutside`], [`Error::HandlesTooClose`], [`Error::OnHeldBoundary`], [`Error::BarTooShort`],
-    /// [`Error::BarsOverlap`], [`Error::TooManySites`]. An error ends the solve; the last solution stays.
+    /// [`Error::BarsOverlap`], [`Error::HeldTooFine`], [`Error::TooManySites`], [`Error::TooMuchMemory`]. An error
+    /// ends the solve; the last solution stays.
     pub fn advance(&mut self) -> Result<Option<Stage>, Error> {
         let Self { domain: Some(DomainCache { key, prepared, sampling }), propagation, pending, finished } = self
         else {

@@ -70,7 +70,7 @@ export function outlineText(outline: OutlineDetail, gap: number): string | null 
     case 'traced':
       return null;
     case 'simplified':
-      return 'This outline is very fine: it is followed to half a pixel.';
+      return 'This outline is very fine, so it is followed less closely.';
     case 'bridged':
       return `This outline is too fine to be followed: parts up to ${Math.ceil(gap)} pixels apart bend together.`;
     case 'picture':

@@ -33,6 +33,11 @@ impl DistanceField {
         self.bound
     }
 
+    /// Memory in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&*self.triangles) + size_of_val(&*self.windows)
+    }
+
     /// The intrinsic distance to a point. It is infinite beyond the bound, and if no path leads there.
     #[inline]
     pub(crate) fn distance(&self, triangle: NavTriangle, p: DVec2) -> f64 {

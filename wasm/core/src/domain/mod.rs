@@ -13,7 +13,7 @@ mod simplify;
 
 use glam::DVec2;
 
-use self::outline::Outline;
+use self::outline::{Bounds, FREE, HELD, Outline};
 use crate::{
     error::Error,
     limits::{MAX_COORDINATE, MAX_CORNERS},
@@ -45,11 +45,20 @@ impl Domain {
     /// # Errors
     /// The errors of [`Domain::from_alpha`] and [`Domain::from_rings`], and [`Error::RingOutsidePicture`].
     pub fn new(spec: Option<&DomainSpec>, picture: &Picture) -> Result<Self, Error> {
+        Self::bounded(spec, picture, false)
+    }
+
+    /// The same domain. If its boundary is `held`, it has fewer corners where the picture's alpha bounds it.
+    ///
+    /// # Errors
+    /// Those of [`Domain::new`].
+    pub(crate) fn bounded(spec: Option<&DomainSpec>, picture: &Picture, held: bool) -> Result<Self, Error> {
+        let bounds = if held { &HELD } else { &FREE };
         match spec {
             Some(DomainSpec::Image) => Ok(Self::rectangle(picture.width(), picture.height())),
-            Some(DomainSpec::Alpha { threshold }) => Self::from_alpha(picture, *threshold),
+            Some(DomainSpec::Alpha { threshold }) => Self::of_alpha(picture, *threshold, bounds),
             Some(DomainSpec::Polygon { rings }) => Self::from_polygon(rings, picture.width(), picture.height()),
-            None if picture.has_transparency() => Self::from_alpha(picture, DomainSpec::THRESHOLD),
+            None if picture.has_transparency() => Self::of_alpha(picture, DomainSpec::THRESHOLD, bounds),
             None => Ok(Self::rectangle(picture.width(), picture.height())),
         }
     }
@@ -70,8 +79,12 @@ impl Domain {
     /// - [`Error::Project`] for a threshold out of range.
     /// - [`Error::NothingOpaque`] or [`Error::OnlySpecks`] if no region is large enough.
     pub fn from_alpha(picture: &Picture, threshold: f64) -> Result<Self, Error> {
+        Self::of_alpha(picture, threshold, &FREE)
+    }
+
+    fn of_alpha(picture: &Picture, threshold: f64, bounds: &Bounds) -> Result<Self, Error> {
         DomainSpec::check_threshold(threshold)?;
-        let Outline { rings, detail, gap, specks } = Outline::new(picture, threshold, MAX_CORNERS)?;
+        let Outline { rings, detail, gap, specks } = Outline::new(picture, threshold, bounds)?;
         let domain = match detail {
             OutlineDetail::Picture => Self::rectangle(picture.width(), picture.height()),
             _ => Self::from_checked(rings, specks),

@@ -1,10 +1,11 @@
 //! The outline of a picture's opaque part, as closely as a number of corners allows.
 //!
-//! Distances cost time and memory for each corner. An outline with too many is first simplified within half a pixel.
+//! Distances cost time and memory for each corner, and a held boundary much more. An outline with too many is first
+//! simplified within half a pixel, or within one and a half if it is held.
 //! Then it takes in ever larger gaps, until few enough corners are left. Gaps are transparent, so this changes no pixel
 //! of the picture at rest: parts on both sides of a gap bend together. The last resort is the whole picture.
 //!
-//! Cost: linear in the pixels, and O(n log n) in the points of the contours, for each attempt. There are at most seven.
+//! Cost: linear in the pixels, and O(n log n) in the points of the contours, for each attempt. There are at most eight.
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -17,7 +18,11 @@ use super::{
     ring::Ring,
     simplify::simplified,
 };
-use crate::{error::Error, picture::Picture};
+use crate::{
+    error::Error,
+    limits::{MAX_CORNERS, MAX_HELD_OUTLINE},
+    picture::Picture,
+};
 
 /// How closely the outline of a domain follows the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -27,7 +32,7 @@ use crate::{error::Error, picture::Picture};
 pub enum OutlineDetail {
     /// To a third of a pixel, or as given.
     Traced,
-    /// To half a pixel, as there would be too many corners.
+    /// To half a pixel, or to one and a half if it is held, as there would be too many corners.
     Simplified,
     /// Around gaps, which belong to the domain, as there would be too many corners.
     Bridged,
@@ -35,11 +40,27 @@ pub enum OutlineDetail {
     Picture,
 }
 
-/// Greatest distance of the contour from the simplified outline, in pixels, from attempt to attempt.
+/// How many corners an outline may have, and how far it may be from the contour.
+pub(super) struct Bounds {
+    most_corners: usize,
+    /// Greatest distance of the contour from the simplified outline, in pixels, from attempt to attempt.
+    tolerances: &'static [(f64, OutlineDetail)],
+}
+
+/// An error of half a pixel is hardly visible on an edge. With the first tolerance, a disc of radius 100 px keeps some
+/// 56 corners.
+pub(super) const FREE: Bounds = Bounds {
+    most_corners: MAX_CORNERS,
+    tolerances: &[(0.35, OutlineDetail::Traced), (0.5, OutlineDetail::Simplified)],
+};
+/// The outline of a held boundary. Each corner needs a site.
 ///
-/// An error of half a pixel is hardly visible on an edge. With the first one, a disc of radius 100 px keeps some 56
-/// corners.
-const TOLERANCES: [(f64, OutlineDetail); 2] = [(0.35, OutlineDetail::Traced), (0.5, OutlineDetail::Simplified)];
+/// What the last tolerance leaves out does not bend, and the skirt draws it. Where alpha falls by less than a level a
+/// pixel, a contour is a staircase of whole pixels: this tolerance makes it a curve again.
+pub(super) const HELD: Bounds = Bounds {
+    most_corners: MAX_HELD_OUTLINE,
+    tolerances: &[(0.35, OutlineDetail::Traced), (0.5, OutlineDetail::Simplified), (1.5, OutlineDetail::Simplified)],
+};
 /// Distances of the outline from opaque pixels where it bridges gaps, in pixels, from attempt to attempt.
 ///
 /// Each is three times the last: the number of corners falls about as fast.
@@ -61,11 +82,11 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    /// The outline of the region where alpha reaches a threshold, with at most `most` corners.
+    /// The outline of the region where alpha reaches a threshold.
     ///
     /// # Errors
     /// [`Error::NothingOpaque`] or [`Error::OnlySpecks`] if no region is large enough.
-    pub(super) fn new(picture: &Picture, threshold: f64, most: usize) -> Result<Self, Error> {
+    pub(super) fn new(picture: &Picture, threshold: f64, bounds: &Bounds) -> Result<Self, Error> {
         let area = f64::from(picture.width()) * f64::from(picture.height());
         let FilteredRings { rings: traced, specks, speck_area } =
             without_specks(contours(&Alpha(picture), threshold), area);
@@ -75,9 +96,10 @@ impl Outline {
                 specks => Error::OnlySpecks { threshold, specks },
             });
         }
+        let Bounds { most_corners: most, tolerances } = *bounds;
         // Simplification keeps at least three corners of each ring.
         let may_fit = |rings: &[Ring]| (1..=most / 3).contains(&rings.len());
-        for (tolerance, detail) in TOLERANCES.into_iter().filter(|_| may_fit(&traced)) {
+        for &(tolerance, detail) in tolerances.iter().filter(|_| may_fit(&traced)) {
             let rings = simplified(&traced, tolerance);
             if corners(&rings) <= most {
                 return Ok(Self { rings, detail, gap: 0.0, specks });
@@ -124,7 +146,8 @@ mod tests {
     fn outline(most: usize, is_opaque: impl Fn(u32, u32) -> bool) -> Result<Outline, Error> {
         let rgba: Vec<u8> =
             (0..200 * 200).flat_map(|i| [0, 0, 0, if is_opaque(i % 200, i / 200) { 255 } else { 0 }]).collect();
-        Outline::new(&Picture::new(200, 200, &rgba).unwrap(), 0.5, most)
+        let bounds = Bounds { most_corners: most, ..FREE };
+        Outline::new(&Picture::new(200, 200, &rgba).unwrap(), 0.5, &bounds)
     }
 
     #[test]

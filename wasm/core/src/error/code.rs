@@ -4,7 +4,7 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 22] = [
+    pub const CODES: [&'static str; 24] = [
         "project",
         "picture",
         "picture-mismatch",
@@ -21,6 +21,8 @@ impl Error {
         "too-many-handles",
         "too-many-corners",
         "too-many-sites",
+        "too-much-memory",
+        "held-too-fine",
         "unsupported",
         "pose",
         "point-outside",
@@ -49,6 +51,8 @@ impl Error {
     /// | `too-many-handles` | more handles than supported |
     /// | `too-many-corners` | more corners of bars and polygons than supported |
     /// | `too-many-sites` | a scene that needs more sites than supported |
+    /// | `too-much-memory` | a scene that needs more memory than a browser has |
+    /// | `held-too-fine` | a fixed boundary with too many sharp corners |
     /// | `unsupported` | a setting or handle that point clouds do not support |
     /// | `pose` | a pose with other handles, with too large numbers, or of another solution |
     /// | `point-outside` | a point outside the domain |
@@ -86,6 +90,8 @@ impl Error {
             | Self::PoseNotFinite { .. } => "pose",
             Self::PointOutside { .. } => "point-outside",
             Self::TooManySites => "too-many-sites",
+            Self::TooMuchMemory => "too-much-memory",
+            Self::HeldTooFine { .. } => "held-too-fine",
             Self::MeshTriangle { .. }
             | Self::MeshTooFine { .. }
             | Self::MeshEmpty

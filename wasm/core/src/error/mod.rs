@@ -317,6 +317,24 @@ pub enum Error {
         max = limits::MAX_SITES
     )]
     TooManySites,
+    /// The distances of all sites need too much memory.
+    ///
+    /// An outline with many corners needs much for each site.
+    #[error(
+        "the scene needs more memory than a browser has: use fewer bars, polygons or handles, simplify the outline, or \
+         lower pose.density"
+    )]
+    TooMuchMemory,
+    /// A boundary that is held has too many sharp corners.
+    #[error(
+        "the fixed boundary has {corners} sharp corners, but at most {max} are supported: draw it with fewer, or set \
+         fix_boundary to false",
+        max = limits::MAX_HELD_CORNERS
+    )]
+    HeldTooFine {
+        /// Number of sharp corners.
+        corners: usize,
+    },
     /// A triangle of a mesh has invalid vertices.
     #[error("triangle {triangle} of the mesh must have three different vertices of the {vertices} in the mesh")]
     MeshTriangle {

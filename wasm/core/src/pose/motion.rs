@@ -3,6 +3,7 @@
 use glam::{DMat2, DVec2};
 
 use super::Strain;
+use crate::limits::MAX_POSED;
 
 /// A stretch and then a rotation about the site's rest place, and a translation: T(p) = posed + R(angle)
 /// exp(strain) (p − rest).
@@ -23,8 +24,6 @@ pub struct Motion {
     pub depth: f64,
 }
 
-/// Greatest stretch, translation in pixels, and depth.
-const MAX_MAGNITUDE: f64 = 1e12;
 /// Least stretch over the greatest: a site may flatten its surroundings, but not invert them.
 const MIN_STRETCH_RATIO: f64 = 0.1;
 
@@ -78,7 +77,7 @@ impl Motion {
     pub(crate) fn is_in_bounds(&self) -> bool {
         let linear = self.linear();
         let stretch = linear.x_axis.length() + linear.y_axis.length();
-        stretch <= MAX_MAGNITUDE && self.translation.length() <= MAX_MAGNITUDE && self.depth.abs() <= MAX_MAGNITUDE
+        stretch <= MAX_POSED && self.translation.length() <= MAX_POSED && self.depth.abs() <= MAX_POSED
     }
 }
 

@@ -12,6 +12,15 @@ const MAX_GAP: f64 = 0.5;
 /// A corner of a held outline gets a site if the cosine of its turning angle is below this: more than 20°.
 const SHARP_COSINE: f64 = 0.94;
 
+/// The corners of a held ring that get a site, by their indices.
+pub(crate) fn sharp_corners(ring: &[DVec2]) -> impl Iterator<Item = usize> + '_ {
+    let n = ring.len();
+    (0..n).filter(move |i| {
+        let [before, at, after] = [i + n - 1, *i, i + 1].map(|at| ring[at % n]);
+        (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE
+    })
+}
+
 /// A polyline with sites on it. Positions on it are arc lengths from its first corner, in pixels.
 pub(super) struct Chain {
     pub(super) kind: SiteKind,
@@ -50,12 +59,7 @@ impl Chain {
         if !self.closed {
             return vec![self.length() / 2.0];
         }
-        let n = self.corners.len();
-        let is_sharp = |i: usize| {
-            let [before, at, after] = [i + n - 1, i, i + 1].map(|at| self.corners[at % n]);
-            (at - before).normalize().dot((after - at).normalize()) < SHARP_COSINE
-        };
-        let sharp: Vec<f64> = (0..n).filter(|&i| is_sharp(i)).map(|i| self.lengths[i]).collect();
+        let sharp: Vec<f64> = sharp_corners(&self.corners).map(|i| self.lengths[i]).collect();
         if sharp.is_empty() { self.extremes() } else { sharp }
     }
 

@@ -177,7 +177,7 @@ mod tests {
         let point = |(handle, &p): (u32, &DVec2)| (p, SiteKind::Point { handle });
         for (p, kind) in (0..).zip(&points).map(point).chain(free) {
             let (triangle, p) = navigation.locate(p).expect("inside");
-            inserter.insert(p, triangle, kind);
+            inserter.insert(p, triangle, kind).unwrap();
         }
         let voronoi = &inserter.voronoi;
         let all: Vec<u32> = (0..coarse.len() as u32).collect();

@@ -14,6 +14,8 @@ use super::{
 };
 use crate::{
     distance::{DistanceField, NavTriangle, Navigation, Propagation},
+    error::Error,
+    limits::MAX_FIELD_BYTES,
     sample::CoarseSamples,
 };
 
@@ -37,6 +39,8 @@ pub(crate) struct SiteInserter<'a> {
     pub(super) farthest: FarthestPoints,
     pub(super) obstacles: &'a Obstacles<'a>,
     propagation: &'a mut Propagation,
+    /// Memory of the fields of all sites, in bytes, when they were inserted.
+    field_bytes: usize,
 }
 
 impl<'a> SiteInserter<'a> {
@@ -47,7 +51,7 @@ impl<'a> SiteInserter<'a> {
         propagation: &'a mut Propagation,
     ) -> Self {
         let farthest = FarthestPoints::new(coarse.mesh.triangles.len());
-        Self { voronoi: Voronoi::new(navigation, coarse), farthest, obstacles, propagation }
+        Self { voronoi: Voronoi::new(navigation, coarse), farthest, obstacles, propagation, field_bytes: 0 }
     }
 
     /// The sites inserted so far.
@@ -56,7 +60,10 @@ impl<'a> SiteInserter<'a> {
     }
 
     /// Inserts a site at a point of the domain.
-    pub(super) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) {
+    ///
+    /// # Errors
+    /// [`Error::TooMuchMemory`] if the fields of all sites exceed [`MAX_FIELD_BYTES`].
+    pub(super) fn insert(&mut self, rest: DVec2, triangle: NavTriangle, kind: SiteKind) -> Result<(), Error> {
         let (navigation, coarse) = (self.voronoi.navigation, self.voronoi.coarse);
         let island = navigation.island_of(triangle);
         // No coarse sample of the island is farther from its nearest site, so the new cell reaches no farther either.
@@ -65,6 +72,10 @@ impl<'a> SiteInserter<'a> {
         let factor = if reaches_beyond_cell { FIELD_REACH } else { 1.0 };
         let bound = radius.map_or(f64::INFINITY, |radius| factor * (radius + 2.0 * coarse.longest_edge));
         let field = SiteField { island, triangle, distances: self.field(rest, triangle, bound) };
+        self.field_bytes += field.distances.bytes();
+        if self.field_bytes > MAX_FIELD_BYTES {
+            return Err(Error::TooMuchMemory);
+        }
         let Room { separation, clearance, in_acute_joint } =
             make_room(&mut self.voronoi, self.obstacles, self.propagation, (rest, kind, &field));
         let (cell_radius, support_radius) = (0.0, 0.0);
@@ -74,6 +85,7 @@ impl<'a> SiteInserter<'a> {
         self.voronoi.insert(site, field, coarse_triangle);
         let bound = radius.map_or(f64::INFINITY, |radius| radius + coarse.longest_edge);
         self.farthest.insert(&self.voronoi, coarse_triangle, bound);
+        Ok(())
     }
 
     /// The distance field of a point, up to a bound in pixels.

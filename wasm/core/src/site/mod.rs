@@ -33,6 +33,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::distance::{DistanceField, NavTriangle};
 
+pub(crate) use chain::sharp_corners;
 pub(crate) use graph::SiteGraph;
 pub(crate) use inserter::{Partition, SiteInserter};
 pub(crate) use obstacles::Obstacles;

@@ -68,7 +68,7 @@ impl Tessellation {
     /// Inserts the real sites from top to bottom: those of point handles, and those along the chains.
     ///
     /// # Errors
-    /// [`Error::TooManySites`].
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`].
     pub(crate) fn insert_real_sites(&mut self, inserter: &mut SiteInserter, points: &[PointSite]) -> Result<(), Error> {
         let navigation = inserter.voronoi.navigation;
         let of_points = points.iter().map(|&PointSite { rest, triangle, handle }| {
@@ -87,7 +87,7 @@ impl Tessellation {
     /// Inserts sites on chains until no gap is too large.
     ///
     /// # Errors
-    /// [`Error::TooManySites`].
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`].
     pub(super) fn refine(&mut self, inserter: &mut SiteInserter) -> Result<(), Error> {
         let navigation = inserter.voronoi.navigation;
         loop {
@@ -107,7 +107,7 @@ impl Tessellation {
     /// virtual sites.
     ///
     /// # Errors
-    /// [`Error::TooManySites`].
+    /// [`Error::TooManySites`], [`Error::TooMuchMemory`].
     pub(super) fn insert_virtual(&mut self, inserter: &mut SiteInserter, points: &[FarPoint]) -> Result<usize, Error> {
         let (mut sites, mut count) = (Vec::new(), 0);
         for point in points {
@@ -170,7 +170,7 @@ impl Tessellation {
                 let at = sites.partition_point(|&(known, _)| known < length);
                 sites.insert(at, (length, inserter.sites().len()));
             }
-            inserter.insert(rest, triangle, kind);
+            inserter.insert(rest, triangle, kind)?;
         }
         Ok(())
     }

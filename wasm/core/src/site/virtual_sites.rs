@@ -48,7 +48,7 @@ const CONTACT: f64 = 2.0;
 /// Returns the rounds: their scores are the curve of figure 3 (right). The last one inserts nothing.
 ///
 /// # Errors
-/// [`Error::TooManySites`].
+/// [`Error::TooManySites`], [`Error::TooMuchMemory`].
 pub(crate) fn insert_virtual_sites(
     inserter: &mut SiteInserter,
     tessellation: &mut Tessellation,

@@ -94,6 +94,8 @@ export type ErrorCode =
   | 'too-many-handles'
   | 'too-many-corners'
   | 'too-many-sites'
+  | 'too-much-memory'
+  | 'held-too-fine'
   | 'unsupported'
   | 'pose'
   | 'point-outside'
