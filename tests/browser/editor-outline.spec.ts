@@ -89,3 +89,25 @@ test('the boundary of a soft shadow is held, and the figure inside bends', async
   await expect.poll(() => editor.mappedDistance([450, 450], [450, 450])).toBeGreaterThan(20);
   await expect(page.getByText('The step was taken back')).toHaveCount(0);
 });
+
+test('the least opacity is set with the outline on the stage, a drag in one step', async ({ page }) => {
+  const editor = await Editor.open(page);
+  await opened(
+    editor,
+    'soft.png',
+    picture(300, (x, y) => Math.max(0, 255 - 2 * Math.hypot(x - 150, y - 150))),
+  );
+  const outline = page.locator('c2-warp path.outline:not(.pale)');
+  await editor.button('All settings').click();
+  const slider = page.getByRole('slider', { name: 'Least opacity' });
+  await expect(outline).toHaveCount(0);
+  await slider.focus();
+  const first = await outline.getAttribute('d');
+  await slider.fill('0.6');
+  await expect.poll(() => outline.getAttribute('d')).not.toBe(first);
+  await editor.button('Undo: set the least opacity').click();
+  await slider.focus();
+  await expect.poll(() => outline.getAttribute('d')).toBe(first);
+  await slider.blur();
+  await expect(outline).toHaveCount(0);
+});

@@ -258,6 +258,11 @@ impl PosedPicture {
         flat(self.0.borders(&pieces).flatten())
     }
 
+    /// The posed outline of the part that bends: pieces × 2 ends × 2.
+    pub fn outline(&self) -> Vec<f32> {
+        flat(self.0.outline().flatten())
+    }
+
     /// Bytes of memory for mesh and weights.
     #[wasm_bindgen(getter)]
     pub fn bytes(&self) -> usize {

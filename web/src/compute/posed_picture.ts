@@ -98,6 +98,8 @@ export interface Pose {
   lines(rest: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[];
   /** The bounding box of the posed picture and its static background, without the rim; null without vertices. */
   bounds(): Box | null;
+  /** Pieces × 2 ends × 2: the outline of the bending part, posed. */
+  outline(): Float32Array<ArrayBuffer>;
   /** Pieces × 2 ends × 2: the borders between cells, posed. */
   borders(borders: CellBorders): Float32Array<ArrayBuffer>;
 }

@@ -249,6 +249,10 @@ class WasmPose implements Pose {
     return asBox(this.#module.bounds());
   }
 
+  outline(): Float32Array<ArrayBuffer> {
+    return this.#module.outline();
+  }
+
   borders({ corners, barycentric }: CellBorders): Float32Array<ArrayBuffer> {
     return this.#module.borders(corners, barycentric);
   }

@@ -68,7 +68,10 @@ const PRESETS = { paper: PAPER_SETTINGS, editor: EDITOR_SETTINGS } as const;
 
 export const presetMode = (preset: Preset): PoseMode => PRESETS[preset].mode;
 
-/** Sets all settings but the threshold and loose parts, which belong to the picture. Unturned points rest as the mode has it. */
+/**
+ * Sets all settings but the threshold and loose parts, since they belong to the picture. Unturned points rest as the
+ * mode has it.
+ */
 export function withPreset(project: Project, preset: Preset): Project {
   const { samples, shape_factor, degree, filling, support, mode, blend, density } = PRESETS[preset];
   return {

@@ -81,6 +81,8 @@ export interface Deformation {
   posedBorders(project: Project, borders: CellBorders): Float32Array;
   /** The posed course of lines at rest, at places no farther apart than `step` at rest. */
   posedLines(project: Project, lines: readonly (readonly Vec[])[], step: number): readonly (readonly Vec[])[];
+  /** Pieces × 2 ends × 2: the posed outline of the bending part. */
+  outline(project: Project): Float32Array;
   /** The triangles that the pose visibly turns over; null if there are none. */
   creasedMesh(project: Project): CreasedMesh | null;
   /** The places where the pose visibly turns the picture over, from the largest. */

@@ -90,6 +90,8 @@ type ControlEvent =
   | { readonly type: 'lasso-removed' }
   | { readonly type: 'boundary-switched'; readonly held: boolean }
   | { readonly type: 'edges-switched'; readonly on: boolean }
+  /** The control of the least opacity has the focus, or has lost it. */
+  | { readonly type: 'outline-shown'; readonly on: boolean }
   | { readonly type: 'fold-guard-switched'; readonly on: boolean }
   | { readonly type: 'crease-zoomed' }
   | { readonly type: 'pixel-art-switched' | 'snapping-switched'; readonly on: boolean }

@@ -128,6 +128,10 @@ class PlaneDeformation implements Deformation {
     return lines.map((line) => line.map((place) => add(place, shift(project))));
   }
 
+  outline(): Float32Array {
+    return new Float32Array();
+  }
+
   creasedMesh(): null {
     return null;
   }

@@ -58,6 +58,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       guides: [],
       box: null,
       zoomedCrease: -1,
+      outlined: false,
       crosshair: null,
     },
     study: NO_STUDY,

@@ -12,7 +12,7 @@ export interface SolveReport {
   /** Parts of bars and polygons that lie outside the domain. */
   readonly outside: readonly { readonly handle: string }[];
   readonly outline: OutlineDetail;
-  /** Widest gap that bends with what is around it, in image pixels. */
+  /** Widest gap that bends with the parts around it, in image pixels. */
   readonly bridgedGap: number;
   /** Number of connected parts without a handle. */
   readonly looseParts: number;

@@ -123,6 +123,8 @@ export interface DisplayState {
   readonly box: Box | null;
   /** Index of the crease that the view was last zoomed to; −1 before the first. */
   readonly zoomedCrease: number;
+  /** The outline of the bending part is shown, while it is being set. */
+  readonly outlined: boolean;
   /** Where the keyboard would place a handle, image pixels; null until an arrow key moves it. */
   readonly crosshair: Vec | null;
 }

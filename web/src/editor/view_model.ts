@@ -95,6 +95,8 @@ export interface EditorModel {
   readonly sites: SiteGraph | null;
   /** Pieces × 2 ends × 2: the borders between cells, while they are shown and known. */
   readonly borders: Float32Array | null;
+  /** Pieces × 2 ends × 2: the outline of the bending part, while it is being set. */
+  readonly outline: Float32Array | null;
   /** The triangles of the creases, while they are shown. */
   readonly creased: CreasedMesh | null;
   /** Where the picture is visibly turned over, from the largest. */
@@ -218,6 +220,7 @@ export function viewModel(state: EditorState): EditorModel {
       shown && (overlays.cells || state.study.page === 'cells') && borders?.of === shown && borders.pieces
         ? shown.deformation.posedBorders(project, borders.pieces)
         : null,
+    outline: shown && display.outlined ? shown.deformation.outline(project) : null,
     creased: shown && overlays.creases ? shown.deformation.creasedMesh(project) : null,
     creases: overlays.creases || guard.on ? (shown?.deformation.creases(project) ?? []) : checks.creases,
     beyond: checks.beyond,

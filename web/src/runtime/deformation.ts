@@ -94,6 +94,10 @@ export class SolutionDeformation implements Deformation {
     return this.pose(project)?.lines(lines, step) ?? lines;
   }
 
+  outline(project: Project): Float32Array {
+    return this.pose(project)?.outline() ?? new Float32Array();
+  }
+
   creasedMesh(project: Project): CreasedMesh | null {
     const pose = this.pose(project);
     if (!pose || pose.creases.length === 0) return null;

@@ -26,6 +26,12 @@ export const cellOverlay = (borders: Float32Array | null, camera: Camera): Overl
 export const cellPath = (borders: Float32Array | null, camera: Camera): string =>
   borders ? path(borders.length / 2, 2, through(borders, camera)) : '';
 
+/** @param outline Pieces × 2 ends × 2, image pixels. */
+export function outlineOverlay(outline: Float32Array | null, camera: Camera): Overlay {
+  if (!outline) return nothing;
+  return outlined('outline', path(outline.length / 2, 2, through(outline, camera)));
+}
+
 export function creaseOverlay(creased: CreasedMesh | null, camera: Camera): Overlay {
   if (!creased) return nothing;
   const { posed, triangles } = creased;

@@ -35,6 +35,7 @@ mod inverse;
 mod layer;
 mod lead;
 mod locate;
+mod outline;
 mod placement;
 mod pose;
 mod posed_picture;

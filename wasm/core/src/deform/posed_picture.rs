@@ -23,6 +23,7 @@ use super::{
     layer::Layers,
     lead::{Lead, lead},
     locate::{locate, triangle_at},
+    outline::posed_outline,
     placement::placement,
     reach::{MOVES, STEP, reach},
     triangle::{corners, interpolate},
@@ -344,6 +345,11 @@ impl PosedPicture {
     /// Both ends of each piece of the borders between cells, posed.
     pub fn borders<'a>(&'a self, pieces: &'a [BorderPiece]) -> impl Iterator<Item = [DVec2; 2]> + 'a {
         posed_borders(pieces, self.posed_vertices())
+    }
+
+    /// Both ends of each piece of the outline of the part that bends, posed.
+    pub fn outline(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+        posed_outline(&self.mesh.triangles, self.mesh.samples, self.posed_vertices())
     }
 
     /// Bytes of memory for mesh and weights.

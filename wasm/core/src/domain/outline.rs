@@ -55,7 +55,7 @@ pub(super) const FREE: Bounds = Bounds {
 };
 /// The outline of a held boundary. Each corner needs a site.
 ///
-/// What the last tolerance leaves out does not bend, and the skirt draws it. Where alpha falls by less than a level a
+/// The skirt draws the pixels that the last tolerance leaves out. Where alpha falls by less than a level a
 /// pixel, a contour is a staircase of whole pixels: this tolerance makes it a curve again.
 pub(super) const HELD: Bounds = Bounds {
     most_corners: MAX_HELD_OUTLINE,

@@ -49,6 +49,7 @@ export const controlHandlers: Handlers<
   | 'lasso-removed'
   | 'boundary-switched'
   | 'edges-switched'
+  | 'outline-shown'
   | 'fold-guard-switched'
   | 'pixel-art-switched'
   | 'snapping-switched'
@@ -79,6 +80,7 @@ export const controlHandlers: Handlers<
   'lasso-removed': (state, _, emit) => edit(state, () => removeLasso(state, emit)),
   'edges-switched': (state, { on }, emit) => edit(state, () => setEdges(state, on, emit)),
   'boundary-switched': (state, { held }, emit) => edit(state, () => setBoundaryHeld(state, held, emit)),
+  'outline-shown': (state, { on }) => ({ ...state, display: { ...state.display, outlined: on } }),
   'fold-guard-switched': (state, { on }, emit) => setGuard(state, on, emit),
   'pixel-art-switched': (state, { on }, emit) => saveWork({ ...state, pixelated: on }, emit),
   'snapping-switched': (state, { on }, emit) =>

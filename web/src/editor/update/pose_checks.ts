@@ -1,6 +1,6 @@
 /**
- * Checks for what a person may overlook: creases, parts of the picture outside its frame, handles partly outside the
- * picture, outlines that do not follow it, and parts without a handle.
+ * Checks for facts that a person may overlook: creases, parts of the picture outside its frame, handles partly outside
+ * the picture, outlines that do not follow it, and parts without a handle.
  *
  * Creases and the frame need a pass over the whole mesh. It is made a few times a second during a drag, and once after
  * it.
@@ -34,7 +34,7 @@ export function checkPose(state: EditorState): EditorState {
   };
 }
 
-/** Tells what a solve finds that the solve before did not. */
+/** Tells the findings of a solve that are new. */
 export function checkSolution(before: EditorState, solution: Solution, emit: Emit): EditorState {
   const state = checkOutside(schedulePoseCheck(before, emit), solution, emit);
   return checkLooseParts(checkOutline(state, solution.report, emit), solution.report, emit);

@@ -23,7 +23,8 @@ import { choose, takeTool } from './tool_choice';
 /** Shows a page of the card, or closes it. The picture keeps clear of the card. */
 export function showStudy(before: EditorState, page: StudyPage | null, emit: Emit): EditorState {
   if (page === before.study.page || (page && (!before.picture || before.page.playing))) return before;
-  const display = { ...before.display, settings: false, overlayList: before.display.overlayList && !page };
+  const overlayList = before.display.overlayList && !page;
+  const display = { ...before.display, settings: false, outlined: false, overlayList };
   const state = refitView(withStudy({ ...before, display }, { page }));
   if (page === 'lens') return beginLooking(takeTool(state, 'lens', emit));
   if (state.tools.tool !== 'lens') return state;

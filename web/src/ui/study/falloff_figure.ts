@@ -7,8 +7,8 @@ import type { Falloff } from '../../editor/lens_model';
 import { siteName } from '../../editor/lens_texts';
 import type { EditorModel } from '../../editor/view_model';
 import type { Vec } from '../../geometry/vec';
-import { alphaSlider } from './alpha_slider';
 import { axes, numberAtX, type Plot, pathOf, pixels, plotX, plotY, ticks } from './figure';
+import { alphaSlider } from './slider';
 
 const SIZE = { width: 294, height: 190 } as const;
 

@@ -7,7 +7,7 @@ import type { Dispatch, NumberChange } from '../../editor/events';
 import type { EditorModel } from '../../editor/view_model';
 import { type FieldLook, numberField } from '../number_field';
 import { segment } from '../segment';
-import { alphaSlider } from './alpha_slider';
+import { alphaSlider, slider } from './slider';
 
 type NumberName = keyof typeof RANGES | 'threshold';
 
@@ -121,12 +121,21 @@ export function settingsPage(model: EditorModel, dispatch: Dispatch): TemplateRe
         : setting(
             'Least opacity',
             'What is more transparent than this does not bend. A lower number takes soft edges and thin hair along.',
-            number('threshold', now.threshold),
+            threshold(now.threshold, model, dispatch),
           )
     }
     <div class="presets">
       ${preset('As in the paper', 'paper', model, dispatch)} ${preset('As in the editor', 'editor', model, dispatch)}
     </div>`;
+}
+
+/** While it has the focus, the stage shows the outline of the bending part. */
+function threshold(value: number, model: EditorModel, dispatch: Dispatch): TemplateResult {
+  const show = (on: boolean) => () => dispatch({ type: 'outline-shown', on });
+  const look = { name: 'threshold', label: 'Least opacity', range: rangeOf('threshold') } as const;
+  return html`<div class="outlining" @focusin=${show(true)} @focusout=${show(false)}>
+    ${slider(look, value, model, dispatch)} ${numberSetting('threshold', value, model, dispatch)}
+  </div>`;
 }
 
 const setting = (title: string, sentence: string, control: TemplateResult): TemplateResult =>

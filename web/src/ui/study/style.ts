@@ -66,6 +66,9 @@ export const studyStyle = css`
     gap: 10px;
     margin: 6px 0;
   }
+  .outlining {
+    display: contents;
+  }
   .setting .segments {
     flex: 1;
     margin: 0;

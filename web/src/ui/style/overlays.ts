@@ -40,6 +40,16 @@ export const overlaysStyle = css`
       animation: none;
     }
   }
+  .outline {
+    fill: none;
+    stroke: #d1246f;
+    stroke-width: 1.5;
+    stroke-linecap: round;
+  }
+  .outline.pale {
+    stroke: #fffc;
+    stroke-width: 4;
+  }
   .cells {
     fill: none;
     stroke: #b3226b;
