@@ -237,7 +237,7 @@ test('samples open with their handles', async ({ page }) => {
     ['cat', 'tail tip', 6],
     ['giraffe', 'neck', 8],
     ['snake', 'belly', 5],
-    ['robot', 'body', 6],
+    ['robot', 'body', 10],
     ['salamander', 'hips', 8],
     ['gingerbread', 'left hand', 5],
   ] as const) {
