@@ -12,19 +12,13 @@ import type { Size } from '../geometry/camera';
 import type { View } from '../geometry/view';
 import edgesFragment from './edges.frag.glsl?raw';
 import layerFragment from './layer.frag.glsl?raw';
-import { drawWith, program } from './program';
+import { drawScreen, drawWith, program, screenProgram } from './program';
 
 /** Radius of the edge as a fraction of the picture's diagonal, and the least one in pixels of the picture. */
 const RADIUS = 0.004;
 const LEAST_RADIUS_PX = 2;
 /** Points of the picture farther apart than this belong to different parts, in radii. */
 const APART = 4;
-
-/** One triangle that covers the screen. */
-const SCREEN = `#version 300 es
-void main() {
-  gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);
-}`;
 
 /** The width of the edge, image pixels. */
 export const edgeRadius = ({ width, height }: Size): number =>
@@ -41,7 +35,7 @@ export class EdgeLayer {
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#places = program(gl, layerFragment);
-    this.#edges = twgl.createProgramInfo(gl, [SCREEN, edgesFragment]);
+    this.#edges = screenProgram(gl, edgesFragment);
     const attachment = { internalFormat: gl.RG16UI, format: gl.RG_INTEGER, type: gl.UNSIGNED_SHORT };
     const points = () =>
       twgl.createFramebufferInfo(gl, [{ ...attachment, minMag: gl.NEAREST, wrap: gl.CLAMP_TO_EDGE }], 1, 1);
@@ -75,15 +69,13 @@ export class EdgeLayer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.ZERO, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
-    gl.useProgram(this.#edges.program);
-    twgl.setUniforms(this.#edges, {
+    drawScreen(gl, this.#edges, {
       u_top,
       u_below,
       u_picture_size: [picture.width, picture.height],
       u_scale: view.scale,
       u_radius: radius,
     });
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.disable(gl.SCISSOR_TEST);
   }
@@ -93,7 +85,6 @@ export class EdgeLayer {
       this.#gl.deleteFramebuffer(framebuffer);
       for (const attachment of attachments) this.#gl.deleteTexture(attachment);
     }
-    this.#gl.deleteProgram(this.#edges.program);
   }
 
   #sized(layer: twgl.FramebufferInfo, { width, height }: View): twgl.FramebufferInfo {

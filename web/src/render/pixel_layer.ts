@@ -8,7 +8,7 @@
 import * as twgl from 'twgl.js';
 import type { View } from '../geometry/view';
 import pixelFragment from './pixel.frag.glsl?raw';
-import { drawWith, program } from './program';
+import { drawScreen, drawWith, program, screenProgram } from './program';
 import sheetFragment from './sheet.frag.glsl?raw';
 
 type Uniforms = Record<string, unknown>;
@@ -30,19 +30,13 @@ export class PixelLayer {
   readonly #gl: WebGL2RenderingContext;
   readonly #pixels: twgl.ProgramInfo;
   readonly #enlarge: twgl.ProgramInfo;
-  readonly #quad: twgl.BufferInfo;
   readonly #sheet: twgl.FramebufferInfo;
 
   /** @throws Error if a shader does not compile. */
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
     this.#pixels = program(gl, pixelFragment);
-    this.#enlarge = program(gl, sheetFragment);
-    this.#quad = twgl.createBufferInfoFromArrays(gl, {
-      a_rest: { numComponents: 2, data: new Float32Array([0, 0, 1, 0, 0, 1, 1, 1]) },
-      a_row: { numComponents: 2, data: new Uint32Array(8) },
-      indices: { numComponents: 3, data: new Uint32Array([0, 1, 2, 2, 1, 3]) },
-    });
+    this.#enlarge = screenProgram(gl, sheetFragment);
     this.#sheet = twgl.createFramebufferInfo(gl, [{ min: gl.NEAREST, mag: gl.NEAREST }], 1, 1);
   }
 
@@ -70,28 +64,17 @@ export class PixelLayer {
 
     twgl.bindFramebufferInfo(gl, null);
     gl.viewport(0, 0, view.width, view.height);
-    const enlarged = {
-      ...meshes[0]?.[1],
-      u_at_rest: true,
+    drawScreen(gl, this.#enlarge, {
       u_canvas_size: [view.width, view.height],
-      // The quad is a unit square: it covers the canvas.
-      u_view: [Math.max(view.width, view.height), 0, 0],
       u_sheet: this.#sheet.attachments[0],
       u_texels: texels,
       u_grid: [size, view.x + left * size, view.y + top * size],
-    };
-    drawWith(gl, this.#enlarge, this.#quad, enlarged, gl.TRIANGLES);
+    });
     gl.enable(gl.BLEND);
   }
 
   dispose(): void {
-    const gl = this.#gl;
-    gl.deleteFramebuffer(this.#sheet.framebuffer);
-    gl.deleteTexture(this.#sheet.attachments[0] ?? null);
-    for (const buffer of [
-      this.#quad.indices,
-      ...Object.values(this.#quad.attribs ?? {}).map(({ buffer }) => buffer),
-    ])
-      gl.deleteBuffer(buffer ?? null);
+    this.#gl.deleteFramebuffer(this.#sheet.framebuffer);
+    this.#gl.deleteTexture(this.#sheet.attachments[0] ?? null);
   }
 }
