@@ -13,6 +13,7 @@ import type { EditorModel } from '../editor/view_model';
 import type { Area } from '../geometry/area';
 import type { Size } from '../geometry/camera';
 import { placeBelowButton } from './below_button';
+import { closePopover } from './close_popover';
 import { captionOf } from './command_button';
 import { icon } from './icons';
 import { type FieldLook, numberField } from './number_field';
@@ -161,7 +162,7 @@ function exportButton(model: EditorModel, dispatch: Dispatch): TemplateResult {
     ?disabled=${running}
     @click=${(event: Event) => {
       // Before the export disables the button, which would keep the focus.
-      (event.currentTarget as HTMLElement).closest<HTMLElement>('[popover]')?.hidePopover();
+      closePopover(event);
       dispatch({ type: 'command-run', command: 'export' });
     }}
   >

@@ -9,6 +9,7 @@ import type { Sample } from '../editor/page';
 import type { EditorModel } from '../editor/view_model';
 import type { WorkSnapshot } from '../editor/work';
 import { placeBelowButton } from './below_button';
+import { closePopover } from './close_popover';
 import { captionOf } from './command_button';
 import { icon, iconOf } from './icons';
 import { shortened } from './shortened';
@@ -101,7 +102,7 @@ const entryOf = (
   title=${COMMANDS[command].label}
   ?disabled=${!model.canRun(command)}
   @click=${(event: Event) => {
-    close(event);
+    closePopover(event);
     dispatch({ type: 'command-run', command });
   }}
 >
@@ -111,7 +112,7 @@ const entryOf = (
 function openAddress(event: Event, dispatch: Dispatch): void {
   event.preventDefault();
   const text = new FormData(event.currentTarget as HTMLFormElement).get('address');
-  close(event);
+  closePopover(event);
   dispatch({ type: 'address-given', text: String(text) });
 }
 
@@ -128,7 +129,7 @@ const samples = (
         part="button"
         aria-label="Open the sample ${sample.name}"
         @click=${(event: Event) => {
-          close(event);
+          closePopover(event);
           dispatch({ type: 'sample-chosen', sample });
         }}
       >
@@ -144,7 +145,7 @@ const entry = (work: WorkSnapshot, dispatch: Dispatch): TemplateResult => html`<
     class="button pick"
     part="button"
     @click=${(event: Event) => {
-      close(event);
+      closePopover(event);
       dispatch({ type: 'back-asked', work });
     }}
   >
@@ -167,7 +168,3 @@ function steps({ record: { past } }: WorkSnapshot): string {
   if (past.length === 0) return 'a drawing';
   return past.length === 1 ? '1 step' : `${past.length} steps`;
 }
-
-/** Closes the menu of a button in it. */
-const close = ({ currentTarget }: Event): void =>
-  (currentTarget as Element).closest<HTMLElement>('[popover]')?.hidePopover();

@@ -4,6 +4,7 @@ import { COMMANDS } from '../editor/commands';
 import type { Dispatch, EditorEvent } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { placeBelowButton } from './below_button';
+import { closePopover } from './close_popover';
 import { captionOf } from './command_button';
 import { type IconName, icon } from './icons';
 import { themeLabel } from './theme';
@@ -13,8 +14,8 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
     type="button"
     class="entry"
     ?disabled=${!possible}
-    @click=${({ currentTarget }: Event) => {
-      (currentTarget as Element).closest<HTMLElement>('[popover]')?.hidePopover();
+    @click=${(click: Event) => {
+      closePopover(click);
       dispatch(event);
     }}
   >
