@@ -256,3 +256,21 @@ fn links_and_pipes_are_written_through() {
     succeed(folder.path(), WARP);
     assert!(folder.file("out.png").is_symlink() && folder.file("real.png").is_file());
 }
+
+#[test]
+fn a_clip_poses_the_handles_at_a_time() {
+    let folder = SceneFolder::new("strip").at_rest().edited(|project| {
+        let id = project["handles"][0]["id"].clone();
+        let keys = serde_json::json!([{ "time": 0, "ease": "linear", "rotation": 0 }, { "time": 2, "rotation": 40 }]);
+        let tracks = serde_json::json!([{ "handle": id, "keys": keys }]);
+        project["clips"] = serde_json::json!([{ "name": "turn", "duration": 2, "loop": "none", "tracks": tracks }]);
+    });
+    succeed(folder.path(), "warp scene.c2warp.json --clip turn --at 1 -o clip.png");
+    let line = fail(folder.path(), "warp scene.c2warp.json --clip wave --at 1 -o out.png");
+    assert!(line.contains(r#"there is no clip "wave": it has ["turn"]"#), "{line}");
+    let folder = folder.edited(|project| project["handles"][0]["rotation"] = 20.into());
+    succeed(folder.path(), "warp scene.c2warp.json -o out.png");
+    assert!(folder.picture("clip.png") == folder.picture("out.png"));
+    let run = command(folder.path(), "warp scene.c2warp.json --clip turn -o out.png").output().unwrap();
+    assert_eq!(run.status.code(), Some(2), "a clip without a time");
+}

@@ -29,6 +29,8 @@ pub(crate) enum CliError {
     ProjectEncoding { path: PathBuf },
     #[error("{}: this PNG carries no project: export one from the editor, or pass a project file", path.display())]
     NoProject { path: PathBuf },
+    #[error("{}: there is no clip {name:?}: {}", path.display(), listed(names))]
+    NoClip { path: PathBuf, name: String, names: Vec<String> },
     #[error("{}: image.src: the data: URL is damaged", path.display())]
     PictureUrl { path: PathBuf },
     #[error("{}: {reason}", path.display())]
@@ -53,6 +55,11 @@ pub(crate) enum CliError {
     PointsText { path: PathBuf },
     #[error("--scale: {0}")]
     Scale(c2warp::Error),
+}
+
+/// The clips of a project in words.
+fn listed(names: &[String]) -> String {
+    if names.is_empty() { "it has none".to_owned() } else { format!("it has {names:?}") }
 }
 
 /// Conversions for `map_err`.

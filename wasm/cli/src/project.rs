@@ -61,6 +61,17 @@ impl LoadedProject {
         Ok(Self { project, project_path: path.clone(), image, image_path })
     }
 
+    /// Poses the handles as a clip does at a time in seconds.
+    pub(crate) fn pose_by_clip(&mut self, name: &str, time: f64) -> Result<(), CliError> {
+        let Project { clips, handles, .. } = &mut self.project;
+        let Some(clip) = clips.iter().find(|clip| clip.name == name) else {
+            let names = clips.iter().map(|clip| clip.name.clone()).collect();
+            return Err(CliError::NoClip { path: self.project_path.clone(), name: name.to_owned(), names });
+        };
+        clip.apply(time, handles);
+        Ok(())
+    }
+
     /// Prepares an output. It must not replace the project file.
     pub(crate) fn output(&self, path: &Path) -> Result<Output, CliError> {
         match [fs::canonicalize(path), fs::canonicalize(&self.project_path)] {

@@ -27,6 +27,8 @@ pub(crate) struct Arguments {
     /// picture's upper left corner in the result. Prints it to standard error if standard output takes a file
     #[arg(long)]
     grow: bool,
+    #[command(flatten)]
+    moment: Moment,
     /// Draw pixel art: take the nearest pixel of the picture, mix no colours and smooth no edges
     #[arg(long)]
     pixelated: bool,
@@ -36,8 +38,26 @@ pub(crate) struct Arguments {
     stmap: Option<PathBuf>,
 }
 
+/// A time in a clip.
+#[derive(Debug, clap::Args)]
+struct Moment {
+    /// Pose the handles as this clip of the project does
+    #[arg(long, value_name = "NAME", requires = "at")]
+    clip: Option<String>,
+    /// The time in the clip, in seconds
+    #[arg(long, value_name = "SECONDS", requires = "clip", allow_negative_numbers = true, value_parser = finite)]
+    at: Option<f64>,
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "expected a finite number".to_owned())
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let loaded = LoadedProject::open(&arguments.files)?;
+    let mut loaded = LoadedProject::open(&arguments.files)?;
+    if let (Some(clip), Some(time)) = (&arguments.moment.clip, arguments.moment.at) {
+        loaded.pose_by_clip(clip, time)?;
+    }
     let picture = loaded.picture()?;
     // Reject invalid scales before solving.
     raster::warped_size(picture.width(), picture.height(), arguments.scale).map_err(CliError::Scale)?;

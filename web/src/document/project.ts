@@ -5,17 +5,28 @@
  */
 import type * as file from './generated/project';
 
-export type { Domain, ImageRef, PoseMode, Rotation } from './generated/project';
+export type {
+  Clip,
+  Domain,
+  Ease,
+  ImageRef,
+  Key,
+  Loop,
+  Posed,
+  PoseMode,
+  Rotation,
+  Track,
+} from './generated/project';
 
 /** A project from a file or a page. Handles may lack a pose. */
 export type ProjectFile = file.Project;
 export type HandleFile = file.Handle;
 
-type Posed<H extends HandleFile> = H & { readonly posed: H['rest'] };
+type WithPose<H extends HandleFile> = H & { readonly posed: H['rest'] };
 
-export type PointHandle = Posed<file.PointHandle>;
-export type BarHandle = Posed<file.BarHandle>;
-export type PolygonHandle = Posed<file.PolygonHandle>;
+export type PointHandle = WithPose<file.PointHandle>;
+export type BarHandle = WithPose<file.BarHandle>;
+export type PolygonHandle = WithPose<file.PolygonHandle>;
 /** A handle with corners. */
 export type LineHandle = BarHandle | PolygonHandle;
 export type Handle = PointHandle | LineHandle;

@@ -25,7 +25,7 @@ impl HandlePose {
 
     /// Writes the pose into a handle. Returns `false`, and changes nothing, if the handle has another number of
     /// corners.
-    pub(super) fn write_to(&self, handle: &mut Handle) -> bool {
+    pub(crate) fn write_to(&self, handle: &mut Handle) -> bool {
         let posed = handle.shape.posed_mut();
         let fits = posed.len() == self.posed.len();
         if fits {

@@ -88,6 +88,11 @@ impl<'a> Cursor<'a> {
         Ok(DVec2::new(self.item(0, &pair[0]).number()?, self.item(1, &pair[1]).number()?))
     }
 
+    /// Whether the value is a list that begins with a list.
+    pub(super) fn is_list_of_lists(&self) -> bool {
+        matches!(self.value, Value::List(items) if matches!(items.first(), Some(Value::List(_))))
+    }
+
     pub(super) fn points(&self) -> Result<Vec<DVec2>, ProjectError> {
         self.list("a list of points [[x, y], …]", |item| item.point())
     }

@@ -1,4 +1,4 @@
-//! The layout of a project as text: one line for each key, and one for each handle.
+//! The layout of a project as text: one line for each key of the project, for each handle, and for each key of a clip.
 //!
 //! A change of one handle is then a change of one line.
 
@@ -6,10 +6,17 @@ use std::io::{self, Write};
 
 use serde_json::ser::Formatter;
 
-/// Breaks lines in the outermost object, and in the lists directly inside it. Everything else stays on one line.
+/// Nested lists and objects down to the items of a list that has a line for each: the handles, and the keys of clips.
+const LISTED: usize = 2;
+const LISTED_IN_CLIPS: usize = 6;
+
+/// Breaks lines in the outermost object and in lists of handles, clips, tracks and keys. Everything else stays on one
+/// line.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     depth: usize,
+    /// Whether the current key of the outermost object is `clips`.
+    in_clips: bool,
     /// Whether the innermost list or object has an item.
     filled: bool,
 }
@@ -19,6 +26,11 @@ impl Layout {
         self.depth += 1;
         self.filled = false;
         writer.write_all(bracket)
+    }
+
+    /// Whether each item of a list at this depth has a line of its own.
+    fn lists_lines(&self, depth: usize) -> bool {
+        depth <= if self.in_clips { LISTED_IN_CLIPS } else { LISTED }
     }
 
     fn break_line<W: Write + ?Sized>(&self, writer: &mut W) -> io::Result<()> {
@@ -38,6 +50,14 @@ impl Formatter for Layout {
         }
     }
 
+    fn write_string_fragment<W: Write + ?Sized>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
+        // The strings in the outermost object are its keys, and the version of the format.
+        if self.depth == 1 {
+            self.in_clips = fragment == "clips";
+        }
+        serde_json::ser::CompactFormatter.write_string_fragment(writer, fragment)
+    }
+
     fn begin_array<W: Write + ?Sized>(&mut self, writer: &mut W) -> io::Result<()> {
         self.open(writer, b"[")
     }
@@ -46,10 +66,10 @@ impl Formatter for Layout {
         if !first {
             writer.write_all(b",")?;
         }
-        match (self.depth, first) {
-            (..=2, _) => self.break_line(writer),
-            (_, true) => Ok(()),
-            (_, false) => writer.write_all(b" "),
+        match first {
+            _ if self.lists_lines(self.depth) => self.break_line(writer),
+            true => Ok(()),
+            false => writer.write_all(b" "),
         }
     }
 
@@ -60,7 +80,7 @@ impl Formatter for Layout {
 
     fn end_array<W: Write + ?Sized>(&mut self, writer: &mut W) -> io::Result<()> {
         self.depth -= 1;
-        if self.filled && self.depth < 2 {
+        if self.filled && self.lists_lines(self.depth + 1) {
             self.break_line(writer)?;
         }
         writer.write_all(b"]")

@@ -1,4 +1,4 @@
-//! The project file, `*.c2warp.json`: a picture, the part of it to warp, and the handles.
+//! The project file, `*.c2warp.json`: a picture, the part of it to warp, the handles, and clips that move them.
 //!
 //! This is the only definition of the format. The JSON schema and the TypeScript types are generated from these types.
 //!
@@ -27,6 +27,7 @@
 //! # Ok::<(), c2warp::project::ProjectError>(())
 //! ```
 
+mod clip;
 mod cursor;
 mod domain;
 mod error;
@@ -53,6 +54,7 @@ use std::ops::RangeInclusive;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+pub use self::clip::{Clip, Ease, Key, Looping, Track};
 pub use self::domain::DomainSpec;
 pub use self::error::ProjectError;
 pub use self::format::Format;
@@ -111,6 +113,10 @@ pub struct Project {
     pub loose_parts: LooseParts,
     /// The handles. Their order has no meaning.
     pub handles: Vec<Handle>,
+    /// Poses of handles over time.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
+    pub clips: Vec<Clip>,
 }
 
 fn default_samples() -> u32 {
@@ -130,6 +136,13 @@ impl Project {
     #[must_use]
     pub fn with_handles(mut self, handles: impl IntoIterator<Item = Handle>) -> Self {
         self.handles = handles.into_iter().collect();
+        self
+    }
+
+    /// The same project with these clips instead of its own.
+    #[must_use]
+    pub fn with_clips(mut self, clips: impl IntoIterator<Item = Clip>) -> Self {
+        self.clips = clips.into_iter().collect();
         self
     }
 
@@ -167,6 +180,7 @@ impl Project {
             edges: false,
             loose_parts: LooseParts::default(),
             handles: Vec::new(),
+            clips: Vec::new(),
         }
     }
 
@@ -191,6 +205,7 @@ impl Project {
             "edges",
             "loose_parts",
             "handles",
+            "clips",
         ])?;
         let project = Self {
             format,
@@ -203,6 +218,7 @@ impl Project {
             edges: project.value_or("edges", false, |value| value.bool())?,
             loose_parts: project.value_or("loose_parts", LooseParts::default(), LooseParts::read)?,
             handles: project.required("handles").and_then(read_handles)?,
+            clips: project.value_or("clips", Vec::new(), |value| value.list("a list of clips", Clip::read))?,
         };
         project.check()?;
         Ok(project)
@@ -211,15 +227,17 @@ impl Project {
     /// Checks the project against the rules of the format. Reading a file and solving a project call it.
     ///
     /// # Errors
-    /// For the first number out of range or not finite, bar or polygon with too few points, and empty or duplicate id.
+    /// For the first number out of range or not finite, bar or polygon with too few points, empty or duplicate id, and
+    /// track without a handle.
     pub fn check(&self) -> Result<(), ProjectError> {
-        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, .. } = self;
+        let Self { format: Format::V1, image, domain, samples, weighting, pose, handles, clips, .. } = self;
         image.check(&Path::Top.key("image"))?;
         domain.as_ref().map_or(Ok(()), DomainSpec::check)?;
         validate::whole_number(&Path::Top.key("samples"), *samples, &SAMPLES)?;
         weighting.check(&Path::Top.key("weighting"))?;
         pose.check(&Path::Top.key("pose"))?;
-        check_handles(handles)
+        check_handles(handles)?;
+        clip::check(clips, handles)
     }
 
     /// Writes the project as JSON, with every key that has a value.

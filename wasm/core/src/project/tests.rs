@@ -39,6 +39,92 @@ fn writes_the_text_that_it_read() {
     assert_eq!(project.to_json(), FULL);
 }
 
+/// The full project with a clip.
+fn with_clips(clips: &str) -> String {
+    FULL.replacen("\n  ]\n}\n", &format!("\n  ],\n  \"clips\": {clips}\n}}\n"), 1)
+}
+
+#[test]
+fn clips_are_written_as_they_are_read() {
+    let clips = r#"[
+    { "name": "wave", "duration": 1.2, "loop": "alternate", "tracks": [
+        { "handle": "head", "keys": [
+            { "time": 0, "posed": [160, 42], "rotation": "auto", "ease": "smooth" },
+            { "time": 1.2, "scale": 2, "depth": -1, "ease": "hold" }
+          ] },
+        { "handle": "tail", "keys": [
+            { "time": 0.5, "posed": [[60, 200], [120, 220]], "ease": "linear" }
+          ] }
+      ] },
+    { "name": "still", "duration": 3, "loop": "none", "tracks": [] }
+  ]"#;
+    let project = Project::from_json(&with_clips(clips)).unwrap();
+    assert_eq!(project.to_json(), with_clips(clips));
+    let short = r#"[{ "name": "a", "duration": 1, "tracks": [{ "handle": "eye", "keys": [{ "time": 1 }] }] }]"#;
+    let clips = Project::from_json(&with_clips(short)).unwrap().clips;
+    let track = Track::new("eye", [Key::new(1.0, Ease::Smooth)]);
+    assert_eq!(clips, [Clip::new("a", 1.0, Looping::Repeat).with_tracks([track])]);
+}
+
+#[test]
+fn errors_in_clips_name_the_key() {
+    let clip = |inside: &str| format!(r#"[{{ "name": "a", "duration": 1, {inside} }}]"#);
+    let track = |handle: &str, keys: &str| clip(&format!(r#""tracks": [{{ "handle": "{handle}", "keys": {keys} }}]"#));
+    let key = |inside: &str| track("head", &format!("[{{ {inside} }}]"));
+    for (clips, message) in [
+        ("{}".to_owned(), "clips: expected a list of clips, found an object"),
+        (clip(r#""tracks": 7"#), "clips[0].tracks: expected a list of tracks, found 7"),
+        (clip(r#""tracks": [], "fps": 25"#), "clips[0].fps: unknown key; expected one of name, duration, loop, tracks"),
+        (
+            clip(r#""tracks": [], "loop": "twice""#),
+            r#"clips[0].loop: expected "repeat" or "alternate" or "none", found "twice""#,
+        ),
+        (
+            r#"[{ "name": "", "duration": 1, "tracks": [] }]"#.to_owned(),
+            "clips[0].name: expected a name, found an empty string",
+        ),
+        (
+            r#"[{ "name": "a", "duration": 0, "tracks": [] }]"#.to_owned(),
+            "clips[0].duration: expected seconds above 0 and up to 3600, found 0",
+        ),
+        (
+            r#"[{ "name": "a", "duration": 1, "tracks": [] }, { "name": "a", "duration": 1, "tracks": [] }]"#
+                .to_owned(),
+            r#"clips[1].name: "a" is already the name of another clip"#,
+        ),
+        (track("ear", "[]"), r#"clips[0].tracks[0].handle: there is no handle "ear""#),
+        (track("head", "[]"), "clips[0].tracks[0].keys: expected at least one key, found none"),
+        (key(r#""time": 1.5"#), "clips[0].tracks[0].keys[0].time: expected seconds from 0 to 1, found 1.5"),
+        (
+            track("head", r#"[{ "time": 0.5 }, { "time": 0.5 }]"#),
+            "clips[0].tracks[0].keys[1].time: expected more than 0.5, the key before, found 0.5",
+        ),
+        (
+            key(r#""time": 0, "posed": [1]"#),
+            "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 1 values",
+        ),
+        (
+            key(r#""time": 0, "posed": [[1, 2], [3, 4]]"#),
+            "clips[0].tracks[0].keys[0].posed: expected a point [x, y], found 2 points",
+        ),
+        (
+            track("tail", r#"[{ "time": 0, "posed": [1, 2] }]"#),
+            "clips[0].tracks[0].keys[0].posed: expected as many points as in rest (2), found 1",
+        ),
+        (key(r#""time": 0, "scale": 0"#), "clips[0].tracks[0].keys[0].scale: expected a number above 0, found 0"),
+        (
+            key(r#""time": 0, "ease": "in""#),
+            r#"clips[0].tracks[0].keys[0].ease: expected "smooth" or "linear" or "hold", found "in""#,
+        ),
+    ] {
+        assert_eq!(Project::from_json(&with_clips(&clips)).unwrap_err().to_string(), message);
+    }
+    let twice = r#"[{ "name": "a", "duration": 1, "tracks": [
+        { "handle": "head", "keys": [{ "time": 0 }] }, { "handle": "head", "keys": [{ "time": 0 }] }] }]"#;
+    let message = r#"clips[0].tracks[1].handle: "head" already has a track"#;
+    assert_eq!(Project::from_json(&with_clips(twice)).unwrap_err().to_string(), message);
+}
+
 #[test]
 fn numbers_are_read_to_the_last_bit() {
     // Fast but inexact parsers read …304.
@@ -80,7 +166,7 @@ fn errors_name_the_key() {
         (
             r#""fix_boundary""#,
             r#""fixBoundary""#,
-            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, loose_parts, handles",
+            "fixBoundary: unknown key; expected one of format, image, domain, samples, weighting, pose, fix_boundary, edges, loose_parts, handles, clips",
         ),
         (r#""head""#, r#""""#, "handles[0].id: expected a name, found an empty string"),
         (r#""eye""#, r#""tail""#, r#"handles[2].id: "tail" is already the id of another handle"#),

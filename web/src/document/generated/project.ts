@@ -22,6 +22,8 @@ export interface Project {
   readonly loose_parts?: LooseParts;
   /** The handles. Their order has no meaning. */
   readonly handles: readonly Handle[];
+  /** Poses of handles over time. */
+  readonly clips?: readonly Clip[];
 }
 
 /** The version of the format. */
@@ -155,3 +157,48 @@ export type Handle = PointHandle | BarHandle | PolygonHandle;
 
 /** Degrees, clockwise on the screen, or automatic: fitted to the surrounding handles. */
 export type Rotation = number | 'auto';
+
+/** Poses of handles over time. */
+export interface Clip {
+  /** A name, unique in the project and not empty. */
+  readonly name: string;
+  /** Length in seconds, above 0 and up to 3,600. */
+  readonly duration: number;
+  /** What follows the end. Left out: "repeat". */
+  readonly loop?: Loop;
+  /** Moving handles, each at most once. The others keep their pose. */
+  readonly tracks: readonly Track[];
+}
+
+/** What follows the end of a clip. */
+export type Loop = 'repeat' | 'alternate' | 'none';
+
+/** The keys of one handle in a clip. */
+export interface Track {
+  /** The id of the handle. */
+  readonly handle: string;
+  /** One or more keys, in ascending order of time. */
+  readonly keys: readonly Key[];
+}
+
+/** The pose of a handle at one time. Values that are left out do not stop there. */
+export interface Key {
+  /** Seconds from the beginning of the clip, up to its duration. */
+  readonly time: number;
+  /** The posed corners: one point for a point handle, all corners of a bar or polygon. */
+  readonly posed?: Posed;
+  /** The rotation. */
+  readonly rotation?: Rotation;
+  /** The scale, above 0. */
+  readonly scale?: number;
+  /** The depth. */
+  readonly depth?: number;
+  /** How values go on to the next key. Left out: "smooth". */
+  readonly ease?: Ease;
+}
+
+/** A posed point, or posed corners. */
+export type Posed = Point | readonly Point[];
+
+/** How values go from a key to the next one. */
+export type Ease = 'smooth' | 'linear' | 'hold';

@@ -1,0 +1,119 @@
+//! Clips: poses of handles over time.
+
+mod ease;
+mod key;
+mod looping;
+mod track;
+
+use std::collections::BTreeSet;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+pub use self::ease::Ease;
+pub use self::key::Key;
+pub use self::looping::Looping;
+pub use self::track::Track;
+
+use super::cursor::Cursor;
+use super::error::ProjectError;
+use super::handle::Handle;
+use super::path::Path;
+use super::validate;
+use crate::display_number::DisplayNumber;
+
+/// An hour. No exporter writes longer films.
+const MOST_SECONDS: f64 = 3600.0;
+
+/// Poses of handles over time.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct Clip {
+    /// A name, unique in the project and not empty.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// Length in seconds, above 0 and up to 3,600.
+    #[schemars(range(max = MOST_SECONDS), extend("exclusiveMinimum" = 0))]
+    pub duration: f64,
+    /// What follows the end.
+    #[serde(rename = "loop")]
+    #[schemars(default)]
+    pub looping: Looping,
+    /// Moving handles, each at most once. The others keep their pose.
+    pub tracks: Vec<Track>,
+}
+
+impl Clip {
+    /// A clip of a length in seconds, without tracks.
+    pub fn new(name: impl Into<String>, duration: f64, looping: Looping) -> Self {
+        Self { name: name.into(), duration, looping, tracks: Vec::new() }
+    }
+
+    /// The same clip with these tracks instead of its own.
+    #[must_use]
+    pub fn with_tracks(mut self, tracks: impl IntoIterator<Item = Track>) -> Self {
+        self.tracks = tracks.into_iter().collect();
+        self
+    }
+
+    pub(super) fn read(value: Cursor<'_>) -> Result<Self, ProjectError> {
+        let clip = value.object()?;
+        clip.allow_only(&["name", "duration", "loop", "tracks"])?;
+        Ok(Self {
+            name: clip.required("name")?.string()?.to_owned(),
+            duration: clip.required("duration")?.number()?,
+            looping: clip.value_or("loop", Looping::default(), Looping::read)?,
+            tracks: clip.required("tracks")?.list("a list of tracks", Track::read)?,
+        })
+    }
+
+    fn check(&self, handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectError> {
+        if self.name.is_empty() {
+            return at.key("name").refuse("expected a name, found an empty string");
+        }
+        if !(self.duration > 0.0 && self.duration <= MOST_SECONDS) {
+            return at.key("duration").refuse(format_args!(
+                "expected seconds above 0 and up to {MOST_SECONDS}, found {}",
+                DisplayNumber(self.duration)
+            ));
+        }
+        let tracks = at.key("tracks");
+        let mut moved = BTreeSet::new();
+        self.tracks.iter().enumerate().try_for_each(|(index, track)| {
+            let at = tracks.index(index);
+            let Some(handle) = handles.iter().find(|handle| handle.id == track.handle) else {
+                return at.key("handle").refuse(format_args!("there is no handle {:?}", track.handle));
+            };
+            if !moved.insert(&track.handle) {
+                return at.key("handle").refuse(format_args!("{:?} already has a track", track.handle));
+            }
+            track.check(handle, self.duration, &at)
+        })
+    }
+}
+
+/// Checks each clip, and that names are unique.
+pub(super) fn check(clips: &[Clip], handles: &[Handle]) -> Result<(), ProjectError> {
+    let top = Path::Top.key("clips");
+    let mut names = BTreeSet::new();
+    clips.iter().enumerate().try_for_each(|(index, clip)| {
+        let at = top.index(index);
+        clip.check(handles, &at)?;
+        if names.insert(&clip.name) {
+            Ok(())
+        } else {
+            at.key("name").refuse(format_args!("{:?} is already the name of another clip", clip.name))
+        }
+    })
+}
+
+/// Checks that a number is a time in seconds within a clip.
+fn check_time(at: &Path<'_>, time: f64, duration: f64) -> Result<(), ProjectError> {
+    validate::finite(at, time)?;
+    if (0.0..=duration).contains(&time) {
+        Ok(())
+    } else {
+        at.refuse(format_args!("expected seconds from 0 to {duration}, found {}", DisplayNumber(time)))
+    }
+}
