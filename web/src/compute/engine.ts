@@ -59,7 +59,7 @@ export class Engine {
     this.#link.abandon('solve');
     await this.#picture;
     if (turn !== this.#newestSolve) throw superseded();
-    return this.#link.send('solve', { project: JSON.stringify(project) }, onProgress);
+    return this.#link.send('solve', { project: problemText(project) }, onProgress);
   }
 
   /**
@@ -68,7 +68,7 @@ export class Engine {
    */
   async draw(project: Project, options: DrawingOptions): Promise<Drawing> {
     const picture = this.#picture;
-    const size = await this.#ask('draw', { project: JSON.stringify(project), ...options });
+    const size = await this.#ask('draw', { project: problemText(project), ...options });
     return new Drawing(this.#link, size, () => picture === this.#picture);
   }
 
@@ -77,17 +77,17 @@ export class Engine {
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
    */
   cells(project: Project): Promise<CellBorders> {
-    return this.#ask('cells', { project: JSON.stringify(project) });
+    return this.#ask('cells', { project: problemText(project) });
   }
 
   /** A project's solution, explained. @throws as {@link cells}. */
   study(project: Project): Promise<Study> {
-    return this.#ask('study', { project: JSON.stringify(project) });
+    return this.#ask('study', { project: problemText(project) });
   }
 
   /** The weights and paths of a rest point; null outside the domain. @throws as {@link cells}. */
   lens(project: Project, at: Vec): Promise<Lens | null> {
-    return this.#ask('lens', { project: JSON.stringify(project), at });
+    return this.#ask('lens', { project: problemText(project), at });
   }
 
   /** The picture of a solution, to be posed. Free it with the solution. @param project The project that was solved. */
@@ -120,3 +120,6 @@ export class Engine {
     return this.#link.send(name, body);
   }
 }
+
+/** What the solver needs of a project: all but the clips, whose tracks may have newer names of handles. */
+const problemText = ({ clips: _, ...problem }: Project): string => JSON.stringify(problem);

@@ -18,6 +18,7 @@ import {
 } from './handle';
 import { nameFault } from './names';
 import type { Handle, LineHandle, Project } from './project';
+import { withChangedCorners, withoutLostTracks } from './tracks';
 
 const withHandles = (document: Document, handles: readonly Handle[]): Document => ({
   ...document,
@@ -83,13 +84,14 @@ export const addHandle = (document: Document, handle: Handle): Document => ({
   selection: [handle.id],
 });
 
-export const removeHandles = (document: Document, ids: readonly string[]): Document => ({
-  ...withHandles(
-    document,
-    document.project.handles.filter((handle) => !ids.includes(handle.id)),
-  ),
-  selection: document.selection.filter((id) => !ids.includes(id)),
-});
+/** Removes handles and their tracks. */
+export function removeHandles({ project, selection }: Document, ids: readonly string[]): Document {
+  const handles = project.handles.filter((handle) => !ids.includes(handle.id));
+  return {
+    project: withoutLostTracks({ ...project, handles }),
+    selection: selection.filter((id) => !ids.includes(id)),
+  };
+}
 
 export const moveHandles = (document: Document, ids: readonly string[], by: Vec): Document =>
   changeHandles(document, ids, (handle) => moved(handle, by));
@@ -112,11 +114,19 @@ export const putCorner = (
 
 /** Adds a corner on an edge of a handle. */
 export const addCorner = (document: Document, id: string, at: LinePlace): Document =>
-  changeLine(document, id, (handle) => cornerAdded(handle, at));
+  changeCorners(document, id, (handle) => cornerAdded(handle, at));
 
 /** Removes one corner of a handle. */
 export const removeCorner = (document: Document, id: string, index: number): Document =>
-  changeLine(document, id, (handle) => cornerRemoved(handle, index));
+  changeCorners(document, id, (handle) => cornerRemoved(handle, index));
+
+/** Changes the corners of a handle, and those in the keys of its tracks. */
+function changeCorners(document: Document, id: string, change: (handle: LineHandle) => LineHandle): Document {
+  const handle = handleById(document, id);
+  if (!handle || !isLine(handle)) return document;
+  const changed = changeLine(document, id, change);
+  return { ...changed, project: withChangedCorners(changed.project, handle, change) };
+}
 
 /** Adds `by` to the depth of handles: positive is nearer to the eye. */
 export const raiseHandles = (document: Document, ids: readonly string[], by: number): Document =>

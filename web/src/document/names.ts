@@ -5,6 +5,7 @@
 import type { Document } from './document';
 import { nameOf } from './handle';
 import type { Handle, Project } from './project';
+import { withRenamedTracks } from './tracks';
 
 export type NameFault = 'empty' | 'taken';
 
@@ -22,11 +23,11 @@ export function nameFault({ handles }: Project, id: string, name: string): NameF
 }
 
 /** Gives a handle another id. A selected handle stays selected. */
-export function renameHandle(document: Document, id: string, name: string): Document {
+export function renameHandle({ project, selection }: Document, id: string, name: string): Document {
   const renamed = (handle: Handle): Handle => (handle.id === id ? { ...handle, id: name } : handle);
   return {
-    project: { ...document.project, handles: document.project.handles.map(renamed) },
-    selection: document.selection.map((selected) => (selected === id ? name : selected)),
+    project: withRenamedTracks({ ...project, handles: project.handles.map(renamed) }, id, name),
+    selection: selection.map((selected) => (selected === id ? name : selected)),
   };
 }
 

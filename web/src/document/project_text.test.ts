@@ -29,6 +29,33 @@ describe('projectText', () => {
     );
   });
 
+  it('writes one line per key of a clip', () => {
+    const keys = [
+      { time: 0, posed: [1, 2] as const },
+      { time: 0.5, rotation: 90, ease: 'linear' as const },
+    ];
+    const project = {
+      ...newProject({ src: 'a.png', width: 2, height: 3 }, 0.5),
+      clips: [
+        { name: 'wave', duration: 1, tracks: [{ handle: 'a', keys }] },
+        { name: 'still', duration: 2, tracks: [] },
+      ],
+    };
+    const text = projectText(project);
+    expect(JSON.parse(text)).toEqual(project);
+    expect(text.slice(text.indexOf('  "clips"'))).toBe(`  "clips": [
+    {"name": "wave", "duration": 1, "tracks": [
+        {"handle": "a", "keys": [
+            {"time": 0, "posed": [1, 2]},
+            {"time": 0.5, "rotation": 90, "ease": "linear"}
+          ]}
+      ]},
+    {"name": "still", "duration": 2, "tracks": []}
+  ]
+}
+`);
+  });
+
   it('writes an empty list of handles', () => {
     expect(projectText(newProject({ src: '', width: 2, height: 3 }, null))).toContain('"handles": []\n}\n');
   });

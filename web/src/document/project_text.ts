@@ -1,4 +1,4 @@
-/** Writes a project or a pose as text, with one line per key and per handle, so that diffs are readable. */
+/** Writes a project or a pose as text, with one line per key, per handle and per key of a clip: diffs are readable. */
 import type { Handle, Project } from './project';
 
 export interface Pose {
@@ -13,15 +13,22 @@ export function projectText(project: Project | Pose): string {
   return `{\n${lines.join(',\n')}\n}\n`;
 }
 
-function valueText(value: unknown): string {
-  if (!Array.isArray(value) || value.length === 0) return lineText(value);
-  return `[\n${value.map((item) => `    ${lineText(item)}`).join(',\n')}\n  ]`;
+/** Returns a value with each item of a list in a line of its own. */
+function valueText(value: unknown, indent = 2): string {
+  if (!Array.isArray(value) || value.length === 0) return lineText(value, indent);
+  const [inside, outside] = [indent + 2, indent].map((spaces) => `\n${' '.repeat(spaces)}`);
+  return `[${inside}${value.map((item) => lineText(item, indent + 2)).join(`,${inside}`)}${outside}]`;
 }
 
-/** Returns a value in one line, with a space after commas and colons. */
-function lineText(value: unknown): string {
-  if (Array.isArray(value)) return `[${value.map(lineText).join(', ')}]`;
+/** The lists inside a clip. */
+const LISTS: readonly string[] = ['tracks', 'keys'];
+
+/** Returns a value in one line, with a space after commas and colons. The lists of a clip have a line for each item. */
+function lineText(value: unknown, indent = 0): string {
+  if (Array.isArray(value)) return `[${value.map((item) => lineText(item)).join(', ')}]`;
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);
   const entries = Object.entries(value).filter(([, item]) => item !== undefined);
-  return `{${entries.map(([key, item]) => `${JSON.stringify(key)}: ${lineText(item)}`).join(', ')}}`;
+  const text = ([key, item]: [string, unknown]) =>
+    `${JSON.stringify(key)}: ${LISTS.includes(key) ? valueText(item, indent + 2) : lineText(item)}`;
+  return `{${entries.map(text).join(', ')}}`;
 }

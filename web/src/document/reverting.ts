@@ -8,6 +8,7 @@ import { selectHandles } from './edits';
 import type { Timeline } from './history';
 import type { Handle, Project } from './project';
 import { settingsKey, solveKey, solvesAlike, solvesWith } from './solved';
+import { withoutLostTracks, withTracksOf } from './tracks';
 
 /**
  * Returns the handle to revert: among those named and not solved before, the last one to change.
@@ -62,7 +63,8 @@ export function revertHandle(document: Document, handle: Handle, before: Documen
   const handles = document.project.handles.flatMap((other) =>
     solvesAlike(other, handle) ? (back ?? []) : other,
   );
-  const project = { ...document.project, handles };
+  const without = withoutLostTracks({ ...document.project, handles });
+  const project = back && before ? withTracksOf(without, handle.id, before.project) : without;
   if (before && JSON.stringify(project) === JSON.stringify(before.project)) return before;
   return selectHandles({ ...document, project }, document.selection);
 }
