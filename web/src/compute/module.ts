@@ -1,11 +1,15 @@
 /** The solver's module, compiled once for all editors of a page. The only page file that imports the generated code. */
 
-import type { Handle, Project } from '../document/project';
+import type { Clip, Handle, Project } from '../document/project';
 import { ENGINE, WarpError } from '../error';
-import init, { PosedPicture as ModulePicture, project_check } from './generated/c2warp';
+import init, {
+  ClipPoses as ModuleClip,
+  PosedPicture as ModulePicture,
+  project_check,
+} from './generated/c2warp';
 import type { SolutionData } from './solution';
 
-export type { ModulePicture };
+export type { ModuleClip, ModulePicture };
 
 let loading: Promise<WebAssembly.Module> | undefined;
 
@@ -22,6 +26,13 @@ export function loadModule(): Promise<WebAssembly.Module> {
 /** Requires the module to be loaded. @param handles The solved handles. */
 export const createModulePicture = (data: SolutionData, handles: readonly Handle[]): ModulePicture =>
   new ModulePicture(data, data.report.samples, JSON.stringify(handles));
+
+/**
+ * Requires the module to be loaded.
+ * @throws Error with a code and a message that names the offending key of the clip.
+ */
+export const createModuleClip = (clip: Clip, handles: readonly Handle[]): ModuleClip =>
+  new ModuleClip(JSON.stringify(clip), JSON.stringify(handles));
 
 /**
  * A project file's project, with every key written out. Requires the module to be loaded.

@@ -263,6 +263,16 @@ pub fn handles_from_json(text: &str) -> Result<Vec<Handle>, ProjectError> {
     Ok(handles)
 }
 
+/// Reads one clip of these handles, as in the list under the key `clips` of a project.
+///
+/// # Errors
+/// The errors of [`Project::from_json`], with paths that begin at the clip: `tracks[0].keys[1].time`.
+pub fn clip_from_json(text: &str, handles: &[Handle]) -> Result<Clip, ProjectError> {
+    let clip = Clip::read(Cursor::top(&Value::parse(text)?))?;
+    clip.check(handles, &Path::Top)?;
+    Ok(clip)
+}
+
 /// Checks the handles of a project.
 pub(crate) fn check_handles(handles: &[Handle]) -> Result<(), ProjectError> {
     handle::check(handles, &Path::Top.key("handles"))

@@ -325,6 +325,21 @@ fn posed_defaults_to_rest() {
 }
 
 #[test]
+fn one_clip_is_read_with_paths_that_begin_at_it() {
+    let hand = [Handle::point("hand", [1.0, 2.0])];
+    let text = r#"{"name": "wave", "duration": 1, "tracks": [{"handle": "hand", "keys": [{"time": 0.5}]}]}"#;
+    let clip = clip_from_json(text, &hand).unwrap();
+    assert_eq!(
+        clip,
+        Clip::new("wave", 1.0, Looping::Repeat).with_tracks([Track::new("hand", [Key::new(0.5, Ease::Smooth)])])
+    );
+    let late = clip_from_json(&text.replace("0.5", "1.5"), &hand).unwrap_err();
+    assert_eq!(late.path, "tracks[0].keys[0].time");
+    assert_eq!(clip_from_json(text, &[]).unwrap_err().path, "tracks[0].handle");
+    assert_eq!(clip_from_json(&text.replace("1,", "0,"), &hand).unwrap_err().path, "duration");
+}
+
+#[test]
 fn later_versions_are_refused_before_unknown_keys() {
     let error = Project::from_json(r#"{"layers": [], "format": "c2warp/2"}"#).unwrap_err();
     assert_eq!(error.path, "format");

@@ -68,7 +68,7 @@ impl Clip {
         })
     }
 
-    fn check(&self, handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectError> {
+    pub(super) fn check(&self, handles: &[Handle], at: &Path<'_>) -> Result<(), ProjectError> {
         if self.name.is_empty() {
             return at.key("name").refuse("expected a name, found an empty string");
         }
