@@ -17,6 +17,7 @@ mod properties;
 mod quality;
 mod random;
 mod reuse;
+mod rig;
 mod rigid;
 mod scenes;
 mod static_background;

@@ -21,6 +21,8 @@ pub(crate) enum CliError {
         written.extensions_str()[0]
     )]
     OutputType { path: PathBuf, format: ImageFormat, written: ImageFormat },
+    #[error("{}: the extension means {format:?}, but the output is a rig: use .c2rig", path.display())]
+    OutputNoRig { path: PathBuf, format: ImageFormat },
     #[error("{}: the picture is written to this file: choose another file for the map", path.display())]
     SameOutput { path: PathBuf },
     #[error("cannot write to standard output: {0}")]
@@ -47,6 +49,8 @@ pub(crate) enum CliError {
     PictureDamaged { path: PathBuf, reason: ImageError },
     #[error("{}: {reason}", path.display())]
     Refused { path: PathBuf, reason: c2warp::Error },
+    #[error("{}: {reason}", path.display())]
+    NotBaked { path: PathBuf, reason: c2warp::rig::BakeError },
     #[error("{}: the first line must be x,y", path.display())]
     PointsHeader { path: PathBuf },
     #[error("{}: line {line}: expected two finite numbers x,y, found {found:?}", path.display())]

@@ -3,6 +3,7 @@
 //! There is one file per subcommand. An error prints one line on standard error and exits with status 1. Output files
 //! appear complete or not at all. An invalid command line prints the usage and exits with status 2.
 
+mod bake;
 mod carried;
 mod distance;
 mod error;
@@ -39,6 +40,7 @@ enum Command {
     Weights(weights::Arguments),
     Map(map::Arguments),
     Distance(distance::Arguments),
+    Bake(bake::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
         Command::Weights(arguments) => weights::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
         Command::Distance(arguments) => distance::run(&arguments),
+        Command::Bake(arguments) => bake::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

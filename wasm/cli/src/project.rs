@@ -91,6 +91,11 @@ impl LoadedProject {
         self.image.profile.as_deref()
     }
 
+    /// Returns the picture file with its pixels.
+    pub(crate) fn picture_file(&self) -> &PictureFile {
+        &self.image
+    }
+
     /// Solves the project. Tells on standard error if the outline could not be followed closely.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
         let solution = c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))?;
@@ -104,6 +109,11 @@ impl LoadedProject {
     /// Poses the handles as the project asks.
     pub(crate) fn pose(&self, solution: &Solution) -> Result<Pose, CliError> {
         solution.pose(&self.project).map_err(|reason| self.refused(reason))
+    }
+
+    /// Returns an error about a clip of the project, or about the rig of all.
+    pub(crate) fn not_baked(&self, reason: c2warp::rig::BakeError) -> CliError {
+        CliError::NotBaked { path: self.project_path.clone(), reason }
     }
 
     /// Returns an error about the contents of the project.

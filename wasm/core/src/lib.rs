@@ -75,6 +75,9 @@ mod solved_sites;
 mod solver;
 mod stage;
 
+// Leaving: solutions for other programs.
+pub mod rig;
+
 // Explaining a solution.
 mod lens;
 mod study;

@@ -29,6 +29,9 @@ pub(crate) struct PictureFile {
     pub(crate) pixels: RgbaImage,
     /// The ICC profile of RGB colours. `None` for sRGB, and for CMYK, because decoding converts it to RGB.
     pub(crate) profile: Option<Vec<u8>>,
+    pub(crate) format: ImageFormat,
+    /// The bytes of the file.
+    pub(crate) bytes: Vec<u8>,
 }
 
 /// Reads a picture file.
@@ -48,14 +51,14 @@ pub(crate) fn read_from(file: impl Read, path: &Path) -> Result<PictureFile, Cli
         ImageFormat::WebP => webp::clear_stale_flags(&mut bytes),
         _ => {}
     }
-    decode(path, format, &bytes)
+    decode(path, format, bytes)
 }
 
 /// Reads a JPEG without an end marker.
 fn read_unmarked(path: &Path, [plain, filled @ ..]: [Vec<u8>; 3]) -> Result<PictureFile, CliError> {
-    let picture = decode(path, ImageFormat::Jpeg, &plain)?;
+    let picture = decode(path, ImageFormat::Jpeg, plain)?;
     for probe in filled {
-        let is_same = decode(path, ImageFormat::Jpeg, &probe).is_ok_and(|other| other.pixels == picture.pixels);
+        let is_same = decode(path, ImageFormat::Jpeg, probe).is_ok_and(|other| other.pixels == picture.pixels);
         if !is_same {
             return Err(truncated(path));
         }
@@ -63,7 +66,15 @@ fn read_unmarked(path: &Path, [plain, filled @ ..]: [Vec<u8>; 3]) -> Result<Pict
     Ok(picture)
 }
 
-fn decode(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<PictureFile, CliError> {
+fn decode(path: &Path, format: ImageFormat, bytes: Vec<u8>) -> Result<PictureFile, CliError> {
+    let (pixels, profile) = pixels(path, format, &bytes)?;
+    Ok(PictureFile { pixels, profile, format, bytes })
+}
+
+/// The pixels, and the profile of their colours.
+type Pixels = (RgbaImage, Option<Vec<u8>>);
+
+fn pixels(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<Pixels, CliError> {
     let damaged = |reason| CliError::PictureDamaged { path: path.to_owned(), reason };
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(DECODER_BYTES);
@@ -84,7 +95,7 @@ fn decode(path: &Path, format: ImageFormat, bytes: &[u8]) -> Result<PictureFile,
     }
     let described = if format == ImageFormat::Png { profile::png_profile(Cursor::new(bytes)) } else { None };
     let profile = described.or_else(|| profile::rgb_profile(embedded?));
-    Ok(PictureFile { pixels: image.into_rgba8(), profile })
+    Ok((image.into_rgba8(), profile))
 }
 
 /// Reads a picture file and detects its type. Other files are rejected after the first bytes.

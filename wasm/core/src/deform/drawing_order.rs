@@ -108,30 +108,32 @@ impl DepthOrder {
 
     /// The triangles with each crossing ordered as a whole; `None` where the order by depth does so.
     fn with_whole_parts(&self, triangles: &[[u32; 3]], crossings: &[Crossing]) -> Option<Vec<u32>> {
-        let by_mesh: Vec<u32>;
-        let order = match &self.sorted {
-            Some(sorted) => &sorted.triangles,
-            None => {
-                by_mesh = (0..triangles.len() as u32).collect();
-                &by_mesh
-            }
-        };
-        let mut ranks = vec![0_u32; triangles.len()];
-        for (&t, rank) in order.iter().zip(0..) {
-            ranks[t as usize] = rank;
+        let order = self.order(triangles.len());
+        let ranks = ranks(&order);
+        let pairs = self.pairs_by(triangles, crossings, &ranks);
+        if satisfies(&ranks, &pairs) {
+            return None;
         }
+        Some(topological(&order, &pairs))
+    }
+
+    /// The triangles by depth, as indices.
+    pub(crate) fn order(&self, triangles: usize) -> Vec<u32> {
+        self.sorted.as_ref().map_or_else(|| (0..triangles as u32).collect(), |sorted| sorted.triangles.clone())
+    }
+
+    /// All pairs of triangles in crossings: the one in front, and the one behind it.
+    pub(crate) fn pairs(&self, triangles: &[[u32; 3]], crossings: &[Crossing]) -> Vec<[u32; 2]> {
+        self.pairs_by(triangles, crossings, &ranks(&self.order(triangles.len())))
+    }
+
+    fn pairs_by(&self, triangles: &[[u32; 3]], crossings: &[Crossing], ranks: &[u32]) -> Vec<[u32; 2]> {
         let is_drawn_later = |a: u32, b: u32| ranks[a as usize] > ranks[b as usize];
         let over = |crossing: &Crossing| {
             let first = (!crossing.is_tangled).then(|| self.first_is_in_front(triangles, crossing, &is_drawn_later));
             move |&[a, b]: &[u32; 2]| if first.unwrap_or_else(|| is_drawn_later(a, b)) { [a, b] } else { [b, a] }
         };
-        let pairs: Vec<[u32; 2]> =
-            crossings.iter().flat_map(|crossing| crossing.pairs.iter().map(over(crossing))).collect();
-        if pairs.iter().all(|&[front, back]| is_drawn_later(front, back)) {
-            return None;
-        }
-        let backs = Rows::from_pairs(triangles.len(), || pairs.iter().map(|&[front, back]| (front as usize, back)));
-        Some(topological(order, &backs))
+        crossings.iter().flat_map(|crossing| crossing.pairs.iter().map(over(crossing))).collect()
     }
 
     /// Whether the first part of a crossing lies in front.
@@ -175,9 +177,24 @@ fn sorted(triangles: &[[u32; 3]], step: impl Fn(&[u32; 3]) -> usize) -> Vec<u32>
     sorted
 }
 
-/// The triangles in their order, except that each comes after all that lie behind it. A depth-first search, which
-/// ignores the pair that closes a ring.
-fn topological(order: &[u32], backs: &Rows<u32>) -> Vec<u32> {
+/// The place of each triangle in an order.
+pub(crate) fn ranks(order: &[u32]) -> Vec<u32> {
+    let mut ranks = vec![0; order.len()];
+    for (&t, rank) in order.iter().zip(0..) {
+        ranks[t as usize] = rank;
+    }
+    ranks
+}
+
+/// Whether the triangle in front is drawn after the one behind it, for all pairs of them.
+pub(crate) fn satisfies(ranks: &[u32], pairs: &[[u32; 2]]) -> bool {
+    pairs.iter().all(|&[front, back]| ranks[front as usize] > ranks[back as usize])
+}
+
+/// The triangles in their order, except that each comes after all that lie behind it in a pair. A depth-first search,
+/// which ignores the pair that closes a ring.
+pub(crate) fn topological(order: &[u32], pairs: &[[u32; 2]]) -> Vec<u32> {
+    let backs = Rows::from_pairs(order.len(), || pairs.iter().map(|&[front, back]| (front as usize, back)));
     let mut drawn = Vec::with_capacity(order.len());
     let mut is_begun = vec![false; order.len()];
     // Triangles that wait for those behind them, and the next one of these.

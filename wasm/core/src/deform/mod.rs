@@ -47,7 +47,7 @@ mod way;
 pub use bounds::Bounds;
 pub use creases::Crease;
 pub(crate) use crossings::{Adjacency, PosedMesh};
-pub(crate) use drawing_order::{DepthOrder, DrawnPose, depths};
+pub(crate) use drawing_order::{DepthOrder, DrawnPose, depths, ranks, satisfies, topological};
 pub use fold_guard::FoldLimit;
 pub(crate) use folds::FoldingMesh;
 pub use handle_pose::HandlePose;

@@ -66,7 +66,7 @@ impl Poser {
 }
 
 impl Pose {
-    pub(super) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
+    pub(crate) fn new(rest: Arc<[DVec2]>, motions: Vec<Motion>, blend: Blend) -> Self {
         let sites = || rest.iter().zip(&motions);
         let map = |(&rest, motion): (&DVec2, &Motion)| SiteMap {
             rest,

@@ -1,0 +1,52 @@
+//! Tests of `c2warp bake`.
+
+use std::fs;
+
+use c2warp::rig::Rig;
+use serde_json::json;
+
+use crate::command::{fail, succeed};
+use crate::scene_folder::SceneFolder;
+
+const BAKE: &str = "bake scene.c2warp.json -o out.c2rig";
+
+fn waving() -> SceneFolder {
+    SceneFolder::new("strip").edited(|project| {
+        let keys = json!([{ "time": 0, "posed": [48, 24] }, { "time": 0.5, "posed": [50, 18] }]);
+        project["clips"] = json!([{
+            "name": "wave", "duration": 1, "loop": "repeat", "tracks": [{ "handle": "middle", "keys": keys }]
+        }]);
+    })
+}
+
+#[test]
+fn rig_holds_clips_and_the_smaller_picture() {
+    let folder = waving();
+    succeed(folder.path(), BAKE);
+    let rig = Rig::from_bytes(&fs::read(folder.file("out.c2rig")).unwrap()).unwrap();
+    assert_eq!(rig.clips().iter().map(|clip| &clip.name[..]).collect::<Vec<_>>(), ["wave"]);
+    let picture = rig.picture();
+    assert_eq!((picture.width, picture.height), (96, 48));
+    let given = fs::read(folder.file("strip.png")).unwrap();
+    assert!(picture.file.len() <= given.len());
+    let decoded = image::load_from_memory(&picture.file).unwrap().into_rgba8();
+    assert!(decoded == folder.picture("strip.png"));
+}
+
+#[test]
+fn the_same_project_gives_the_same_bytes() {
+    let folder = waving();
+    let print = || succeed(folder.path(), "bake scene.c2warp.json -o -");
+    assert!(print() == print());
+}
+
+#[test]
+fn refused_rigs_leave_the_file_as_it_is() {
+    let folder = waving().edited(|project| project["clips"][0]["duration"] = 500.into());
+    folder.write("out.c2rig", "before");
+    let line = fail(folder.path(), BAKE);
+    assert_eq!(line, "scene.c2warp.json: clip \"wave\" lasts 500 s: a rig has clips of up to 120 s");
+    assert_eq!(fs::read(folder.file("out.c2rig")).unwrap(), b"before");
+    let line = fail(folder.path(), "bake scene.c2warp.json -o out.png");
+    assert_eq!(line, "out.png: the extension means Png, but the output is a rig: use .c2rig");
+}

@@ -1,0 +1,157 @@
+//! Baked rigs: accuracy, size, and damaged files.
+
+use c2warp::{
+    Picture, ResampleOptions, Solution,
+    project::{Blend, Clip, Ease, Handle, Key, Looping, PoseMode, Project, Track},
+    raster,
+    rig::{BakeError, Rig, RigClip, RigPicture},
+    solve,
+};
+use c2warp_tests::Scene;
+use glam::DVec2;
+
+/// Pixels.
+const CLOSE: f64 = 0.1;
+
+/// A scene whose handles go from rest to their pose and back.
+fn moving(scene: &str, mode: PoseMode, blend: Blend) -> (Project, Solution) {
+    let Scene { mut project, picture } = Scene::named(scene);
+    let track = |handle: &Handle| {
+        let key = |time, posed: &[DVec2]| Key::new(time, Ease::Smooth).posed_at(posed.iter().copied());
+        Track::new(&handle.id, [key(0.0, handle.shape.rest()), key(0.6, handle.shape.posed())])
+    };
+    let tracks: Vec<Track> = project.handles.iter().map(track).collect();
+    let still = Clip::new("still", 2.0, Looping::None);
+    project.clips = vec![Clip::new("wave", 1.2, Looping::Repeat).with_tracks(tracks), still];
+    (project.pose.mode, project.pose.blend) = (mode, blend);
+    let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");
+    let solution = solve(&project, &picture).expect("a valid scene");
+    (project, solution)
+}
+
+fn baked(project: &Project, solution: &Solution) -> Rig {
+    let picture = RigPicture { width: project.image.width, height: project.image.height, file: b"a picture".to_vec() };
+    Rig::bake(project, solution, picture).expect("a valid scene")
+}
+
+/// The greatest distance of a corner of the rig from its place, at a frame of a clip.
+fn greatest_error(project: &Project, solution: &Solution, rig: &Rig, clip: usize, frame: u32) -> f64 {
+    let (known, played) = (&project.clips[clip], &rig.clips()[clip]);
+    let mut project = project.clone();
+    known.apply(known.duration * f64::from(frame) / f64::from(played.last_frame), &mut project.handles);
+    let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
+    let found = rig.posed_vertices(clip, f64::from(frame));
+    let behind = solution.static_background().triangles().len();
+    let corners = rig.triangles()[behind..].iter().flatten().zip(solution.triangles().iter().flatten());
+    corners.map(|(&a, &b)| found[a as usize].distance(exact[b as usize])).fold(0.0, f64::max)
+}
+
+#[test]
+fn vertices_stay_close_in_all_frames_and_files_are_small() {
+    for (scene, mode, blend) in [
+        ("strip", PoseMode::Harmonic, Blend::Linear),
+        ("gingerbread", PoseMode::Rigid, Blend::Rigid),
+        ("gingerbread", PoseMode::Harmonic, Blend::Rigid),
+        ("moth", PoseMode::Rigid, Blend::Linear),
+        ("road", PoseMode::Harmonic, Blend::Linear),
+        ("portrait", PoseMode::Rigid, Blend::Rigid),
+        ("islands", PoseMode::Rigid, Blend::Rigid),
+        ("fold", PoseMode::Rigid, Blend::Rigid),
+    ] {
+        let (project, solution) = moving(scene, mode, blend);
+        let rig = baked(&project, &solution);
+        let file = rig.to_bytes().expect("a valid scene");
+        assert!(Rig::from_bytes(&file).expect("a valid scene") == rig, "{scene}");
+        for (clip, played) in rig.clips().iter().enumerate() {
+            for frame in 0..=played.last_frame {
+                let error = greatest_error(&project, &solution, &rig, clip, frame);
+                assert!(error <= CLOSE, "{scene}: {error} px at frame {frame}");
+            }
+        }
+        let keys: usize = rig.clips().iter().map(RigClip::keys).sum();
+        let bar = rig.picture().file.len() * 13 / 10 + 20 * rig.vertices().len() + 24 * rig.sites() * keys;
+        assert!(file.len() <= bar, "{scene}: {} bytes, not {bar}", file.len());
+    }
+}
+
+/// The mean difference of the rig's picture from the one of the solution, in steps of 255.
+fn mean_difference(project: &Project, solution: &Solution, rig: &Rig, frame: u32) -> f64 {
+    let picture = Scene::named("gingerbread").picture;
+    let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");
+    let (known, played) = (&project.clips[0], &rig.clips()[0]);
+    let mut project = project.clone();
+    known.apply(known.duration * f64::from(frame) / f64::from(played.last_frame), &mut project.handles);
+    let options = ResampleOptions { edges: false, ..ResampleOptions::default() };
+    let exact =
+        solution.warped(&picture, &solution.pose(&project).expect("a valid scene"), options).expect("a valid scene");
+    let order = rig.drawing_order(0, f64::from(frame));
+    let triangles: Vec<[u32; 3]> = order.iter().map(|&t| rig.triangles()[t as usize]).collect();
+    let posed = rig.posed_vertices(0, f64::from(frame));
+    let drawn = raster::warp(&picture, &rig.vertices(), &posed, &triangles, options).expect("a valid scene");
+    let difference = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b));
+    exact.rgba.iter().zip(&drawn.rgba).map(difference).sum::<f64>() / exact.rgba.len() as f64
+}
+
+#[test]
+fn parts_that_cross_are_drawn_in_order() {
+    let Scene { mut project, picture } = Scene::named("gingerbread");
+    let swing = |hand: &str, across: [f64; 2], depth: [f64; 2]| {
+        let rest = project.handles.iter().find(|handle| handle.id == hand).expect("a valid scene").shape.rest()[0];
+        let key = |time, place: DVec2, depth| Key::new(time, Ease::Smooth).posed_at([place]).at_depth(depth);
+        Track::new(hand, [key(0.0, rest, depth[0]), key(0.5, across.into(), depth[1])])
+    };
+    for depths in [[1.0, 1.0], [1.0, -1.0]] {
+        let tracks = [swing("left-hand", [110.0, 110.0], depths), swing("right-hand", [70.0, 112.0], [0.0; 2])];
+        project.clips = vec![Clip::new("cross", 1.0, Looping::Alternate).with_tracks(tracks)];
+        (project.pose.mode, project.pose.blend) = (PoseMode::Rigid, Blend::Rigid);
+        let solution =
+            solve(&project, &Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene"))
+                .expect("a valid scene");
+        let rig = baked(&project, &solution);
+        let bytes = rig.to_bytes().expect("a valid scene").len();
+        assert!(bytes < 20 * rig.vertices().len() + 24 * rig.sites() * rig.clips()[0].keys(), "{bytes} bytes");
+        for frame in 0..=rig.clips()[0].last_frame {
+            let difference = mean_difference(&project, &solution, &rig, frame);
+            assert!(difference < 0.25, "{depths:?}: {difference} at frame {frame}");
+        }
+    }
+}
+
+#[test]
+fn a_project_without_clips_has_its_pose() {
+    let Scene { project, .. } = Scene::named("gingerbread");
+    let (_, solution) = moving("gingerbread", PoseMode::Harmonic, Blend::Linear);
+    let rig = baked(&project, &solution);
+    let [still] = rig.clips() else { panic!("{} clips", rig.clips().len()) };
+    assert_eq!((still.name.as_str(), still.duration, still.last_frame), ("", 0.0, 0));
+    let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
+    let found = rig.posed_vertices(0, 0.0);
+    let corners = rig.triangles().iter().flatten().zip(solution.triangles().iter().flatten());
+    corners.for_each(|(&a, &b)| assert!(found[a as usize].distance(exact[b as usize]) <= CLOSE));
+}
+
+#[test]
+fn a_project_without_handles_is_its_picture() {
+    let Scene { project, picture } = Scene::named("untouched");
+    let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");
+    let rig = baked(&project, &solve(&project, &picture).expect("a valid scene"));
+    assert_eq!((rig.triangles().len(), rig.sites()), (2, 0));
+    assert_eq!(rig.posed_vertices(0, 0.0), rig.vertices());
+    assert_eq!(Rig::from_bytes(&rig.to_bytes().expect("a valid scene")).expect("a valid scene"), rig);
+}
+
+#[test]
+fn clips_that_cannot_be_baked_are_named() {
+    let (mut project, solution) = moving("strip", PoseMode::Harmonic, Blend::Linear);
+    let bake = |project: &Project| {
+        let picture = RigPicture { width: 96, height: 48, file: Vec::new() };
+        Rig::bake(project, &solution, picture).unwrap_err()
+    };
+    project.clips[1].duration = 121.0;
+    assert!(matches!(bake(&project), BakeError::ClipTooLong { clip, .. } if clip == "still"));
+    project.clips[1].duration = 1.0;
+    project.clips[0].tracks[0].keys[1].posed = Some(vec![DVec2::splat(1e11)]);
+    assert_eq!(bake(&project).to_string(), "clip \"wave\": handles move too far for a rig");
+    project.clips[0].tracks[0].keys[1].posed = Some(vec![DVec2::splat(1e13)]);
+    assert!(matches!(bake(&project), BakeError::Pose { clip, .. } if clip == "wave"));
+}

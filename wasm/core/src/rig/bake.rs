@@ -1,0 +1,157 @@
+//! Baking: from a solution to a rig with steps as coarse as the accuracy allows.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::{
+    Rig, RigPicture,
+    clip::{MotionBits, RigClip},
+    error::BakeError,
+    film::{Comparison, Film},
+    mesh::{Mesh, Weights},
+    order::{Order, Orders},
+    skin::{Skin, greatest_distance},
+};
+use crate::{
+    project::{Blend, Project},
+    solution::Solution,
+    weight::SparseWeights,
+};
+
+/// Vertices are at most so far from their places, in pixels.
+pub(super) const TOLERANCE: f64 = 0.1;
+/// The part of it for the steps of rest places, then for places and weights together, then for motions as well.
+/// Straight lines between frames take the rest.
+const PLACE_TOLERANCE: f64 = 0.02;
+const MESH_TOLERANCE: f64 = 0.03;
+const MOTION_TOLERANCE: f64 = 0.05;
+
+/// Angles and strains act at a distance: their steps are so many bits finer than those of translations.
+const FINER: u8 = 6;
+
+/// Everything that a rig draws: the static background, then the mesh of the solution.
+struct Drawn {
+    skin: Skin,
+    triangles: Vec<[u32; 3]>,
+    /// Triangles of the static background.
+    behind: u32,
+}
+
+pub(super) fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Rig, BakeError> {
+    let blend = project.pose.blend;
+    let films = Film::all(project, solution)?;
+    let drawn = if project.handles.is_empty() { whole(&picture) } else { drawn(solution) };
+    let (mesh, weights) = rounded_mesh(&drawn, &films, blend)?;
+    let stored = mesh.skin(&weights);
+    let clip = |film: &Film| {
+        let orders = if project.handles.is_empty() { Order::of_mesh() } else { orders(solution, &drawn, film, blend) };
+        rounded_clip([&drawn.skin, &stored], film, blend, orders)
+    };
+    let clips = films.iter().map(clip).collect::<Result<_, _>>()?;
+    let handles = project.handles.iter().map(|handle| handle.id.clone()).collect();
+    Ok(Rig { picture, blend, edges: project.edges, handles, clips, mesh, weights })
+}
+
+/// The picture as it is, for a project without handles.
+fn whole(picture: &RigPicture) -> Drawn {
+    let size = DVec2::new(f64::from(picture.width), f64::from(picture.height));
+    let mut weights = SparseWeights::with_capacity(4);
+    (0..4).for_each(|_| weights.push_row(std::iter::empty()));
+    let vertices = vec![DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
+    let skin = Skin { vertices, weights, rest: Arc::from([]) };
+    Drawn { skin, triangles: vec![[0, 1, 2], [0, 2, 3]], behind: 0 }
+}
+
+/// The vertices are numbered by their first use.
+fn drawn(solution: &Solution) -> Drawn {
+    let background = solution.static_background();
+    let (around, vertices) = (background.vertices(), solution.vertices());
+    let moved = solution.triangles().iter().map(|corners| corners.map(|corner| corner + around.len() as u32));
+    let mut triangles: Vec<[u32; 3]> = background.triangles().iter().copied().chain(moved).collect();
+    let mut numbers = vec![None; around.len() + vertices.len()];
+    let mut order: Vec<usize> = Vec::new();
+    for corner in triangles.iter_mut().flatten() {
+        let old = *corner as usize;
+        *corner = *numbers[old].get_or_insert_with(|| {
+            order.push(old);
+            order.len() as u32 - 1
+        });
+    }
+    let mut weights = SparseWeights::with_capacity(order.len());
+    for &old in &order {
+        let row = old.checked_sub(around.len()).map(|vertex| solution.weights().row(vertex));
+        weights.push_row(row.into_iter().flatten());
+    }
+    let place = |&old: &usize| if old < around.len() { around[old] } else { vertices[old - around.len()] };
+    let rest = Arc::clone(solution.poser().rest());
+    let skin = Skin { vertices: order.iter().map(place).collect(), weights, rest };
+    Drawn { skin, triangles, behind: background.triangles().len() as u32 }
+}
+
+/// The mesh and its weights with the coarsest steps that keep vertices in place in some frames of all films.
+fn rounded_mesh(drawn: &Drawn, films: &[Film], blend: Blend) -> Result<(Mesh, Weights), BakeError> {
+    let is_close = |skin: &Skin, tolerance: f64| {
+        films.iter().flat_map(Film::sampled).all(|motions| {
+            greatest_distance(&drawn.skin.posed(motions, blend), &skin.posed(motions, blend)) <= tolerance
+        })
+    };
+    let mesh = (6..=16).filter_map(|bits| Mesh::rounded(&drawn.skin, &drawn.triangles, bits)).find(|mesh| {
+        let places = mesh.places();
+        is_close(&Skin { weights: drawn.skin.weights.clone(), ..places }, PLACE_TOLERANCE)
+    });
+    let too_far = || BakeError::TooFar { clip: films[0].name.clone() };
+    let mesh = mesh.ok_or_else(too_far)?;
+    let weights = (8..=22).map(|bits| Weights::rounded(&drawn.skin.weights, bits));
+    let weights = { weights }.find(|weights| is_close(&mesh.skin(weights), MESH_TOLERANCE)).ok_or_else(too_far)?;
+    Ok((mesh, weights))
+}
+
+fn rounded_clip(
+    [exact, stored]: [&Skin; 2],
+    film: &Film,
+    blend: Blend,
+    orders: Vec<Order>,
+) -> Result<RigClip, BakeError> {
+    let comparison = |place: u8| {
+        let bits = MotionBits { angle: place + FINER, strain: place + FINER, place };
+        let rounded = |motions: &Vec<_>| motions.iter().map(|motion| bits.rounded(motion)).collect::<Option<_>>();
+        let rounded: Vec<Vec<_>> = film.frames.iter().map(rounded).collect::<Option<_>>()?;
+        let comparison = Comparison { exact, stored, blend, film, bits, rounded };
+        let frames = film.frames.len();
+        let step = frames.div_ceil(film.sampled().count());
+        let is_close = |frame| comparison.error([frame; 2], frame) <= MOTION_TOLERANCE;
+        (0..frames as u32).step_by(step).all(is_close).then_some(comparison)
+    };
+    let keyed = |place: u8| {
+        let comparison = comparison(place)?;
+        Some((comparison.keys(TOLERANCE)?, comparison))
+    };
+    let found = (3..=18).find_map(keyed);
+    let (keys, Comparison { bits, rounded, .. }) =
+        found.ok_or_else(|| BakeError::TooFar { clip: film.name.clone() })?;
+    let motions = keys.iter().flat_map(|&key| rounded[key as usize].iter().copied()).collect();
+    Ok(RigClip {
+        name: film.name.clone(),
+        duration: film.duration,
+        looping: film.looping,
+        last_frame: film.frames.len() as u32 - 1,
+        bits,
+        keys,
+        motions,
+        orders,
+    })
+}
+
+fn orders(solution: &Solution, drawn: &Drawn, film: &Film, blend: Blend) -> Vec<Order> {
+    let skin = Skin {
+        vertices: solution.vertices().to_vec(),
+        weights: solution.weights().clone(),
+        rest: Arc::clone(&drawn.skin.rest),
+    };
+    let mut orders = Orders::new(solution, drawn.behind);
+    for (frame, motions) in film.frames.iter().enumerate() {
+        orders.push(frame as u32, motions, &skin.posed(motions, blend));
+    }
+    orders.finish()
+}

@@ -1,0 +1,107 @@
+//! Why a rig was not read or not baked.
+
+use crate::error::Error;
+
+/// A part of the file of a rig.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RigPart {
+    /// The table of sections.
+    Table,
+    /// Sizes and settings.
+    Head,
+    /// The picture.
+    Picture,
+    /// Vertices, triangles and the rest places of sites.
+    Mesh,
+    /// Weights of the vertices.
+    Weights,
+    /// A clip.
+    Clip,
+}
+
+impl RigPart {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Table => "the table of sections",
+            Self::Head => "the head",
+            Self::Picture => "the picture",
+            Self::Mesh => "the mesh",
+            Self::Weights => "the weights",
+            Self::Clip => "a clip",
+        }
+    }
+}
+
+/// Why bytes are no rig.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RigError {
+    /// The bytes do not begin as a rig does.
+    #[error("this is not a rig: it does not begin as one")]
+    NotARig,
+    /// A later version of the format.
+    #[error("this rig has version {found} of the format, but version 1 is expected")]
+    Version {
+        /// The version of the file.
+        found: u32,
+    },
+    /// The file is cut short, or something follows its end.
+    #[error("this rig has {found} bytes, but it should have {expected}")]
+    Length {
+        /// Bytes that the header says.
+        expected: u32,
+        /// Bytes of the file.
+        found: usize,
+    },
+    /// The checksum differs.
+    #[error("this rig is damaged: its checksum differs")]
+    Checksum,
+    /// The bytes of a part contradict the format.
+    #[error("this rig is damaged: {} {reason}", part.words())]
+    Part {
+        /// The part.
+        part: RigPart,
+        /// The fault, as the rest of a sentence.
+        reason: &'static str,
+    },
+}
+
+/// Why a solution was not baked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BakeError {
+    /// A pose that cannot be made.
+    #[error("{} at {seconds} s: {reason}", named(clip))]
+    Pose {
+        /// The clip's name. It is empty for the pose of the handles themselves.
+        clip: String,
+        /// The time in the clip.
+        seconds: f64,
+        /// Why.
+        reason: Error,
+    },
+    /// A clip with too many frames.
+    #[error("clip {clip:?} lasts {seconds} s: a rig has clips of up to {most} s")]
+    ClipTooLong {
+        /// The clip's name.
+        clip: String,
+        /// Its duration.
+        seconds: f64,
+        /// The longest duration.
+        most: f64,
+    },
+    /// Numbers so large that vertices would miss their places.
+    #[error("{}: handles move too far for a rig", named(clip))]
+    TooFar {
+        /// The clip's name. It is empty for the pose of the handles themselves.
+        clip: String,
+    },
+    /// A file of more than 4 GB.
+    #[error("the rig would have more than {} bytes", u32::MAX)]
+    TooLarge,
+}
+
+fn named(clip: &str) -> String {
+    if clip.is_empty() { "the pose".to_owned() } else { format!("clip {clip:?}") }
+}

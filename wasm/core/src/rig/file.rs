@@ -1,0 +1,103 @@
+//! The file around the sections: header, checksum and table.
+
+use std::collections::VecDeque;
+
+use super::error::{BakeError, RigError, RigPart};
+
+const MAGIC: [u8; 8] = *b"\x89C2RIG\r\n";
+const VERSION: u32 = 1;
+/// Magic, version, length, checksum and number of sections.
+const HEADER: usize = 24;
+/// Tag, stored bytes and unpacked bytes.
+const ROW: usize = 12;
+/// Bytes that come before the ones that the checksum is of.
+const UNCHECKED: usize = 20;
+/// No deflated bytes unpack to more than so many times their number.
+const MOST_UNPACKED: u64 = 1032;
+/// The best compression that the encoder has, without its exhaustive search.
+const LEVEL: u8 = 9;
+
+pub(super) type Tag = [u8; 4];
+
+/// A section with its unpacked bytes.
+#[derive(Debug)]
+pub(super) struct Section {
+    pub(super) tag: Tag,
+    pub(super) bytes: Vec<u8>,
+}
+
+pub(super) fn packed(sections: &[Section]) -> Result<Vec<u8>, BakeError> {
+    let size = |length: usize| u32::try_from(length).map_err(|_| BakeError::TooLarge);
+    let mut table = Vec::new();
+    let mut stored = Vec::new();
+    for Section { tag, bytes } in sections {
+        let deflated = miniz_oxide::deflate::compress_to_vec(bytes, LEVEL);
+        let shorter = if deflated.len() < bytes.len() { deflated } else { bytes.clone() };
+        table.extend(tag);
+        table.extend(size(shorter.len())?.to_le_bytes());
+        table.extend(size(bytes.len())?.to_le_bytes());
+        stored.extend(shorter);
+    }
+    let mut checked = size(sections.len())?.to_le_bytes().to_vec();
+    checked.extend(table);
+    checked.extend(stored);
+    let mut file = MAGIC.to_vec();
+    file.extend(VERSION.to_le_bytes());
+    file.extend(size(UNCHECKED + checked.len())?.to_le_bytes());
+    file.extend(crc32fast::hash(&checked).to_le_bytes());
+    file.extend(checked);
+    Ok(file)
+}
+
+/// The sections of a file, in the order of its table.
+pub(super) fn unpacked(file: &[u8]) -> Result<VecDeque<Section>, RigError> {
+    let word = |at: usize| {
+        let bytes: [u8; 4] = file[at..at + 4].try_into().expect("four bytes");
+        u32::from_le_bytes(bytes)
+    };
+    let wrong = |reason| RigError::Part { part: RigPart::Table, reason };
+    if !file.starts_with(&MAGIC) {
+        return Err(RigError::NotARig);
+    }
+    if file.len() < HEADER {
+        return Err(RigError::Length { expected: HEADER as u32, found: file.len() });
+    }
+    let [version, length, checksum, count] = [8, 12, 16, 20].map(word);
+    if version != VERSION {
+        return Err(RigError::Version { found: version });
+    }
+    if length as usize != file.len() {
+        return Err(RigError::Length { expected: length, found: file.len() });
+    }
+    if crc32fast::hash(&file[UNCHECKED..]) != checksum {
+        return Err(RigError::Checksum);
+    }
+    if count as usize > (file.len() - HEADER) / ROW {
+        return Err(wrong("is longer than the file"));
+    }
+    let mut rest = &file[HEADER + ROW * count as usize..];
+    let mut sections = VecDeque::new();
+    for row in 0..count as usize {
+        let at = HEADER + ROW * row;
+        let tag = file[at..at + 4].try_into().expect("four bytes");
+        let [stored, length] = [4, 8].map(|offset| word(at + offset));
+        let (bytes, after) = rest.split_at_checked(stored as usize).ok_or(wrong("has a section beyond the end"))?;
+        rest = after;
+        sections.push_back(Section { tag, bytes: inflated(bytes, length).ok_or(wrong("has a damaged section"))? });
+    }
+    if !rest.is_empty() {
+        return Err(wrong("ends before the file"));
+    }
+    Ok(sections)
+}
+
+fn inflated(stored: &[u8], length: u32) -> Option<Vec<u8>> {
+    if length as usize == stored.len() {
+        return Some(stored.to_vec());
+    }
+    if u64::from(length) > MOST_UNPACKED * stored.len() as u64 {
+        return None;
+    }
+    let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(stored, length as usize).ok()?;
+    (bytes.len() == length as usize).then_some(bytes)
+}

@@ -1,0 +1,141 @@
+//! The motions of a clip at all its frames, and how close stored ones come to them.
+
+use glam::DVec2;
+
+use super::{
+    clip::MotionBits,
+    error::BakeError,
+    skin::{Skin, greatest_distance},
+};
+use crate::{
+    pose::Motion,
+    project::{Blend, Clip, Looping, Project},
+    solution::Solution,
+};
+
+/// Frames that motions are compared at: those of most screens.
+const FRAMES_PER_SECOND: f64 = 60.0;
+/// Longer clips would not fit into memory while they are baked.
+const MOST_SECONDS: f64 = 120.0;
+/// Frames that steps are chosen by. The others are checked later.
+const SAMPLED: usize = 12;
+
+/// The motions of a clip, frame by frame. A film of one frame is a pose.
+pub(super) struct Film {
+    pub(super) name: String,
+    pub(super) duration: f64,
+    pub(super) looping: Looping,
+    /// Frames × sites.
+    pub(super) frames: Vec<Vec<Motion>>,
+}
+
+impl Film {
+    /// The films of all clips, or the pose of the handles in a project without clips.
+    pub(super) fn all(project: &Project, solution: &Solution) -> Result<Vec<Self>, BakeError> {
+        if project.clips.is_empty() {
+            return Ok(vec![Self::still(project, solution)?]);
+        }
+        project.clips.iter().map(|clip| Self::of(clip, project, solution)).collect()
+    }
+
+    fn still(project: &Project, solution: &Solution) -> Result<Self, BakeError> {
+        let refused = |reason| BakeError::Pose { clip: String::new(), seconds: 0.0, reason };
+        let motions = solution.poser().motions(&project.handles).map_err(refused)?;
+        Ok(Self { name: String::new(), duration: 0.0, looping: Looping::None, frames: vec![motions] })
+    }
+
+    fn of(clip: &Clip, project: &Project, solution: &Solution) -> Result<Self, BakeError> {
+        let Clip { name, duration, looping, .. } = clip;
+        if *duration > MOST_SECONDS {
+            return Err(BakeError::ClipTooLong { clip: name.clone(), seconds: *duration, most: MOST_SECONDS });
+        }
+        let last = (duration * FRAMES_PER_SECOND).round().max(1.0) as u32;
+        let mut handles = project.handles.clone();
+        let motions = |frame: u32| {
+            let seconds = duration * f64::from(frame) / f64::from(last);
+            handles.clone_from(&project.handles);
+            clip.apply(seconds, &mut handles);
+            let refused = |reason| BakeError::Pose { clip: name.clone(), seconds, reason };
+            solution.poser().motions(&handles).map_err(refused)
+        };
+        let frames = (0..=last).map(motions).collect::<Result<_, _>>()?;
+        Ok(Self { name: name.clone(), duration: *duration, looping: *looping, frames })
+    }
+
+    /// Some frames, evenly spread.
+    pub(super) fn sampled(&self) -> impl Iterator<Item = &Vec<Motion>> {
+        let step = self.frames.len().div_ceil(SAMPLED);
+        self.frames.iter().step_by(step)
+    }
+}
+
+/// The stored motions of a film beside the exact ones.
+pub(super) struct Comparison<'a> {
+    pub(super) exact: &'a Skin,
+    /// The stored mesh.
+    pub(super) stored: &'a Skin,
+    pub(super) blend: Blend,
+    pub(super) film: &'a Film,
+    pub(super) bits: MotionBits,
+    /// Frames × sites.
+    pub(super) rounded: Vec<Vec<[i32; 6]>>,
+}
+
+impl Comparison<'_> {
+    /// How far vertices are from their places at a frame, with stored motions at two frames around it. Pixels.
+    pub(super) fn error(&self, [before, after]: [u32; 2], frame: u32) -> f64 {
+        let along = if after > before { f64::from(frame - before) / f64::from(after - before) } else { 0.0 };
+        let [a, b] = [before, after].map(|key| &self.rounded[key as usize]);
+        let motions: Vec<Motion> = a.iter().zip(b).map(|(a, b)| self.bits.between([a, b], along)).collect();
+        greatest_distance(&self.exact_places(frame), &self.stored.posed(&motions, self.blend))
+    }
+
+    fn exact_places(&self, frame: u32) -> Vec<DVec2> {
+        self.exact.posed(&self.film.frames[frame as usize], self.blend)
+    }
+
+    fn last(&self) -> u32 {
+        self.film.frames.len() as u32 - 1
+    }
+
+    /// As few frames as keep all others within a distance, in pixels, by a greedy search. `None` if a key itself is
+    /// farther away.
+    ///
+    /// Cost: some four blends of all vertices for each frame.
+    pub(super) fn keys(&self, tolerance: f64) -> Option<Vec<u32>> {
+        let mut keys = vec![0];
+        let mut key = 0;
+        loop {
+            if self.error([key; 2], key) > tolerance {
+                return None;
+            }
+            if key == self.last() {
+                return Some(keys);
+            }
+            key = self.next_key(key, tolerance);
+            keys.push(key);
+        }
+    }
+
+    /// The last frame of a straight stretch: by doubling, and then by halving.
+    fn next_key(&self, key: u32, tolerance: f64) -> u32 {
+        let is_straight = |end: u32| (key + 1..end).all(|frame| self.error([key, end], frame) <= tolerance);
+        let (mut good, mut step) = (key + 1, 2);
+        let mut bad = loop {
+            if good == self.last() {
+                return good;
+            }
+            let end = (key + step).min(self.last());
+            if !is_straight(end) {
+                break end;
+            }
+            good = end;
+            step *= 2;
+        };
+        while bad - good > 1 {
+            let middle = u32::midpoint(good, bad);
+            if is_straight(middle) { good = middle } else { bad = middle }
+        }
+        good
+    }
+}

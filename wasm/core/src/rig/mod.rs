@@ -1,0 +1,355 @@
+//! Baked rigs: a picture that moves, in one file for pages without a solver.
+//!
+//! A [`Rig`] has the picture, the mesh with its weights, and the motions of all sites along each clip. A player blends
+//! them at every vertex (eq. 1), as `web/src/render/warp.vert.glsl` does. `web/docs/rig-format.md` specifies the file.
+//!
+//! All numbers are stored as multiples of powers of two. [`bake`](Rig::bake) chooses the coarsest ones, and
+//! as few frames as straight lines between them allow. Every vertex stays within 0.1 px of its place at 60 frames a
+//! second.
+//!
+//! - `film`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
+//! - `mesh`, `clip`: the content. `bytes`, `file`: numbers as bytes, and the sections with their checksum.
+//!
+//! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to two minutes.
+
+mod bake;
+mod bytes;
+mod clip;
+mod error;
+mod file;
+mod film;
+mod mesh;
+mod order;
+mod skin;
+mod steps;
+
+use glam::DVec2;
+
+pub use clip::RigClip;
+pub use error::{BakeError, RigError, RigPart};
+
+use self::{
+    bytes::{Reader, Writer},
+    file::{Section, Tag, packed, unpacked},
+    mesh::{Mesh, Weights},
+};
+use crate::{
+    project::{Blend, Project},
+    solution::Solution,
+};
+
+const HEAD: Tag = *b"HEAD";
+const PICTURE: Tag = *b"PICT";
+const MESH: Tag = *b"MESH";
+const WEIGHTS: Tag = *b"WGHT";
+const CLIP: Tag = *b"CLIP";
+
+/// A picture that moves, for pages without a solver.
+///
+/// ```
+/// # use c2warp::{Picture, project::{Clip, Ease, Handle, Key, Looping, Project, Track}, solve};
+/// use c2warp::rig::{Rig, RigPicture};
+///
+/// # let (mut project, rgba) = (Project::for_picture(40, 30), vec![255; 40 * 30 * 4]);
+/// # project.handles = vec![Handle::point("left", [5.0, 15.0]), Handle::point("right", [35.0, 15.0])];
+/// # let keys = [(0.0, 15.0), (0.5, 9.0)].map(|(time, y)| Key::new(time, Ease::Smooth).posed_at([[35.0, y]]));
+/// # project.clips = vec![Clip::new("wave", 1.0, Looping::Repeat).with_tracks([Track::new("right", keys)])];
+/// # let solution = solve(&project, &Picture::new(40, 30, &rgba)?)?;
+/// # let png_file = vec![0; 100];
+/// let rig = Rig::bake(&project, &solution, RigPicture { width: 40, height: 30, file: png_file })?;
+/// let file = rig.to_bytes()?;
+/// assert_eq!(Rig::from_bytes(&file)?, rig);
+/// assert_eq!(rig.clips()[0].name, "wave");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rig {
+    picture: RigPicture,
+    blend: Blend,
+    edges: bool,
+    handles: Vec<String>,
+    clips: Vec<RigClip>,
+    mesh: Mesh,
+    weights: Weights,
+}
+
+/// The picture of a rig.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RigPicture {
+    /// Pixels, as solved.
+    pub width: u32,
+    /// Pixels, as solved.
+    pub height: u32,
+    /// A file that browsers decode: PNG, WebP or JPEG. It is stored as it is, and not looked at.
+    pub file: Vec<u8>,
+}
+
+impl Rig {
+    /// The rig of a project's clips. Without clips, it has the pose of the handles.
+    ///
+    /// # Errors
+    /// - [`BakeError::Pose`] if a pose of a clip cannot be made;
+    /// - [`BakeError::ClipTooLong`] for a clip of more than two minutes;
+    /// - [`BakeError::TooFar`] if 32 bits are too few for the motions.
+    pub fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Self, BakeError> {
+        bake::bake(project, solution, picture)
+    }
+
+    /// The picture.
+    #[must_use]
+    pub fn picture(&self) -> &RigPicture {
+        &self.picture
+    }
+
+    /// The clips, in the order of the project.
+    #[must_use]
+    pub fn clips(&self) -> &[RigClip] {
+        &self.clips
+    }
+
+    /// Vertices at rest, in image pixels, numbered by their first use in the triangles.
+    #[must_use]
+    pub fn vertices(&self) -> Vec<DVec2> {
+        self.mesh.places().vertices
+    }
+
+    /// The number of sites.
+    #[must_use]
+    pub fn sites(&self) -> usize {
+        self.mesh.rest.len()
+    }
+
+    /// The triangles: first those of the static background, then those of the solution in their order.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.mesh.triangles
+    }
+
+    /// The vertices at a frame of a clip, from 0 to its last one. Frames between two frames are valid.
+    ///
+    /// # Panics
+    /// If there is no such clip.
+    #[must_use]
+    pub fn posed_vertices(&self, clip: usize, frame: f64) -> Vec<DVec2> {
+        let motions = self.clips[clip].motions_at(frame, self.sites());
+        self.mesh.skin(&self.weights).posed(&motions, self.blend)
+    }
+
+    /// The indices of the triangles in the drawing order at a frame of a clip.
+    ///
+    /// # Panics
+    /// If there is no such clip.
+    #[must_use]
+    pub fn drawing_order(&self, clip: usize, frame: f64) -> Vec<u32> {
+        let order = &self.clips[clip].order_at(frame).triangles;
+        if order.is_empty() { (0..self.mesh.triangles.len() as u32).collect() } else { order.clone() }
+    }
+
+    /// The file.
+    ///
+    /// # Errors
+    /// [`BakeError::TooLarge`] above 4 GB.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, BakeError> {
+        let written = |tag: Tag, write: &dyn Fn(&mut Writer)| {
+            let mut writer = Writer::default();
+            write(&mut writer);
+            Section { tag, bytes: writer.into_bytes() }
+        };
+        let mut sections = vec![
+            written(HEAD, &|to| self.write_head(to)),
+            Section { tag: PICTURE, bytes: self.picture.file.clone() },
+            written(MESH, &|to| self.mesh.write(to)),
+            written(WEIGHTS, &|to| self.weights.write(to)),
+        ];
+        sections.extend(self.clips.iter().map(|clip| written(CLIP, &|to| clip.write(to, self.sites()))));
+        packed(&sections)
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// A [`RigError`] for bytes that are no rig of this version, or a damaged one.
+    pub fn from_bytes(file: &[u8]) -> Result<Self, RigError> {
+        let mut sections = unpacked(file)?;
+        // Sections of other names belong to later versions.
+        sections.retain(|section| [HEAD, PICTURE, MESH, WEIGHTS, CLIP].contains(&section.tag));
+        let mut next = |tag: Tag, part: RigPart| match sections.pop_front() {
+            Some(section) if section.tag == tag => Ok(section.bytes),
+            _ => Err(RigError::Part { part, reason: "is missing" }),
+        };
+        let head = next(HEAD, RigPart::Head)?;
+        let picture = next(PICTURE, RigPart::Picture)?;
+        let [mesh, weights] = [next(MESH, RigPart::Mesh)?, next(WEIGHTS, RigPart::Weights)?];
+        let mut from = Reader::new(RigPart::Head, &head);
+        let mut rig = Self::read_head(&mut from, picture)?;
+        from.end()?;
+        let mut from = Reader::new(RigPart::Mesh, &mesh);
+        rig.mesh = Mesh::read(&mut from)?;
+        from.end()?;
+        let mut from = Reader::new(RigPart::Weights, &weights);
+        rig.weights = Weights::read(&mut from, rig.mesh.vertices.len(), rig.sites())?;
+        from.end()?;
+        for Section { tag, bytes } in sections {
+            let mut from = Reader::new(RigPart::Clip, &bytes);
+            from.expect(tag == CLIP, "is in the wrong place")?;
+            let clip = RigClip::read(&mut from, rig.sites(), rig.mesh.triangles.len())?;
+            from.expect(rig.clips.iter().all(|other| other.name != clip.name), "has the name of another one")?;
+            from.end()?;
+            rig.clips.push(clip);
+        }
+        let is_missing = RigError::Part { part: RigPart::Clip, reason: "is missing" };
+        if rig.clips.is_empty() { Err(is_missing) } else { Ok(rig) }
+    }
+
+    fn write_head(&self, to: &mut Writer) {
+        to.varint(self.picture.width);
+        to.varint(self.picture.height);
+        to.byte(u8::from(self.blend == Blend::Rigid) | u8::from(self.edges) << 1);
+        to.count(self.handles.len());
+        self.handles.iter().for_each(|handle| to.text(handle));
+    }
+
+    /// A rig without mesh and clips.
+    fn read_head(from: &mut Reader<'_>, picture: Vec<u8>) -> Result<Self, RigError> {
+        let [width, height] = [from.varint()?, from.varint()?];
+        from.expect(width > 0 && height > 0, "has an empty picture")?;
+        let flags = from.byte()?;
+        from.expect(flags < 4, "has an unknown setting")?;
+        let handles = (0..from.count(1)?).map(|_| from.text()).collect::<Result<_, _>>()?;
+        Ok(Self {
+            picture: RigPicture { width, height, file: picture },
+            blend: if flags & 1 == 0 { Blend::Linear } else { Blend::Rigid },
+            edges: flags & 2 != 0,
+            handles,
+            clips: Vec::new(),
+            mesh: Mesh { place_bits: 0, vertices: Vec::new(), triangles: Vec::new(), rest: Vec::new() },
+            weights: Weights { bits: 0, offsets: vec![0], sites: Vec::new(), shares: Vec::new() },
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{
+        picture::Picture,
+        project::{Clip, Ease, Handle, Key, Looping, Track},
+        solve::solve,
+    };
+
+    /// A small rig with two clips and two drawing orders.
+    fn rig() -> Rig {
+        let rgba = vec![255; 24 * 18 * 4];
+        let mut project = Project::for_picture(24, 18);
+        project.samples = 100;
+        project.handles = vec![Handle::point("left", [4.0, 9.0]), Handle::point("right", [20.0, 9.0])];
+        let keys = [(0.0, 9.0), (0.1, 4.0)].map(|(time, y)| Key::new(time, Ease::Smooth).posed_at([[20.0, y]]));
+        let wave = Clip::new("wave", 0.2, Looping::Repeat).with_tracks([Track::new("right", keys)]);
+        project.clips = vec![wave, Clip::new("still", 1.0, Looping::None)];
+        let solution = solve(&project, &Picture::new(24, 18, &rgba).unwrap()).unwrap();
+        let picture = RigPicture { width: 24, height: 18, file: b"a picture".to_vec() };
+        let mut rig = Rig::bake(&project, &solution, picture).unwrap();
+        let triangles = (0..rig.triangles().len() as u32).rev().collect();
+        rig.clips[0].orders.push(order::Order { frame: 3, crosses: true, triangles });
+        rig
+    }
+
+    /// Reads sections, and poses the rig if they are one.
+    fn try_out(sections: &[Section]) -> Result<(), RigError> {
+        let rig = Rig::from_bytes(&packed(sections).unwrap())?;
+        for (index, clip) in rig.clips().iter().enumerate() {
+            for frame in [0.0, 0.5, f64::from(clip.last_frame)] {
+                assert_eq!(rig.posed_vertices(index, frame).len(), rig.vertices().len());
+                assert_eq!(rig.drawing_order(index, frame).len(), rig.triangles().len());
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_rig_returns_from_its_bytes() {
+        let rig = rig();
+        assert_eq!(Rig::from_bytes(&rig.to_bytes().unwrap()), Ok(rig));
+    }
+
+    #[test]
+    fn cut_and_altered_files_are_refused() {
+        let file = rig().to_bytes().unwrap();
+        for end in 0..file.len() {
+            assert!(Rig::from_bytes(&file[..end]).is_err(), "{end} bytes");
+        }
+        for at in 0..file.len() {
+            for flip in [0x01, 0x80, 0xff] {
+                let mut altered = file.clone();
+                altered[at] ^= flip;
+                assert!(Rig::from_bytes(&altered).is_err(), "{flip:x} at byte {at}");
+            }
+        }
+        assert!(Rig::from_bytes(&[&file[..], &[0]].concat()).is_err());
+    }
+
+    #[test]
+    fn later_versions_are_named() {
+        let mut file = rig().to_bytes().unwrap();
+        file[8] = 2;
+        assert_eq!(Rig::from_bytes(&file), Err(RigError::Version { found: 2 }));
+        assert_eq!(Rig::from_bytes(b"\x89PNG\r\n\x1a\n"), Err(RigError::NotARig));
+    }
+
+    #[test]
+    fn unknown_sections_are_skipped_and_missing_ones_refused() {
+        let rig = rig();
+        let sections = || Vec::from(unpacked(&rig.to_bytes().unwrap()).unwrap());
+        let mut more = sections();
+        more.insert(2, Section { tag: *b"MORE", bytes: vec![1, 2, 3] });
+        assert_eq!(Rig::from_bytes(&packed(&more).unwrap()), Ok(rig.clone()));
+        for missing in 0..4 {
+            let mut fewer = sections();
+            fewer.remove(missing);
+            assert!(try_out(&fewer).is_err());
+        }
+    }
+
+    #[test]
+    fn cut_sections_are_refused() {
+        let sections = unpacked(&rig().to_bytes().unwrap()).unwrap();
+        for (at, section) in sections.iter().enumerate().filter(|(_, section)| section.tag != PICTURE) {
+            for end in 0..section.bytes.len() {
+                let cut = |(index, other): (usize, &Section)| Section {
+                    tag: other.tag,
+                    bytes: if index == at { other.bytes[..end].to_vec() } else { other.bytes.clone() },
+                };
+                let cut: Vec<Section> = sections.iter().enumerate().map(cut).collect();
+                assert!(try_out(&cut).is_err(), "{end} bytes of section {at}");
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
+
+        #[test]
+        fn any_contents_are_read_or_refused(at: proptest::sample::Index, byte: u8, other: proptest::sample::Index) {
+            let mut sections = Vec::from(unpacked(&rig().to_bytes().unwrap()).unwrap());
+            for section in sections.iter_mut().filter(|section| section.tag != PICTURE) {
+                let bytes = &mut section.bytes;
+                let at = at.index(bytes.len());
+                bytes[at] = byte;
+            }
+            let _ = try_out(&sections);
+            let count = sections.len();
+            let bytes = &mut sections[other.index(count)].bytes;
+            bytes.insert(at.index(bytes.len()), byte);
+            let _ = try_out(&sections);
+        }
+
+        #[test]
+        fn random_bytes_are_refused(bytes in proptest::collection::vec(any::<u8>(), 0..99)) {
+            prop_assert!(Rig::from_bytes(&bytes).is_err());
+            let section = Section { tag: HEAD, bytes };
+            prop_assert!(try_out(&[section]).is_err());
+        }
+    }
+}
