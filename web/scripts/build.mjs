@@ -1,5 +1,9 @@
-/** `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element. */
+/**
+ * `npm run build`: writes the editor as static files to web/dist, the element for other pages to web/dist/element, and
+ * the player of rigs to web/dist/player.
+ */
 import { writeDeclarations } from './declarations.mjs';
+import { checkPlayerSize } from './player_size.mjs';
 import { prepare } from './prepare.mjs';
 import { main, step, toolPath } from './steps.mjs';
 
@@ -7,7 +11,10 @@ await main(async () => {
   await prepare();
   await vite('Editor', 'web/vite.config.ts');
   await vite('Element', 'web/vite.element.config.ts');
-  await writeDeclarations('web/dist/element/types');
+  await vite('Player', 'web/vite.player.config.ts');
+  checkPlayerSize('web/dist/player');
+  await writeDeclarations('web/dist/element/types', 'element');
+  await writeDeclarations('web/dist/player/types', 'player');
 });
 
 /**

@@ -1,4 +1,4 @@
-/** The type declarations of the built element: those of the compiler's output that the element reaches. */
+/** The type declarations of a built entry: those of the compiler's output that it reaches. */
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { ROOT, step, toolPath } from './steps.mjs';
@@ -6,16 +6,19 @@ import { ROOT, step, toolPath } from './steps.mjs';
 const WRITTEN = 'node_modules/.cache/tsc/element';
 const RELATIVE = /(from '|import\(")(\.[^'"]*)/g;
 
-/** @param {string} folder The output folder, relative to the root of the repository. */
-export async function writeDeclarations(folder) {
+/**
+ * @param {string} folder The output folder, relative to the root of the repository.
+ * @param {'element' | 'player'} entry
+ */
+export async function writeDeclarations(folder, entry) {
   await step(
-    'Types of the element',
+    `Types of the ${entry}`,
     process.execPath,
     [toolPath('tsc'), '--project', 'web/tsconfig.element.json'],
     'The types do not compile. The reason is above.',
   );
   rmSync(join(ROOT, folder), { recursive: true, force: true });
-  for (const name of reachable('element')) {
+  for (const name of reachable(entry)) {
     // Every kind of module resolution accepts paths with file endings.
     const text = readFileSync(join(ROOT, WRITTEN, `${name}.d.ts`), 'utf8').replace(RELATIVE, '$1$2.js');
     const file = join(ROOT, folder, `${name}.d.ts`);

@@ -23,10 +23,21 @@ function keep(project: Project): void {
 }
 `;
 
+const PLAYING_PAGE = `
+import type { C2WarpPlayer } from './player/player.js';
+
+export async function wave(player: C2WarpPlayer): Promise<number> {
+  player.addEventListener('error', (event) => console.error(event.message));
+  player.clip = 'wave';
+  await player.play();
+  return document.querySelector('c2-warp-player')?.duration ?? player.currentTime;
+}
+`;
+
 /** The first example of the manual, as a page of its own. */
 const [EXAMPLE = ''] = blocksOf(readFileSync(join(ROOT, 'web/docs/element.md'), 'utf8'), 'ts');
 
-describe('the declarations of the element', () => {
+describe('the declarations of the element and the player', () => {
   it.each([
     ['esnext', 'bundler'],
     ['nodenext', 'nodenext'],
@@ -35,14 +46,16 @@ describe('the declarations of the element', () => {
     { timeout: 120_000 },
     async (module, resolution) => {
       mkdirSync(join(ROOT, FOLDER), { recursive: true });
-      await writeDeclarations(`${FOLDER}/types`);
+      await writeDeclarations(`${FOLDER}/types`, 'element');
+      await writeDeclarations(`${FOLDER}/player`, 'player');
       writeFileSync(join(ROOT, FOLDER, 'page.ts'), PAGE);
+      writeFileSync(join(ROOT, FOLDER, 'playing.ts'), PLAYING_PAGE);
       writeFileSync(join(ROOT, FOLDER, 'example.ts'), EXAMPLE.replace("'c2warp'", "'./types/element.js'"));
       const { code, output } = await run(process.execPath, [
         toolPath('tsc'),
         ...['--noEmit', '--strict', '--target', 'es2022', '--lib', 'es2022,dom', '--types', ''],
         ...['--module', module, '--moduleResolution', resolution],
-        ...[`${FOLDER}/page.ts`, `${FOLDER}/example.ts`],
+        ...[`${FOLDER}/page.ts`, `${FOLDER}/playing.ts`, `${FOLDER}/example.ts`],
       ]);
       expect({ code, output }).toEqual({ code: 0, output: '' });
     },

@@ -1,0 +1,321 @@
+/** `<c2-warp-player>`: rigs of the command `c2warp bake`, played as a video is. */
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { brotliCompressSync } from 'node:zlib';
+import type { Page } from '@playwright/test';
+import type { Project } from '../../web/src/document/project';
+import type { C2WarpPlayer } from '../../web/src/player';
+import { builtCommand } from './command';
+import { expect, test } from './fixtures';
+import { difference } from './images';
+
+const SAMPLES = fileURLToPath(new URL('../../web/public/samples/', import.meta.url));
+
+/** The left hand waves, and then crosses the body. Both arms bend. */
+const KEYS = {
+  'left-hand': [
+    [0, [124, 516]],
+    [0.4, [160, 420]],
+    [0.8, [620, 640]],
+  ],
+  'right-hand': [
+    [0, [900, 516]],
+    [0.4, [860, 640]],
+    [0.8, [900, 430]],
+  ],
+} as const;
+
+let folder = '';
+let project: Project;
+let rig: Buffer;
+
+test.beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'c2warp-player-'));
+  project = JSON.parse(readFileSync(join(SAMPLES, 'gingerbread.c2warp.json'), 'utf8'));
+  const tracks = Object.entries(KEYS).map(([handle, keys]) => ({
+    handle,
+    keys: keys.map(([time, posed]) => ({ time, posed })),
+  }));
+  const clips = [
+    { name: 'wave', duration: 1.2, loop: 'repeat', tracks },
+    { name: 'there and back', duration: 0.5, loop: 'alternate', tracks: [] },
+  ];
+  writeFileSync(join(folder, 'wave.c2warp.json'), JSON.stringify({ ...project, clips }));
+  const args = ['bake', 'wave.c2warp.json', '--image', join(SAMPLES, 'gingerbread.png'), '-o', 'wave.c2rig'];
+  const { status, stderr } = spawnSync(builtCommand(), args, { cwd: folder, encoding: 'utf8' });
+  expect(stderr).toBe('');
+  expect(status).toBe(0);
+  rig = readFileSync(join(folder, 'wave.c2rig'));
+});
+test.afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+/** Opens a page with the player's script, and rigs by their addresses. */
+async function open(page: Page, rigs: Record<string, Buffer> = { 'wave.c2rig': rig }): Promise<void> {
+  for (const [name, body] of Object.entries(rigs))
+    await page.route(`**/${name}`, (route) => route.fulfill({ body }));
+  await page.goto('/harness/');
+  await page.addScriptTag({ type: 'module', url: '/player/c2warp-player.js' });
+  await page.evaluate(() => customElements.whenDefined('c2-warp-player'));
+}
+
+/** Adds a player of 256 × 320 px, and waits for its events. */
+const added = (page: Page, attributes: Record<string, string>, until: string) =>
+  page.evaluate(
+    ([attributes, until]) => {
+      const player = document.createElement('c2-warp-player');
+      const heard: string[] = [];
+      for (const type of ['loadeddata', 'play', 'pause', 'timeupdate', 'ended', 'error'])
+        player.addEventListener(type, () => heard.push(type));
+      Object.assign(globalThis, { player, heard });
+      for (const [name, value] of Object.entries(attributes)) player.setAttribute(name, value);
+      player.style.width = '256px';
+      player.append('A gingerbread man');
+      document.body.append(player);
+      return new Promise<string>((resolve) => {
+        player.addEventListener(until, (event) => resolve(String(Reflect.get(event, 'message'))), {
+          once: true,
+        });
+      });
+    },
+    [attributes, until] as const,
+  );
+
+const heard = (page: Page) => page.evaluate(() => Reflect.get(globalThis, 'heard') as string[]);
+const player = (page: Page) => page.locator('c2-warp-player').last();
+const state = (page: Page) =>
+  player(page).evaluate((element) => {
+    const { currentTime, paused, ended } = element as C2WarpPlayer;
+    return { currentTime, paused, ended };
+  });
+
+/** The frame at a time, a PNG in base64. */
+const frame = (page: Page, time: number, width: number) =>
+  player(page).evaluate(
+    async (element, [time, width]) => {
+      const player = element as C2WarpPlayer;
+      player.style.width = `${width}px`;
+      player.currentTime = time;
+      const canvas = player.shadowRoot?.querySelector('canvas');
+      while (canvas?.width !== width) await new Promise(requestAnimationFrame);
+      // The frame after the next one follows its drawing.
+      for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
+      return canvas.toDataURL().replace(/^.*,/, '');
+    },
+    [time, width] as const,
+  );
+
+test('frames equal those of the editor, also where arms cross', async ({ page }, info) => {
+  await open(page);
+  await added(page, { src: '/wave.c2rig' }, 'loadeddata');
+  for (const [key, time] of [0, 0.4, 0.8].entries()) {
+    const handles = project.handles.map((handle) => {
+      const posed = KEYS[handle.id as 'left-hand']?.[key]?.[1];
+      return posed ? { ...handle, posed } : handle;
+    });
+    const editor = await page.evaluate(
+      async (project) =>
+        harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5),
+      { ...project, handles } as Project,
+    );
+    const { mean, close, opaque } = await difference(await frame(page, time, 512), editor.webgl, info);
+    expect(opaque).toBeGreaterThan(10_000);
+    expect(mean, `at ${time} s`).toBeLessThanOrEqual(1);
+    expect(close).toBeGreaterThan(0.99);
+  }
+});
+
+test('it plays, updates and ends as a video does', async ({ page }) => {
+  await open(page);
+  await added(page, { src: '/wave.c2rig', autoplay: '' }, 'ended');
+  expect([...new Set(await heard(page))]).toEqual(['loadeddata', 'play', 'timeupdate', 'pause', 'ended']);
+  expect(await state(page)).toEqual({ currentTime: 1.2, paused: true, ended: true });
+  // It begins again, and repeats.
+  await player(page).evaluate((element) => {
+    const player = element as C2WarpPlayer;
+    player.loop = true;
+    player.playbackRate = 4;
+    return player.play();
+  });
+  expect((await state(page)).ended).toBe(false);
+  const passes = page.evaluate(async () => {
+    const player = Reflect.get(globalThis, 'player') as C2WarpPlayer;
+    let [wraps, before] = [0, 0];
+    while (wraps < 2) {
+      await new Promise(requestAnimationFrame);
+      if (player.currentTime < before) wraps++;
+      before = player.currentTime;
+    }
+  });
+  await passes;
+  await player(page).evaluate((element) => (element as C2WarpPlayer).pause());
+  expect((await state(page)).paused).toBe(true);
+});
+
+test('clips are chosen by name, and unknown ones are named', async ({ page }) => {
+  await open(page);
+  await added(page, { src: '/wave.c2rig', clip: 'there and back' }, 'loadeddata');
+  const durations = await player(page).evaluate((element) => {
+    const player = element as C2WarpPlayer;
+    const there = player.duration;
+    player.clip = 'wave';
+    return [there, player.duration, player.clips];
+  });
+  expect(durations).toEqual([1, 1.2, ['wave', 'there and back']]);
+  const message = await player(page).evaluate((element) => {
+    const player = element as C2WarpPlayer;
+    player.clip = 'jump';
+    return player.error?.message;
+  });
+  expect(message).toBe('There is no clip “jump”: there is “wave”, “there and back”.');
+});
+
+test('nothing plays by itself with reduced motion', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  await added(page, { src: '/wave.c2rig', autoplay: '', loop: '' }, 'loadeddata');
+  expect(await state(page)).toEqual({ currentTime: 0, paused: true, ended: false });
+  await player(page).evaluate((element) => (element as C2WarpPlayer).play());
+  await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  expect((await state(page)).paused).toBe(false);
+});
+
+test('time stands still out of sight', async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => {
+    const space = document.createElement('div');
+    space.style.height = '3000px';
+    document.body.append(space);
+  });
+  await added(page, { src: '/wave.c2rig', autoplay: '', loop: '' }, 'play');
+  for (let k = 0; k < 10; k++) await page.evaluate(() => new Promise(requestAnimationFrame));
+  expect(await state(page)).toEqual({ currentTime: 0, paused: false, ended: false });
+  await player(page).scrollIntoViewIfNeeded();
+  await expect.poll(async () => (await state(page)).currentTime).toBeGreaterThan(0);
+});
+
+test('a damaged rig is reported, its content stays, and the page goes on', async ({ page }) => {
+  const altered = Buffer.from(rig);
+  altered[200] = (altered[200] ?? 0) ^ 1;
+  await open(page, {
+    'cut.c2rig': rig.subarray(0, rig.length - 100),
+    'altered.c2rig': altered,
+    'page.c2rig': Buffer.from('<!doctype html>'),
+    'wave.c2rig': rig,
+  });
+  const messages = ['cut', 'altered', 'page'].map((name) => added(page, { src: `/${name}.c2rig` }, 'error'));
+  expect(await Promise.all(messages)).toEqual([
+    `This rig is damaged: it has ${rig.length - 100} bytes in place of ${rig.length}.`,
+    'This rig is damaged: its checksum differs.',
+    'This is not a rig.',
+  ]);
+  await expect(page.getByText('A gingerbread man')).toHaveCount(3);
+  await expect(page.getByText('A gingerbread man').last()).toBeVisible();
+  await added(page, { src: '/wave.c2rig' }, 'loadeddata');
+  await expect(player(page).locator('canvas')).toBeVisible();
+});
+
+test('the newest source wins', async ({ page }) => {
+  await open(page);
+  let release = () => {};
+  const held = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route('**/slow.c2rig', async (route) => {
+    await held;
+    await route.fulfill({ body: rig });
+  });
+  const loaded = added(page, { src: '/slow.c2rig' }, 'loadeddata');
+  await expect(player(page)).toBeVisible();
+  await player(page).evaluate((element) => {
+    (element as C2WarpPlayer).src = '/wave.c2rig';
+  });
+  await loaded;
+  release();
+  await page.waitForResponse('**/slow.c2rig');
+  expect(await heard(page)).toEqual(['loadeddata']);
+});
+
+test('a hundred players share one context, and recover from its loss', async ({ page }) => {
+  await page.addInitScript(() => {
+    const contexts: unknown[] = [];
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      type: string,
+      options?: unknown,
+    ) {
+      const context = Reflect.apply(getContext, this, [type, options]);
+      if (type.startsWith('webgl') && !contexts.includes(context)) contexts.push(context);
+      return context;
+    } as typeof getContext;
+    Object.assign(globalThis, { contexts });
+  });
+  await open(page);
+  const contexts = () => page.evaluate(() => (Reflect.get(globalThis, 'contexts') as unknown[]).length);
+  const before = await contexts();
+  let requests = 0;
+  page.on('request', (request) => {
+    if (request.url().endsWith('wave.c2rig')) requests++;
+  });
+  await page.evaluate(async () => {
+    const players = Array.from({ length: 100 }, () => {
+      const player = document.createElement('c2-warp-player');
+      player.style.width = '40px';
+      player.src = '/wave.c2rig';
+      return player;
+    });
+    document.body.replaceChildren(...players);
+    const isLoaded = (player: Element) =>
+      new Promise((resolve) => player.addEventListener('loadeddata', resolve, { once: true }));
+    await Promise.all(players.map(isLoaded));
+    players.forEach((player, k) => {
+      player.currentTime = k / 100;
+    });
+  });
+  const drawn = () =>
+    page.evaluate(() => {
+      const isDrawn = (player: Element) => {
+        const canvas = player.shadowRoot?.querySelector('canvas');
+        const pixels = canvas
+          ?.getContext('2d')
+          ?.getImageData(0, 0, canvas.width || 1, canvas.height || 1).data;
+        return pixels?.some((value) => value > 0);
+      };
+      return [...document.querySelectorAll('c2-warp-player')].filter(isDrawn).length;
+    });
+  await expect.poll(drawn).toBe(100);
+  expect(requests).toBe(1);
+  expect((await contexts()) - before).toBe(1);
+
+  await page.evaluate(async () => {
+    const gl = (Reflect.get(globalThis, 'contexts') as WebGL2RenderingContext[]).at(-1);
+    const losing = gl?.getExtension('WEBGL_lose_context');
+    const told = (type: string) =>
+      new Promise((resolve) => gl?.canvas.addEventListener(type, resolve, { once: true }));
+    const lost = told('webglcontextlost');
+    losing?.loseContext();
+    await lost;
+    // It can be restored once the event is over.
+    await new Promise(requestAnimationFrame);
+    for (const { shadowRoot } of document.querySelectorAll('c2-warp-player')) {
+      const canvas = shadowRoot?.querySelector('canvas');
+      canvas?.getContext('2d')?.clearRect(0, 0, canvas.width, canvas.height);
+    }
+    const restored = told('webglcontextrestored');
+    losing?.restoreContext();
+    await restored;
+  });
+  await expect.poll(drawn).toBe(100);
+});
+
+test('the download of the player stays small', async ({ request }) => {
+  const script = await (await request.get('/player/c2warp-player.js')).body();
+  expect(script.toString()).not.toContain('WebAssembly');
+  // Measured in November 2026: 8,400.
+  // web/scripts/player_size.mjs checks the same on every build.
+  expect(brotliCompressSync(script).length).toBeLessThanOrEqual(15_000);
+});

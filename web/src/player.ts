@@ -1,0 +1,13 @@
+/** The entry `c2warp/player`: defines `<c2-warp-player>`. Servers can import it, too. */
+import { C2WarpPlayer } from './player/element';
+
+export { C2WarpPlayer };
+
+if (globalThis.customElements && !customElements.get('c2-warp-player'))
+  customElements.define('c2-warp-player', C2WarpPlayer);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'c2-warp-player': C2WarpPlayer;
+  }
+}

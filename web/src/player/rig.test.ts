@@ -1,0 +1,148 @@
+import { readFileSync } from 'node:fs';
+import { crc32, deflateRawSync, inflateRawSync } from 'node:zlib';
+import { describe, expect, it } from 'vitest';
+import { cycleOf, frameAt, orderAt, STRIDE, writeMotions } from './clip';
+import { readRig } from './rig';
+
+/** Made by `c2warp bake` from a picture of 24 × 18 px with two handles, of which one moves. */
+const FILE = new Uint8Array(readFileSync(new URL('./fixtures/wave.c2rig', import.meta.url)));
+const HEADER = 24;
+const ROW = 12;
+
+/** The file with other unpacked sections, and a right checksum. */
+function packed(change: (sections: Uint8Array[]) => void): Uint8Array<ArrayBuffer> {
+  const file = Buffer.from(FILE);
+  const rows = Array.from({ length: file.readUInt32LE(20) }, (_, row) => HEADER + ROW * row);
+  let at = HEADER + ROW * rows.length;
+  const sections = rows.map((row) => {
+    const [stored, length] = [file.readUInt32LE(row + 4), file.readUInt32LE(row + 8)];
+    const bytes = file.subarray(at, at + stored);
+    at += stored;
+    return new Uint8Array(stored === length ? bytes : inflateRawSync(bytes));
+  });
+  change(sections);
+  const parts = sections.map((bytes) => {
+    const deflated = deflateRawSync(bytes);
+    return deflated.length < bytes.length ? deflated : bytes;
+  });
+  const head = Buffer.from(file.subarray(0, HEADER + ROW * rows.length));
+  rows.forEach((row, k) => {
+    head.writeUInt32LE(parts[k]?.length ?? 0, row + 4);
+    head.writeUInt32LE(sections[k]?.length ?? 0, row + 8);
+  });
+  const all = Buffer.concat([head, ...parts]);
+  all.writeUInt32LE(all.length, 12);
+  all.writeUInt32LE(crc32(all.subarray(20)), 16);
+  return new Uint8Array(all);
+}
+
+/** Whether a file is read. Any failure but a sentence for people fails the test. */
+const isRead = (file: Uint8Array<ArrayBuffer>) =>
+  readRig(file).then(
+    ({ clips, rest }) => {
+      for (const clip of clips)
+        writeMotions(clip, rest, clip.lastFrame / 3, new Float32Array(rest.length * STRIDE));
+      return true;
+    },
+    (error: Error) => {
+      expect(error.message).toMatch(/rig/);
+      return false;
+    },
+  );
+
+describe('a rig', () => {
+  it('is read', async () => {
+    const rig = await readRig(FILE);
+    expect([rig.width, rig.height, rig.handles]).toEqual([24, 18, ['left', 'right']]);
+    expect(rig.clips.map(({ name, duration }) => [name, duration])).toEqual([
+      ['wave', 0.5],
+      ['back', 0.25],
+    ]);
+    // All weights of a vertex sum to 1.
+    for (let row = 0; row < rig.rows.length; row += 2) {
+      const [first = 0, count = 0] = rig.rows.subarray(row, row + 2);
+      let sum = 0;
+      for (let entry = first; entry < first + count; entry++) sum += rig.entries[2 * entry + 1] ?? 0;
+      expect(sum).toBe(1);
+    }
+    const [xs, ys] = [0, 1].map((axis) => rig.positions.filter((_, at) => at % 2 === axis));
+    expect([Math.max(...(xs ?? [])), Math.max(...(ys ?? []))]).toEqual([24, 18]);
+  });
+
+  it('moves its sites as the project says', async () => {
+    const { clips, rest } = await readRig(FILE);
+    const [wave, back] = clips as [(typeof clips)[0], (typeof clips)[0]];
+    const motions = new Float32Array((rest.length / 2) * STRIDE);
+    const placesAt = (time: number) => {
+      writeMotions(wave, rest, frameAt(wave, time), motions);
+      return [0, 1].map((site) => [...motions.subarray(STRIDE * site + 6, STRIDE * site + 8)]);
+    };
+    const close = (places: number[][], expected: number[][]) => {
+      for (const [k, place] of places.flat().entries())
+        expect(Math.abs(place - (expected.flat()[k] ?? 0))).toBeLessThan(0.1);
+    };
+    close(placesAt(0), [
+      [4, 9],
+      [20, 9],
+    ]);
+    close(placesAt(0.25), [
+      [4, 9],
+      [20, 4],
+    ]);
+    expect(
+      [cycleOf(wave), cycleOf(back), frameAt(back, 0.4), frameAt(back, 0.1)].map((n) => n.toFixed(6)),
+    ).toEqual(['0.500000', '0.500000', '6.000000', '6.000000']);
+    expect(orderAt(wave, 7)).toMatchObject({ frame: 0, crosses: false });
+  });
+
+  it('is refused if it is cut short or longer', { timeout: 60_000 }, async () => {
+    const cut = await Promise.all(Array.from(FILE, (_, end) => isRead(FILE.slice(0, end))));
+    expect(cut).not.toContain(true);
+    expect(await isRead(new Uint8Array([...FILE, 0]))).toBe(false);
+  });
+
+  it('is refused with any altered byte', { timeout: 60_000 }, async () => {
+    for (const flip of [0x01, 0x80, 0xff]) {
+      const altered = Array.from(FILE, (byte, at) => {
+        const file = FILE.slice();
+        file[at] = byte ^ flip;
+        return isRead(file);
+      });
+      expect(await Promise.all(altered)).not.toContain(true);
+    }
+  });
+
+  it('is read or refused with any content', { timeout: 60_000 }, async () => {
+    const files = [0, 2, 3, 4, 5].flatMap((section) =>
+      Array.from({ length: 40 }, (_, k) =>
+        packed((sections) => {
+          const bytes = sections[section] as Uint8Array;
+          bytes[(k * 7919) % bytes.length] = [0, 0x7f, 0x80, 0xff][k % 4] ?? 0;
+        }),
+      ),
+    );
+    expect((await Promise.all(files.map(isRead))).filter(Boolean).length).toBeGreaterThan(10);
+  });
+
+  it('is refused if a section is cut short or goes on', { timeout: 60_000 }, async () => {
+    for (const section of [0, 2, 3, 4, 5]) {
+      const lengths = Array.from({ length: 40 }, (_, k) => k);
+      for (const less of lengths.map((k) => k - 1).filter((k) => k !== 0)) {
+        const file = packed((sections) => {
+          const bytes = sections[section] as Uint8Array;
+          sections[section] =
+            less < 0 ? new Uint8Array([...bytes, 0]) : bytes.slice(0, Math.max(0, bytes.length - less));
+        });
+        expect(await isRead(file), `${less} bytes less of section ${section}`).toBe(false);
+      }
+    }
+  });
+
+  it('is refused if it says that it unpacks to far more', async () => {
+    const file = packed(() => {});
+    const view = Buffer.from(file.buffer);
+    view.writeUInt32LE(0xffff_ffff, HEADER + 2 * ROW + 8);
+    view.writeUInt32LE(crc32(view.subarray(20)), 16);
+    expect(await isRead(file)).toBe(false);
+  });
+});

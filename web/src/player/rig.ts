@@ -1,0 +1,58 @@
+/** Reads the file of a rig: see web/docs/rig-format.md. */
+import { type Bytes, bytesOf } from './bytes';
+import { type RigClip, readClip } from './clip';
+import { sectionsOf } from './file';
+import { type Mesh, readMesh, readWeights, type Weights } from './mesh';
+
+export interface Rig extends Mesh, Weights {
+  /** Of the picture, pixels. */
+  readonly width: number;
+  readonly height: number;
+  readonly rigid: boolean;
+  /** Whether edges are drawn where parts cross. */
+  readonly edges: boolean;
+  readonly handles: readonly string[];
+  /** The file of the picture. */
+  readonly picture: Uint8Array<ArrayBuffer>;
+  /** At least one. */
+  readonly clips: readonly RigClip[];
+}
+
+/**
+ * Reads a rig.
+ *
+ * @throws Error with a sentence for people if the bytes are no rig of version 1, or a damaged one.
+ */
+export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
+  const known = (await sectionsOf(file)).filter(({ tag }) => /^(HEAD|PICT|MESH|WGHT|CLIP)$/.test(tag));
+  const next = (wanted: string, part: string) => {
+    const { tag, data } = known.shift() ?? {};
+    if (!data || tag !== wanted) throw new Error(`This rig is damaged: ${part} is missing.`);
+    return data;
+  };
+  const read = <Part>(tag: string, part: string, parse: (from: Bytes) => Part): Part => {
+    const from = bytesOf(part, next(tag, part));
+    const parsed = parse(from);
+    from.end();
+    return parsed;
+  };
+  const head = read('HEAD', 'the head', (from) => {
+    const [width, height, flags] = [from.varint(), from.varint(), from.byte()];
+    from.check(width > 0 && height > 0, 'has an empty picture');
+    from.check(flags < 4, 'has an unknown setting');
+    const handles = Array.from({ length: from.count() }, () => from.text());
+    return { width, height, rigid: (flags & 1) > 0, edges: (flags & 2) > 0, handles };
+  });
+  const picture = next('PICT', 'the picture');
+  const mesh = read('MESH', 'the mesh', readMesh);
+  const sites = mesh.rest.length / 2;
+  const weights = read('WGHT', 'the weights', (from) => readWeights(from, mesh.positions.length / 2, sites));
+  const clips: RigClip[] = [];
+  do {
+    const clip = read('CLIP', 'a clip', (from) => readClip(from, sites, mesh.triangles.length / 3));
+    if (clips.some(({ name }) => name === clip.name))
+      throw new Error('This rig is damaged: two clips have one name.');
+    clips.push(clip);
+  } while (known.length > 0);
+  return { ...head, ...mesh, ...weights, picture, clips };
+}
