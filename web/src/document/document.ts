@@ -7,6 +7,17 @@ export interface Document {
   readonly project: Project;
   /** Ids of selected handles, in the order they were selected. */
   readonly selection: readonly string[];
+  /** The time of a clip that poses the handles. */
+  readonly moment?: Moment | null;
+}
+
+/** A time of a clip. */
+export interface Moment {
+  readonly clip: string;
+  /** Seconds from the beginning of the clip. */
+  readonly time: number;
+  /** The project without the poses of the clip. */
+  readonly base: Project;
 }
 
 export const openDocument = (project: Project): Document => ({ project, selection: [] });
@@ -30,9 +41,20 @@ export const newProject = (image: ImageRef, threshold: number | null): Project =
   handles: [],
 });
 
-/** Whether two documents have equal projects. The selection does not count. */
+/** The project as its file holds it: without the poses of a clip. */
+export const fileProject = ({ project, moment }: Document): Project => moment?.base ?? project;
+
+export const isSameMoment = (
+  a: Moment | null | undefined,
+  b: Pick<Moment, 'clip' | 'time'> | null | undefined,
+): boolean => a?.clip === b?.clip && a?.time === b?.time;
+
+/** Whether two documents have equal projects. Neither the selection nor the time of a clip counts. */
 export const isSameWork = (a: Document, b: Document): boolean =>
-  a.project === b.project || JSON.stringify(a.project) === JSON.stringify(b.project);
+  isEqual(fileProject(a), fileProject(b)) &&
+  (!isSameMoment(a.moment, b.moment) || isEqual(a.project, b.project));
+
+const isEqual = (a: Project, b: Project): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);
 
 export const handleById = (document: Document, id: string): Handle | undefined =>
   document.project.handles.find((handle) => handle.id === id);

@@ -4,6 +4,7 @@ import { areaOf, clipped, isWithin, type Ring, ringsMeet, simpleRing, touches } 
 import type { Vec } from '../geometry/vec';
 import { corners, isClosed, isLine, roundedVec } from './handle';
 import type { Domain, Handle, Project } from './project';
+import { withoutLostTracks } from './tracks';
 
 /** Smaller rings are accidental. Square pixels. */
 const LEAST_AREA = 16;
@@ -39,7 +40,8 @@ export function withLasso(
   const holed = hole ? withHole(before, ring) : null;
   const rings = holed ?? [...elsewhere(before, ring), ring];
   const handles = project.handles.filter((handle) => isOn(rings, handle));
-  return { project: { ...project, domain: { kind: 'polygon', rings }, handles }, cut: holed !== null };
+  const lassoed = withoutLostTracks({ ...project, domain: { kind: 'polygon', rings }, handles });
+  return { project: lassoed, cut: holed !== null };
 }
 
 /** Returns the rings with the hole, or `null` if it is not inside the domain. */

@@ -85,9 +85,11 @@ export const addHandle = (document: Document, handle: Handle): Document => ({
 });
 
 /** Removes handles and their tracks. */
-export function removeHandles({ project, selection }: Document, ids: readonly string[]): Document {
+export function removeHandles(document: Document, ids: readonly string[]): Document {
+  const { project, selection } = document;
   const handles = project.handles.filter((handle) => !ids.includes(handle.id));
   return {
+    ...document,
     project: withoutLostTracks({ ...project, handles }),
     selection: selection.filter((id) => !ids.includes(id)),
   };

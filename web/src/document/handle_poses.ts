@@ -18,6 +18,7 @@ export interface HandlePose {
   /** Degrees; NaN if automatic. */
   readonly rotation: number;
   readonly scale: number;
+  readonly depth: number;
 }
 
 /** Returns the poses of the solved project's handles, taken from `project` if it has them. */
@@ -45,25 +46,30 @@ export function readPoses(numbers: Float64Array): readonly HandlePose[] {
   const poses: HandlePose[] = [];
   let at = 0;
   while (at < numbers.length) {
-    const [count = 0, rotation = 0, scale = 1] = numbers.subarray(at, at + HEAD);
+    const [count = 0, rotation = 0, scale = 1, depth = 0] = numbers.subarray(at, at + HEAD);
     at += HEAD;
     const posed = Array.from(
       { length: count },
       (_, k): Vec => [numbers[at + 2 * k] ?? 0, numbers[at + 2 * k + 1] ?? 0],
     );
     at += 2 * count;
-    poses.push({ posed, rotation, scale });
+    poses.push({ posed, rotation, scale, depth });
   }
   return poses;
 }
 
 /** Poses the handle. Returns `handle` itself if nothing changes. Writes only the keys that change. */
-export function withPose(handle: Handle, { posed, rotation, scale }: HandlePose): Handle {
-  const isTurned = !Number.isNaN(rotation) && rotation !== rotationNumber(handle);
+export function withPose(handle: Handle, { posed, rotation, scale, depth }: HandlePose): Handle {
+  const isTurned = !Object.is(rotation, rotationNumber(handle));
   const isScaled = scale !== scaleOf(handle);
+  const isRaised = depth !== depthOf(handle);
   const isMoved = corners(handle).some(([x, y], k) => x !== posed[k]?.[0] || y !== posed[k]?.[1]);
-  if (!isTurned && !isScaled && !isMoved) return handle;
-  const changes = { ...(isTurned ? { rotation } : {}), ...(isScaled ? { scale } : {}) };
+  if (!isTurned && !isScaled && !isRaised && !isMoved) return handle;
+  const changes = {
+    ...(isTurned ? { rotation: Number.isNaN(rotation) ? ('auto' as const) : rotation } : {}),
+    ...(isScaled ? { scale } : {}),
+    ...(isRaised ? { depth } : {}),
+  };
   return isLine(handle)
     ? { ...handle, ...changes, posed }
     : { ...handle, ...changes, posed: posed[0] ?? handle.posed };

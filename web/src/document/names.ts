@@ -23,9 +23,11 @@ export function nameFault({ handles }: Project, id: string, name: string): NameF
 }
 
 /** Gives a handle another id. A selected handle stays selected. */
-export function renameHandle({ project, selection }: Document, id: string, name: string): Document {
+export function renameHandle(document: Document, id: string, name: string): Document {
+  const { project, selection } = document;
   const renamed = (handle: Handle): Handle => (handle.id === id ? { ...handle, id: name } : handle);
   return {
+    ...document,
     project: withRenamedTracks({ ...project, handles: project.handles.map(renamed) }, id, name),
     selection: selection.map((selected) => (selected === id ? name : selected)),
   };

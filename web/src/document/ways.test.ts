@@ -20,7 +20,9 @@ describe('the array of poses', () => {
       ...[1, Number.NaN, 1, 0, 3, 0],
       ...[2, Number.NaN, 2, 1, 0, 0, 10, 0],
     ]);
-    expect(readPoses(handlePoses([bar]))).toEqual([{ posed: bar.posed, rotation: Number.NaN, scale: 2 }]);
+    expect(readPoses(handlePoses([bar]))).toEqual([
+      { posed: bar.posed, rotation: Number.NaN, scale: 2, depth: 1 },
+    ]);
   });
 });
 

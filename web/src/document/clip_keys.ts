@@ -1,0 +1,115 @@
+/**
+ * The keys of a clip: pure edits.
+ *
+ * Two keys of one handle at the same time are one. A key that is moved or pasted onto another one replaces it.
+ */
+import type { Vec } from '../geometry/vec';
+import { depthOf, scaleOf } from './handle';
+import type { Clip, Ease, Handle, Key, Posed, Rotation, Track } from './project';
+
+/** A key by its handle and its time. */
+export interface KeyRef {
+  readonly handle: string;
+  readonly time: number;
+}
+
+/** A key with its handle. */
+export interface PlacedKey {
+  readonly handle: string;
+  readonly key: Key;
+}
+
+/** The values of a key besides its places. */
+export const KEYED_VALUES = ['rotation', 'scale', 'depth'] as const;
+export type KeyedValue = (typeof KEYED_VALUES)[number];
+
+/** Times closer than this are the same, in seconds. */
+const SAME_TIME = 1e-6;
+
+export const isSameTime = (a: number, b: number): boolean => Math.abs(a - b) < SAME_TIME;
+
+const refersTo = (refs: readonly KeyRef[], handle: string, time: number): boolean =>
+  refs.some((ref) => ref.handle === handle && isSameTime(ref.time, time));
+
+export const trackOf = ({ tracks }: Clip, handle: string): Track | undefined =>
+  tracks.find((track) => track.handle === handle);
+
+export const keysAt = (clip: Clip, refs: readonly KeyRef[]): readonly PlacedKey[] =>
+  clip.tracks.flatMap(({ handle, keys }) =>
+    keys.filter(({ time }) => refersTo(refs, handle, time)).map((key) => ({ handle, key })),
+  );
+
+/** Puts keys in their order of time, in the place of those at the same times. */
+export const putKeys = (clip: Clip, placed: readonly PlacedKey[]): Clip => ({
+  ...clip,
+  tracks: placed.reduce(putKey, clip.tracks),
+});
+
+function putKey(tracks: readonly Track[], { handle, key }: PlacedKey): readonly Track[] {
+  const track = tracks.find((track) => track.handle === handle);
+  if (!track) return [...tracks, { handle, keys: [key] }];
+  const others = track.keys.filter(({ time }) => !isSameTime(time, key.time));
+  const keys = [...others, key].sort((a, b) => a.time - b.time);
+  return tracks.map((other) => (other === track ? { handle, keys } : other));
+}
+
+/** Removes keys, and tracks that are left without any. */
+export const removeKeys = (clip: Clip, refs: readonly KeyRef[]): Clip => ({
+  ...clip,
+  tracks: clip.tracks.flatMap((track) => {
+    const keys = track.keys.filter(({ time }) => !refersTo(refs, track.handle, time));
+    return keys.length === 0 ? [] : keys.length === track.keys.length ? track : { ...track, keys };
+  }),
+});
+
+export interface MovedKeys {
+  readonly clip: Clip;
+  readonly refs: readonly KeyRef[];
+}
+
+/** The seconds by which keys can move, of those wanted: all of them stay within the clip. */
+export function allowedMove(clip: Clip, refs: readonly KeyRef[], by: number): number {
+  const times = keysAt(clip, refs).map(({ key }) => key.time);
+  if (times.length === 0) return 0;
+  return Math.min(Math.max(by, -Math.min(...times)), clip.duration - Math.max(...times));
+}
+
+/** Moves keys in time by the same seconds, as far as all of them stay within the clip. */
+export function moveKeys(clip: Clip, refs: readonly KeyRef[], by: number): MovedKeys {
+  const moving = keysAt(clip, refs);
+  const allowed = allowedMove(clip, refs, by);
+  if (allowed === 0) return { clip, refs };
+  const moved = moving.map(({ handle, key }) => ({
+    handle,
+    key: { ...key, time: roundedTime(key.time + allowed) },
+  }));
+  return { clip: putKeys(removeKeys(clip, refs), moved), refs: moved.map(refOf) };
+}
+
+export const refOf = ({ handle, key: { time } }: PlacedKey): KeyRef => ({ handle, time });
+
+/** Rounds to a hundred-thousandth of a second: thirds of a frame stay apart, and files stay short. */
+export const roundedTime = (seconds: number): number => Math.round(seconds * 1e5) / 1e5 || 0;
+
+/** Sets the ease of the stretches after keys. */
+export const easeKeys = (clip: Clip, refs: readonly KeyRef[], ease: Ease): Clip =>
+  putKeys(
+    clip,
+    keysAt(clip, refs).map(({ handle, key }) => ({ handle, key: { ...key, ease } })),
+  );
+
+/** The corners of a key, as a list. */
+export const keyCorners = (posed: Posed): readonly Vec[] =>
+  Array.isArray(posed[0]) ? (posed as readonly Vec[]) : [posed as Vec];
+
+/** A key that holds the posed corners of a handle, and these of its other values. */
+export const keyOf = (handle: Handle, time: number, values: readonly KeyedValue[]): Key => ({
+  time: roundedTime(time),
+  posed: handle.posed,
+  ...(values.includes('rotation') ? { rotation: givenRotation(handle) } : {}),
+  ...(values.includes('scale') ? { scale: scaleOf(handle) } : {}),
+  ...(values.includes('depth') ? { depth: depthOf(handle) } : {}),
+  ease: 'smooth',
+});
+
+const givenRotation = ({ rotation }: Handle): Rotation => rotation ?? 0;
