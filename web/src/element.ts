@@ -54,7 +54,7 @@
  */
 import type { PropertyDeclaration, PropertyValues, TemplateResult } from 'lit';
 import type { Drawing } from './compute/drawing';
-import { handleById } from './document/document';
+import { fileProject, handleById } from './document/document';
 import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
 import {
@@ -161,7 +161,7 @@ export class C2Warp extends TypedElement {
    * @throws RangeError that names the invalid key; Error when read while the element is not connected.
    */
   get project(): Project {
-    return deepCopy(projectOf(this.#present.state));
+    return deepCopy(fileProject(documentOf(this.#present.state)));
   }
 
   set project(given: ProjectFile | string | null) {
@@ -379,7 +379,10 @@ export class C2Warp extends TypedElement {
 
   protected override render(): TemplateResult | null {
     const runtime = this.#runtime;
-    return runtime && shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas, runtime.study);
+    return (
+      runtime &&
+      shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas, runtime.study, runtime.timeline)
+    );
   }
 
   /** Asks at once for what the attributes name, so that what a page sets next is for that. */

@@ -5,6 +5,7 @@ import { redoLabel, undoLabel } from '../document/history';
 import type { Handle } from '../document/project';
 import { draftOf, hasTakenCorners } from '../tools/machine';
 import type { CommandName } from './commands';
+import { openClip } from './open_clip';
 import {
   AT_BACK,
   AT_REST,
@@ -22,6 +23,7 @@ import {
   VIEW_ONLY,
 } from './reason_texts';
 import { documentOf, type EditorState, projectOf, selectionOf } from './state';
+import { NO_CLIP_OPEN } from './timeline_texts';
 
 export const canRun = (state: EditorState, command: CommandName): boolean =>
   reasonAgainst(state, command) === null;
@@ -77,6 +79,12 @@ const REASONS: Partial<Readonly<Record<CommandName, Reason>>> = {
   polygon: unlessChangeable,
   lasso: unlessChangeable,
   lens: unlessOpen,
+  timeline: either(unlessOpen, unlessChangeable),
+  play: (state) => (openClip(state) ? null : NO_CLIP_OPEN),
+  'set-key': either(
+    (state) => (state.timeline.open ? null : NO_CLIP_OPEN),
+    unlessSelected(() => true, NONE_SELECTED),
+  ),
   open: unlessChangeable,
   save: unlessOpen,
   'save-whole': unlessOpen,

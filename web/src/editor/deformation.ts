@@ -6,6 +6,7 @@
  * without length, gives the last answer again.
  */
 import type { HiddenCorners, Turns } from '../document/handle';
+import type { PosesAt } from '../document/moment';
 import type { Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
@@ -59,6 +60,8 @@ export interface GroupWay {
 }
 
 export interface Deformation {
+  /** The poses of handles at a time of a clip, in seconds. */
+  posesAt: PosesAt;
   /** Where a point handle can be placed: at `posed`, or at most `within` away on the nearest part that bends. */
   placement(project: Project, posed: Vec, within: number): Placement | null;
   /**

@@ -6,7 +6,7 @@ import { COMMANDS, type CommandName } from './commands';
 import type { EditorEvent } from './events';
 import { FakeRuntime, PAGE, testPicture } from './fake_runtime';
 import { among, randomOf } from './random';
-import { documentOf } from './state';
+import { documentOf, projectOf } from './state';
 import { viewModel } from './view_model';
 
 type Step = (runtime: FakeRuntime, random: () => number) => void;
@@ -62,6 +62,32 @@ const STEPS: readonly Step[] = [
   event((random) => ({ type: 'name-given', name: random() < 0.5 ? 'Nose' : '', keyed: random() < 0.5 })),
   event((random) => ({ type: 'overlays-opened', open: random() < 0.5, keyed: random() < 0.5 })),
   event((random) => ({ type: 'overlay-switched', overlay: 'cells', on: random() < 0.5 })),
+  event((random) => ({ type: 'timeline-opened', open: random() < 0.8 })),
+  event((random) => ({
+    type: 'clip-added',
+    preset: among(['sway', 'breathe', 'wave', null] as const, random),
+  })),
+  event((random) => ({ type: 'clip-chosen', name: among(['clip', 'sway', 'wave 2'], random) })),
+  event((random) => ({ type: 'clip-duration-set', change: { to: random() * 4 } })),
+  event((random) => ({
+    type: 'clip-loop-chosen',
+    loop: among(['repeat', 'alternate', 'none'] as const, random),
+  })),
+  event((random) => ({ type: 'playhead-moved', time: random() * 3 - 0.5 })),
+  event((random) => ({ type: 'clock-ticked', seconds: random() / 10 })),
+  event((random) => ({ type: 'record-held', held: random() < 0.5 })),
+  event((random) => ({ type: 'keys-dragged', by: random() - 0.5, ended: random() < 0.7 })),
+  (runtime, random) => {
+    const tracks = projectOf(runtime.state).clips?.[0]?.tracks ?? [];
+    const keys = tracks.flatMap(({ handle, keys }) => keys.map(({ time }) => ({ handle, time })));
+    runtime.dispatch({ type: 'keys-selected', keys: keys.filter(() => random() < 0.5) });
+  },
+  event((random) => ({
+    type: among(
+      ['keys-copied', 'keys-pasted', 'keys-mirrored', 'keys-removed', 'clip-duplicated', 'clip-removed'],
+      random,
+    ),
+  })),
   event(() => ({ type: 'drawing-finished' })),
   event(() => ({ type: 'lasso-removed' })),
   event(() => ({ type: 'notice-answered' })),

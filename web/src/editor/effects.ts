@@ -17,7 +17,7 @@ export interface FocusTarget {
 }
 
 /** Controls that the editor focuses by itself. */
-export type ControlName = 'name' | 'overlays' | 'overlay-button';
+export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'overlay-button';
 
 /** The DOM events of the element. */
 export type PageNotification =
@@ -118,6 +118,8 @@ export type EditorEffect =
   | { readonly type: 'set-theme'; readonly theme: 'light' | 'dark' }
   /** Answered by `input-released`, once the page shows the state. */
   | { readonly type: 'release-input' }
+  /** Frames of the screen pass, each told by `clock-ticked`; or no more. */
+  | { readonly type: 'run-clock'; readonly on: boolean }
   | { readonly type: 'start-timer'; readonly timer: Timer; readonly ms: number }
   | { readonly type: 'stop-timer'; readonly timer: Timer };
 

@@ -5,9 +5,11 @@
  * `update` decides what follows. Places are image pixels unless the name says otherwise.
  */
 import type { Detail } from '../document/bending';
+import type { KeyRef } from '../document/clip_keys';
+import type { ClipPreset } from '../document/clip_presets';
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
-import type { Handle, PoseMode, Project, ProjectFile } from '../document/project';
+import type { Ease, Handle, Loop, PoseMode, Project, ProjectFile } from '../document/project';
 import type { Preset, Setting } from '../document/settings';
 import type { Variant } from '../document/variants';
 import type { Camera, Size } from '../geometry/camera';
@@ -28,6 +30,7 @@ import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { FigureName, StudyPage } from './study_state';
 import type { TaskName } from './task';
+import type { Rate } from './timeline_state';
 import type { Timer } from './timer';
 import type { WorkSnapshot } from './work';
 
@@ -130,6 +133,33 @@ type StudyEvent =
   | { readonly type: 'figure-saved'; readonly name: string }
   /** A place of the posed picture, pointed at by other means than the pointer. */
   | { readonly type: 'lens-pointed'; readonly at: Vec };
+
+/** Times are seconds from the beginning of the clip. */
+type ClipEvent =
+  | { readonly type: 'timeline-opened'; readonly open: boolean }
+  /** Null adds a clip without keys. */
+  | { readonly type: 'clip-added'; readonly preset: ClipPreset | null }
+  | { readonly type: 'clip-chosen'; readonly name: string }
+  | { readonly type: 'clip-renaming-switched'; readonly on: boolean }
+  | { readonly type: 'clip-named'; readonly name: string }
+  | { readonly type: 'clip-duplicated' | 'clip-removed' }
+  | { readonly type: 'clip-loop-chosen'; readonly loop: Loop }
+  | { readonly type: 'clip-duration-set'; readonly change: NumberChange }
+  | { readonly type: 'frame-rate-chosen'; readonly rate: Rate }
+  | { readonly type: 'timeline-zoomed'; readonly notches: number }
+  | { readonly type: 'onion-switched'; readonly on: boolean }
+  | { readonly type: 'playhead-moved'; readonly time: number }
+  | { readonly type: 'playhead-stepped'; readonly frames: number }
+  /** A frame of the screen has passed. */
+  | { readonly type: 'clock-ticked'; readonly seconds: number }
+  | { readonly type: 'record-held'; readonly held: boolean }
+  | { readonly type: 'keys-selected'; readonly keys: readonly KeyRef[] }
+  /** The selected keys, by seconds from where the drag began; `ended`: it has ended. */
+  | { readonly type: 'keys-dragged'; readonly by: number; readonly ended: boolean }
+  | { readonly type: 'keys-drag-cancelled' }
+  | { readonly type: 'keys-stepped'; readonly frames: number }
+  | { readonly type: 'keys-eased'; readonly ease: Ease }
+  | { readonly type: 'keys-removed' | 'keys-copied' | 'keys-pasted' | 'keys-mirrored' };
 
 /** What a tool did with a press, when more than the document is concerned. */
 type ToolEvent =
@@ -248,6 +278,7 @@ export type EditorEvent =
   | KeyEvent
   | ControlEvent
   | StudyEvent
+  | ClipEvent
   | ToolEvent
   | FocusEvent
   | NoticeEvent

@@ -3,11 +3,21 @@
  * any order. The picture is a plane: every place of it is posed where it rests, moved by the mean of the handles.
  */
 
+import { keyCorners, trackOf } from '../document/clip_keys';
 import { groupCentre } from '../document/group';
-import { anchor, type HiddenCorners, rotationOf, type Turns } from '../document/handle';
-import type { Project } from '../document/project';
+import {
+  anchor,
+  corners,
+  depthOf,
+  type HiddenCorners,
+  rotationOf,
+  scaleOf,
+  type Turns,
+} from '../document/handle';
+import type { HandlePose } from '../document/handle_poses';
+import type { Clip, Handle, Project } from '../document/project';
 import type { Crease } from '../geometry/crease';
-import { add, subtract, type Vec } from '../geometry/vec';
+import { add, lerp, subtract, type Vec } from '../geometry/vec';
 import type { Deformation, GroupWay, LimitedPose } from './deformation';
 import type { EditorEffect } from './effects';
 import type { EditorEvent } from './events';
@@ -57,6 +67,28 @@ export const testPicture = (name = 'cat.png'): Picture => ({
 
 /** Moves everything by the mean move of the handles. Handles beyond x = 1,000 fold one triangle each. */
 class PlaneDeformation implements Deformation {
+  /** Linear between keys, whatever their ease. */
+  posesAt(clip: Clip, handles: readonly Handle[], time: number): readonly HandlePose[] {
+    return handles.map((handle) => {
+      const keys = trackOf(clip, handle.id)?.keys ?? [];
+      const before = keys.findLast((key) => key.time <= time) ?? keys[0];
+      const after = keys.find((key) => key.time > time) ?? before;
+      const fraction =
+        before && after !== before ? (time - before.time) / ((after?.time ?? 0) - before.time) : 0;
+      const [from, to] = [before, after].map((key) => (key?.posed ? keyCorners(key.posed) : corners(handle)));
+      const posed = corners(handle).map((corner, k) =>
+        lerp(from?.[k] ?? corner, to?.[k] ?? corner, fraction),
+      );
+      const rotation = before?.rotation ?? handle.rotation ?? 0;
+      return {
+        posed,
+        rotation: rotation === 'auto' ? Number.NaN : rotation,
+        scale: before?.scale ?? scaleOf(handle),
+        depth: before?.depth ?? depthOf(handle),
+      };
+    });
+  }
+
   placement(project: Project, posed: Vec, within: number) {
     const rest = subtract(posed, shift(project));
     const inside = isInside(project, rest, within);

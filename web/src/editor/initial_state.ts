@@ -9,6 +9,7 @@ import { NO_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
 import type { EditorState } from './state';
 import { NO_STUDY } from './study_state';
+import { CLOSED_TIMELINE } from './timeline_state';
 
 const emptyDocument: Document = openDocument(newProject({ src: '', width: 1, height: 1 }, null));
 
@@ -62,6 +63,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       crosshair: null,
     },
     study: NO_STUDY,
+    timeline: CLOSED_TIMELINE,
     pointer: { coarse: media.coarse, hovered: null, alt: false, last: null, onHandle: false, space: false },
     focus: { on: 'nothing', handle: null, corner: null },
     menu: null,

@@ -33,6 +33,9 @@ export function graphicsLostText(stored: boolean | null): string {
     : `${GRAPHICS_LOST} Nothing is lost yet: save the project, then reload the page.`;
 }
 
+export const clipNameTakenText = (name: string): string =>
+  `Another clip has the name "${name}". The old name stays.`;
+
 const listed = new Intl.ListFormat('en-GB');
 
 /** Names in a sentence. Of many names only the first few, since a long notice would cover the picture. */

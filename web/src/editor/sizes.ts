@@ -40,5 +40,8 @@ export const STUDY = { wide: 360, share: 0.52 } as const;
  */
 export const SHEET = { line: 62, numbers: 160, ofCorner: 250, tall: 236, share: 46, top: 12 } as const;
 
+/** The height of the timeline for mouse and touch, and its greatest share of the editor's height in percent. */
+export const TIMELINE = { height: 226, coarse: 270, share: 42 } as const;
+
 /** Distances from the bottom of the stage on phones: to the sheet, and to the area clear of the tools. */
 export const FROM_BOTTOM = { sheet: 74, aboveTools: 76 } as const;

@@ -4,7 +4,7 @@
  * `update` turns a state and an event into the next state and effects; `viewModel` turns a state into what people see.
  * The runtime holds what cannot be a value: workers, pixels, the WebGL context, listeners.
  */
-import type { Document } from '../document/document';
+import { type Document, fileProject } from '../document/document';
 import type { History } from '../document/history';
 import type { NameFault } from '../document/names';
 import type { Handle, Project } from '../document/project';
@@ -32,6 +32,7 @@ import type { Popover } from './popover';
 import type { SolutionState } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { StudyState } from './study_state';
+import type { TimelineState } from './timeline_state';
 import type { ViewState } from './view_state';
 
 export interface EditorState {
@@ -55,6 +56,7 @@ export interface EditorState {
   readonly widened: boolean;
   readonly display: DisplayState;
   readonly study: StudyState;
+  readonly timeline: TimelineState;
   readonly pointer: PointerState;
   readonly focus: Focus;
   readonly menu: MenuState | null;
@@ -168,7 +170,7 @@ export interface PoseChecks {
 export const documentOf = ({ document }: EditorState): Document => document.history.present;
 export const projectOf = (state: EditorState): Project => documentOf(state).project;
 export const isUnsaved = (state: EditorState): boolean =>
-  state.picture !== null && projectOf(state) !== state.document.saved;
+  state.picture !== null && fileProject(documentOf(state)) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
 export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
   page.playing ? NO_OVERLAYS : display.overlays;

@@ -3,6 +3,7 @@ import type { Document } from '../document/document';
 import { handleById, selectedHandles } from '../document/document';
 import { anchor, type HiddenCorners, isLine, type Turns } from '../document/handle';
 import { redoLabel, undoLabel } from '../document/history';
+import { atMoment } from '../document/moment';
 import type { Handle } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Camera, Size } from '../geometry/camera';
@@ -21,6 +22,7 @@ import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
 import { noticeIsAside } from './notice_place';
+import { openClip } from './open_clip';
 import { isOpening, readingName } from './opening_state';
 import type { OverlayFlags } from './overlays';
 import type { Sample } from './page';
@@ -39,6 +41,7 @@ import {
 } from './state';
 import type { StudyState } from './study_state';
 import type { Task } from './task';
+import { neighbouringTimes, type TimelineModel, timelineModel } from './timeline_model';
 import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
 import { exportSize, isInView } from './view';
@@ -118,6 +121,10 @@ export interface EditorModel {
   readonly filesMenu: boolean;
   readonly numbers: boolean;
   readonly study: StudyState;
+  /** Null while the timeline is closed. */
+  readonly timeline: TimelineModel | null;
+  /** Pieces × 2 ends × 2: the posed outlines at the keys beside the playhead, while they are shown. */
+  readonly onion: readonly Float32Array[];
   /** The list of overlays is open. */
   readonly overlayList: boolean;
   /** The name of the only selected handle is being typed. */
@@ -233,6 +240,10 @@ export function viewModel(state: EditorState): EditorModel {
     filesMenu: display.popover === 'files',
     numbers: display.numbers,
     study: state.study,
+    timeline: timelineModel(state),
+    get onion() {
+      return onionOf(state);
+    },
     overlayList: display.overlayList,
     renaming: page.readonly ? null : display.renaming,
     menu: state.menu,
@@ -267,6 +278,18 @@ export function viewModel(state: EditorState): EditorModel {
     reasonAgainst: (command) => reasonAgainst(state, command),
   };
 }
+
+/** The outlines at the neighbouring keys. Not while something plays: there they would flicker. */
+function onionOf(state: EditorState): readonly Float32Array[] {
+  const { onion, playing, recording, clip } = state.timeline;
+  const deformation = state.solution.shown?.deformation;
+  if (!onion || playing || recording || clip === null || !deformation || !openClip(state)) return NO_OUTLINES;
+  return neighbouringTimes(state).map((time) =>
+    deformation.outline(atMoment(documentOf(state), clip, time, deformation.posesAt).project),
+  );
+}
+
+const NO_OUTLINES: readonly Float32Array[] = [];
 
 /** The guides of the press under way or, before one with a tool that places, those of the pointer. */
 function guidesShown(state: EditorState): readonly Guide[] {

@@ -62,6 +62,7 @@ export class KeyboardInput {
     if (isField(target) && !this.#leavesField(event, target)) return;
     // The browser closes an open menu on Escape unless the event is cancelled.
     if (event.key === 'Escape' && this.#root.querySelector(':popover-open')) return;
+    if (this.#record(event, true)) return;
     const onStage = target.matches('.shell, .stage, .stage *');
     if (onStage && this.#stageKey(event, target)) {
       event.preventDefault();
@@ -126,6 +127,16 @@ export class KeyboardInput {
     return true;
   }
 
+  /** While R is held over an open timeline, a drag is recorded. Returns whether the key was handled. */
+  #record(event: KeyboardEvent, held: boolean): boolean {
+    const { state, dispatch } = this.#editor;
+    const isHeld = held && state.timeline.open && !event.ctrlKey && !event.metaKey && !event.altKey;
+    if (event.code !== 'KeyR' || (held && !isHeld)) return false;
+    if (held) event.preventDefault();
+    if (!event.repeat) dispatch({ type: 'record-held', held });
+    return held;
+  }
+
   #hold({ key, repeat }: KeyboardEvent, held: boolean): void {
     if (key === 'Alt' && !repeat) this.#editor.dispatch({ type: 'alt-held', held });
   }
@@ -138,6 +149,7 @@ export class KeyboardInput {
   }
 
   #up(event: KeyboardEvent): void {
+    this.#record(event, false);
     if (event.key === ' ') {
       const held = this.#holdSpace(false);
       // A focused button would be clicked by the release of Space.
@@ -151,6 +163,7 @@ export class KeyboardInput {
     if (this.#root.contains(relatedTarget as Node | null)) return;
     this.#holdSpace(false);
     this.#editor.dispatch({ type: 'alt-held', held: false });
+    this.#editor.dispatch({ type: 'record-held', held: false });
     this.#editor.dispatch({ type: 'preview-held', command: null });
   }
 }

@@ -2,6 +2,7 @@
 import type { Pose, PosedPicture } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
 import type { HiddenCorners, Turns } from '../document/handle';
+import type { PosesAt } from '../document/moment';
 import type { Project } from '../document/project';
 import type {
   CellBorders,
@@ -17,6 +18,7 @@ import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import { MOTION_STRIDE } from '../geometry/skin';
 import { type Symmetry, symmetryOf } from '../geometry/symmetry';
 import type { Vec } from '../geometry/vec';
+import { OpenClip } from './clip_poses';
 
 const NO_TURNS: Turns = new Map();
 const NOTHING_HIDDEN: HiddenCorners = new Map();
@@ -32,6 +34,9 @@ export class SolutionDeformation implements Deformation {
   #pose: Pose | null = null;
   /** Found when somebody snaps to it. */
   #symmetry: Symmetry | undefined;
+
+  readonly #clip = new OpenClip();
+  readonly posesAt: PosesAt = (clip, handles, time) => this.#clip.at(clip, handles, time);
 
   constructor(picture: PosedPicture, data: SolutionData) {
     this.#picture = picture;
@@ -149,6 +154,7 @@ export class SolutionDeformation implements Deformation {
 
   free(): void {
     this.#picture.free();
+    this.#clip.free();
   }
 }
 

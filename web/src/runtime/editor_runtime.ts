@@ -23,13 +23,16 @@ import type { MappedPoint } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 import { type DropReceiver, DropTarget } from '../input/drop';
 import type { StudyView } from '../ui/study_view';
+import type { TimelineView } from '../ui/timeline_view';
 import { CanvasView } from './canvas_view';
 import { Clipboard } from './clipboard';
+import { Clock } from './clock';
 import { carryOut, type Resources } from './effects';
 import { Files } from './files';
 import { Focus } from './focus';
 import { FocusKeeper } from './focus_keeper';
 import { type Frame, Frames } from './frames';
+import { LazyView } from './lazy_view';
 import { MediaWatcher } from './media_watcher';
 import { MenuPopover } from './menu_popover';
 import { Pictures } from './pictures';
@@ -64,6 +67,7 @@ export class EditorRuntime {
   readonly #files: Files;
   readonly #storage: Storage;
   readonly #timers: Timers;
+  readonly #clock: Clock;
   readonly #focus: Focus;
   readonly #focusKeeper: FocusKeeper;
   readonly #menu: MenuPopover;
@@ -72,6 +76,7 @@ export class EditorRuntime {
   readonly #media: MediaWatcher;
   readonly #reach: ReachCache;
   readonly #study: Study;
+  readonly #timeline: LazyView<TimelineView>;
   readonly #listening = new AbortController();
   readonly #loads = new Map<number, { resolve(): void; reject(reason: unknown): void }>();
   #lastReply = 0;
@@ -90,6 +95,7 @@ export class EditorRuntime {
     this.#files = new Files(dispatch, this.#pictures, this.#solver);
     this.#storage = new Storage(dispatch);
     this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
+    this.#clock = new Clock((seconds) => dispatch({ type: 'clock-ticked', seconds }));
     this.#focus = new Focus(element.root);
     this.#focus.watch(dispatch, this.#listening.signal);
     this.#focusKeeper = new FocusKeeper(element.node);
@@ -111,6 +117,10 @@ export class EditorRuntime {
     });
     this.#reach = new ReachCache(() => this.#frames?.request());
     this.#study = new Study(element.root, this.#store, this.#pictures);
+    this.#timeline = new LazyView(
+      element.root,
+      async () => (await import('../ui/timeline/timeline')).timelineView,
+    );
     const resources = this.#resourcesOf(element);
   }
 
@@ -121,6 +131,11 @@ export class EditorRuntime {
   /** The study card; null until it is loaded. */
   get study(): StudyView | null {
     return this.#study.view;
+  }
+
+  /** The timeline; null until it is loaded. */
+  get timeline(): TimelineView | null {
+    return this.#timeline.view;
   }
 
   /** Whether the stage is on the page. */
@@ -213,6 +228,7 @@ export class EditorRuntime {
     this.#store.dispose();
     this.#listening.abort();
     this.#timers.dispose();
+    this.#clock.run(false);
     this.#study.dispose();
     this.#reach.dispose();
     this.#media.dispose();
@@ -236,8 +252,22 @@ export class EditorRuntime {
     this.#solver.freeUnused(state);
     this.#frames?.request();
     this.#study.follow(() => this.#element.render());
+    if (state.timeline.open) this.#loadTimeline();
     // An animation out of sight is rendered once it is seen.
-    if (event.type !== 'handles-posed' || this.#frames?.seen) this.#element.render();
+    const moves = event.type === 'handles-posed' || event.type === 'clock-ticked';
+    if (!moves || this.#frames?.seen) this.#element.render();
+  }
+
+  #loadTimeline(): void {
+    const failed = (error: Error) => {
+      this.dispatch({ type: 'timeline-opened', open: false });
+      this.dispatch({ type: 'error-reported', error });
+    };
+    const loaded = () => {
+      this.#element.render();
+      this.#element.rendered().then(() => this.#focus.moveToControl('timeline'));
+    };
+    this.#timeline.want(loaded, failed);
   }
 
   #frame(): Frame {
@@ -304,6 +334,7 @@ export class EditorRuntime {
         return runtime.#isPixelated;
       },
       clipboard: this.#clipboard,
+      clock: this.#clock,
       files: this.#files,
       focus: this.#focus,
       menu: this.#menu,

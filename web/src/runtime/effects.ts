@@ -5,6 +5,7 @@ import { prepareEncoder } from '../io/encoder';
 import { toggleExport } from '../ui/export_menu';
 import { showSelected } from '../ui/handle_list';
 import type { Clipboard } from './clipboard';
+import type { Clock } from './clock';
 import type { Files } from './files';
 import type { Focus } from './focus';
 import type { MenuPopover } from './menu_popover';
@@ -19,6 +20,7 @@ export interface Resources {
   readonly root: ShadowRoot;
   readonly state: EditorState;
   readonly clipboard: Clipboard;
+  readonly clock: Clock;
   readonly files: Files;
   readonly focus: Focus;
   readonly menu: MenuPopover;
@@ -77,6 +79,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'toggle-export': (_, { root }) => toggleExport(root),
   'set-theme': (effect, resources) => resources.setTheme(effect.theme),
   'release-input': (_, resources) => resources.releaseInput(),
+  'run-clock': ({ on }, { clock }) => clock.run(on),
   'start-timer': (effect, { timers }) => timers.start(effect.timer, effect.ms),
   'stop-timer': (effect, { timers }) => timers.stop(effect.timer),
 };

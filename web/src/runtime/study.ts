@@ -5,56 +5,48 @@ import type { EditorAccess } from '../editor/access';
 import type { EditorState } from '../editor/state';
 import type { FigureName } from '../editor/study_state';
 import { viewModel } from '../editor/view_model';
-import { WarpError } from '../error';
+import type { WarpError } from '../error';
 import { svgText } from '../io/svg';
 import type { StudyView, VariantCanvases } from '../ui/study_view';
 import type { Compare } from './compare';
+import { LazyView, notLoaded } from './lazy_view';
 import type { Pictures } from './pictures';
 
 export class Study {
   readonly #root: ShadowRoot;
   readonly #editor: EditorAccess;
   readonly #pictures: Pictures;
+  readonly #card: LazyView<StudyView>;
   #canvases: VariantCanvases;
   /** While the comparison is on show. */
   #compare: Promise<Compare> | null = null;
-  #view: StudyView | null = null;
-  #loading = false;
 
   constructor(root: ShadowRoot, editor: EditorAccess, pictures: Pictures) {
     this.#root = root;
     this.#editor = editor;
     this.#pictures = pictures;
     this.#canvases = this.#freshCanvases();
+    this.#card = new LazyView(root, async () => {
+      const { studyView } = await import('../ui/study/study');
+      return studyView(() => this.#canvases);
+    });
   }
 
   /** Null until it is loaded. */
   get view(): StudyView | null {
-    return this.#view;
+    return this.#card.view;
   }
 
   /** Loads the card if the state shows it. @param loaded called once it can be rendered. */
   follow(loaded: () => void): void {
     this.#followComparison();
-    if (this.#view || this.#loading || this.#editor.state.study.page === null) return;
-    this.#loading = true;
-    import('../ui/study/study')
-      .then(({ studyView }) => {
-        const view = studyView(() => this.#canvases);
-        this.#dress(view);
-        this.#view = view;
-        loaded();
-      })
-      .catch((cause: unknown) => this.#failed(cause))
-      .finally(() => {
-        this.#loading = false;
-      });
+    if (this.#editor.state.study.page !== null) this.#card.want(loaded, (error) => this.#failed(error));
   }
 
   /** A figure as an SVG file, in light colours; null while it is not known. */
   async figureText(name: FigureName, state: EditorState): Promise<string | null> {
     const compare = await this.#compare;
-    const figure = this.#view?.figure(name, viewModel(state), compare?.pngs() ?? null);
+    const figure = this.view?.figure(name, viewModel(state), compare?.pngs() ?? null);
     if (!figure) return null;
     const place = this.#root.ownerDocument.createElement('div');
     place.className = 'figure-to-save';
@@ -72,10 +64,9 @@ export class Study {
     this.#endComparison();
   }
 
-  #failed(cause: unknown): void {
+  #failed(error: WarpError): void {
     this.#compare = null;
     this.#editor.dispatch({ type: 'study-shown', page: null });
-    const error = new WarpError('file', 'This card could not be loaded: is the network there?', { cause });
     this.#editor.dispatch({ type: 'error-reported', error });
   }
 
@@ -91,7 +82,7 @@ export class Study {
     );
     this.#compare.then(
       (compare) => compare.follow(),
-      (cause: unknown) => this.#failed(cause),
+      (cause: unknown) => this.#failed(notLoaded(cause)),
     );
   }
 
@@ -108,14 +99,5 @@ export class Study {
 
   #freshCanvases(): VariantCanvases {
     return byVariant(() => this.#root.ownerDocument.createElement('canvas'));
-  }
-
-  /** Style sheets belong to the document that made them. */
-  #dress({ styles }: StudyView): void {
-    const window = this.#root.ownerDocument.defaultView;
-    if (!window) return;
-    const sheet = new window.CSSStyleSheet();
-    sheet.replaceSync(styles.join('\n'));
-    this.#root.adoptedStyleSheets = [...this.#root.adoptedStyleSheets, sheet];
   }
 }

@@ -3,13 +3,15 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { ariaKeys, COMMANDS, type CommandName, keyHint } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
-import { icon, iconOf } from './icons';
+import { type IconName, icon, iconOf } from './icons';
 
 export interface Look {
   readonly text?: string;
   /** The word below the icon on phones: part of the label. Without it, the text. */
   readonly caption?: string;
   readonly pressed?: boolean;
+  /** In place of the command's icon. */
+  readonly icon?: IconName;
   /** A fuller label than the table's: "Undo move head". */
   readonly label?: string;
 }
@@ -39,6 +41,6 @@ export function commandButton(
     ?disabled=${!model.canRun(name)}
     @click=${() => dispatch({ type: 'command-run', command: name })}
   >
-    ${icon(iconOf(name))}${look.text ? html`<span class="word">${look.text}</span>` : ''}${captionOf(look.caption ?? look.text)}
+    ${icon(look.icon ?? iconOf(name))}${look.text ? html`<span class="word">${look.text}</span>` : ''}${captionOf(look.caption ?? look.text)}
   </button>`;
 }

@@ -65,6 +65,17 @@ const GROUPS: readonly (readonly [title: string, rows: readonly Row[]])[] = [
       'preview',
     ],
   ],
+  [
+    'Timeline',
+    [
+      'timeline',
+      'play',
+      'set-key',
+      ['R drag', 'Record a motion'],
+      ['arrows', 'On the ruler: to the next frame; on a key: to the next key'],
+      ['Alt arrows', 'Move keys by a frame'],
+    ],
+  ],
   ['Document', ['open', 'save', 'save-whole', 'export', 'export-as', 'undo', 'redo']],
 ];
 

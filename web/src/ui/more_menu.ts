@@ -23,6 +23,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
   </button>`;
   const reset = { type: 'command-run', command: 'reset-all' } as const;
   const lens = { type: 'command-run', command: 'lens' } as const;
+  const timeline = { type: 'command-run', command: 'timeline' } as const;
   const keys = { type: 'command-run', command: 'keys' } as const;
   return html`<div class="menu more">
     <button type="button" class="button" part="button" popovertarget="more" aria-label="More">
@@ -37,6 +38,7 @@ export function moreMenu(model: EditorModel, dispatch: Dispatch): TemplateResult
       aria-label="More"
       @beforetoggle=${placeBelowButton}
     >
+      ${entry('timeline', COMMANDS.timeline.label, timeline, model.canRun('timeline'))}
       ${entry('reset', COMMANDS['reset-all'].label, reset, model.canRun('reset-all'))}
       ${entry(model.dark ? 'light' : 'dark', themeLabel(model), { type: 'theme-switched' })}
       ${entry('lens', COMMANDS.lens.label, lens, model.canRun('lens'))}

@@ -32,6 +32,10 @@ export function outlineOverlay(outline: Float32Array | null, camera: Camera): Ov
   return outlined('outline', path(outline.length / 2, 2, through(outline, camera)));
 }
 
+/** @param outline as for {@link outlineOverlay}. */
+export const onionOverlay = (outline: Float32Array, camera: Camera): SVGTemplateResult =>
+  outlined('onion-skin', path(outline.length / 2, 2, through(outline, camera)));
+
 export function creaseOverlay(creased: CreasedMesh | null, camera: Camera): Overlay {
   if (!creased) return nothing;
   const { posed, triangles } = creased;

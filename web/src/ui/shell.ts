@@ -16,6 +16,7 @@ import { progressBar } from './progress';
 import { disabledStage, stage } from './stage';
 import { statusLine } from './status';
 import type { StudyView } from './study_view';
+import type { TimelineView } from './timeline_view';
 import { toolHint } from './tool_hint';
 import { toolStrip } from './tool_strip';
 import { topBar } from './toolbar';
@@ -24,12 +25,14 @@ import { tooltips } from './tooltips';
 /**
  * @param canvas shows the picture, and lives as long as its WebGL context.
  * @param study null until it is loaded.
+ * @param timeline likewise.
  */
 export function shell(
   model: EditorModel,
   dispatch: Dispatch,
   canvas: HTMLCanvasElement,
   study: StudyView | null,
+  timeline: TimelineView | null,
 ): TemplateResult {
   const { playing } = model;
   const studying = study !== null && model.study.page !== null && !playing;
@@ -45,7 +48,7 @@ export function shell(
       ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
       ${playing ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
     </div>
-    ${contextMenu(model, dispatch)}
+    ${timeline && model.timeline ? timeline.bar(model, dispatch) : nothing} ${contextMenu(model, dispatch)}
     ${playing ? nothing : html`${keysCard(model)} ${statusLine(model, dispatch)}`}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>
   </div>

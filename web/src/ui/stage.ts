@@ -15,7 +15,7 @@ import { guideLines } from './guides';
 import { handleButtons } from './handle_buttons';
 import { handleMarks } from './handle_marks';
 import { nameMarks } from './name_marks';
-import { cellOverlay, creaseOverlay, outlineOverlay, siteOverlay } from './overlays';
+import { cellOverlay, creaseOverlay, onionOverlay, outlineOverlay, siteOverlay } from './overlays';
 
 /** Keys without a control of their own. */
 const KEYS = 'Arrow keys move the selection. Comma and full stop turn it, and with Alt scale it.';
@@ -51,7 +51,7 @@ export function stage(
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
   ${model.playing ? nothing : frame(model)} ${cellOverlay(model.overlays.cells ? model.borders : null, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
-  ${outlineOverlay(model.outline, model.camera)}
+  ${model.onion.map((outline) => onionOverlay(outline, model.camera))} ${outlineOverlay(model.outline, model.camera)}
   ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)} ${handled ? nameMarks(model) : nothing}
   ${selectionBox(model)}`;
 

@@ -29,6 +29,7 @@ export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
       ${command('reset-all')}
       ${holdButton('compare', 'Compare', model, dispatch)} ${overlayButton(model, dispatch)}
     </div>
+    <div class="group">${command('timeline', { text: 'Animate', pressed: model.timeline !== null })}</div>
     ${moreMenu(model, dispatch)}
     ${title(model)}
     ${keysButton()} ${themeButton(model, dispatch)}

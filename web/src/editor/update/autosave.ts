@@ -1,5 +1,6 @@
 /** Autosave: the work is stored under a key after each step, and tabs that share the key hear of it. */
 
+import { fileProject } from '../../document/document';
 import { recordOf, timeline } from '../../document/history';
 import { drawingsOf } from '../../tools/machine';
 import type { AutosaveState } from '../autosave_state';
@@ -88,7 +89,9 @@ export const autosaveHandlers: Handlers<
   },
   'project-saved': (state, { project }, emit) => {
     // Another picture may have been opened while the person chose a file.
-    const isOpen = timeline(state.document.history).values.some((document) => document.project === project);
+    const isOpen = timeline(state.document.history).values.some(
+      (document) => fileProject(document) === project,
+    );
     return isOpen ? saveWork(withDocument(state, { saved: project }), emit) : state;
   },
   'other-tab-stored': (state, _, emit) => {

@@ -1,6 +1,6 @@
 /** Running the commands of buttons, menus and keys. */
 
-import { selectedHandles } from '../../document/document';
+import { fileProject, selectedHandles } from '../../document/document';
 import { parsePose } from '../../document/pose_text';
 import type { Handle } from '../../document/project';
 import {
@@ -27,12 +27,14 @@ import { stem } from '../picture';
 import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
 import { handleWords } from '../wording';
+import { setKeys } from './clip_keys';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
 import { openSettings, togglePreview } from './display';
 import { mirror, paste, raise, removeSelected, reset } from './edits';
 import { cancelExport, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
 import { announce, dismiss, notify, shownNotice } from './notices';
+import { openTimeline, play } from './playhead';
 import { applyTools } from './press';
 import { renameSelected } from './renaming';
 import { select } from './selection';
@@ -65,6 +67,9 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   polygon: (state, emit) => takeTool(state, 'polygon', emit),
   lasso: (state, emit) => takeTool(state, 'lasso', emit),
   hand: (state, emit) => takeTool(state, 'hand', emit),
+  timeline: (state, emit) => openTimeline(state, !state.timeline.open, emit),
+  play: (state, emit) => play(state, !state.timeline.playing, emit),
+  'set-key': edit((state, emit) => setKeys(state, emit)),
   lens: (state, emit) => showStudy(state, state.study.page === 'lens' ? null : 'lens', emit),
   open: effect('pick-file'),
   save: (state, emit) => save(state, false, emit),
@@ -185,7 +190,8 @@ export function copiedHandles(state: EditorState): readonly Handle[] {
 function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
   const project = projectForFile(state);
   const name = `${stem(project.image.src)}.c2warp.json`;
-  emit({ type: 'save-project', name, project, of: projectOf(state), picture: whole ? state.picture : null });
+  const of = fileProject(documentOf(state));
+  emit({ type: 'save-project', name, project, of, picture: whole ? state.picture : null });
   return state;
 }
 

@@ -1,6 +1,7 @@
 /** The document in the state, and small changes of it. */
-import type { Document } from '../../document/document';
-import type { History } from '../../document/history';
+import { type Document, isSameWork } from '../../document/document';
+import * as history from '../../document/history';
+import { absorbed } from '../../document/moment';
 import { endGuarding } from '../fold_guard';
 import type { DocumentState, EditorState } from '../state';
 
@@ -9,10 +10,17 @@ export const withDocument = (state: EditorState, change: Partial<DocumentState>)
   document: { ...state.document, ...change },
 });
 
-export const withHistory = (state: EditorState, next: History<Document>): EditorState =>
+export const withHistory = (state: EditorState, next: history.History<Document>): EditorState =>
   withDocument(state, { history: next });
 
 export const guardEnded = (state: EditorState): EditorState => ({
   ...state,
   guard: endGuarding(state.guard),
 });
+
+/** Ends the open step. What it has changed of poses at a time of a clip are keys now. */
+export function committed(state: EditorState): EditorState {
+  const { history: steps } = state.document;
+  const present = steps.open ? absorbed(steps.open.value, steps.present) : steps.present;
+  return withHistory(state, history.commit(history.update(steps, present), isSameWork));
+}

@@ -9,6 +9,9 @@ import type { EditorEvent } from '../events';
 import type { EditorState } from '../state';
 import { waits } from '../waiting_input';
 import { autosaveHandlers } from './autosave';
+import { clipKeyHandlers } from './clip_keys';
+import { followClip } from './clip_slice';
+import { clipHandlers } from './clips';
 import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
 import { requestBorders } from './display';
@@ -22,9 +25,11 @@ import { lensHandlers, requestStudy } from './lens';
 import { menuHandlers } from './menu';
 import { dismiss, noticeHandlers } from './notices';
 import { pageHandlers } from './page';
+import { playheadHandlers } from './playhead';
 import { followCamera, pointerHandlers } from './pointer';
 import { checkPose } from './pose_checks';
 import { recentHandlers } from './recent';
+import { recordingHandlers } from './recording';
 import { renamingHandlers } from './renaming';
 import { playOn, replayHandlers } from './replay';
 import { requestEndHandlers } from './request_end';
@@ -58,6 +63,8 @@ const timerHandlers: Handlers<'timer-elapsed'> = {
 
 const HANDLERS: Handlers<EditorEvent['type']> = {
   ...autosaveHandlers,
+  ...clipHandlers,
+  ...clipKeyHandlers,
   ...commandHandlers,
   ...controlHandlers,
   ...exportHandlers,
@@ -69,8 +76,10 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...menuHandlers,
   ...noticeHandlers,
   ...pageHandlers,
+  ...playheadHandlers,
   ...pointerHandlers,
   ...recentHandlers,
+  ...recordingHandlers,
   ...renamingHandlers,
   ...replayHandlers,
   ...requestEndHandlers,
@@ -109,11 +118,12 @@ function reduce(state: EditorState, event: EditorEvent, emit: Emit): EditorState
 }
 
 /**
- * Follows from any state: the hover under a moved camera, what is to be shown, input to be released, guides that end,
- * the title.
+ * Follows from any state: the pose at the playhead, the hover under a moved camera, content of cards, input to be
+ * released, guides that end, the title.
  */
 const settled = (before: EditorState, emit: Emit): EditorState => {
-  const shown = requestStudy(requestBorders(followCamera(withoutGuides(before)), emit), emit);
+  const posed = followClip(withoutGuides(before), emit);
+  const shown = requestStudy(requestBorders(followCamera(posed), emit), emit);
   return reportTitle(askForRelease(shown, emit), emit);
 };
 

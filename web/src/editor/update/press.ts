@@ -15,10 +15,11 @@ import { documentOf, type EditorState } from '../state';
 import { moveCamera } from '../view';
 import { draftWords, placeWords } from '../wording';
 import { saveWork } from './autosave';
-import { guardEnded, withDocument, withHistory } from './document_slice';
+import { committed, guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { look } from './lens';
 import { announce } from './notices';
+import { beginRecording, dropRecording, endRecording, recordMove } from './recording';
 import { select } from './selection';
 
 /** Takes the outcome of a tool and reduces its effects. */
@@ -28,7 +29,7 @@ export const applyTools = (state: EditorState, { tools, effects }: ToolsOutcome,
 function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
   switch (effect.type) {
     case 'begin':
-      return beginDrag(state, effect.label);
+      return beginRecording(beginDrag(state, effect.label), emit);
     case 'edit':
       return drag(state, effect, emit);
     case 'commit':
@@ -63,8 +64,7 @@ function reduced(state: EditorState, effect: Effect, emit: Emit): EditorState {
 
 /** Ends the current press and keeps its changes so far. */
 export function endPressKeepingChanges(state: EditorState, emit: Emit): EditorState {
-  const ended = guardEnded(endPress(state, cancelPress(state.tools), emit));
-  return withHistory(ended, history.commit(ended.document.history, isSameWork));
+  return committed(guardEnded(endPress(state, cancelPress(state.tools), emit)));
 }
 
 /** Drops the effects that end a press, except the one that clears its selection box. */
@@ -100,17 +100,16 @@ function drag(state: EditorState, edit: PosedDocument, emit: Emit): EditorState 
   const crossing = crossed(state.document.crossing, deformation, before, document);
   const raised = crossing === state.document.crossing ? document : withDepths(document, crossing);
   const next = withDocument(state, { crossing, history: history.update(state.document.history, raised) });
-  return edited({ ...next, guard }, 'input', emit);
+  return edited(recordMove({ ...next, guard }), 'input', emit);
 }
 
 /** Ends a drag: one undo step, or none if it changed nothing. */
 function endDrag(before: EditorState, emit: Emit): EditorState {
-  const state = guardEnded(loweredAgain(before));
-  const committed = withHistory(state, history.commit(state.document.history, isSameWork));
+  const state = endRecording(guardEnded(loweredAgain(before)), emit);
+  const ended = committed(state);
   // A drag that changed nothing: its label must disappear from undo.
-  if (committed.document.history.past === state.document.history.past)
-    return edited(committed, 'input', emit);
-  const next = edited(committed, 'change', emit);
+  if (ended.document.history.past === state.document.history.past) return edited(ended, 'input', emit);
+  const next = edited(ended, 'change', emit);
   const label = history.undoLabel(next.document.history) ?? '';
   const place = placeWords(documentOf(next), turnsOf(next));
   return announce(next, place === '' ? label : `${label}. ${place}`);
@@ -128,4 +127,8 @@ function loweredAgain(state: EditorState): EditorState {
 
 /** Takes a drag back. */
 const bailDrag = (state: EditorState, emit: Emit): EditorState =>
-  edited(guardEnded(withHistory(state, history.bail(state.document.history))), 'input', emit);
+  edited(
+    dropRecording(guardEnded(withHistory(state, history.bail(state.document.history))), emit),
+    'input',
+    emit,
+  );

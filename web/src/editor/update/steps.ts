@@ -3,6 +3,7 @@ import { type ModeReturn, modeOf } from '../../document/bending';
 import { type Document, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
+import { absorbed } from '../../document/moment';
 import type { Handle, PoseMode } from '../../document/project';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
 import type { Emit } from '../effects';
@@ -11,12 +12,13 @@ import type { Work } from '../work';
 import { guardEnded, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { announce } from './notices';
+import { closeTimeline, returnToMoment } from './playhead';
 import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
 
 /** Opens work: a document with its history and its unfinished drawings. */
 export function openWork(state: EditorState, { record, drawings, saved }: Work, emit: Emit): EditorState {
-  const rested = endPress(state, restoreDrawings(state.tools, drawings), emit);
+  const rested = closeTimeline(endPress(state, restoreDrawings(state.tools, drawings), emit), emit);
   const opened = withDocument(guardEnded(rested), {
     drawn: null,
     travelled: null,
@@ -48,7 +50,8 @@ export function commitStep(
   emit: Emit,
   key: string | null = null,
 ): EditorState {
-  const next = history.step(state.document.history, label, document, isSameWork, key);
+  const keyed = absorbed(documentOf(state), document);
+  const next = history.step(state.document.history, label, keyed, isSameWork, key);
   if (next === state.document.history) return state;
   const stepped = withDocument(state, { history: next, travelled: null });
   // The current press would overwrite this step. Its changes so far are a step of their own.
@@ -75,7 +78,7 @@ function travel(before: EditorState, way: 'undo' | 'redo', emit: Emit): EditorSt
   const [label, move] =
     way === 'undo' ? [history.undoLabel(present), history.undo] : [history.redoLabel(present), history.redo];
   if (label === null) return state;
-  const travelled = withDocument(state, { history: move(present), travelled: way });
+  const travelled = returnToMoment(withDocument(state, { history: move(present), travelled: way }));
   const { handle } = state.focus;
   // The focused handle may have another name now: keys go on at the selected one.
   if (handle !== null && !handleById(documentOf(travelled), handle))

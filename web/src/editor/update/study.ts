@@ -11,7 +11,7 @@ import { SETTING_NAMES } from '../setting_texts';
 import { documentOf, type EditorState, projectOf } from '../state';
 import type { StudyPage } from '../study_state';
 import { refitView } from '../view';
-import { withDocument, withHistory } from './document_slice';
+import { committed, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import type { Handlers } from './handlers';
 import { beginLooking, withStudy } from './lens';
@@ -47,7 +47,7 @@ function set(state: EditorState, setting: Setting, emit: Emit): EditorState {
   if (!isSliding(state, setting))
     return commitStep(state, labelOf(setting), withNew(state, setting), emit, `setting ${setting.name}`);
   const updated = history.update(state.document.history, withNew(state, setting));
-  return edited(withHistory(state, history.commit(updated, isSameWork)), 'change', emit);
+  return edited(committed(withHistory(state, updated)), 'change', emit);
 }
 
 /** Sets a setting during a drag of its slider: the whole drag is one undo step. */

@@ -50,6 +50,16 @@ export const overlaysStyle = css`
     stroke: #fffc;
     stroke-width: 4;
   }
+  .onion-skin {
+    fill: none;
+    stroke: #2558e8a0;
+    stroke-width: 1.25;
+    stroke-linecap: round;
+  }
+  .onion-skin.pale {
+    stroke: #fff9;
+    stroke-width: 3.5;
+  }
   .cells {
     fill: none;
     stroke: #b3226b;

@@ -108,7 +108,7 @@ export const toolbarStyle = css`
     .title,
     .keys-button,
     .top .theme,
-    .top .group > :is([data-command='open'], [data-command='reset-all']) {
+    .top .group > :is([data-command='open'], [data-command='reset-all'], [data-command='timeline']) {
       display: none;
     }
   }

@@ -1,0 +1,218 @@
+import { describe, expect, it } from 'vitest';
+import { anchor } from '../../document/handle';
+import type { Vec } from '../../geometry/vec';
+import type { EditorEvent } from '../events';
+import { FakeRuntime } from '../fake_runtime';
+import { filedProject } from '../open_clip';
+import { documentOf, isUnsaved, projectOf } from '../state';
+import { viewModel } from '../view_model';
+import { projectForFile } from './exporting';
+
+const pointer = (stage: Vec) => ({ stage, shift: false, alt: false, free: false, coarse: false });
+
+function opened(): FakeRuntime {
+  const runtime = new FakeRuntime();
+  runtime.open();
+  for (const [id, x] of [
+    ['a', 100],
+    ['b', 300],
+  ] as const) {
+    const place: Vec = [x, 150];
+    runtime.dispatch({ type: 'handle-added', handle: { id, kind: 'point', rest: place, posed: place } });
+  }
+  runtime.solve();
+  runtime.dispatch({ type: 'command-run', command: 'timeline' });
+  runtime.dispatch({ type: 'clip-added', preset: null });
+  return runtime;
+}
+
+function send(runtime: FakeRuntime, ...events: readonly EditorEvent[]): void {
+  for (const event of events) runtime.dispatch(event);
+}
+/** The place on the stage of a place of the picture. */
+function staged(runtime: FakeRuntime, [x, y]: Vec): Vec {
+  const { scale, x: left, y: top } = runtime.state.view.camera;
+  return [x * scale + left, y * scale + top];
+}
+function drag(runtime: FakeRuntime, ...way: readonly Vec[]): void {
+  const [from, ...others] = way.map((place) => pointer(staged(runtime, place)));
+  if (!from) return;
+  send(runtime, { type: 'press-began', pointer: from, pans: false });
+  for (const to of others) send(runtime, { type: 'press-moved', pointer: to });
+  send(runtime, { type: 'press-ended', pointer: others.at(-1) ?? from });
+}
+const move = (time: number): EditorEvent => ({ type: 'playhead-moved', time });
+const clip = (runtime: FakeRuntime) => filedProject(runtime.state).clips?.[0];
+const keys = (runtime: FakeRuntime, handle: string) =>
+  clip(runtime)
+    ?.tracks.find((track) => track.handle === handle)
+    ?.keys.map(({ time, posed }) => [time, posed?.[0]]);
+const x = (runtime: FakeRuntime, id: string) => {
+  const handle = projectOf(runtime.state).handles.find((handle) => handle.id === id);
+  return handle && anchor(handle)[0];
+};
+
+describe('the timeline', () => {
+  it('makes keys of drags at the playhead, and shows the pose between them', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [120, 150], [160, 150]);
+    expect(keys(runtime, 'a')).toEqual([
+      [0, 100],
+      [1, 160],
+    ]);
+    send(runtime, move(0.5));
+    expect(x(runtime, 'a')).toBe(130);
+    expect(x(runtime, 'b')).toBe(300);
+  });
+
+  it('leaves the poses of the file as they are', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [160, 150]);
+    const [a] = projectForFile(runtime.state).handles;
+    expect(a && anchor(a)).toEqual([100, 150]);
+    const saved = filedProject(runtime.state);
+    send(runtime, { type: 'project-saved', project: saved }, move(0.2), move(0.7));
+    expect(isUnsaved(runtime.state)).toBe(false);
+    send(runtime, { type: 'timeline-opened', open: false });
+    expect(x(runtime, 'a')).toBe(100);
+    expect(documentOf(runtime.state).moment).toBeUndefined();
+  });
+
+  it('makes one step of each action, and undoes it where it was made', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [160, 150]);
+    send(runtime, move(0.3), { type: 'undo-asked' });
+    expect(keys(runtime, 'a')).toBeUndefined();
+    expect(runtime.state.timeline.time).toBe(1);
+    send(runtime, { type: 'redo-asked' }, move(1));
+    expect(x(runtime, 'a')).toBe(160);
+    send(runtime, { type: 'keys-selected', keys: [{ handle: 'a', time: 1 }] });
+    send(
+      runtime,
+      { type: 'keys-dragged', by: 0.21, ended: false },
+      { type: 'keys-dragged', by: 0.51, ended: true },
+    );
+    expect(keys(runtime, 'a')).toEqual([
+      [0, 100],
+      [1.5, 160],
+    ]);
+    expect(viewModel(runtime.state).undo).toBe('Move 1 key');
+    send(runtime, { type: 'undo-asked' });
+    expect(keys(runtime, 'a')?.[1]).toEqual([1, 160]);
+  });
+
+  it('plays by the clock, around the seam of a clip that repeats', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [160, 150]);
+    send(runtime, move(1.9), { type: 'command-run', command: 'play' });
+    expect(runtime.effects).toContainEqual({ type: 'run-clock', on: true });
+    send(runtime, { type: 'clock-ticked', seconds: 0.2 }, { type: 'clock-ticked', seconds: 0.25 });
+    expect(runtime.state.timeline.time).toBeCloseTo(0.35, 10);
+    send(runtime, { type: 'command-run', command: 'play' });
+    // Stopped at a frame.
+    expect(runtime.state.timeline.time * 30).toBeCloseTo(Math.round(0.35 * 30), 10);
+    expect(runtime.effects.at(-1)).not.toEqual({ type: 'run-clock', on: true });
+  });
+
+  it('stops at the end of a clip that plays once, and begins again there', () => {
+    const runtime = opened();
+    send(runtime, { type: 'clip-loop-chosen', loop: 'none' }, move(1.9), {
+      type: 'command-run',
+      command: 'play',
+    });
+    send(runtime, { type: 'clock-ticked', seconds: 0.25 });
+    expect([runtime.state.timeline.time, runtime.state.timeline.playing]).toEqual([2, false]);
+    send(runtime, { type: 'command-run', command: 'play' }, { type: 'clock-ticked', seconds: 0.1 });
+    expect(runtime.state.timeline.time).toBeCloseTo(0.1, 10);
+  });
+
+  it('records a drag in real time, and makes the clip as long as it', () => {
+    const runtime = opened();
+    const to = (place: Vec): EditorEvent => ({
+      type: 'press-moved',
+      pointer: pointer(staged(runtime, place)),
+    });
+    const tick = { type: 'clock-ticked', seconds: 0.1 } as const;
+    send(runtime, { type: 'record-held', held: true });
+    send(runtime, { type: 'press-began', pointer: pointer(staged(runtime, [100, 150])), pans: false });
+    send(runtime, to([110, 150]), to([100, 150]));
+    for (let k = 1; k <= 25; k++) send(runtime, tick, to([100 + 20 * (k % 5), 150]));
+    send(runtime, { type: 'press-ended', pointer: pointer(staged(runtime, [100, 150])) });
+    send(runtime, { type: 'record-held', held: false });
+    const recorded = keys(runtime, 'a') ?? [];
+    expect(recorded[0]).toEqual([0, 100]);
+    expect(recorded.at(-1)).toEqual([2.5, 100]);
+    expect(recorded.length).toBeLessThan(12);
+    expect(clip(runtime)?.duration).toBe(2.8);
+    expect(runtime.state.timeline.time).toBe(0);
+    expect(viewModel(runtime.state).undo).toBe('Record a');
+    send(runtime, { type: 'undo-asked' });
+    expect(keys(runtime, 'a')).toBeUndefined();
+  });
+
+  it('copies keys to another time, and says what does not fit', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [160, 150]);
+    send(runtime, {
+      type: 'keys-selected',
+      keys: [
+        { handle: 'a', time: 0 },
+        { handle: 'a', time: 1 },
+      ],
+    });
+    send(runtime, { type: 'keys-copied' }, move(0.5), { type: 'keys-pasted' });
+    expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.5]);
+    send(runtime, move(1.2), { type: 'keys-pasted' });
+    expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.5, 1, 1.2, 1.5]);
+    expect(runtime.state.notices.passing?.text).toContain('1 key was left out');
+  });
+
+  it('eases and removes the selected keys', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [160, 150]);
+    send(
+      runtime,
+      { type: 'keys-selected', keys: [{ handle: 'a', time: 0 }] },
+      { type: 'keys-eased', ease: 'hold' },
+    );
+    expect(clip(runtime)?.tracks[0]?.keys[0]?.ease).toBe('hold');
+    send(runtime, { type: 'keys-removed' });
+    expect(keys(runtime, 'a')).toEqual([[1, 160]]);
+  });
+
+  it('sets keys of the selected handles, and mirrors them to the other side', () => {
+    const runtime = opened();
+    send(
+      runtime,
+      move(1),
+      { type: 'handles-selected', ids: ['a'] },
+      { type: 'command-run', command: 'set-key' },
+    );
+    drag(runtime, [100, 150], [120, 150]);
+    send(runtime, { type: 'keys-selected', keys: [{ handle: 'a', time: 1 }] }, { type: 'keys-mirrored' });
+    expect(keys(runtime, 'b')).toEqual([[1, 280]]);
+  });
+
+  it('adds, names, duplicates and removes clips', () => {
+    const runtime = opened();
+    send(runtime, { type: 'clip-added', preset: 'sway' });
+    const names = () => filedProject(runtime.state).clips?.map(({ name }) => name);
+    expect(names()).toEqual(['clip', 'sway']);
+    expect(runtime.state.timeline.playing).toBe(true);
+    send(runtime, { type: 'clip-duplicated' }, { type: 'clip-renaming-switched', on: true });
+    send(runtime, { type: 'clip-named', name: ' big  sway ' });
+    expect(names()).toEqual(['clip', 'sway', 'big sway']);
+    send(runtime, { type: 'clip-renaming-switched', on: true }, { type: 'clip-named', name: 'sway' });
+    expect(runtime.state.notices.passing?.text).toContain('Another clip has the name "sway"');
+    send(runtime, { type: 'clip-removed' });
+    expect([names(), runtime.state.timeline.clip]).toEqual([['clip', 'sway'], 'clip']);
+    send(runtime, { type: 'undo-asked' });
+    expect(names()).toEqual(['clip', 'sway', 'big sway']);
+  });
+});

@@ -1,0 +1,41 @@
+/** The timeline of a project without clips: three that suit any handles, or one without keys. */
+import { html, type TemplateResult } from 'lit';
+import { CLIP_PRESETS, type ClipPreset } from '../../document/clip_presets';
+import type { Dispatch } from '../../editor/events';
+import { PRESET_NAMES, PRESET_TIPS } from '../../editor/timeline_texts';
+import type { EditorModel } from '../../editor/view_model';
+
+export const firstClip = (
+  model: EditorModel,
+  dispatch: Dispatch,
+): TemplateResult => html`<div class="first-clip">
+  <p>Make it move. Start with a clip, then drag handles at other times.</p>
+  <div class="presets">
+    ${CLIP_PRESETS.map((preset) => presetButton(preset, model, dispatch))}
+    <button
+      type="button"
+      class="button worded"
+      part="button"
+      ?disabled=${model.readonly}
+      @click=${() => dispatch({ type: 'clip-added', preset: null })}
+    >
+      New clip
+    </button>
+  </div>
+</div>`;
+
+const presetButton = (
+  preset: ClipPreset,
+  model: EditorModel,
+  dispatch: Dispatch,
+): TemplateResult => html`<button
+  type="button"
+  class="button worded preset"
+  part="button"
+  data-preset=${preset}
+  data-tip=${PRESET_TIPS[preset]}
+  ?disabled=${model.readonly || model.document.project.handles.length === 0}
+  @click=${() => dispatch({ type: 'clip-added', preset })}
+>
+  ${PRESET_NAMES[preset]}
+</button>`;

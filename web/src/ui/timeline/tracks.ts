@@ -1,0 +1,130 @@
+/** A row for each handle, with its keys as diamonds. */
+import { html, type TemplateResult } from 'lit';
+import { repeat } from 'lit/directives/repeat.js';
+import type { KeyRef } from '../../document/clip_keys';
+import type { Clip } from '../../document/project';
+import type { Dispatch } from '../../editor/events';
+import type { TimelineKey, TimelineModel, TimelineRow } from '../../editor/timeline_model';
+import { EASE_NAMES, secondsText } from '../../editor/timeline_texts';
+import { boxSelection } from './box';
+import { follow } from './gestures';
+import { at, secondsPerPixel } from './scale';
+
+/** A press that moves less is a click, CSS pixels. */
+const SLIP = 3;
+
+export function trackRows(timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
+  const { clip, rows } = timeline;
+  if (!clip) return html``;
+  return html`<div
+    class="tracks"
+    role="group"
+    aria-label="Keys"
+    @pointerdown=${(event: PointerEvent) => boxSelection(event, timeline, dispatch)}
+  >
+    ${repeat(
+      rows,
+      ({ handle }) => handle,
+      (row) => trackRow(row, clip, timeline, dispatch),
+    )}
+  </div>`;
+}
+
+function trackRow(row: TimelineRow, clip: Clip, timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
+  return html`<div class="track ${row.selected ? 'selected' : ''}" role="group" aria-label=${row.name}>
+    <button
+      type="button"
+      class="track-name"
+      aria-pressed=${String(row.selected)}
+      @click=${(event: MouseEvent) =>
+        dispatch(
+          event.shiftKey
+            ? { type: 'handle-toggled', id: row.handle }
+            : { type: 'handles-selected', ids: [row.handle] },
+        )}
+    >
+      ${row.name}
+    </button>
+    <div class="lane">
+      <div class="time">
+        ${row.keys.map((key) => keyButton(key, row, clip, timeline, dispatch))}
+        <i class="playhead" .style=${at(clip, timeline.time)}></i>
+      </div>
+    </div>
+  </div>`;
+}
+
+/** A key. One of all keys takes part in the order of Tab; arrow keys go to the others. */
+function keyButton(
+  key: TimelineKey,
+  row: TimelineRow,
+  clip: Clip,
+  timeline: TimelineModel,
+  dispatch: Dispatch,
+): TemplateResult {
+  const ref: KeyRef = { handle: row.handle, time: key.time };
+  const label = `${row.name}, key at ${secondsText(key.shown)}, ${EASE_NAMES[key.ease].toLowerCase()}`;
+  return html`<button
+    type="button"
+    class="key ${key.ease}"
+    data-key-of=${row.handle}
+    data-time=${key.time}
+    tabindex=${isEntry(key, row, timeline) ? 0 : -1}
+    .style=${at(clip, key.shown)}
+    aria-label=${label}
+    aria-pressed=${String(key.selected)}
+    title=${label}
+    @pointerdown=${(event: PointerEvent) => press(event, ref, key, clip, timeline, dispatch)}
+    @dblclick=${() => dispatch({ type: 'playhead-moved', time: key.time })}
+  ></button>`;
+}
+
+/** Whether Tab comes to this key: the first selected one, or else the first of all. */
+function isEntry(key: TimelineKey, row: TimelineRow, { rows }: TimelineModel): boolean {
+  const keys = rows.flatMap((other) => other.keys.map((one) => ({ row: other, key: one })));
+  const entry = keys.find((one) => one.key.selected) ?? keys[0];
+  return entry?.row === row && entry.key === key;
+}
+
+export const selectedRefs = ({ rows }: TimelineModel): readonly KeyRef[] =>
+  rows.flatMap(({ handle, keys }) =>
+    keys.filter(({ selected }) => selected).map(({ time }) => ({ handle, time })),
+  );
+
+/** Selects the pressed key, with Shift besides the others, and drags the selected ones. */
+function press(
+  event: PointerEvent,
+  ref: KeyRef,
+  key: TimelineKey,
+  clip: Clip,
+  timeline: TimelineModel,
+  dispatch: Dispatch,
+): void {
+  if (event.button > 0) return;
+  event.stopPropagation();
+  const before = selectedRefs(timeline);
+  const others = before.filter(({ handle, time }) => handle !== ref.handle || time !== ref.time);
+  const adds = event.shiftKey || event.ctrlKey || event.metaKey;
+  if (adds) dispatch({ type: 'keys-selected', keys: key.selected ? others : [...before, ref] });
+  else if (!key.selected) dispatch({ type: 'keys-selected', keys: [ref] });
+  const button = event.currentTarget as HTMLElement;
+  button.focus();
+  const scale = secondsPerPixel(button.parentElement ?? button, clip);
+  const from = event.clientX;
+  let dragged = false;
+  const by = (now: PointerEvent) => (now.clientX - from) * scale;
+  follow(event, {
+    moved: (now) => {
+      dragged ||= Math.abs(now.clientX - from) > SLIP;
+      if (dragged) dispatch({ type: 'keys-dragged', by: by(now), ended: false });
+    },
+    ended: (now, cancelled) => {
+      if (dragged && cancelled) dispatch({ type: 'keys-drag-cancelled' });
+      else if (dragged) dispatch({ type: 'keys-dragged', by: by(now), ended: true });
+      else if (!adds) {
+        dispatch({ type: 'keys-selected', keys: [ref] });
+        dispatch({ type: 'playhead-moved', time: ref.time });
+      }
+    },
+  });
+}
