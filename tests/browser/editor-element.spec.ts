@@ -261,7 +261,7 @@ test('every element in view is drawn and posed, of many on a page', async ({ pag
   // All are in view at once, and one of the last is posed.
   await page.evaluate(() => {
     for (const warp of document.querySelectorAll<C2Warp>('c2-warp')) {
-      Object.assign(warp, { readonly: false, play: true });
+      Object.assign(warp, { readonly: false, posable: true });
       Object.assign(warp.style, { float: 'left', width: '150px', height: '150px' });
     }
   });
@@ -643,7 +643,7 @@ test('setting a property to undefined resets it, as frameworks do', async ({ pag
   await Editor.open(page);
   const left = await page.locator('c2-warp').evaluate((element) => {
     const warp = element as C2Warp;
-    const names = ['src', 'project', 'tool', 'readonly', 'disabled', 'play', 'theme', 'hint', 'hintFor'];
+    const names = ['src', 'project', 'tool', 'readonly', 'disabled', 'posable', 'theme', 'hint', 'hintFor'];
     warp.selection = ['head'];
     for (const name of [...names, 'autosave', 'selection']) Reflect.set(warp, name, undefined);
     return { selection: warp.selection, handles: warp.project.handles.length };

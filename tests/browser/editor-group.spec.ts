@@ -247,10 +247,10 @@ test('the selection stays rigid where the guard stops a turn', async ({ page }) 
   await expect(editor.button(/^\d+ creases?\./)).toBeHidden();
 });
 
-test('the group ring works in play mode', async ({ page }) => {
+test('the group ring works in a posable picture', async ({ page }) => {
   const editor = await opened(page);
   await page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).play = true;
+    (element as C2Warp).posable = true;
     return (element as C2Warp).updateComplete;
   });
   await editor.waitFrames();

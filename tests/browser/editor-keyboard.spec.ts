@@ -483,13 +483,13 @@ test('the original shows while its button is held, with any focus', async ({ pag
   await expect(page.locator('c2-warp p.hint', { hasText: 'Original' })).toBeHidden();
 });
 
-test('play mode discards a number being typed', async ({ page }) => {
+test('a posable picture discards a number being typed', async ({ page }) => {
   const editor = await Editor.open(page);
   await editor.handle('head').click();
   const told = await editor.shownPose('head');
   await editor.field('x').fill('222');
   await page.locator('c2-warp').evaluate((element) => {
-    (element as C2Warp).play = true;
+    (element as C2Warp).posable = true;
   });
   await expect.poll(() => editor.shownPose('head')).toEqual(told);
   expect((await editor.projectHandle('head'))?.posed).toEqual([told.x, told.y]);

@@ -399,7 +399,7 @@ test.describe('by touch', () => {
     expect(await editor.shownPose('right hand')).toMatchObject({ x: 900, y: 516 });
     await expect(editor.button('Undo')).toBeDisabled();
 
-    await set(page, 'play');
+    await set(page, 'posable');
     const again = await editor.position('right hand');
     await send(session, 'Start', [again]);
     await expect(menu(page)).toBeVisible();

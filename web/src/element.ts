@@ -8,14 +8,14 @@
  * | `tool` | `select`, `point`, `bar`, `polygon`, `lasso`, `hand` or `lens` |
  * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
- * | `play` | only the picture and its handles, for an article; with `readonly`, only the picture |
+ * | `posable` | only the picture and its handles, for an article; with `readonly`, only the picture |
  * | `theme` | `light` or `dark`; without it, the system's |
- * | `alt` | with `play`: what the picture shows, for screen readers; without it they read its name |
+ * | `alt` | with `posable`: what the picture shows, for screen readers; without it they read its name |
  * | `hint`, `hint-for` | a hint shown until the first change, and the id of the handle it points to |
  * | `autosave` | a key in browser storage: work is saved after each step, and restored instead of the first `src` |
  *
- * `tool` is selected when it is set, when the element is connected, and when `readonly` or `play` is removed. With
- * `play` people can only pose the existing handles. The page keeps all wheel, touch and key input that acts on no
+ * `tool` is selected when it is set, when the element is connected, and when `readonly` or `posable` is removed. With
+ * `posable` people can only pose the existing handles. The page keeps all wheel, touch and key input that acts on no
  * handle.
  *
  * | event | |
@@ -47,7 +47,7 @@
  * Any other code is a refusal by the solver, such as `handle-outside`. Its `handles` are the ids that the message
  * names.
  *
- * Setting `readonly` or `disabled`, and setting or removing `play`, cancels the drag, drawing or typed number in
+ * Setting `readonly` or `disabled`, and setting or removing `posable`, cancels the drag, drawing or typed number in
  * progress. A page may have several elements. An element that is removed releases its worker and its WebGL context, and
  * keeps its document until it is connected again. Properties may be set before the element is connected, even before
  * it is defined. Importing this file without a DOM does nothing.
@@ -102,7 +102,7 @@ export class C2Warp extends TypedElement {
     tool: {},
     readonly: { type: Boolean, reflect: true },
     disabled: { type: Boolean, reflect: true },
-    play: { type: Boolean, reflect: true },
+    posable: { type: Boolean, reflect: true },
     theme: { reflect: true },
     alt: {},
     hint: {},
@@ -116,7 +116,7 @@ export class C2Warp extends TypedElement {
   declare tool: string | null;
   declare readonly: boolean;
   declare disabled: boolean;
-  declare play: boolean;
+  declare posable: boolean;
   declare theme: string | null;
   declare alt: string | null;
   declare hint: string | null;
@@ -141,7 +141,7 @@ export class C2Warp extends TypedElement {
     this.tool = null;
     this.readonly = false;
     this.disabled = false;
-    this.play = false;
+    this.posable = false;
     this.theme = null;
     this.alt = null;
     this.hint = null;
@@ -399,7 +399,7 @@ export class C2Warp extends TypedElement {
     const runtime = this.#runtime;
     if (!runtime || changes.size === 0) return;
     // A field that goes commits what is typed.
-    if (changes.has('play') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
+    if (changes.has('posable') || changes.has('readonly') || changes.has('disabled')) runtime.untype();
     runtime.dispatch({ type: 'page-changed', page: this.#attributes });
     if (changes.has('theme')) runtime.dispatch({ type: 'media-changed', media: this.#mediaNow });
   }
@@ -411,8 +411,9 @@ export class C2Warp extends TypedElement {
     const isFirst = !runtime.isAttached;
     if (isFirst || changes.has('autosave'))
       runtime.dispatch({ type: 'autosave-key-set', key: this.autosave || null });
-    const freed = changes.has('readonly') || changes.has('play');
-    if (!isFirst && (changes.has('play') || (this.play && changes.has('readonly')))) runtime.rearrange();
+    const freed = changes.has('readonly') || changes.has('posable');
+    if (!isFirst && (changes.has('posable') || (this.posable && changes.has('readonly'))))
+      runtime.rearrange();
     if (isToolName(this.tool) && (isFirst || freed || changes.has('tool'))) {
       runtime.dispatch({ type: 'tool-set', tool: this.tool });
     }
@@ -466,9 +467,9 @@ export class C2Warp extends TypedElement {
   }
 
   get #attributes(): PageAttributes {
-    const { readonly, disabled, play: playing, tool, alt, src, projectSource, samples } = this;
+    const { readonly, disabled, posable, tool, alt, src, projectSource, samples } = this;
     const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
-    return { readonly, disabled, playing, tool, alt, hint, src, projectSource, samples };
+    return { readonly, disabled, posable, tool, alt, hint, src, projectSource, samples };
   }
 
   get #mediaNow(): Media {

@@ -37,9 +37,9 @@ describe('commandOfKey', () => {
     expect(commandOfKey(press(']', { altKey: true }))).toBe('forward');
   });
 
-  it('offers only posing commands while playing, and none while readonly too', () => {
-    const playing = commandsFor(true, false);
-    const asked = (key: string, ctrlKey = false) => commandOfKey(press(key, { ctrlKey }), playing);
+  it('offers posing commands alone in a posable picture, and none in a readonly one', () => {
+    const posable = commandsFor(true, false);
+    const asked = (key: string, ctrlKey = false) => commandOfKey(press(key, { ctrlKey }), posable);
     expect([asked('z', true), asked('y', true), asked('a', true)]).toEqual(['undo', 'redo', 'select-all']);
     expect([asked('r'), asked('o'), asked('Escape')]).toEqual(['reset', 'compare', 'bail']);
     const ofEditors = [

@@ -64,7 +64,7 @@ export const isPreview = (command: CommandName): command is PreviewCommand =>
 const NAMES = Object.keys(COMMANDS) as CommandName[];
 
 /** The commands available where handles can only be posed. */
-const WHILE_PLAYING: readonly CommandName[] = [
+const WHILE_POSABLE: readonly CommandName[] = [
   'undo',
   'redo',
   'reset',
@@ -76,8 +76,8 @@ const WHILE_PLAYING: readonly CommandName[] = [
 ];
 
 /** The available commands: none for a picture that plays and is readonly, because it acts as a plain image. */
-export const commandsFor = (playing: boolean, readonly: boolean): readonly CommandName[] =>
-  !playing ? NAMES : readonly ? [] : WHILE_PLAYING;
+export const commandsFor = (posable: boolean, readonly: boolean): readonly CommandName[] =>
+  !posable ? NAMES : readonly ? [] : WHILE_POSABLE;
 
 /** Characters that some keyboards type only with Alt, or with Ctrl and Alt. */
 const SIGNS = ['[', ']'];

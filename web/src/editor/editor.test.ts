@@ -98,7 +98,7 @@ const STEPS: readonly Step[] = [
   })),
   event((random) => ({
     type: 'page-changed',
-    page: { ...PAGE, readonly: random() < 0.1, playing: random() < 0.1 },
+    page: { ...PAGE, readonly: random() < 0.1, posable: random() < 0.1 },
   })),
   event(() => ({ type: 'page-changed', page: PAGE })),
   event((random) => ({ type: 'stage-resized', size: { width: random() * 500, height: 300 }, typing: false })),

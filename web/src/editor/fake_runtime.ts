@@ -32,7 +32,7 @@ import { update } from './update';
 export const PAGE: PageAttributes = {
   readonly: false,
   disabled: false,
-  playing: false,
+  posable: false,
   tool: null,
   alt: null,
   hint: null,

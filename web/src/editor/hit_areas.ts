@@ -40,7 +40,7 @@ export function toolContext(state: EditorState): ToolContext {
     get turns() {
       return turnsOf(state);
     },
-    posesOnly: state.page.playing,
+    posesOnly: state.page.posable,
     snap: (at, moving) => snapped(state, at, moving),
     place: (at) => {
       if (deformation) return deformation.placement(project, at, grips.line);

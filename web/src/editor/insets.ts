@@ -16,7 +16,7 @@ export interface Cards {
   readonly sheet: Sheet;
   /** The study card is open, in place of the panel. */
   readonly study?: StudyPage | null;
-  /** What `play` shows without bars and cards; null in the editor. */
+  /** What `posable` shows without bars and cards; null in the editor. */
   readonly bare: 'handles' | 'picture' | null;
 }
 

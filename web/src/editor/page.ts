@@ -7,7 +7,7 @@ export interface PageAttributes {
   /** People can do nothing. */
   readonly disabled: boolean;
   /** Handles can only be posed. Gestures and keys of the view are left to the page. */
-  readonly playing: boolean;
+  readonly posable: boolean;
   /** The tool that the page has set. */
   readonly tool: string | null;
   /** A description of the picture, in the words of the page. */

@@ -1,4 +1,4 @@
-/** What people may do now, by the attributes `readonly`, `disabled` and `play` and by whether a picture is open. */
+/** What people may do now, by the attributes `readonly`, `disabled` and `posable` and by whether a picture is open. */
 import type { EditorState } from './state';
 
 /** Whether people may open and change something. */
@@ -8,7 +8,7 @@ export const mayChange = ({ page }: EditorState): boolean => !page.readonly && !
 export const mayEdit = (state: EditorState): boolean => mayChange(state) && state.picture !== null;
 
 /** Whether files are accepted by drop and paste. */
-export const mayReceive = (state: EditorState): boolean => mayChange(state) && !state.page.playing;
+export const mayReceive = (state: EditorState): boolean => mayChange(state) && !state.page.posable;
 
 /** Whether handles are visible and editable. */
 export const handlesAreShown = (state: EditorState): boolean =>
@@ -16,4 +16,4 @@ export const handlesAreShown = (state: EditorState): boolean =>
 
 /** Whether a press moves the view with every tool but the lens, or even with that. */
 export const pressesPan = (state: EditorState): boolean =>
-  !state.page.playing && (state.pointer.space || (!handlesAreShown(state) && state.tools.tool !== 'lens'));
+  !state.page.posable && (state.pointer.space || (!handlesAreShown(state) && state.tools.tool !== 'lens'));

@@ -9,7 +9,7 @@ const REACH = { fine: 6, coarse: 10 } as const;
 
 /** @param moving ids of the handles that move: they are no guides. */
 export function snapped(state: EditorState, at: Vec, moving: readonly string[]): SnappedPlace {
-  if (!state.display.snapping || state.page.playing) return { at, guides: [] };
+  if (!state.display.snapping || state.page.posable) return { at, guides: [] };
   const reach = REACH[state.pointer.coarse ? 'coarse' : 'fine'] / state.view.camera.scale;
   return snappedTo(at, guidesOf(state, moving), reach);
 }

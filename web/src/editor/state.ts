@@ -173,4 +173,4 @@ export const isUnsaved = (state: EditorState): boolean =>
   state.picture !== null && fileProject(documentOf(state)) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
 export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
-  page.playing ? NO_OVERLAYS : display.overlays;
+  page.posable ? NO_OVERLAYS : display.overlays;

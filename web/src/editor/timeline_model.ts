@@ -49,7 +49,7 @@ export interface TimelineKey {
 /** Null while the timeline is closed. */
 export function timelineModel(state: EditorState): TimelineModel | null {
   const { timeline } = state;
-  if (!timeline.open || state.page.playing) return null;
+  if (!timeline.open || state.page.posable) return null;
   const clip = openClip(state);
   const rows = projectOf(state).handles.map((handle) => rowOf(state, clip, handle));
   const selected = rows.flatMap(({ keys }) => keys.filter((key) => key.selected));

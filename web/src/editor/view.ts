@@ -187,8 +187,8 @@ function openSheet(state: EditorState): Sheet {
 }
 
 export function insets(state: EditorState, sheet = openSheet(state)): Insets {
-  const { playing, readonly } = state.page;
-  const bare = playing ? (readonly ? 'picture' : 'handles') : null;
+  const { posable, readonly } = state.page;
+  const bare = posable ? (readonly ? 'picture' : 'handles') : null;
   const study = state.study.page;
   return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, study, bare });
 }

@@ -70,7 +70,7 @@ export interface EditorModel {
   readonly tool: ToolName;
   readonly readonly: boolean;
   /** Shows only the picture and its handles, or only the picture where `readonly`. */
-  readonly playing: boolean;
+  readonly posable: boolean;
   readonly disabled: boolean;
   readonly camera: Camera;
   /** CSS pixels. */
@@ -204,7 +204,7 @@ export function viewModel(state: EditorState): EditorModel {
     tool: toolToCome(state),
     readonly: page.readonly,
     disabled: page.disabled,
-    playing: page.playing,
+    posable: page.posable,
     camera: state.view.camera,
     stage: state.stage,
     grips: gripsOf(state),
@@ -303,7 +303,7 @@ function guidesShown(state: EditorState): readonly Guide[] {
 /** Names help to find a handle. During a press or a drawing they would cover the picture. */
 function namedOf(state: EditorState): readonly string[] {
   const { tools, pointer, page } = state;
-  if (page.playing || !handlesAreShown(state) || isPressing(tools) || draftOf(tools)) return NO_IDS;
+  if (page.posable || !handlesAreShown(state) || isPressing(tools) || draftOf(tools)) return NO_IDS;
   const under = pointer.hovered && hitAt(state, pointer.hovered, false);
   const hovered = under && under.part !== 'ring' && under.part !== 'grip' ? [under.id] : NO_IDS;
   const selection = selectionOf(state);

@@ -19,7 +19,7 @@ export type C2WarpProps = {
 } & {
   [T in 'src' | 'tool' | 'theme' | 'alt' | 'hint' | 'hint-for' | 'autosave']?: string | null | undefined;
 } & {
-  [T in 'readonly' | 'disabled' | 'play']?: boolean | undefined;
+  [T in 'readonly' | 'disabled' | 'posable']?: boolean | undefined;
 } & {
   project?: ProjectFile | string | null | undefined;
   selection?: readonly string[] | null | undefined;

@@ -44,7 +44,7 @@ export class CanvasView {
     this.#resized({ width, height });
   }
 
-  /** Adapts to the current `play` and `readonly`. */
+  /** Adapts to the current `posable` and `readonly`. */
   rearrange(): void {
     this.#pointer.dispose();
     this.#keyboard.dispose();
@@ -60,7 +60,7 @@ export class CanvasView {
 
   #listen(): [PointerInput, KeyboardInput] {
     const editor = this.#editor;
-    const owner = editor.state.page.playing ? 'page' : 'editor';
+    const owner = editor.state.page.posable ? 'page' : 'editor';
     const pointer = new PointerInput(this.#stage, editor, owner, () => this.#focus.leaveField());
     return [pointer, new KeyboardInput(this.#root, editor)];
   }

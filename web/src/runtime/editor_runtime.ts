@@ -160,7 +160,7 @@ export class EditorRuntime {
     this.dispatch({ type: 'started', work });
   }
 
-  /** Adapts the input to the current `play` and `readonly`, after they were rendered. */
+  /** Adapts the input to the current `posable` and `readonly`, after they were rendered. */
   rearrange(): void {
     this.#view?.rearrange();
   }

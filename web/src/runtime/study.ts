@@ -73,7 +73,7 @@ export class Study {
   /** Begins, follows or ends the comparison, as the state has it. */
   #followComparison(): void {
     const { study, page } = this.#editor.state;
-    if (study.page !== 'compare' || page.playing) {
+    if (study.page !== 'compare' || page.posable) {
       this.#endComparison();
       return;
     }

@@ -13,7 +13,7 @@ import { icon, iconOf } from './icons';
 type Groups = readonly (readonly CommandName[])[];
 
 const OF_PICTURE: Groups = [['add-point', 'paste'], ['select-all', 'reset-all'], ['fit']];
-const OF_PLAY: Groups = [
+const OF_POSABLE: Groups = [
   ['reset', 'reset-all'],
   ['undo', 'redo'],
 ];
@@ -47,8 +47,8 @@ export function contextMenu(model: EditorModel, dispatch: Dispatch): TemplateRes
   </div>`;
 }
 
-function groupsOf({ about, corner }: MenuState, { playing, document }: EditorModel): Groups {
-  if (playing) return OF_PLAY;
+function groupsOf({ about, corner }: MenuState, { posable, document }: EditorModel): Groups {
+  if (posable) return OF_POSABLE;
   if (about === 'picture') return OF_PICTURE;
   if (corner) return ofHandles(['add-corner', 'remove-corner']);
   const selected = selectedHandles(document);

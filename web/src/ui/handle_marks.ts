@@ -12,7 +12,7 @@ import { GRIP_DEGREES, groupRing } from '../tools/group_ring';
 import { dots, onStage } from './dots';
 
 export function handleMarks(model: EditorModel): SVGTemplateResult {
-  const { document, camera, stage, grips, turns, playing, ringed } = model;
+  const { document, camera, stage, grips, turns, posable, ringed } = model;
   const group = model.readonly ? null : groupRing(document, grips);
   const single = grips.ring * camera.scale;
   const radius = group ? group.radius * camera.scale : single;
@@ -21,7 +21,7 @@ export function handleMarks(model: EditorModel): SVGTemplateResult {
     const posed = toStage(camera, anchor(handle));
     const selected = document.selection.includes(handle.id);
     return svg`
-      ${isLine(handle) ? lineMarks(handle, model, selected) : !playing && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
+      ${isLine(handle) ? lineMarks(handle, model, selected) : !posable && distance(rest, posed) > 4 ? restMark(rest, posed, stage) : nothing}
       ${(selected && !model.readonly && !group) || handle.id === ringed ? ring(posed, rotationOf(handle, turns), selected ? radius : single) : nothing}`;
   })}${group ? ring(toStage(camera, group.pivot), group.turn, radius, groupMarks(radius)) : nothing}`;
 }
@@ -41,14 +41,14 @@ function restLine(places: readonly Vec[], closed: boolean, stage: Size): SVGTemp
 /** A posed bar or polygon, and faintly its rest place once it has moved. */
 function lineMarks(
   handle: LineHandle,
-  { camera, stage, playing }: EditorModel,
+  { camera, stage, posable }: EditorModel,
   selected: boolean,
 ): SVGTemplateResult {
   const closed = isClosed(handle.kind);
   const places = (of: 'rest' | 'posed') => corners(handle, of).map((corner) => toStage(camera, corner));
   const [rest, posed] = [places('rest'), `M${places('posed').join('L')}${closed ? 'Z' : ''}`];
   return svg`
-    ${playing || isInPlace(handle) ? nothing : svg`<g class="rest">${restLine(rest, closed, stage)}</g>`}
+    ${posable || isInPlace(handle) ? nothing : svg`<g class="rest">${restLine(rest, closed, stage)}</g>`}
     <g class="line-handle ${selected ? 'selected' : ''}">
       ${closed ? svg`<path class="body" d=${posed}/>` : nothing}
       <path class="casing" d=${posed}/><path class="line" d=${posed}/>

@@ -18,8 +18,8 @@ const TEXT = { character: 7.4, height: 14 } as const;
 const DOT = 11;
 
 export function nameMarks(model: EditorModel): SVGTemplateResult {
-  const { document, camera, named, playing } = model;
-  if (playing) return svg``;
+  const { document, camera, named, posable } = model;
+  if (posable) return svg``;
   const dots = document.project.handles.flatMap((handle) =>
     corners(handle).map((corner) => ({ handle, at: toStage(camera, corner) })),
   );

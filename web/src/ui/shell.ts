@@ -34,22 +34,22 @@ export function shell(
   study: StudyView | null,
   timeline: TimelineView | null,
 ): TemplateResult {
-  const { playing } = model;
-  const studying = study !== null && model.study.page !== null && !playing;
-  return html`${playing ? room(model) : nothing}
+  const { posable } = model;
+  const studying = study !== null && model.study.page !== null && !posable;
+  return html`${posable ? room(model) : nothing}
   <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
-    ${playing ? nothing : topBar(model, dispatch)}
+    ${posable ? nothing : topBar(model, dispatch)}
     <div class="middle ${studying ? `studying on-${model.study.page}` : ''}">
       ${stage(model, dispatch, canvas, studying ? study.marks(model) : nothing)} ${model.picture ? nothing : emptyStage(model, dispatch)}
-      ${playing ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
+      ${posable ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}
       ${model.task ? progressBar(model.task) : nothing}
       ${model.hint && !model.preview && !studying ? bubble(model.hint, model.camera) : nothing}
-      ${playing ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model)} ${legends(model)}`}
+      ${posable ? nothing : html`${draftBar(model, dispatch)} ${toolHint(model)} ${legends(model)}`}
       ${model.preview === 'compare' ? html`<p class="hint" part="hint">Original</p>` : nothing}
-      ${playing ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
+      ${posable ? nothing : exportCard(model, dispatch)} ${notice(model, dispatch)}
     </div>
     ${timeline && model.timeline ? timeline.bar(model, dispatch) : nothing} ${contextMenu(model, dispatch)}
-    ${playing ? nothing : html`${keysCard(model)} ${statusLine(model, dispatch)}`}
+    ${posable ? nothing : html`${keysCard(model)} ${statusLine(model, dispatch)}`}
     <p class="spoken" role="status" aria-live="polite">${model.announcement}</p>
   </div>
   ${model.disabled ? disabledStage(model) : nothing}`;

@@ -27,12 +27,12 @@ export function stage(
   canvas: HTMLCanvasElement,
   studied: SVGTemplateResult | typeof nothing,
 ): TemplateResult {
-  const { playing } = model;
-  const handled = !(playing && model.readonly);
+  const { posable } = model;
+  const handled = !(posable && model.readonly);
   return html`<div
     class=${classMap({ stage: true, inviting: model.hint !== null, previewing: model.preview !== null, awaiting: model.awaiting })}
     part="stage"
-    tabindex=${handled ? (playing ? -1 : 0) : nothing}
+    tabindex=${handled ? (posable ? -1 : 0) : nothing}
     role=${handled ? 'application' : 'img'}
     aria-label=${stageLabel(model)}
     aria-description=${model.picture && handled && !model.readonly ? KEYS : nothing}
@@ -49,7 +49,7 @@ export function stage(
 
 /** The marks on the posed picture. */
 const posedMarks = (model: EditorModel, handled: boolean): SVGTemplateResult => svg`
-  ${model.playing ? nothing : frame(model)} ${cellOverlay(model.overlays.cells ? model.borders : null, model.camera)}
+  ${model.posable ? nothing : frame(model)} ${cellOverlay(model.overlays.cells ? model.borders : null, model.camera)}
   ${siteOverlay(model.sites, model.camera, model.overlays)}
   ${model.onion.map((outline) => onionOverlay(outline, model.camera))} ${outlineOverlay(model.outline, model.camera)}
   ${creaseOverlay(model.creased, model.camera)} ${creaseMarks(model)} ${handled ? handleMarks(model) : nothing} ${askedMarks(model)} ${handled ? nameMarks(model) : nothing}
@@ -60,10 +60,10 @@ export const disabledStage = (model: EditorModel): TemplateResult =>
   html`<p class="spoken" role="img" aria-label="${pictureLabel(model)}, disabled"></p>`;
 
 const stageLabel = (model: EditorModel): string =>
-  `${pictureLabel(model)}${model.playing && !model.readonly ? ', to be posed by its handles' : ''}`;
+  `${pictureLabel(model)}${model.posable && !model.readonly ? ', to be posed by its handles' : ''}`;
 
 /** The label of the picture. In an editor people may open other pictures than the one that the page describes. */
-function pictureLabel({ picture, playing, alt }: EditorModel): string {
+function pictureLabel({ picture, posable, alt }: EditorModel): string {
   if (!picture) return 'No picture';
-  return (playing && alt) || `Picture ${picture.name}`;
+  return (posable && alt) || `Picture ${picture.name}`;
 }

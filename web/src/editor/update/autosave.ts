@@ -85,7 +85,7 @@ export const autosaveHandlers: Handlers<
     // A picture that was opened and not touched is no loss.
     if (!work || !isWorkedOn(work) || state.autosave.failing) return state;
     const next = withAutosave(state, { failing: true });
-    return state.page.playing ? next : notify(next, { kind: 'error', text: NOT_KEPT }, emit);
+    return state.page.posable ? next : notify(next, { kind: 'error', text: NOT_KEPT }, emit);
   },
   'project-saved': (state, { project }, emit) => {
     // Another picture may have been opened while the person chose a file.

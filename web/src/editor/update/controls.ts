@@ -102,5 +102,5 @@ export const controlHandlers: Handlers<
     return state;
   },
   'crease-zoomed': zoomToCrease,
-  'place-revealed': (state, { at }) => (state.page.playing ? contain(state, [at]) : reveal(state, at)),
+  'place-revealed': (state, { at }) => (state.page.posable ? contain(state, [at]) : reveal(state, at)),
 };

@@ -81,7 +81,7 @@ export function togglePopover(state: EditorState, popover: Popover, open: boolea
 export function requestBorders(state: EditorState, emit: Emit): EditorState {
   const { shown, borders } = state.solution;
   const shows = state.display.overlays.cells || state.study.page === 'cells';
-  if (!shows || state.page.playing || !shown || borders?.of === shown) return state;
+  if (!shows || state.page.posable || !shown || borders?.of === shown) return state;
   emit({ type: 'find-borders', solution: shown });
   return withSolution(state, { borders: { of: shown, pieces: null } });
 }

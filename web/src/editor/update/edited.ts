@@ -37,7 +37,7 @@ export function edited(before: EditorState, kind: ChangeKind, emit: Emit): Edito
     state = closeStepNotice(state, emit);
     emit({ type: 'start-timer', timer: 'merge-end', ms: MERGE_MS });
     // Keeps the selected handles within view, so that they can be moved back.
-    if (state.page.playing)
+    if (state.page.posable)
       state = contain(
         state,
         selectedHandles(documentOf(state)).flatMap((handle) => corners(handle)),

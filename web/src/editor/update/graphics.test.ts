@@ -48,7 +48,7 @@ describe('a lost graphics context', () => {
 
   it('is told of to readers, who have nothing to save', () => {
     const runtime = lost();
-    runtime.dispatch({ type: 'page-changed', page: { ...PAGE, playing: true } });
+    runtime.dispatch({ type: 'page-changed', page: { ...PAGE, posable: true } });
     elapse(runtime);
     expect(shownNotice(runtime.state)?.text).toMatch(/shown\. Reload the page\.$/);
   });

@@ -10,7 +10,7 @@ const PATIENCE_MS = 1500;
 
 export function tellOfLostGraphics(state: EditorState): EditorState {
   const { key, failing } = state.autosave;
-  const loses = mayEdit(state) && !state.page.playing;
+  const loses = mayEdit(state) && !state.page.posable;
   return notifyOfGraphics(state, graphicsLostText(loses ? key !== null && !failing : null));
 }
 

@@ -31,7 +31,7 @@ function arrowTarget(state: EditorState): 'lens' | 'corner' | 'handles' | 'cross
     if (selectionOf(state).length > 0 && !drawing) return 'handles';
     if (places(state.tools.tool)) return 'crosshair';
   }
-  return state.page.playing ? null : 'view';
+  return state.page.posable ? null : 'view';
 }
 
 export const takesArrow = (state: EditorState): boolean => arrowTarget(state) !== null;
@@ -39,7 +39,7 @@ export const takesTurn = (state: EditorState): boolean =>
   awaitsPicture(state) || (mayEdit(state) && selectionOf(state).length > 0);
 export const takesPlace = (state: EditorState): boolean =>
   awaitsPicture(state) || (mayEdit(state) && places(state.tools.tool));
-export const takesSpace = ({ page }: EditorState): boolean => !page.playing;
+export const takesSpace = ({ page }: EditorState): boolean => !page.posable;
 
 function arrow(state: EditorState, by: Vec, emit: Emit): EditorState {
   const target = arrowTarget(state);

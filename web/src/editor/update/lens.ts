@@ -63,7 +63,7 @@ export const moveLens = (state: EditorState, by: Vec): EditorState =>
 /** Asks about the shown solution, as far as the card needs it, and about the point under the lens. */
 export function requestStudy(before: EditorState, emit: Emit): EditorState {
   const { shown } = before.solution;
-  if (!shown || before.page.playing || !needsStudy(before)) return before;
+  if (!shown || before.page.posable || !needsStudy(before)) return before;
   const { explained, page, lens } = before.study;
   if (explained?.of !== shown) return askStudy(before, shown, emit);
   const { at, asked, found } = lens;

@@ -41,12 +41,12 @@ export function opensMenu(before: EditorState, pointer: StagePointer, resting: b
   const state = noteKind(before, pointer.coarse);
   if (!hasMenu(state)) return false;
   if (resting && places(state.tools.tool) && !state.pointer.onHandle) return false;
-  return !state.page.playing || partUnder(state, pressOf(state, pointer).at) !== null;
+  return !state.page.posable || partUnder(state, pressOf(state, pointer).at) !== null;
 }
 
 /** Whether the menu key opens a menu, or a press under way ignores it. */
 export const takesMenuKey = (state: EditorState): boolean =>
-  isPressing(state.tools) || (hasMenu(state) && (!state.page.playing || focusedPart(state) !== null));
+  isPressing(state.tools) || (hasMenu(state) && (!state.page.posable || focusedPart(state) !== null));
 
 /** The handle or the corner that has the focus. */
 export function focusedPart({ focus: { on, handle, corner } }: EditorState): Hit | null {
@@ -96,7 +96,7 @@ function openByKey(state: EditorState, emit: Emit): EditorState {
   const handle = part && handleById(documentOf(state), part.id);
   const corner = handle && isLine(handle) && part.part === 'corner' ? handle.posed[part.index] : undefined;
   const at = corner ?? (handle ? anchor(handle) : crosshairPlace(state));
-  return openMenu(state.page.playing ? state : reveal(state, at), part, at, emit);
+  return openMenu(state.page.posable ? state : reveal(state, at), part, at, emit);
 }
 
 export const menuHandlers: Handlers<'menu-asked' | 'menu-key-pressed' | 'menu-command-run'> = {

@@ -22,7 +22,7 @@ const withNotices = (state: EditorState, change: Partial<NoticesState>): EditorS
 
 /** The notice on screen. A page that plays shows only errors. */
 export const shownNotice = ({ page, notices }: EditorState): Notice | null =>
-  page.playing
+  page.posable
     ? (notices.error ?? notices.graphics)
     : (notices.passing ?? notices.error ?? notices.graphics ?? notices.offer);
 

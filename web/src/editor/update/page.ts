@@ -19,10 +19,10 @@ import { poseForPage, redo, selectForPage, step, undo } from './steps';
 import { showStudy } from './study';
 import { choose } from './tool_choice';
 
-/** Takes the attributes. Setting `readonly` or `disabled`, or changing `play`, ends what is in progress. */
+/** Takes the attributes. Setting `readonly` or `disabled`, or changing `posable`, ends what is in progress. */
 function changePage(before: EditorState, page: PageAttributes, emit: Emit): EditorState {
-  const { readonly, disabled, playing } = before.page;
-  const rearranges = playing !== page.playing || (page.playing && readonly !== page.readonly);
+  const { readonly, disabled, posable } = before.page;
+  const rearranges = posable !== page.posable || (page.posable && readonly !== page.readonly);
   const locks = (page.readonly && !readonly) || (page.disabled && !disabled);
   const relocks =
     (page.readonly || page.disabled) && (readonly !== page.readonly || disabled !== page.disabled);
@@ -39,10 +39,10 @@ function stop(before: EditorState, emit: Emit): EditorState {
   return holdPreview(withDocument(ended, { drawn: null }), null, emit);
 }
 
-/** Adapts to `play`: the select tool alone poses handles, and the picture fits another stage. */
+/** Adapts to `posable`: the select tool alone poses handles, and the picture fits another stage. */
 function rearrange(state: EditorState, emit: Emit): EditorState {
-  const selecting = { ...state, page: { ...state.page, playing: false, readonly: false } };
-  const chosen = state.page.playing ? choose(selecting, 'select', emit) : state;
+  const selecting = { ...state, page: { ...state.page, posable: false, readonly: false } };
+  const chosen = state.page.posable ? choose(selecting, 'select', emit) : state;
   return schedulePoseCheck(fitView({ ...chosen, page: state.page }), emit);
 }
 

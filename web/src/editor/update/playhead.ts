@@ -12,7 +12,7 @@ import { announce } from './notices';
 import { followRecording } from './recording';
 
 export function openTimeline(state: EditorState, open: boolean, emit: Emit): EditorState {
-  if (open === state.timeline.open || (open && (!state.picture || state.page.playing))) return state;
+  if (open === state.timeline.open || (open && (!state.picture || state.page.posable))) return state;
   if (open) emit({ type: 'focus-control', control: 'timeline' });
   const next = withTimeline(stopPlaying(state, emit), { open, selected: [], renaming: false });
   return refitView(announce(next, open ? 'Timeline' : 'Timeline closed'));

@@ -21,7 +21,7 @@ const PAUSE_MS = 200;
 
 /** Schedules a check of the pose, unless its result is not shown. */
 export function schedulePoseCheck(state: EditorState, emit: Emit): EditorState {
-  if (state.page.playing || state.checks.pending) return state;
+  if (state.page.posable || state.checks.pending) return state;
   emit({ type: 'start-timer', timer: 'pose-check', ms: PAUSE_MS });
   return { ...state, checks: { ...state.checks, pending: true } };
 }

@@ -33,5 +33,5 @@ function showPicture(before: EditorState, picture: Picture | null, emit: Emit): 
   const state = closeMenu(clearNotices(withSolution(endStages(before, emit), solution), emit), emit);
   emit({ type: 'use-picture', picture });
   const next = { ...state, picture, checks: { ...state.checks, outline: '', loose: false } };
-  return picture && !next.page.playing ? announce(next, `${picture.name} is open`) : next;
+  return picture && !next.page.posable ? announce(next, `${picture.name} is open`) : next;
 }

@@ -22,7 +22,7 @@ import { choose, takeTool } from './tool_choice';
 
 /** Shows a page of the card, or closes it. The picture keeps clear of the card. */
 export function showStudy(before: EditorState, page: StudyPage | null, emit: Emit): EditorState {
-  if (page === before.study.page || (page && (!before.picture || before.page.playing))) return before;
+  if (page === before.study.page || (page && (!before.picture || before.page.posable))) return before;
   const overlayList = before.display.overlayList && !page;
   const display = { ...before.display, settings: false, outlined: false, overlayList };
   const state = refitView(withStudy({ ...before, display }, { page }));

@@ -9,8 +9,8 @@ import { applyTools } from './press';
 import { select } from './selection';
 
 export function choose(state: EditorState, tool: ToolName, emit: Emit): EditorState {
-  const { playing, readonly } = state.page;
-  if (playing || (readonly && tool !== 'hand' && tool !== 'lens')) return state;
+  const { posable, readonly } = state.page;
+  if (posable || (readonly && tool !== 'hand' && tool !== 'lens')) return state;
   let next = applyTools(state, chooseTool(state.tools, tool), emit);
   // Arrow keys move the crosshair of such a tool only while nothing is selected.
   if (draws(tool)) {

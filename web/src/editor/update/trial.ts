@@ -191,7 +191,7 @@ function offerNext(state: EditorState, emit: Emit): EditorState {
     return notify(state, { kind: 'info', text: twoVersionsText(picture.name), action, other }, emit);
   }
   const last = opening.recent.at(-1);
-  if (!last || page.playing) return state;
+  if (!last || page.posable) return state;
   const action = { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } } as const;
   const text = `${picture.name} is open.`;
   return notify(state, { kind: 'info', text, action, ofStep: true, passes: true }, emit);

@@ -1,6 +1,6 @@
 /**
  * The style sheets of the editor, in cascade order. Shared styles come first, then the parts of the editor. Sheets that
- * change many parts come last: touch, play and forced colours.
+ * change many parts come last: touch, posable pictures and forced colours.
  *
  * A sheet styles one part in every layout. It has the name of the part's template file, if there is one.
  */
@@ -24,7 +24,7 @@ import { menuStyle } from './menu';
 import { noticeStyle } from './notice';
 import { overlaysStyle } from './overlays';
 import { panelStyle } from './panel';
-import { playStyle } from './play';
+import { posableStyle } from './posable';
 import { progressStyle } from './progress';
 import { segmentsStyle } from './segments';
 import { shellStyle } from './shell';
@@ -68,6 +68,6 @@ export const editorStyle = [
   progressStyle,
   exportMenuStyle,
   touchStyle,
-  playStyle,
+  posableStyle,
   forcedStyle,
 ];

@@ -1,21 +1,21 @@
-/** Play mode: a picture in an article, as wide as its column, with the height of an image and no frame. */
+/** A posable picture in an article: as wide as its column, with the height of an image and no frame. */
 import { css } from 'lit';
 
-export const playStyle = css`
-  :host([play]) {
+export const posableStyle = css`
+  :host([posable]) {
     --_ground: var(--c2-ground, transparent);
     --_checker: var(--c2-checker, transparent);
     min-height: 0;
   }
   /* A press on a handle prevents scrolling by itself. */
-  :host([play]) .stage {
+  :host([posable]) .stage {
     touch-action: auto;
   }
-  :host([play]) .middle {
+  :host([posable]) .middle {
     --_left: 0px;
     --_right: 0px;
   }
-  :host([play]) .hint:not(.bubble) {
+  :host([posable]) .hint:not(.bubble) {
     bottom: 16px;
   }
 `;

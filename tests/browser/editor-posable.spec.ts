@@ -1,4 +1,4 @@
-/** `<c2-warp play>` in an article: readers pose the existing handles, and all other input belongs to the page. */
+/** `<c2-warp posable>` in an article: readers pose the existing handles, and all other input belongs to the page. */
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { C2Warp } from '../../web/src/element';
 import { Editor, type Position, type ShownPose } from './editor';
@@ -310,11 +310,11 @@ test('Tab passes through the handles, and unused keys scroll the page', async ({
   await expect.poll(() => pressed('Shift+Space')).toBeLessThan(at - 100);
 });
 
-test('switching play mode during a drag reverts the drag', async ({ page }) => {
+test('switching `posable` during a drag reverts the drag', async ({ page }) => {
   const rig = await Rig.open(page);
   const tools = rig.element.locator('.tools');
   await rig.set({ tool: 'point' });
-  for (const play of [false, true, false]) {
+  for (const posable of [false, true, false]) {
     // The last drag may have ended over a tool, whose tooltip would cover the hand.
     await page.mouse.move(1, 1);
     const hand = await rig.position('left hand');
@@ -322,12 +322,12 @@ test('switching play mode during a drag reverts the drag', async ({ page }) => {
     await page.mouse.down();
     await page.mouse.move(hand.x, hand.y - 30, { steps: 3 });
     await expect.poll(async () => (await rig.shownPose('left hand')).y).toBeLessThan(500);
-    await rig.set({ play });
+    await rig.set({ posable });
     await page.mouse.move(hand.x, hand.y - 60, { steps: 3 });
     await page.mouse.up();
     await drawn(page);
     expect(await rig.shownPose('left hand')).toMatchObject({ x: 124, y: 516 });
-    if (play) await expect(tools).toHaveCount(0);
+    if (posable) await expect(tools).toHaveCount(0);
     else await expect(tools).toBeVisible();
   }
   // The tool of the attribute is selected again.
@@ -338,9 +338,9 @@ test('switching play mode during a drag reverts the drag', async ({ page }) => {
   await expect(rig.element.getByRole('button', { name: 'Undo' }).first()).toBeDisabled();
 });
 
-test('overlays and drafts of the editor are hidden in play mode', async ({ page }) => {
+test('overlays and drafts of the editor are hidden in a posable picture', async ({ page }) => {
   const rig = await Rig.open(page);
-  await rig.set({ play: false });
+  await rig.set({ posable: false });
   await rig.element.evaluate((element: HTMLElement) => {
     element.style.width = '800px';
     element.style.height = '560px';
@@ -353,7 +353,7 @@ test('overlays and drafts of the editor are hidden in play mode', async ({ page 
   await page.keyboard.press('g');
   await page.mouse.click(belly.x, belly.y);
   await expect(rig.element.locator('.draft')).toHaveCount(1);
-  await rig.set({ play: true });
+  await rig.set({ posable: true });
   await expect(rig.element.locator('.draft, .draft-bar, .hint:not(.bubble)')).toHaveCount(0);
   const { x, y, width, height } = (await rig.element.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
   const scale = (height - 32) / 1280;
