@@ -218,6 +218,19 @@ test('a damaged rig is reported, its content stays, and the page goes on', async
   await expect(player(page).locator('canvas')).toBeVisible();
 });
 
+test('a moved player keeps its rig and its time', async ({ page }) => {
+  await open(page);
+  await added(page, { src: '/wave.c2rig' }, 'loadeddata');
+  const time = await player(page).evaluate((element) => {
+    const player = element as C2WarpPlayer;
+    player.currentTime = 0.4;
+    document.body.prepend(player);
+    return new Promise(requestAnimationFrame).then(() => [player.currentTime, player.duration]);
+  });
+  expect(time).toEqual([0.4, 1.2]);
+  expect(await heard(page)).toEqual(['loadeddata', 'timeupdate']);
+});
+
 test('the newest source wins', async ({ page }) => {
   await open(page);
   let release = () => {};

@@ -6,28 +6,20 @@
 import { cycleOf, frameAt, orderAt, type RigClip } from './clip';
 import { advanced } from './clock';
 import { borrow, giveBack, type Loaded } from './library';
+import { type Screen, screenOf } from './screen';
 import { type Stage, stage } from './stage';
 
 /** Seconds of the clock between two `timeupdate` events. */
 const UPDATE_S = 0.25;
 /** A longer gap between frames is a break, for example of a hidden tab. Milliseconds. */
 const BREAK_MS = 250;
-/** The longest side of a drawing, device pixels. Some graphics cards have no larger ones. */
-const MOST_PX = 4096;
-
-const SHEET = `:host{display:inline-block;position:relative}:host([hidden]),slot[hidden],canvas[hidden]{display:none}canvas{position:absolute;inset:0;width:100%;height:100%}`;
-
 /** Servers have no elements. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 export class C2WarpPlayer extends Base {
   static readonly observedAttributes = ['src', 'clip', 'autoplay', 'loop'];
 
-  readonly #canvas: HTMLCanvasElement;
-  readonly #slot: HTMLSlotElement;
-  readonly #size: CSSStyleSheet;
-  readonly #seen: IntersectionObserver;
-  readonly #sized: ResizeObserver;
+  readonly #screen: Screen;
   #stage: Stage | undefined;
   /** The address of the newest source. */
   #address = '';
@@ -42,63 +34,37 @@ export class C2WarpPlayer extends Base {
   #paused = true;
   #ended = false;
   #autoplays = false;
-  #isSeen = false;
   #last = Number.NaN;
   #updated = 0;
 
   constructor() {
     super();
-    const root = this.attachShadow({ mode: 'open' });
-    this.#canvas = document.createElement('canvas');
-    this.#canvas.setAttribute('part', 'canvas');
-    this.#canvas.hidden = true;
-    this.#slot = document.createElement('slot');
-    root.append(this.#canvas, this.#slot);
-    // Style sheets of this kind are allowed by every security policy.
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(SHEET);
-    this.#size = new CSSStyleSheet();
-    root.adoptedStyleSheets = [sheet, this.#size];
     this.attachInternals().role = 'img';
-    this.#seen = new IntersectionObserver((entries) => {
-      this.#isSeen = entries.at(-1)?.isIntersecting === true;
-      this.#last = Number.NaN;
-      this.#ask();
-    });
-    this.#sized = new ResizeObserver((entries) => {
-      const { contentRect, devicePixelContentBoxSize } = entries.at(-1) as ResizeObserverEntry;
-      // Safari does not know the exact size.
-      const exact = devicePixelContentBoxSize?.[0];
-      const width = exact?.inlineSize ?? Math.round(contentRect.width * devicePixelRatio);
-      const height = exact?.blockSize ?? Math.round(contentRect.height * devicePixelRatio);
-      const shrunk = Math.min(1, MOST_PX / Math.max(width, height));
-      this.#canvas.width = Math.floor(width * shrunk);
-      this.#canvas.height = Math.floor(height * shrunk);
-      // At once: a canvas is empty after a change of its size.
-      if (this.#isSeen) this.#draw();
+    this.#screen = screenOf(this, {
+      seen: () => {
+        this.#last = Number.NaN;
+        this.#ask();
+      },
+      // At once, before the empty canvas is seen.
+      sized: () => {
+        if (this.#screen.isSeen) this.#draw();
+      },
     });
   }
 
   connectedCallback(): void {
-    this.#seen.observe(this);
-    try {
-      this.#sized.observe(this.#canvas, { box: 'device-pixel-content-box' });
-    } catch {
-      this.#sized.observe(this.#canvas);
-    }
+    this.#screen.watch();
     stillness().addEventListener('change', this.#onStillness);
-    if (this.src && !this.#address) this.#load();
+    if (this.#wanted() !== (this.#address || this.#shownAddress)) this.#load();
   }
 
   disconnectedCallback(): void {
     // An element that is only moved keeps its rig and its time.
     queueMicrotask(() => {
       if (this.isConnected) return;
-      this.#seen.disconnect();
-      this.#sized.disconnect();
+      this.#screen.unwatch();
       stillness().removeEventListener('change', this.#onStillness);
       this.#stage?.cancel(this.#frame);
-      this.#isSeen = false;
       this.#leave();
       this.#giveBack();
     });
@@ -228,15 +194,19 @@ export class C2WarpPlayer extends Base {
     this.#stop();
   };
 
+  #wanted(): string {
+    return this.src && new URL(this.src, document.baseURI).href;
+  }
+
   /** Loads the source. A newer one supersedes it. */
   #load(): void {
     this.#leave();
     this.#error = null;
-    if (!this.src) {
+    const address = this.#wanted();
+    if (!address) {
       this.#giveBack();
       return;
     }
-    const address = new URL(this.src, document.baseURI).href;
     this.#address = address;
     const loading = this.#show(address).catch((error: Error) => {
       // Another source is loading.
@@ -256,10 +226,7 @@ export class C2WarpPlayer extends Base {
     this.#shown = loaded;
     this.#shownAddress = address;
     this.#address = '';
-    const { width, height } = loaded.rig;
-    this.#size.replaceSync(`:host{width:${width}px;max-width:100%;aspect-ratio:${width}/${height}}`);
-    this.#canvas.hidden = false;
-    this.#slot.hidden = true;
+    this.#screen.showPicture(loaded.rig);
     this.#time = 0;
     this.#choose();
     this.dispatchEvent(new Event('loadeddata'));
@@ -277,9 +244,7 @@ export class C2WarpPlayer extends Base {
     if (!this.#shown) return;
     giveBack(this.#shownAddress, (loaded) => this.#stage?.forget(loaded));
     [this.#shown, this.#clip, this.#shownAddress] = [undefined, undefined, ''];
-    this.#canvas.hidden = true;
-    this.#slot.hidden = false;
-    this.#size.replaceSync('');
+    this.#screen.showPicture(null);
   }
 
   #choose(): void {
@@ -287,7 +252,8 @@ export class C2WarpPlayer extends Base {
     const { clips } = this.#shown.rig;
     const wanted = this.getAttribute('clip');
     const found = wanted === null ? clips[0] : clips.find(({ name }) => name === wanted);
-    if (!found) this.#fail(new Error(`There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
+    if (found) this.#error = null;
+    else this.#fail(new Error(`There is no clip “${wanted}”: there is ${listed(this.clips)}.`));
     const before = this.#clip;
     this.#clip = found ?? clips[0];
     if (before && before !== this.#clip) this.currentTime = 0;
@@ -305,11 +271,11 @@ export class C2WarpPlayer extends Base {
   }
 
   #ask(): void {
-    if (this.#shown && this.#isSeen) this.#stage?.ask(this.#frame);
+    if (this.#shown && this.#screen.isSeen) this.#stage?.ask(this.#frame);
   }
 
   readonly #frame = (now: number): boolean => {
-    if (!this.#shown || !this.#isSeen) return false;
+    if (!this.#shown || !this.#screen.isSeen) return false;
     this.#advance(now);
     this.#draw();
     return !this.#paused;
@@ -333,18 +299,9 @@ export class C2WarpPlayer extends Base {
 
   #draw(): void {
     const [loaded, clip] = [this.#shown, this.#clip];
-    const { width, height } = this.#canvas;
-    const context = this.#canvas.getContext('2d');
-    if (!loaded || !clip || !context || width === 0 || height === 0) return;
-    const { rig } = loaded;
-    const scale = Math.min(width / rig.width, height / rig.height);
-    const view = {
-      width,
-      height,
-      scale,
-      x: (width - rig.width * scale) / 2,
-      y: (height - rig.height * scale) / 2,
-    };
+    const { context } = this.#screen;
+    const view = loaded && this.#screen.viewOf(loaded.rig);
+    if (!loaded || !clip || !context || !view) return;
     const at = frameAt(clip, this.#time);
     this.#stage?.show(loaded, clip, at, orderAt(clip, at), view, context);
   }
