@@ -3,6 +3,7 @@
 mod alpha;
 mod alpha_shapes;
 mod api;
+mod at_rest;
 mod bars;
 mod blend;
 mod cloud;

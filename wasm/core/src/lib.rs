@@ -29,6 +29,7 @@
 mod display_number;
 mod error;
 pub mod limits;
+mod opacity;
 mod picture;
 pub mod project;
 

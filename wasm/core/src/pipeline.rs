@@ -108,6 +108,7 @@ pub(crate) fn compute_weights(
         leading = owners.iter().map(|&owner| leading[owner as usize]).collect();
     }
     weights.push_copies(&samples.skirt.owners);
+    leading.extend(samples.skirt.owners.iter().map(|&owner| leading[owner as usize]).collect::<Vec<_>>());
     Solution {
         background: prepared.background_size.map(|size| StaticBackground::new(&samples, size)).unwrap_or_default(),
         samples: samples.len(),

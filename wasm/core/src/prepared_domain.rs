@@ -6,6 +6,7 @@ use crate::{
     distance::Navigation,
     domain::Domain,
     error::Error,
+    opacity::Opacity,
     picture::Picture,
     project::{DomainSpec, Project},
 };
@@ -17,8 +18,8 @@ pub(crate) struct PreparedDomain {
     pub(crate) navigation: Navigation,
     /// Width and height of the picture, or `None` without a picture.
     pub(crate) picture: Option<(u32, u32)>,
-    /// Size of the picture, if it fades out beyond the outline and needs a skirt.
-    pub(crate) skirt_bounds: Option<DVec2>,
+    /// The opacity of the picture, if it goes on beyond the outline and needs a skirt.
+    pub(crate) around: Option<Opacity>,
     /// Size of the picture, if it continues beyond the outline as a background that stays.
     pub(crate) background_size: Option<DVec2>,
 }
@@ -38,14 +39,15 @@ impl PreparedDomain {
         };
         let has_background = matches!(spec, Some(DomainSpec::Polygon { .. }));
         let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-        let (skirt_bounds, background_size) = (has_skirt.then_some(size), has_background.then_some(size));
-        Ok(Self { domain, navigation, picture: Some(picture.size()), skirt_bounds, background_size })
+        let around = has_skirt.then(|| Opacity::new(picture));
+        let background_size = has_background.then_some(size);
+        Ok(Self { domain, navigation, picture: Some(picture.size()), around, background_size })
     }
 
     /// A domain without a picture: nothing is drawn beyond its outline.
     pub(crate) fn without_picture(domain: Domain) -> Self {
         let navigation = Navigation::new(&domain);
-        Self { domain, navigation, picture: None, skirt_bounds: None, background_size: None }
+        Self { domain, navigation, picture: None, around: None, background_size: None }
     }
 }
 

@@ -23,11 +23,11 @@ pub(crate) struct RenderMesh {
 impl RenderMesh {
     /// Orders triangles by the [part](leading_parts) of their first corner, lower parts over upper ones, and each
     /// part's skirt before its mesh: where the picture covers itself, one part covers the other completely, in any
-    /// order of the handles.
+    /// order of the handles. `leading` is the part of each vertex, with those of the skirt.
     pub(crate) fn new(samples: Samples, leading: &[u32]) -> Self {
         let Samples { mesh, skirt, .. } = samples;
         let layers = [&skirt.triangles, &mesh.triangles];
-        // The first corner of every triangle is a sample. Rows are sorted by part, then by layer.
+        // Rows are sorted by part, then by layer.
         let parts = leading.iter().max().map_or(0, |&last| last as usize + 1);
         let row = |layer: usize, t: &[u32; 3]| leading[t[0] as usize] as usize * layers.len() + layer;
         let of_layer = |layer: usize| layers[layer].iter().map(move |t| (row(layer, t), *t));

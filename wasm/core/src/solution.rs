@@ -82,8 +82,8 @@ struct Drawn {
 
 /// The mesh.
 impl Solution {
-    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt, a strip
-    /// of some pixels around soft edges.
+    /// Vertices of the mesh at rest, in image pixels: the [`samples`](Self::samples), then those of the skirt around
+    /// them, for soft edges and all else that is visible outside the domain.
     #[must_use]
     pub fn vertices(&self) -> &[DVec2] {
         &self.mesh.vertices

@@ -14,8 +14,8 @@ use super::{
 /// out.
 const INWARDS: f64 = 0.05;
 
-/// The place itself if it bends. On the skirt, and up to `within` beside the picture, the nearest place that bends;
-/// `None` farther away. The first `samples` vertices bend.
+/// The place itself if it bends. On a triangle of the skirt beside the part that bends, and up to `within` away from
+/// that part, the nearest place that bends; `None` farther away. The first `samples` vertices bend.
 pub(super) fn placement(
     [rest, posed]: [&[DVec2]; 2],
     drawn: &[[u32; 3]],
@@ -26,10 +26,13 @@ pub(super) fn placement(
     let bends = |triangle: &[u32; 3]| triangle.iter().all(|&vertex| (vertex as usize) < samples);
     let skirt = triangles_near(drawn, posed, at, 0.0)
         .filter(|triangle| !bends(triangle))
-        .map(|triangle| corners(posed, triangle))
-        .filter(|&here| barycentric(here, at).is_some());
-    // The first corner of every triangle is a sample.
-    let radius = skirt.fold(within, |radius, here| radius.max(at.distance(here[0])));
+        .filter(|&triangle| barycentric(corners(posed, triangle), at).is_some());
+    let nearest_sample = |triangle: [u32; 3]| {
+        let samples = triangle.into_iter().filter(|&vertex| (vertex as usize) < samples);
+        samples.map(|vertex| at.distance(posed[vertex as usize])).fold(f64::INFINITY, f64::min)
+    };
+    let distances = skirt.map(nearest_sample).filter(|distance| distance.is_finite());
+    let radius = distances.fold(within, f64::max);
     let mut nearest: Option<([u32; 3], Nearest)> = None;
     for triangle in triangles_near(drawn, posed, at, radius).filter(bends) {
         let found = Nearest::new(corners(posed, triangle), at);

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{bones, lattice, outline::OutlineSamples, refine, samples::Samples, skirt::Skirt};
+use super::{bones, lattice, outline::OutlineSamples, refine, samples::Samples, shown::shows_all, skirt::Skirt};
 use crate::{
     distance::Navigation,
     grid::Grid,
@@ -23,8 +23,6 @@ pub(crate) struct BaseSamples {
     pub(super) locator: Arc<Locator>,
     count: usize,
     bones: Vec<[DVec2; 2]>,
-    /// Size of the picture that the skirt is clamped to, if there is a skirt.
-    skirt_bounds: Option<DVec2>,
 }
 
 impl BaseSamples {
@@ -49,15 +47,12 @@ impl BaseSamples {
         for p in on_outline {
             insert(&mut samples, navigation, &locator, p);
         }
-        Self { samples, locator, count, bones: bones.to_vec(), skirt_bounds: None }
+        Self { samples, locator, count, bones: bones.to_vec() }
     }
 
-    /// The same samples with a skirt, clamped to a picture of a size. Without bounds there is no skirt.
-    pub(super) fn with_skirt(mut self, bounds: Option<DVec2>) -> Self {
-        if let Some(size) = bounds {
-            self.samples.skirt = Skirt::new(&self.samples.mesh, &self.samples.outline, size);
-        }
-        self.skirt_bounds = bounds;
+    /// The same samples with a skirt, if the domain needs one.
+    pub(super) fn with_skirt(mut self, prepared: &PreparedDomain) -> Self {
+        self.samples.skirt = skirt(&self.samples, prepared);
         self
     }
 
@@ -95,13 +90,21 @@ impl BaseSamples {
                 }
             }
         }
-        samples.skirt = match self.skirt_bounds {
+        samples.skirt = if samples.outline == self.samples.outline {
+            skirt.renumbered(self.samples.len(), samples.len())
+        } else {
             // Samples were inserted on the outline.
-            Some(size) if samples.outline != self.samples.outline => Skirt::new(&samples.mesh, &samples.outline, size),
-            _ => skirt.renumbered(self.samples.len(), samples.len()),
+            self::skirt(&samples, prepared)
         };
         samples
     }
+}
+
+/// The skirt of samples, with a fringe if it does not draw all of the picture. Empty if nothing is around them.
+fn skirt(Samples { mesh, outline, .. }: &Samples, prepared: &PreparedDomain) -> Skirt {
+    let Some(opacity) = &prepared.around else { return Skirt::default() };
+    let skirt = Skirt::new(mesh, outline, opacity.size());
+    if shows_all(mesh, outline, &skirt, opacity) { skirt } else { skirt.with_fringe(mesh, outline, opacity) }
 }
 
 /// Inserts a point of the domain into the samples, and into their outline if it lies there. Returns its vertex.

@@ -16,7 +16,7 @@ pub(crate) struct SamplingCache {
 impl SamplingCache {
     /// Base samples of the drawn mesh, about `count`. See [`BaseSamples::new`].
     pub(crate) fn fine(&mut self, prepared: &PreparedDomain, bones: &[[DVec2; 2]], count: usize) -> &BaseSamples {
-        let new = || BaseSamples::new(prepared, bones, count).with_skirt(prepared.skirt_bounds);
+        let new = || BaseSamples::new(prepared, bones, count).with_skirt(prepared);
         cached_or_new(&mut self.fine, bones, count, new)
     }
 

@@ -7,11 +7,14 @@ mod base;
 mod bones;
 mod cache;
 mod coarse;
+mod fringe;
 mod lattice;
 mod outline;
 mod refine;
 mod samples;
+mod shown;
 mod skirt;
+mod tiles;
 
 #[cfg(test)]
 pub(crate) use base::BaseSamples;

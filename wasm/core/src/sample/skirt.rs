@@ -5,7 +5,7 @@
 //! gap, so that no part draws the fringe of another.
 //!
 //! Cost: O(n log n) for n samples on the outline. Known limits: a softer edge ends at [`WIDTH`], and in a narrow gap
-//! at the middle of the gap.
+//! at the middle of the gap. A [fringe](super::fringe) draws all else that is visible.
 
 use glam::DVec2;
 
@@ -16,14 +16,14 @@ const WIDTH: f64 = 3.0;
 /// Greatest distance of a corner's offset vertex, as a multiple of the width.
 const MAX_MITRE: f64 = 2.0;
 
-/// Offset vertices of the outline's samples, and the triangles between them and the samples.
+/// Vertices around the outline that move with its samples, and the triangles between both.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Skirt {
-    /// Rest positions of the offset vertices.
+    /// Rest positions of these vertices.
     pub(crate) vertices: Vec<DVec2>,
-    /// The outline sample of each offset vertex.
+    /// The outline sample that each of them moves with.
     pub(crate) owners: Vec<u32>,
-    /// Triangles × 3 vertex indices. Indices from the mesh's vertex count on are offset vertices.
+    /// Triangles × 3 vertex indices, at least one of them of the skirt: those from the mesh's vertex count on.
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
@@ -50,6 +50,12 @@ impl Skirt {
             }
         }
         skirt
+    }
+
+    /// The rest place of a vertex of the mesh or the skirt.
+    pub(super) fn place(&self, mesh: &Triangulation, vertex: u32) -> DVec2 {
+        let vertex = vertex as usize;
+        mesh.vertices.get(vertex).copied().unwrap_or_else(|| self.vertices[vertex - mesh.vertices.len()])
     }
 
     /// The same skirt for a mesh that has grown from `before` to `now` vertices, with no new one on the outline.

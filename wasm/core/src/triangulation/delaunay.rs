@@ -17,16 +17,21 @@ impl Triangulation {
     /// Vertices must be finite, and keep their indices. They should be distinct, and segments should not cross. Of
     /// vertices that coincide only the first is used, and edges are missing where segments cross.
     pub(crate) fn constrained_delaunay(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
-        Self::from_faces(vertices, segments, true)
+        Self::from_faces(vertices, segments, Some(true))
     }
 
     /// The constrained Delaunay triangulation of the vertices' convex hull without that region.
     pub(crate) fn constrained_delaunay_outside(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
-        Self::from_faces(vertices, segments, false)
+        Self::from_faces(vertices, segments, Some(false))
     }
 
-    /// Triangulates the faces inside the segments if `inside`, and those outside otherwise.
-    fn from_faces(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>, inside: bool) -> Self {
+    /// The constrained Delaunay triangulation of the vertices' convex hull. Segments may lie on each other.
+    pub(crate) fn constrained_delaunay_hull(vertices: Vec<DVec2>, segments: Vec<[usize; 2]>) -> Self {
+        Self::from_faces(vertices, segments, None)
+    }
+
+    /// Triangulates the faces inside the segments if `inside`, those outside if not, and all faces by default.
+    fn from_faces(vertices: Vec<DVec2>, mut segments: Vec<[usize; 2]>, inside: Option<bool>) -> Self {
         let points: Vec<_> = vertices.iter().map(|p| mitigate_underflow(Point2::new(p.x, p.y))).collect();
         segments.retain(|&[a, b]| points[a] != points[b]);
         let ends: Vec<[Point2<f64>; 2]> = segments.iter().map(|ends| ends.map(|end| points[end])).collect();
@@ -36,8 +41,14 @@ impl Triangulation {
         // Spade drops vertices that coincide with earlier ones, and renumbers the later ones.
         let known = (cdt.num_vertices() < vertices.len()).then(|| distinct_vertices(&vertices));
         let index = |vertex: usize| known.as_ref().map_or(vertex as u32, |known| known[vertex]);
-        let is_inside = if crossings == 0 { inside_by_parity(&cdt) } else { inside_by_ray_casting(&cdt, &ends) };
-        let kept: Vec<_> = cdt.inner_faces().filter(|face| is_inside[face.fix().index()] == inside).collect();
+        let kept: Vec<_> = match inside {
+            Some(inside) => {
+                let is_inside =
+                    if crossings == 0 { inside_by_parity(&cdt) } else { inside_by_ray_casting(&cdt, &ends) };
+                cdt.inner_faces().filter(|face| is_inside[face.fix().index()] == inside).collect()
+            }
+            None => cdt.inner_faces().collect(),
+        };
         let mut number = vec![NONE; cdt.num_all_faces()];
         for (face, at) in kept.iter().zip(0..) {
             number[face.fix().index()] = at;
