@@ -9,6 +9,9 @@
  * | `readonly` | people can look, pan and zoom, but change nothing; methods still can |
  * | `disabled` | people can do nothing |
  * | `posable` | only the picture and its handles, for an article; with `readonly`, only the picture |
+ * | `clip` | the name of the clip that `play()` plays; without it the first one |
+ * | `autoplay` | plays the clip once the picture is open, unless people prefer reduced motion |
+ * | `loop` | the clip begins again at its end |
  * | `theme` | `light` or `dark`; without it, the system's |
  * | `alt` | with `posable`: what the picture shows, for screen readers; without it they read its name |
  * | `hint`, `hint-for` | a hint shown until the first change, and the id of the handle it points to |
@@ -27,6 +30,7 @@
  * | `selectionchange` | `detail.selection`: the ids, whatever changed the selection |
  * | `historychange` | `detail.undo`, `detail.redo`: labels of the next undo and redo steps, or null |
  * | `titlechange` | `detail.name`: the open picture's, or null; `detail.unsaved`: no file holds the last changes |
+ * | `play`, `pause`, `timeupdate`, `ended` | of the clip, as those of `<video>` |
  * | `progress` | `detail.label`: the solver's stage, once a wait is noticeable, or the export; null when done. `detail.fraction`: the part of an export that is done, else null |
  * | `error` | `detail`: an Error that no method call can throw or reject with |
  *
@@ -69,6 +73,7 @@ import type { PageNotification } from './editor/effects';
 import { attributesPending, type Carried, nothingCarried } from './editor/opening_state';
 import type { Media, PageAttributes, Sample } from './editor/page';
 import type { NamedFile } from './editor/picture';
+import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
 import { documentOf, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
 import type { BlobOptions, HandlePose, LoadOptions, NewHandle, WarpOptions } from './element/api';
@@ -103,6 +108,9 @@ export class C2Warp extends TypedElement {
     readonly: { type: Boolean, reflect: true },
     disabled: { type: Boolean, reflect: true },
     posable: { type: Boolean, reflect: true },
+    clip: {},
+    autoplay: { type: Boolean, reflect: true },
+    loop: { type: Boolean, reflect: true },
     theme: { reflect: true },
     alt: {},
     hint: {},
@@ -117,6 +125,9 @@ export class C2Warp extends TypedElement {
   declare readonly: boolean;
   declare disabled: boolean;
   declare posable: boolean;
+  declare clip: string | null;
+  declare autoplay: boolean;
+  declare loop: boolean;
   declare theme: string | null;
   declare alt: string | null;
   declare hint: string | null;
@@ -133,6 +144,7 @@ export class C2Warp extends TypedElement {
   /** One query, kept: every frame of an animation asks it. */
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
   readonly #coarsePointer = matchMedia('(pointer: coarse)');
+  readonly #reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
 
   constructor() {
     super();
@@ -142,6 +154,9 @@ export class C2Warp extends TypedElement {
     this.readonly = false;
     this.disabled = false;
     this.posable = false;
+    this.clip = null;
+    this.autoplay = false;
+    this.loop = false;
     this.theme = null;
     this.alt = null;
     this.hint = null;
@@ -272,6 +287,57 @@ export class C2Warp extends TypedElement {
   /** Returns all handles to their rest pose. */
   reset(): void {
     this.#present.dispatch({ type: 'reset-asked' });
+  }
+
+  /**
+   * Plays the clip, from its beginning if it has ended. Closes the timeline. People can go on to pose handles. These
+   * ease back to the clip once they are let go.
+   *
+   * @throws RangeError if the project has no such clip; Error if the element is not connected.
+   */
+  async play(): Promise<void> {
+    const { state, dispatch } = this.#present;
+    if (!playedClip(state))
+      throw new RangeError(this.clip === null ? 'there is no clip' : `there is no clip "${this.clip}"`);
+    dispatch({ type: 'play-asked' });
+  }
+
+  pause(): void {
+    this.#runtime?.dispatch({ type: 'pause-asked' });
+  }
+
+  get paused(): boolean {
+    return !this.#runtime?.state.playback.playing;
+  }
+
+  get ended(): boolean {
+    return this.#runtime !== null && hasEnded(this.#runtime.state);
+  }
+
+  /** Seconds. Setting it shows that time of the clip. */
+  get currentTime(): number {
+    return this.#runtime?.state.playback.time ?? 0;
+  }
+
+  set currentTime(seconds: number) {
+    if (!Number.isFinite(seconds)) throw new TypeError('currentTime: expected seconds');
+    this.#present.dispatch({ type: 'seek-asked', time: seconds });
+  }
+
+  /** Seconds; NaN without a clip. A clip that alternates lasts there and back. */
+  get duration(): number {
+    const clip = this.#runtime && playedClip(this.#runtime.state);
+    return clip ? playedDuration(clip) : Number.NaN;
+  }
+
+  /** 1 at first. Below 0 the clip plays backwards. */
+  get playbackRate(): number {
+    return this.#runtime?.state.playback.rate ?? 1;
+  }
+
+  set playbackRate(rate: number) {
+    if (!Number.isFinite(rate)) throw new TypeError('playbackRate: expected a number');
+    this.#present.dispatch({ type: 'rate-asked', rate });
   }
 
   /** The posed place of a point of the original, image pixels; null outside the warped area. */
@@ -467,15 +533,30 @@ export class C2Warp extends TypedElement {
   }
 
   get #attributes(): PageAttributes {
-    const { readonly, disabled, posable, tool, alt, src, projectSource, samples } = this;
+    const { readonly, disabled, posable, clip, autoplay, loop, tool, alt, src, projectSource, samples } =
+      this;
     const hint = this.hint ? { text: this.hint, handle: this.hintFor } : null;
-    return { readonly, disabled, posable, tool, alt, hint, src, projectSource, samples };
+    return {
+      readonly,
+      disabled,
+      posable,
+      clip,
+      autoplay,
+      loop,
+      tool,
+      alt,
+      hint,
+      src,
+      projectSource,
+      samples,
+    };
   }
 
   get #mediaNow(): Media {
     const { theme } = this;
     const dark = theme === 'dark' || theme === 'light' ? theme === 'dark' : this.#darkScheme.matches;
-    return { dark, coarse: this.#coarsePointer.matches, platform: navigator.platform };
+    const [coarse, still] = [this.#coarsePointer.matches, this.#reducedMotion.matches];
+    return { dark, coarse, still, platform: navigator.platform };
   }
 
   #setPageProject(project: ProjectFile | null): void {
@@ -488,6 +569,10 @@ export class C2Warp extends TypedElement {
     switch (type) {
       case 'ready':
       case 'load':
+      case 'play':
+      case 'pause':
+      case 'timeupdate':
+      case 'ended':
         this.#emit(type, null);
         break;
       case 'input':

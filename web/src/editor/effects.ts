@@ -21,7 +21,7 @@ export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'over
 
 /** The DOM events of the element. */
 export type PageNotification =
-  | { readonly type: 'ready' | 'load' }
+  | { readonly type: 'ready' | 'load' | 'play' | 'pause' | 'timeupdate' | 'ended' }
   | { readonly type: 'input' | 'change'; readonly project: Project }
   | { readonly type: 'selectionchange'; readonly selection: readonly string[] }
   | { readonly type: 'historychange'; readonly undo: string | null; readonly redo: string | null }

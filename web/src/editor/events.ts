@@ -56,6 +56,10 @@ type PageEvent =
   | { readonly type: 'project-adopted'; readonly project: Project }
   | { readonly type: 'page-project-set'; readonly project: ProjectFile | null }
   | { readonly type: 'selection-set'; readonly ids: readonly string[] }
+  /** Playing a clip, as on a media element. */
+  | { readonly type: 'play-asked' | 'pause-asked' | 'autoplay-asked' }
+  | { readonly type: 'seek-asked'; readonly time: number }
+  | { readonly type: 'rate-asked'; readonly rate: number }
   | { readonly type: 'undo-asked' | 'redo-asked' | 'reset-asked' | 'fit-asked' };
 
 type PointerEvent =

@@ -33,6 +33,9 @@ export const PAGE: PageAttributes = {
   readonly: false,
   disabled: false,
   posable: false,
+  clip: null,
+  autoplay: false,
+  loop: false,
   tool: null,
   alt: null,
   hint: null,
@@ -41,7 +44,7 @@ export const PAGE: PageAttributes = {
   samples: [],
 };
 
-export const MEDIA: Media = { dark: false, coarse: false, platform: 'Linux' };
+export const MEDIA: Media = { dark: false, coarse: false, still: false, platform: 'Linux' };
 
 const files = new Map<string, SourceFile>();
 

@@ -7,6 +7,7 @@ import { DEFAULT_CHOICES } from './export_choices';
 import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
+import { NOT_PLAYED } from './playback_state';
 import type { EditorState } from './state';
 import { NO_STUDY } from './study_state';
 import { CLOSED_TIMELINE } from './timeline_state';
@@ -64,6 +65,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     },
     study: NO_STUDY,
     timeline: CLOSED_TIMELINE,
+    playback: NOT_PLAYED,
     pointer: { coarse: media.coarse, hovered: null, alt: false, last: null, onHandle: false, space: false },
     focus: { on: 'nothing', handle: null, corner: null },
     menu: null,

@@ -8,6 +8,12 @@ export interface PageAttributes {
   readonly disabled: boolean;
   /** Handles can only be posed. Gestures and keys of the view are left to the page. */
   readonly posable: boolean;
+  /** The clip that the page plays; null for the first one. */
+  readonly clip: string | null;
+  /** The clip plays once a picture of the page is open. */
+  readonly autoplay: boolean;
+  /** The clip begins again at its end. */
+  readonly loop: boolean;
   /** The tool that the page has set. */
   readonly tool: string | null;
   /** A description of the picture, in the words of the page. */
@@ -38,6 +44,8 @@ export interface Media {
   readonly dark: boolean;
   /** The device has no pointer finer than a finger. */
   readonly coarse: boolean;
+  /** The person prefers reduced motion. */
+  readonly still: boolean;
   /** The browser's name of the platform, for the names of keys. */
   readonly platform: string;
 }

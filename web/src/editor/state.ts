@@ -28,6 +28,7 @@ import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS, type OverlayFlags } from './overlays';
 import type { Media, PageAttributes } from './page';
 import type { Picture } from './picture';
+import type { PlaybackState } from './playback_state';
 import type { Popover } from './popover';
 import type { SolutionState } from './solution';
 import type { StagePointer } from './stage_pointer';
@@ -57,6 +58,7 @@ export interface EditorState {
   readonly display: DisplayState;
   readonly study: StudyState;
   readonly timeline: TimelineState;
+  readonly playback: PlaybackState;
   readonly pointer: PointerState;
   readonly focus: Focus;
   readonly menu: MenuState | null;

@@ -17,9 +17,12 @@ export type HandlePose = Pick<Handle, 'id'> & Partial<Handle>;
 export type C2WarpProps = {
   [T in keyof C2WarpEventMap as `on${T}`]?: ((event: C2WarpEventMap[T]) => void) | undefined;
 } & {
-  [T in 'src' | 'tool' | 'theme' | 'alt' | 'hint' | 'hint-for' | 'autosave']?: string | null | undefined;
+  [T in 'src' | 'clip' | 'tool' | 'theme' | 'alt' | 'hint' | 'hint-for' | 'autosave']?:
+    | string
+    | null
+    | undefined;
 } & {
-  [T in 'readonly' | 'disabled' | 'posable']?: boolean | undefined;
+  [T in 'readonly' | 'disabled' | 'posable' | 'autoplay' | 'loop']?: boolean | undefined;
 } & {
   project?: ProjectFile | string | null | undefined;
   selection?: readonly string[] | null | undefined;

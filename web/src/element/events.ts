@@ -6,6 +6,10 @@ import type { Project } from '../document/project';
 export interface EventDetails {
   readonly ready: null;
   readonly load: null;
+  readonly play: null;
+  readonly pause: null;
+  readonly timeupdate: null;
+  readonly ended: null;
   readonly input: { readonly project: Project };
   readonly change: { readonly project: Project };
   readonly selectionchange: { readonly selection: readonly string[] };

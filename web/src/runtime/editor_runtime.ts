@@ -95,7 +95,10 @@ export class EditorRuntime {
     this.#files = new Files(dispatch, this.#pictures, this.#solver);
     this.#storage = new Storage(dispatch);
     this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
-    this.#clock = new Clock((seconds) => dispatch({ type: 'clock-ticked', seconds }));
+    // Out of sight time stands still.
+    this.#clock = new Clock((seconds) => {
+      if (this.#frames?.seen) dispatch({ type: 'clock-ticked', seconds });
+    });
     this.#focus = new Focus(element.root);
     this.#focus.watch(dispatch, this.#listening.signal);
     this.#focusKeeper = new FocusKeeper(element.node);

@@ -4,12 +4,15 @@ import { clipNamed, clipsOf, lastTime } from '../../document/clips';
 import { isSameMoment } from '../../document/document';
 import * as history from '../../document/history';
 import { atMoment, unposed } from '../../document/moment';
+import { isPressing } from '../../tools/machine';
 import type { Emit } from '../effects';
 import { filedProject, openClip } from '../open_clip';
+import { playedClip } from '../played_clip';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import type { TimelineState } from '../timeline_state';
 import { withHistory } from './document_slice';
 import { edited } from './edited';
+import { easedBack } from './playback';
 
 export const withTimeline = (state: EditorState, change: Partial<TimelineState>): EditorState => ({
   ...state,
@@ -23,24 +26,34 @@ export function stopPlaying(state: EditorState, emit: Emit): EditorState {
 }
 
 /**
- * Poses the handles as the open clip does at the playhead, and as they are without it once the timeline is closed.
+ * Poses the handles as the open clip does at the playhead, or as the clip that the page plays. Without both they are as
+ * in the file.
  * Called after every event: whatever changes the clip, the document or the solution, the pose follows.
  */
 export function followClip(before: EditorState, emit: Emit): EditorState {
   const state = withKnownClip(before);
-  const { clip, time, recording } = state.timeline;
+  const { easing, playing } = state.playback;
   const deformation = state.solution.shown?.deformation;
-  const moment = openClip(state) && clip !== null && deformation ? { clip, time } : null;
+  const moment = deformation ? momentOf(state) : null;
   const present = documentOf(state).moment;
   if (moment ? isSameMoment(present, moment) : !present) return state;
-  // A hand that is being recorded leads its handles.
-  const held = recording ? selectionOf(state) : [];
-  const amended = history.amend(state.document.history, (document) =>
-    moment && deformation
-      ? atMoment(document, moment.clip, moment.time, deformation.posesAt, held)
-      : unposed(document),
-  );
+  // A hand that is recorded, or takes a handle while a clip plays, leads its handles.
+  const leads = state.timeline.recording !== null || (playing && isPressing(state.tools));
+  const held = leads ? selectionOf(state) : [];
+  const amended = history.amend(state.document.history, (document) => {
+    if (!moment || !deformation) return unposed(document);
+    const posed = atMoment(document, moment.clip, moment.time, deformation.posesAt, held);
+    return easing && !leads ? easedBack(posed, easing) : posed;
+  });
   return edited(withHistory(state, amended), 'pose', emit);
+}
+
+/** The clip and the time that pose the handles: of the timeline, or of a page that plays. */
+function momentOf(state: EditorState): { readonly clip: string; readonly time: number } | null {
+  const open = openClip(state);
+  if (open) return { clip: open.name, time: state.timeline.time };
+  const played = state.playback.active ? playedClip(state) : null;
+  return played && { clip: played.name, time: state.playback.time };
 }
 
 /** Opens the first clip in place of one that is no longer there, and keeps the playhead within the clip. */

@@ -18,9 +18,19 @@ export const guardEnded = (state: EditorState): EditorState => ({
   guard: endGuarding(state.guard),
 });
 
-/** Ends the open step. What it has changed of poses at a time of a clip are keys now. */
+/** Ends the open step. */
 export function committed(state: EditorState): EditorState {
   const { history: steps } = state.document;
-  const present = steps.open ? absorbed(steps.open.value, steps.present) : steps.present;
+  const present = steps.open ? landed(state, steps.open.value, steps.present) : steps.present;
   return withHistory(state, history.commit(history.update(steps, present), isSameWork));
+}
+
+/**
+ * A document that a step has changed. In the timeline, changes of poses become keys. Of a clip that the page shows, the
+ * pose becomes the document's own.
+ */
+export function landed({ timeline }: EditorState, before: Document, after: Document): Document {
+  if (timeline.open) return absorbed(before, after);
+  const { moment: _, ...own } = after;
+  return after.moment && after !== before ? own : after;
 }

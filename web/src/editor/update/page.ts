@@ -12,6 +12,8 @@ import { withDocument } from './document_slice';
 import { reset } from './edits';
 import type { Handlers } from './handlers';
 import { closeMenu } from './menu_closing';
+import { pauseForPage, playForPage, rateForPage, seekForPage } from './playback';
+import { openTimeline } from './playhead';
 import { schedulePoseCheck } from './pose_checks';
 import { applyTools } from './press';
 import { withOpening } from './requests';
@@ -26,7 +28,9 @@ function changePage(before: EditorState, page: PageAttributes, emit: Emit): Edit
   const locks = (page.readonly && !readonly) || (page.disabled && !disabled);
   const relocks =
     (page.readonly || page.disabled) && (readonly !== page.readonly || disabled !== page.disabled);
-  let state = { ...before, page };
+  const changesClip = page.clip !== before.page.clip;
+  let state: EditorState = { ...before, page };
+  if (changesClip) state = { ...state, playback: { ...state.playback, time: 0 } };
   if (locks || relocks || rearranges) state = stop(state, emit);
   return rearranges ? rearrange(state, emit) : state;
 }
@@ -58,6 +62,11 @@ export const pageHandlers: Handlers<
   | 'project-adopted'
   | 'page-project-set'
   | 'selection-set'
+  | 'play-asked'
+  | 'pause-asked'
+  | 'autoplay-asked'
+  | 'seek-asked'
+  | 'rate-asked'
   | 'undo-asked'
   | 'redo-asked'
   | 'reset-asked'
@@ -89,6 +98,13 @@ export const pageHandlers: Handlers<
     state.picture && state.opening.revision === state.opening.openedRevision
       ? selectForPage(state, ids, emit)
       : withOpening(state, { pageSelection: ids }),
+  'play-asked': (state, _, emit) => playForPage(openTimeline(state, false, emit), emit),
+  'pause-asked': (state, _, emit) => pauseForPage(state, emit),
+  // For people who prefer reduced motion nothing plays by itself.
+  'autoplay-asked': (state, _, emit) =>
+    state.page.autoplay && !state.media.still ? playForPage(state, emit) : state,
+  'seek-asked': (state, { time }, emit) => seekForPage(openTimeline(state, false, emit), time, emit),
+  'rate-asked': (state, { rate }) => rateForPage(state, rate),
   'undo-asked': (state, _, emit) => undo(state, emit),
   'redo-asked': (state, _, emit) => redo(state, emit),
   'reset-asked': (state, _, emit) => reset(state, true, emit),

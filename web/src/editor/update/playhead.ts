@@ -9,18 +9,20 @@ import { refitView } from '../view';
 import { stopPlaying, withTimeline } from './clip_slice';
 import type { Handlers } from './handlers';
 import { announce } from './notices';
+import { endPlayback, tickPlayback } from './playback';
 import { followRecording } from './recording';
 
 export function openTimeline(state: EditorState, open: boolean, emit: Emit): EditorState {
   if (open === state.timeline.open || (open && (!state.picture || state.page.posable))) return state;
   if (open) emit({ type: 'focus-control', control: 'timeline' });
-  const next = withTimeline(stopPlaying(state, emit), { open, selected: [], renaming: false });
+  const paused = open ? endPlayback(state, emit) : state;
+  const next = withTimeline(stopPlaying(paused, emit), { open, selected: [], renaming: false });
   return refitView(announce(next, open ? 'Timeline' : 'Timeline closed'));
 }
 
 /** Closes the timeline of a picture that goes. */
 export const closeTimeline = (before: EditorState, emit: Emit): EditorState => {
-  const state = stopPlaying(before, emit);
+  const state = endPlayback(stopPlaying(before, emit), emit);
   const { rate, onion } = state.timeline;
   return { ...state, timeline: { ...CLOSED_TIMELINE, rate, onion } };
 };
@@ -59,6 +61,7 @@ export function play(state: EditorState, on: boolean, emit: Emit): EditorState {
 
 function tick(state: EditorState, seconds: number, emit: Emit): EditorState {
   if (state.timeline.recording) return followRecording(state, seconds, emit);
+  if (state.playback.playing) return tickPlayback(state, seconds, emit);
   const clip = openClip(state);
   if (!state.timeline.playing || !clip) return stopPlaying(state, emit);
   const played = state.timeline.played + seconds;

@@ -19,6 +19,7 @@ import { committed, guardEnded, withDocument, withHistory } from './document_sli
 import { edited } from './edited';
 import { look } from './lens';
 import { announce } from './notices';
+import { letGo, ownPose } from './playback';
 import { beginRecording, dropRecording, endRecording, recordMove } from './recording';
 import { select } from './selection';
 
@@ -105,11 +106,12 @@ function drag(state: EditorState, edit: PosedDocument, emit: Emit): EditorState 
 
 /** Ends a drag: one undo step, or none if it changed nothing. */
 function endDrag(before: EditorState, emit: Emit): EditorState {
+  if (before.playback.playing) return edited(letGo(guardEnded(before)), 'input', emit);
   const state = endRecording(guardEnded(loweredAgain(before)), emit);
   const ended = committed(state);
   // A drag that changed nothing: its label must disappear from undo.
   if (ended.document.history.past === state.document.history.past) return edited(ended, 'input', emit);
-  const next = edited(ended, 'change', emit);
+  const next = edited(ownPose(ended, emit), 'change', emit);
   const label = history.undoLabel(next.document.history) ?? '';
   const place = placeWords(documentOf(next), turnsOf(next));
   return announce(next, place === '' ? label : `${label}. ${place}`);

@@ -15,7 +15,11 @@ import { inform, report } from './notices';
 import { requestAttributes, restore, withOpening } from './requests';
 import { chooseByHandles } from './tool_choice';
 
-const notifyLoad = (emit: Emit): void => emit({ type: 'notify-page', notification: { type: 'load' } });
+/** A picture of the page is open. */
+function notifyLoad(emit: Emit): void {
+  emit({ type: 'notify-page', notification: { type: 'load' } });
+  emit({ type: 'follow-up', event: { type: 'autoplay-asked' } });
+}
 
 function endRequest(
   state: EditorState,

@@ -3,15 +3,15 @@ import { type ModeReturn, modeOf } from '../../document/bending';
 import { type Document, handleById, isSameWork } from '../../document/document';
 import { putHandles } from '../../document/edits';
 import * as history from '../../document/history';
-import { absorbed } from '../../document/moment';
 import type { Handle, PoseMode } from '../../document/project';
 import { cancelPress, forgetTakenCorners, isPressing, restoreDrawings } from '../../tools/machine';
 import type { Emit } from '../effects';
 import { documentOf, type EditorState, selectionOf } from '../state';
 import type { Work } from '../work';
-import { guardEnded, withDocument, withHistory } from './document_slice';
+import { guardEnded, landed, withDocument, withHistory } from './document_slice';
 import { edited } from './edited';
 import { announce } from './notices';
+import { ownPose } from './playback';
 import { closeTimeline, returnToMoment } from './playhead';
 import { applyTools, endPress, endPressKeepingChanges } from './press';
 import { select } from './selection';
@@ -50,10 +50,10 @@ export function commitStep(
   emit: Emit,
   key: string | null = null,
 ): EditorState {
-  const keyed = absorbed(documentOf(state), document);
-  const next = history.step(state.document.history, label, keyed, isSameWork, key);
+  const changed = landed(state, documentOf(state), document);
+  const next = history.step(state.document.history, label, changed, isSameWork, key);
   if (next === state.document.history) return state;
-  const stepped = withDocument(state, { history: next, travelled: null });
+  const stepped = withDocument(ownPose(state, emit), { history: next, travelled: null });
   // The current press would overwrite this step. Its changes so far are a step of their own.
   return edited(applyTools(stepped, cancelPress(stepped.tools), emit), 'change', emit);
 }
