@@ -239,6 +239,7 @@ test('samples open with their handles', async ({ page }) => {
     ['snake', 'belly', 5],
     ['robot', 'body', 10],
     ['salamander', 'hips', 8],
+    ['portrait', 'chin', 11],
     ['gingerbread', 'left hand', 5],
   ] as const) {
     await editor.button('Open recent work').click();
@@ -246,6 +247,40 @@ test('samples open with their handles', async ({ page }) => {
     await expect(editor.handle(handle)).toBeVisible();
     await expect(editor.handles).toHaveCount(count);
     await expect(page).toHaveTitle(`${name}.png – c2warp`);
+  }
+});
+
+/** Shows a clip of the project at a time in seconds. */
+const showMoment = (page: Page, clip: string, seconds: number) =>
+  page.locator('c2-warp').evaluate(
+    async (element, [clip, seconds]) => {
+      const warp = element as C2Warp;
+      warp.clip = clip;
+      await warp.updateComplete;
+      warp.currentTime = seconds;
+    },
+    [clip, seconds] as const,
+  );
+
+test('samples have clips that move their handles', async ({ page }) => {
+  const editor = await Editor.open(page);
+  for (const [name, clips] of [
+    ['gingerbread', { wave: 'right hand', 'walk in place': 'left foot' }],
+    ['cat', { breathe: 'head', tail: 'tail tip' }],
+    ['portrait', { tilt: 'brow' }],
+  ] as const) {
+    await editor.button('Open recent work').click();
+    await editor.button(`Open the sample ${name}`).click();
+    await expect(page).toHaveTitle(`${name}.png – c2warp`);
+    const named = await page
+      .locator('c2-warp')
+      .evaluate((element) => (element as C2Warp).project.clips?.map(({ name }) => name));
+    expect(named).toEqual(Object.keys(clips));
+    for (const [clip, handle] of Object.entries(clips)) {
+      const rest = await editor.shownPose(handle);
+      await showMoment(page, clip, 0.75);
+      await expect.poll(() => editor.shownPose(handle)).not.toEqual(rest);
+    }
   }
 });
 

@@ -30,6 +30,14 @@ async function way(editor: Editor, handle: string): Promise<readonly (readonly [
   return (track?.keys ?? []).map(({ time, posed }) => [time, Number(posed?.[1])] as const);
 }
 
+test.beforeEach(async ({ page }) => {
+  // The sample has clips of its own. These tests begin without any.
+  await page.route('**/samples/gingerbread.c2warp.json', async (route) => {
+    const { clips: _, ...project } = await (await route.fetch()).json();
+    await route.fulfill({ json: project });
+  });
+});
+
 async function open(editor: Editor): Promise<void> {
   await editor.page.keyboard.press('t');
   await expect(timeline(editor)).toBeVisible();

@@ -5,13 +5,21 @@ const editor = document.querySelector('c2-warp');
 const THEME = 'theme';
 
 /** Drawn for c2warp: see `web/scripts/draw-samples.mjs`. */
-const SAMPLES = ['gingerbread', 'octopus', 'cactus', 'cat', 'giraffe', 'snake', 'robot', 'salamander'].map(
-  (name) => ({
-    name,
-    src: `./samples/${name}.png`,
-    project: `./samples/${name}.c2warp.json`,
-  }),
-);
+const SAMPLES = [
+  'gingerbread',
+  'octopus',
+  'cactus',
+  'cat',
+  'giraffe',
+  'snake',
+  'robot',
+  'salamander',
+  'portrait',
+].map((name) => ({
+  name,
+  src: `./samples/${name}.png`,
+  project: `./samples/${name}.c2warp.json`,
+}));
 
 if (editor) {
   editor.samples = SAMPLES;
