@@ -6,6 +6,7 @@ mod api;
 mod at_rest;
 mod bars;
 mod blend;
+mod clips;
 mod cloud;
 mod depth;
 mod fine_outlines;

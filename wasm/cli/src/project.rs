@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use c2warp::Picture;
 use c2warp::Solution;
+use c2warp::clip::Playback;
 use c2warp::deform::Pose;
 use c2warp::domain::{Domain, OutlineDetail};
-use c2warp::project::Project;
+use c2warp::project::{Clip, Project};
 
 use crate::carried;
 use crate::error::CliError;
@@ -61,15 +62,18 @@ impl LoadedProject {
         Ok(Self { project, project_path: path.clone(), image, image_path })
     }
 
-    /// Poses the handles as a clip does at a time in seconds.
-    pub(crate) fn pose_by_clip(&mut self, name: &str, time: f64) -> Result<(), CliError> {
-        let Project { clips, handles, .. } = &mut self.project;
-        let Some(clip) = clips.iter().find(|clip| clip.name == name) else {
+    /// Returns the path of the project, for errors about its contents.
+    pub(crate) fn path(&self) -> &Path {
+        &self.project_path
+    }
+
+    /// Returns the clip with a name.
+    pub(crate) fn clip(&self, name: &str) -> Result<&Clip, CliError> {
+        let clips = &self.project.clips;
+        clips.iter().find(|clip| clip.name == name).ok_or_else(|| {
             let names = clips.iter().map(|clip| clip.name.clone()).collect();
-            return Err(CliError::NoClip { path: self.project_path.clone(), name: name.to_owned(), names });
-        };
-        clip.apply(time, handles);
-        Ok(())
+            CliError::NoClip { path: self.project_path.clone(), name: name.to_owned(), names }
+        })
     }
 
     /// Prepares an output. It must not replace the project file.
@@ -114,6 +118,12 @@ impl LoadedProject {
     /// Returns an error about a clip of the project, or about the rig of all.
     pub(crate) fn not_baked(&self, reason: c2warp::rig::BakeError) -> CliError {
         CliError::NotBaked { path: self.project_path.clone(), reason }
+    }
+
+    /// Poses the handles as a clip does at a time in seconds.
+    pub(crate) fn pose_at(&self, solution: &Solution, clip: &Clip, time: f64) -> Result<Pose, CliError> {
+        let mut playback = Playback::new(solution.poser().clone(), clip.clone(), self.project.handles.clone());
+        playback.pose(time, self.project.pose.blend).map_err(|reason| self.refused(reason))
     }
 
     /// Returns an error about the contents of the project.

@@ -54,10 +54,11 @@ fn finite(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let mut loaded = LoadedProject::open(&arguments.files)?;
-    if let (Some(clip), Some(time)) = (&arguments.moment.clip, arguments.moment.at) {
-        loaded.pose_by_clip(clip, time)?;
-    }
+    let loaded = LoadedProject::open(&arguments.files)?;
+    let moment = match (&arguments.moment.clip, arguments.moment.at) {
+        (Some(clip), Some(time)) => Some((loaded.clip(clip)?, time)),
+        _ => None,
+    };
     let picture = loaded.picture()?;
     // Reject invalid scales before solving.
     raster::warped_size(picture.width(), picture.height(), arguments.scale).map_err(CliError::Scale)?;
@@ -67,7 +68,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let stmap = arguments.stmap.as_deref().map(|path| stmap_output(&loaded, path, &output)).transpose()?;
 
     let solution = loaded.solve()?;
-    let pose = loaded.pose(&solution)?;
+    let pose = match moment {
+        Some((clip, time)) => loaded.pose_at(&solution, clip, time)?,
+        None => loaded.pose(&solution)?,
+    };
     let options = ResampleOptions {
         scale: arguments.scale,
         canvas: if arguments.grow { Canvas::Grown } else { Canvas::Picture },
@@ -114,7 +118,7 @@ fn check_extension(path: &Path, written: ImageFormat) -> Result<(), CliError> {
     }
 }
 
-fn encode_png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
+pub(crate) fn encode_png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
     let mut png = Vec::new();
     // A third of the time of the default, for a quarter more bytes.
     let mut encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Fast, FilterType::Adaptive);

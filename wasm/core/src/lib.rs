@@ -51,7 +51,7 @@ mod prepared_domain;
 
 // The method, in the order of the pipeline.
 mod bone; // section V-D
-mod clip;
+pub mod clip;
 pub mod deform;
 pub mod distance;
 mod loose;

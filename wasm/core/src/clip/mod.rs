@@ -7,10 +7,15 @@
 //!
 //! A pose takes time linear in the number of keys. Only the four basic operations are used: the bits are the same on
 //! every platform.
+//!
+//! [`Playback`] poses a solution along a clip.
 
 mod channel;
 mod clock;
 mod monotone;
+mod playback;
+
+pub use self::playback::Playback;
 
 use self::channel::{Channel, Knot};
 use crate::deform::HandlePose;

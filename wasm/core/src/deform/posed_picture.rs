@@ -113,9 +113,26 @@ impl PosedPicture {
     /// Those of [`Poser::pose`], and [`Error::PoseMismatch`] for fewer poses than handles. The present pose then stays.
     pub fn set_pose(&mut self, poses: &[HandlePose], blend: Blend) -> Result<&Pose, Error> {
         let pose = self.pose(poses, blend)?;
+        self.show(pose)
+    }
+
+    /// Poses the picture as a pose of its [poser](Self::poser). Returns the motions.
+    ///
+    /// # Errors
+    /// [`Error::PoseOfAnotherSolution`]. The present pose then stays.
+    pub fn show(&mut self, pose: Pose) -> Result<&Pose, Error> {
+        if !self.poser.has_made(&pose) {
+            return Err(Error::PoseOfAnotherSolution);
+        }
         let posed = pose.blend_all(&self.mesh.vertices, &self.mesh.weights);
         self.reorder(&pose, &posed);
         Ok(&self.present.insert(Present { pose, posed, creases: OnceCell::new() }).pose)
+    }
+
+    /// The poser of the solution.
+    #[must_use]
+    pub fn poser(&self) -> &Poser {
+        &self.poser
     }
 
     fn reorder(&mut self, pose: &Pose, posed: &[DVec2]) {

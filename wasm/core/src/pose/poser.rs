@@ -1,13 +1,13 @@
 //! The motions of all sites from the posed handles, once a frame.
 
-use std::{borrow::Cow, collections::HashMap, sync::Arc};
+use std::{borrow::Cow, collections::HashMap, f64::consts::TAU, sync::Arc};
 
 use glam::{DMat2, DVec2};
 
 use super::{
     HarmonicFields, Motion, Quadrature, SolvedHandle,
     automatic::Automatic,
-    rigid::{Freedom, Rigid},
+    rigid::{Freedom, Rigid, extent},
     unwrap::unwrap_angles,
 };
 use crate::{
@@ -110,6 +110,44 @@ impl Poser {
     /// # Errors
     /// Those of [`Poser::pose`].
     pub(crate) fn motions(&self, handles: &[Handle]) -> Result<Vec<Motion>, Error> {
+        self.motions_from(handles, None)
+    }
+
+    /// The motions at the local minimum of the rigid mode near motions that were [carried](Self::carried) to these
+    /// handles. In the harmonic mode, those of [`motions`](Self::motions).
+    ///
+    /// # Errors
+    /// Those of [`Poser::pose`].
+    pub(crate) fn settled(&self, handles: &[Handle], carried: &[Motion]) -> Result<Vec<Motion>, Error> {
+        self.motions_from(handles, Some(carried))
+    }
+
+    /// The motions of a pose, carried along by handles that moved a little since: each site goes as the handles around
+    /// it do.
+    ///
+    /// # Panics
+    /// If the handles have no pose.
+    pub(crate) fn carried(&self, handles: &[Handle], from: &[Motion]) -> Vec<Motion> {
+        let handles = &*self.as_solved(handles).expect("handles with a pose");
+        let mut moves: Vec<Motion> = self.real_motions(handles);
+        let is_auto = |handle: u32| handles[handle as usize].rotation == Rotation::Auto;
+        for ((motion, from), kind) in moves.iter_mut().zip(from).zip(&self.kinds) {
+            if kind.is_real() {
+                *motion = Motion::blended([(*motion, 1.0), (*from, -1.0)].into_iter());
+                motion.angle -= TAU * libm::round(motion.angle / TAU);
+                if matches!(*kind, SiteKind::Point { handle } if is_auto(handle)) {
+                    (motion.angle, motion.strain) = Default::default();
+                }
+            }
+        }
+        let places: Vec<DVec2> = self.rest.iter().zip(from).map(|(&rest, from)| rest + from.translation).collect();
+        self.automatic.turn_to_fit(&self.rest, &places, &self.kinds, handles, &mut moves);
+        self.blend_virtual(&places, &mut moves);
+        let both = moves.into_iter().zip(from);
+        both.map(|(by, &from)| Motion::blended([(from, 1.0), (by, 1.0)].into_iter())).collect()
+    }
+
+    fn motions_from(&self, handles: &[Handle], carried: Option<&[Motion]>) -> Result<Vec<Motion>, Error> {
         let given = handles;
         let handles = &*self.as_solved(given)?;
         for (handle, &SolvedHandle { shape: solved, .. }) in handles.iter().zip(&self.solved) {
@@ -129,7 +167,7 @@ impl Poser {
             }
         }
         self.automatic.turn(&self.rest, &self.kinds, handles, &mut motions);
-        self.blend_virtual(&mut motions);
+        self.blend_virtual(&self.rest, &mut motions);
         if let Some(rigid) = &self.rigid {
             let is_free = |kind: &SiteKind| match kind {
                 SiteKind::Virtual => true,
@@ -137,12 +175,59 @@ impl Poser {
                 SiteKind::Bone { .. } | SiteKind::Boundary => false,
             };
             let is_free: Vec<bool> = self.kinds.iter().map(is_free).collect();
-            rigid.minimize(&self.rest, &mut motions, &is_free, &self.scales(handles));
+            let scales = self.scales(handles);
+            match carried {
+                None => rigid.minimize(&self.rest, &mut motions, &is_free, &scales),
+                Some(carried) => {
+                    for site in (0..motions.len()).filter(|&site| is_free[site]) {
+                        let Motion { angle, strain, translation, .. } = carried[site];
+                        (motions[site].angle, motions[site].strain) = (angle, strain);
+                        if self.kinds[site] == SiteKind::Virtual {
+                            motions[site].translation = translation;
+                        }
+                    }
+                    rigid.minimize_nearby(&self.rest, &mut motions, &is_free, &scales);
+                }
+            }
             let mut angles: Vec<f64> = motions.iter().map(|motion| motion.angle).collect();
             unwrap_angles(&mut angles, &is_free, rigid.links().map(|(i, j, _)| (i, j)));
             motions.iter_mut().zip(angles).for_each(|(motion, angle)| motion.angle = angle);
         }
         Ok(motions)
+    }
+
+    /// Whether poses are those of the rigid mode.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.rigid.is_some()
+    }
+
+    /// The distance between corners of the box around all sites, in pixels.
+    pub(crate) fn extent(&self) -> f64 {
+        extent(&self.rest)
+    }
+
+    /// The greatest distance between the same site in two poses, and the same handle, in pixels.
+    ///
+    /// A turn counts with half the mean distance of neighbouring sites. Turns that handles leave free do not count as
+    /// theirs.
+    pub(crate) fn apart(&self, handles: &[Handle], a: &[Motion], b: &[Motion]) -> [f64; 2] {
+        let handles = self.as_solved(handles).unwrap_or(Cow::Borrowed(&[]));
+        let radius = self.extent() / (self.rest.len() as f64).sqrt() / 2.0;
+        let is_auto =
+            |handle: u32| handles.get(handle as usize).is_some_and(|handle| handle.rotation == Rotation::Auto);
+        let mut apart = [0.0_f64; 2];
+        for ((kind, a), b) in self.kinds.iter().zip(a).zip(b) {
+            let moved = a.translation.distance(b.translation);
+            let (before, after) = (a.linear(), b.linear());
+            let turned = radius * (after.x_axis - before.x_axis).length().max((after.y_axis - before.y_axis).length());
+            apart[0] = apart[0].max(moved + turned);
+            apart[1] = apart[1].max(match *kind {
+                SiteKind::Virtual => 0.0,
+                SiteKind::Point { handle } if is_auto(handle) => moved,
+                SiteKind::Point { .. } | SiteKind::Bone { .. } | SiteKind::Boundary => moved + turned,
+            });
+        }
+        apart
     }
 
     /// The handles in the order in which they were solved.
@@ -171,8 +256,9 @@ impl Poser {
         self.rest.iter().zip(&self.kinds).map(motion).collect()
     }
 
-    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4).
-    fn blend_virtual(&self, motions: &mut [Motion]) {
+    /// Blends the motions of virtual sites from those of real ones, by their harmonic weights (eq. 4). `places` are
+    /// those that move.
+    fn blend_virtual(&self, places: &[DVec2], motions: &mut [Motion]) {
         // The identity adds nothing. A held outline has it, and usually most handles.
         let passed_on = |motion: &Motion| {
             (*motion != Motion::default()).then(|| {
@@ -184,7 +270,7 @@ impl Poser {
         for site in (0..motions.len()).filter(|&site| !self.kinds[site].is_real()) {
             let here = |&(real, weight): &(u32, f64)| {
                 let real = real as usize;
-                let from = self.rest[site] - self.rest[real];
+                let from = places[site] - places[real];
                 passed_on[real].map(|(motion, linear)| (motion.seen_from(from, linear), weight))
             };
             motions[site] = Motion::blended(self.harmonic[site].iter().filter_map(here));

@@ -7,7 +7,8 @@
 //!
 //! Everything begins at the harmonic pose, so a pose depends on the handles alone, not on the drag. Two iterations
 //! from the last frame's pose would take six tenths of the time, but depend on the drag. A twisted cross ends six
-//! pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times the energy.
+//! pixels elsewhere, and a spiral that is unrolled in 60 frames keeps windings, at 400 times the energy. Clips alone
+//! continue poses, and only where poses jump: see [`Playback`](crate::clip::Playback).
 //!
 //! Cost: half a millisecond to one for a pose of 100 virtual sites. Limits: both energies have several local minima,
 //! and the descent from the harmonic pose leads to one of them. A pose without folds ends within a few thousandths of
@@ -84,18 +85,45 @@ impl Rigid {
         if rest.is_empty() {
             return;
         }
-        let (low, high) = rest.iter().fold((rest[0], rest[0]), |(low, high), &h| (low.min(h), high.max(h)));
-        let extent = (high - low).length();
-        let relaxation = self
-            .quadrature
-            .as_ref()
-            .map(|quadrature| self.relaxation.get_or_init(|| Relaxation::new(quadrature, rest, &self.freedom)));
+        let extent = extent(rest);
+        let relaxation = self.relaxation(rest);
         let tolerance = if relaxation.is_some() { BENDING_TOLERANCE } else { GRAPH_TOLERANCE };
-        let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
-        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
-        bend(laplacian, self.links(), rest, motions, is_free, scales, tolerance * extent);
+        self.bend(rest, motions, is_free, scales, tolerance * extent);
         if let Some(relaxation) = relaxation {
             relaxation.minimize(motions, is_free, scales, RELAXATION_TOLERANCE * extent);
         }
     }
+
+    /// Lowers the distortion of motions to the nearest minimum. They are those of a pose of handles nearby.
+    ///
+    /// The graph does not bend again: its minima differ from those of the picture, and jump where these do not.
+    pub(super) fn minimize_nearby(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64]) {
+        if rest.is_empty() {
+            return;
+        }
+        let extent = extent(rest);
+        match self.relaxation(rest) {
+            Some(relaxation) => relaxation.minimize_nearby(motions, is_free, scales, RELAXATION_TOLERANCE * extent),
+            None => self.bend(rest, motions, is_free, scales, GRAPH_TOLERANCE * extent),
+        }
+    }
+
+    fn relaxation(&self, rest: &[DVec2]) -> Option<&Relaxation> {
+        let quadrature = self.quadrature.as_ref()?;
+        Some(self.relaxation.get_or_init(|| Relaxation::new(quadrature, rest, &self.freedom)))
+    }
+
+    fn bend(&self, rest: &[DVec2], motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
+        let is_real = || self.freedom.iter().map(|freedom| *freedom != Freedom::Whole).collect::<Vec<_>>();
+        let laplacian = self.laplacian.get_or_init(|| Laplacian::new(&is_real(), self.links()));
+        bend(laplacian, self.links(), rest, motions, is_free, scales, tolerance);
+    }
+}
+
+/// The distance between corners of the box around all sites.
+pub(super) fn extent(rest: &[DVec2]) -> f64 {
+    let box_of = rest.iter().fold(None, |bounds: Option<(DVec2, DVec2)>, &h| {
+        Some(bounds.map_or((h, h), |(low, high)| (low.min(h), high.max(h))))
+    });
+    box_of.map_or(0.0, |(low, high)| (high - low).length())
 }

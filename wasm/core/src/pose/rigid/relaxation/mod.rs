@@ -63,6 +63,11 @@ const CURVATURE_CONDITION: f64 = 0.015;
 /// half as often again.
 const MAX_ITERATIONS: usize = 8;
 
+/// Iterations at most from the minimum of a pose nearby, and the fraction as [`GAIN`]. Where that minimum vanishes, the
+/// picture then takes some frames to the next one, instead of a jump.
+const NEARBY_ITERATIONS: usize = 12;
+const NEARBY_GAIN: f64 = 1e-3;
+
 /// The blended map's distortion as a function of the unknowns. Lengths are in [units](Relaxation::unit).
 #[derive(Debug, Clone)]
 pub(super) struct Relaxation {
@@ -97,14 +102,48 @@ impl Relaxation {
 
     /// Lowers the distortion of motions. `is_free` says for each site whether its rotation is free, `scales` are those
     /// requested at the sites; the descent ends with an iteration that moves no site by more than `tolerance` pixels.
+    ///
+    /// First with a large regularisation, then with the final one.
     pub(super) fn minimize(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
+        self.relax(motions, is_free, scales, FIRST_REGULARISATION, |relaxing, descend| {
+            descend(relaxing, self.limits(FIRST_ITERATIONS, GAIN, tolerance));
+            relaxing.set_regularisation(REGULARISATION);
+            descend(relaxing, self.limits(MAX_ITERATIONS - FIRST_ITERATIONS, GAIN, tolerance));
+        });
+    }
+
+    /// Like [`minimize`](Self::minimize), from motions near a minimum to that minimum.
+    pub(super) fn minimize_nearby(&self, motions: &mut [Motion], is_free: &[bool], scales: &[f64], tolerance: f64) {
+        self.relax(motions, is_free, scales, REGULARISATION, |relaxing, descend| {
+            descend(relaxing, self.limits(NEARBY_ITERATIONS, NEARBY_GAIN, tolerance));
+        });
+    }
+
+    fn limits(&self, max_iterations: usize, gain: f64, tolerance: f64) -> Limits {
+        let tolerance = tolerance / self.unit;
+        Limits { max_iterations, tolerance, gain, curvature_condition: CURVATURE_CONDITION }
+    }
+
+    /// Relaxes motions by `run`, which gets the pose and the descent.
+    fn relax(
+        &self,
+        motions: &mut [Motion],
+        is_free: &[bool],
+        scales: &[f64],
+        regularisation: f64,
+        run: impl FnOnce(&mut Relaxing<'_>, &dyn Fn(&mut Relaxing<'_>, Limits)),
+    ) {
         if self.anchor_stiffness.is_empty() {
             return;
         }
         let mut parts = self.parts(motions);
-        let mut relaxing = Relaxing::new(self, &parts, is_free, scales, FIRST_REGULARISATION);
-        self.relax(&mut relaxing, is_free, tolerance / self.unit);
-        // If handles are posed so far out that numbers overflow, keep the result of the graph.
+        let mut relaxing = Relaxing::new(self, &parts, is_free, scales, regularisation);
+        let solve = |values: &mut [DVec2]| {
+            self.inverse.solve(values);
+            self.unknowns.keep(is_free, values);
+        };
+        run(&mut relaxing, &|relaxing, limits| descend(relaxing, self.unknowns.len(), solve, limits));
+        // If handles are posed so far out that numbers overflow, keep the initial motions.
         if !relaxing.unknown().iter().all(|by| by.is_finite()) {
             return;
         }
@@ -123,20 +162,6 @@ impl Relaxation {
             [rest + motion.translation / self.unit, linear.x_axis, linear.y_axis]
         };
         motions.iter().zip(&self.rest).map(of_motion).collect()
-    }
-
-    /// Descends until no unknown moves by more than `tolerance`: first with a large regularisation, then with the
-    /// final one.
-    fn relax(&self, relaxing: &mut Relaxing, is_free: &[bool], tolerance: f64) {
-        let solve = |values: &mut [DVec2]| {
-            self.inverse.solve(values);
-            self.unknowns.keep(is_free, values);
-        };
-        let limits =
-            |max_iterations| Limits { max_iterations, tolerance, gain: GAIN, curvature_condition: CURVATURE_CONDITION };
-        descend(relaxing, self.unknowns.len(), solve, limits(FIRST_ITERATIONS));
-        relaxing.set_regularisation(REGULARISATION);
-        descend(relaxing, self.unknowns.len(), solve, limits(MAX_ITERATIONS - FIRST_ITERATIONS));
     }
 
     /// Sets the free parts of motions.
