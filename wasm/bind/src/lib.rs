@@ -6,6 +6,7 @@
 //! become invalid when it grows.
 
 mod cell_borders;
+mod clip_playback;
 mod clip_poses;
 mod drawing;
 mod error;
@@ -18,6 +19,7 @@ use c2warp::project::Project;
 use wasm_bindgen::prelude::*;
 
 pub use cell_borders::CellBorders;
+pub use clip_playback::ClipPlayback;
 pub use clip_poses::ClipPoses;
 pub use drawing::{Canvas, Drawing};
 pub use posed_picture::{PictureArrays, PosedPicture};

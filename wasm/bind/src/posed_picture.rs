@@ -271,6 +271,14 @@ impl PosedPicture {
 }
 
 impl PosedPicture {
+    pub(crate) fn poser(&self) -> &Poser {
+        self.0.poser()
+    }
+
+    pub(crate) fn show(&mut self, pose: deform::Pose) -> Result<Vec<f32>, Error> {
+        self.0.show(pose).map(deform::Pose::packed)
+    }
+
     fn try_new(arrays: &PictureArrays, samples: usize, handles_json: &str) -> Result<Self, Error> {
         let weights = arrays.weights().into_iter().map(f64::from).collect();
         let weights = SparseWeights::from_parts(arrays.offsets(), arrays.sites(), weights).ok_or(Error::PoserBytes)?;
@@ -286,7 +294,7 @@ impl PosedPicture {
     }
 }
 
-fn blend(rigid: bool) -> Blend {
+pub(crate) fn blend(rigid: bool) -> Blend {
     if rigid { Blend::Rigid } else { Blend::Linear }
 }
 

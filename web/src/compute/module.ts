@@ -5,11 +5,12 @@ import { ENGINE, WarpError } from '../error';
 import init, {
   ClipPoses as ModuleClip,
   PosedPicture as ModulePicture,
+  ClipPlayback as ModulePlayback,
   project_check,
 } from './generated/c2warp';
 import type { SolutionData } from './solution';
 
-export type { ModuleClip, ModulePicture };
+export type { ModuleClip, ModulePicture, ModulePlayback };
 
 let loading: Promise<WebAssembly.Module> | undefined;
 
@@ -33,6 +34,16 @@ export const createModulePicture = (data: SolutionData, handles: readonly Handle
  */
 export const createModuleClip = (clip: Clip, handles: readonly Handle[]): ModuleClip =>
   new ModuleClip(JSON.stringify(clip), JSON.stringify(handles));
+
+/**
+ * @param handles The solved handles, in their present poses.
+ * @throws Error with a code and a message that names the offending key of the clip.
+ */
+export const createModulePlayback = (
+  picture: ModulePicture,
+  clip: Clip,
+  handles: readonly Handle[],
+): ModulePlayback => new ModulePlayback(picture, JSON.stringify(clip), JSON.stringify(handles));
 
 /**
  * A project file's project, with every key written out. Requires the module to be loaded.

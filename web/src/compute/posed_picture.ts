@@ -6,7 +6,7 @@
  * query. Places are image pixels, angles degrees.
  */
 import type { HiddenCorners, Turns } from '../document/handle';
-import type { Project } from '../document/project';
+import type { Clip, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
@@ -21,6 +21,12 @@ export interface PosedPicture {
    * @throws WarpError if no such pose exists, such as a bar of no length. Show the last pose then.
    */
   pose(project: Project): Pose;
+
+  /**
+   * The picture along a clip. Handles without a track keep their pose in `project`.
+   * @throws WarpError for a clip that does not fit the handles.
+   */
+  playback(clip: Clip, project: Project): Playback;
 
   /** The number of triangles in the visible creases of a pose; infinite if no such pose exists. */
   foldCount(project: Project): number;
@@ -54,6 +60,23 @@ export interface PosedPicture {
   readonly bytes: number;
 
   /** Releases the module's memory. No query may follow. */
+  free(): void;
+}
+
+/**
+ * A picture along a clip, without the jumps of the rigid mode between frames. Poses depend on the time alone, so
+ * scrubbing shows the frames of playing. Where nothing jumps they are those of the handles. Holds memory of the module
+ * until {@link Playback.free}.
+ */
+export interface Playback {
+  /**
+   * The pose at any time in seconds. A time later than all before takes a pose for each sixtieth of a second up to it.
+   * @param project The project with its handles posed as at that time. The pose answers for it.
+   * @throws WarpError if no such pose exists.
+   */
+  pose(project: Project, time: number): Pose;
+
+  /** Releases the module's memory. No pose of it may be asked anything after that. */
   free(): void;
 }
 

@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { newProject, openDocument } from '../document/document';
 import { addHandle, moveHandles } from '../document/edits';
 import { rotationOf } from '../document/handle';
-import type { Handle, Project } from '../document/project';
+import type { Clip, Handle, Project } from '../document/project';
 import { initSync, Session } from './generated/c2warp';
 import type { PosedPicture } from './posed_picture';
 import type { Report } from './solution';
@@ -59,6 +59,32 @@ describe('a posed picture', () => {
   beforeAll(() => {
     initSync({ module: readFileSync(new URL('./generated/c2warp_bg.wasm', import.meta.url)) });
     picture = pictureOf(solved);
+  });
+
+  it('has the poses of handles along a clip', () => {
+    const clip: Clip = {
+      name: 'nod',
+      duration: 1,
+      loop: 'none',
+      tracks: [
+        {
+          handle: 'right',
+          keys: [
+            { time: 0, posed: [48, 32], ease: 'linear' },
+            { time: 1, posed: [54, 24] },
+          ],
+        },
+        { handle: 'new', keys: [{ time: 0, posed: [1, 1] }] },
+      ],
+    };
+    const playback = picture.playback(clip, solved);
+    const plain = picture.pose(moved('right', 3, -4));
+    const along = playback.pose(moved('right', 3, -4), 0.5);
+    expect(along.positions).toEqual(plain.positions);
+    // Each pose answers for itself, whichever came last.
+    expect(playback.pose(moved('right', 6, -8), 2).map([48, 32])?.posed[0]).toBeCloseTo(54, 4);
+    expect(along.map([48, 32])?.posed[0]).toBeCloseTo(51, 4);
+    playback.free();
   });
 
   it('takes handles to their posed places, and back', () => {

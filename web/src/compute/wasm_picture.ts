@@ -6,7 +6,7 @@
 import { blendOf } from '../document/bending';
 import { anchor, corners, type HiddenCorners, isAutomatic, rounded, type Turns } from '../document/handle';
 import { projectPoses } from '../document/handle_poses';
-import type { Project } from '../document/project';
+import type { Clip, Handle, Project } from '../document/project';
 import { followedHandles } from '../document/solved';
 import { groupWay, handleWay } from '../document/ways';
 import type { Box } from '../geometry/box';
@@ -15,8 +15,8 @@ import { MOST_COVERAGE } from '../geometry/heat';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import { siteTurn } from '../geometry/skin';
 import type { Vec } from '../geometry/vec';
-import { createModulePicture, type ModulePicture } from './module';
-import type { GroupWay, LimitedPose, Pose, PosedPicture } from './posed_picture';
+import { createModulePicture, createModulePlayback, type ModulePicture, type ModulePlayback } from './module';
+import type { GroupWay, LimitedPose, Playback, Pose, PosedPicture } from './posed_picture';
 import type { CellBorders, SolutionData } from './solution';
 
 /** Requires the module to be loaded. @param project The project that was solved. */
@@ -44,8 +44,31 @@ class WasmPicture implements PosedPicture {
   }
 
   pose(project: Project): Pose {
-    const pose = new WasmPose(this, project, projectPoses(this.#solved, project));
-    pose.motions = this.#module.set_pose(pose.handles, isRigid(project));
+    return this.#posed(new WasmPose(this, project, projectPoses(this.#solved, project)));
+  }
+
+  playback(clip: Clip, project: Project): Playback {
+    // The module knows handles by the names that they were solved with.
+    const names = new Map<string, string>();
+    const handles = followedHandles(this.#solved, project).map((handle, index): Handle => {
+      const id = this.#solved.handles[index]?.id ?? handle.id;
+      names.set(handle.id, id);
+      return { ...handle, id };
+    });
+    const tracks = clip.tracks.flatMap((track) => {
+      const handle = names.get(track.handle);
+      return handle === undefined ? [] : { ...track, handle };
+    });
+    const playback = createModulePlayback(this.#module, { ...clip, tracks }, handles);
+    return {
+      pose: (posed, time) =>
+        this.#posed(new WasmPose(this, posed, projectPoses(this.#solved, posed), { playback, time })),
+      free: () => playback.free(),
+    };
+  }
+
+  #posed(pose: WasmPose): WasmPose {
+    pose.motions = pose.show(this.#module);
     this.#present = pose;
     return pose;
   }
@@ -108,7 +131,7 @@ class WasmPicture implements PosedPicture {
   /** The module, holding a pose. */
   holding(pose: WasmPose): ModulePicture {
     if (this.#present !== pose) {
-      this.#module.set_pose(pose.handles, isRigid(pose.project));
+      pose.show(this.#module);
       this.#present = pose;
     }
     return this.#module;
@@ -145,20 +168,35 @@ class WasmPicture implements PosedPicture {
   }
 }
 
+/** A time of a clip. */
+interface Moment {
+  readonly playback: ModulePlayback;
+  readonly time: number;
+}
+
 class WasmPose implements Pose {
   readonly #picture: WasmPicture;
   readonly project: Project;
   readonly handles: Float64Array;
+  readonly #moment: Moment | undefined;
   motions = new Float32Array();
   #positions: Float32Array<ArrayBuffer> | undefined;
   #turns: Turns | undefined;
   #creases: readonly Crease[] | undefined;
   #hidden: HiddenCorners | undefined;
 
-  constructor(picture: WasmPicture, project: Project, handles: Float64Array) {
+  constructor(picture: WasmPicture, project: Project, handles: Float64Array, moment?: Moment) {
     this.#picture = picture;
     this.project = project;
     this.handles = handles;
+    this.#moment = moment;
+  }
+
+  /** Gives the module this pose. Returns the motions. */
+  show(module: ModulePicture): Float32Array<ArrayBuffer> {
+    const rigid = isRigid(this.project);
+    const moment = this.#moment;
+    return moment ? moment.playback.pose(module, moment.time, rigid) : module.set_pose(this.handles, rigid);
   }
 
   get triangles(): Uint32Array {
