@@ -33,6 +33,20 @@ pub(crate) enum CliError {
     NoProject { path: PathBuf },
     #[error("{}: there is no clip {name:?}: {}", path.display(), listed(names))]
     NoClip { path: PathBuf, name: String, names: Vec<String> },
+    #[error("{}: --clip names the clip to draw: {}", path.display(), listed(names))]
+    ClipNeeded { path: PathBuf, names: Vec<String> },
+    #[error("--fps: expected a number above 0 and up to {most}, found {found}")]
+    Rate { found: f64, most: f64 },
+    #[error("--fps: viewers show at most {most} frames of a GIF in a second")]
+    GifRate { most: f64 },
+    #[error("clip {clip:?} has {frames} frames at this --fps, but {most} are the most")]
+    TooManyFrames { clip: String, frames: f64, most: u32 },
+    #[error("{}: a film ends with .gif, .png or .webp, and single frames are named like frame-%04d.png", path.display())]
+    FilmType { path: PathBuf },
+    #[error("{}: a sheet is a PNG: use .png", path.display())]
+    SheetType { path: PathBuf },
+    #[error("{}: the film is written to this file: choose another file for the sheet", path.display())]
+    SheetOverFilm { path: PathBuf },
     #[error("{}: image.src: the data: URL is damaged", path.display())]
     PictureUrl { path: PathBuf },
     #[error("{}: {reason}", path.display())]

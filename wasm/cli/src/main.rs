@@ -1,8 +1,9 @@
-//! The `c2warp` command: warps pictures and reports weights, maps and distances.
+//! The `c2warp` command: warps pictures, draws films, and reports weights, maps and distances.
 //!
 //! There is one file per subcommand. An error prints one line on standard error and exits with status 1. Output files
 //! appear complete or not at all. An invalid command line prints the usage and exits with status 2.
 
+mod animate;
 mod bake;
 mod carried;
 mod distance;
@@ -36,6 +37,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Warp(warp::Arguments),
+    Animate(animate::Arguments),
     Inspect(inspect::Arguments),
     Weights(weights::Arguments),
     Map(map::Arguments),
@@ -46,6 +48,7 @@ enum Command {
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Warp(arguments) => warp::run(&arguments),
+        Command::Animate(arguments) => animate::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Weights(arguments) => weights::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),

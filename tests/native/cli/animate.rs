@@ -1,0 +1,221 @@
+//! Tests of `c2warp animate`. Films are decoded by other programs' code, and compared with single frames of `warp`.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::process::Command;
+
+use image::codecs::png::PngDecoder;
+use image::codecs::webp::WebPDecoder;
+use image::{AnimationDecoder, Frame, RgbaImage, imageops};
+use serde_json::{Value, json};
+
+use crate::command::{command, fail, succeed};
+use crate::scene_folder::SceneFolder;
+
+/// Frames a second of the films.
+const RATE: f64 = 10.0;
+
+/// A ring with transparency, and a clip of 0.4 s that turns its first handle.
+fn turning(looping: &str) -> SceneFolder {
+    SceneFolder::new("ring").edited(|project| {
+        let id = project["handles"][0]["id"].clone();
+        let keys = json!([{ "time": 0, "ease": "linear", "rotation": 0 }, { "time": 0.2, "rotation": 40 }]);
+        let tracks = json!([{ "handle": id, "keys": keys }]);
+        project["clips"] = json!([{ "name": "turn", "duration": 0.4, "loop": looping, "tracks": tracks }]);
+    })
+}
+
+/// The frame of `warp` at a time.
+fn warped(folder: &SceneFolder, time: f64) -> RgbaImage {
+    succeed(folder.path(), &format!("warp scene.c2warp.json --scale 0.5 --clip turn --at {time} -o still.png"));
+    folder.picture("still.png")
+}
+
+fn animate(folder: &SceneFolder, output: &str) {
+    succeed(folder.path(), &format!("animate scene.c2warp.json --scale 0.5 --fps {RATE} {output}"));
+}
+
+/// Pixels without colour where nothing is drawn.
+fn without_hidden_colours(mut picture: RgbaImage) -> RgbaImage {
+    picture.pixels_mut().filter(|pixel| pixel[3] == 0).for_each(|pixel| pixel.0 = [0; 4]);
+    picture
+}
+
+fn assert_frames(folder: &SceneFolder, frames: Vec<Frame>, times: &[f64]) {
+    assert_eq!(frames.len(), times.len());
+    for (frame, &time) in frames.into_iter().zip(times) {
+        let delay = std::time::Duration::from(frame.delay()).as_secs_f64();
+        assert!((delay - 1.0 / RATE).abs() < 1e-3, "{delay} s");
+        let (found, wanted) =
+            (without_hidden_colours(frame.into_buffer()), without_hidden_colours(warped(folder, time)));
+        assert!(found == wanted, "at {time} s");
+    }
+}
+
+fn reader(folder: &SceneFolder, name: &str) -> BufReader<File> {
+    BufReader::new(File::open(folder.file(name)).unwrap())
+}
+
+#[test]
+fn animated_png_has_the_frames_of_warp() {
+    let folder = turning("repeat");
+    animate(&folder, "-o film.png");
+    let frames = PngDecoder::new(reader(&folder, "film.png")).unwrap().apng().unwrap().into_frames();
+    assert_frames(&folder, frames.collect_frames().unwrap(), &[0.0, 0.1, 0.2, 0.3]);
+    let info = png::Decoder::new(reader(&folder, "film.png")).read_info().unwrap().info().clone();
+    assert_eq!(info.animation_control.unwrap().num_plays, 0, "it repeats");
+}
+
+#[test]
+fn animated_webp_has_the_frames_of_warp() {
+    let folder = turning("none");
+    animate(&folder, "-o film.webp --clip turn");
+    let decoder = WebPDecoder::new(reader(&folder, "film.webp")).unwrap();
+    assert!(decoder.has_animation());
+    assert_frames(&folder, decoder.into_frames().collect_frames().unwrap(), &[0.0, 0.1, 0.2, 0.3, 0.4]);
+}
+
+#[test]
+fn gif_has_the_frames_of_warp_in_few_colours() {
+    let folder = turning("alternate");
+    animate(&folder, "-o film.gif");
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(reader(&folder, "film.gif")).unwrap();
+    let times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2, 0.1];
+    let mut hundredths = 0;
+    for time in times {
+        let frame = decoder.read_next_frame().unwrap().expect("a frame for each time");
+        hundredths += frame.delay;
+        let wanted = warped(&folder, time);
+        assert_eq!((frame.width.into(), frame.height.into()), wanted.dimensions());
+        let (mut error, mut opaque) = (0_u64, 0);
+        for (found, wanted) in frame.buffer.as_chunks::<4>().0.iter().zip(wanted.pixels()) {
+            assert_eq!(found[3], if wanted[3] >= 128 { 255 } else { 0 });
+            if found[3] == 255 {
+                error += (0..3).map(|k| u64::from(found[k].abs_diff(wanted[k]))).sum::<u64>();
+                opaque += 3;
+            }
+        }
+        let mean = error as f64 / f64::from(opaque);
+        assert!(mean < 4.0, "mean difference {mean} at {time} s");
+    }
+    assert!(decoder.read_next_frame().unwrap().is_none());
+    assert_eq!(f64::from(hundredths), times.len() as f64 / RATE * 100.0);
+    assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+}
+
+#[test]
+fn matte_blends_with_the_soft_edges_of_a_gif() {
+    let folder = turning("repeat");
+    animate(&folder, "-o film.gif --matte #ff0000");
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(reader(&folder, "film.gif")).unwrap();
+    let frame = decoder.read_next_frame().unwrap().unwrap();
+    let still = warped(&folder, 0.0);
+    let soft = still.pixels().zip(frame.buffer.as_chunks::<4>().0).filter(|(pixel, _)| (60..120).contains(&pixel[3]));
+    let redder = soft.clone().filter(|(pixel, found)| found[3] == 255 && found[0] >= pixel[0]).count();
+    assert!(redder > 10 && redder * 10 > soft.count() * 9, "{redder}");
+}
+
+#[test]
+fn frames_are_numbered_files() {
+    let folder = turning("repeat");
+    animate(&folder, "-o frame-%03d.png");
+    for (frame, time) in [0.0, 0.1, 0.2, 0.3].into_iter().enumerate() {
+        assert!(folder.picture(&format!("frame-00{frame}.png")) == warped(&folder, time));
+    }
+    assert!(!folder.file_names().contains(&"frame-004.png".to_owned()));
+}
+
+#[test]
+fn sheet_has_all_frames_and_their_places() {
+    let folder = turning("none");
+    animate(&folder, "--sheet sheet.png");
+    let sheet = folder.picture("sheet.png");
+    let table: Value = serde_json::from_slice(&std::fs::read(folder.file("sheet.json")).unwrap()).unwrap();
+    assert_eq!(table["meta"]["image"], "sheet.png");
+    assert_eq!(table["meta"]["size"], json!({ "w": sheet.width(), "h": sheet.height() }));
+    let frames = table["frames"].as_object().unwrap();
+    assert_eq!(frames.len(), 5);
+    for (at, time) in [0.0, 0.1, 0.2, 0.3, 0.4].into_iter().enumerate() {
+        let frame = &frames[&format!("turn-{at}.png")];
+        assert_eq!(frame["duration"], 100);
+        let [x, y, w, h] = ["x", "y", "w", "h"].map(|key| frame["frame"][key].as_u64().unwrap() as u32);
+        assert!(imageops::crop_imm(&sheet, x, y, w, h).to_image() == warped(&folder, time));
+    }
+}
+
+#[test]
+fn films_do_not_depend_on_the_run() {
+    let folder = turning("repeat");
+    for kind in ["png", "gif", "webp"] {
+        animate(&folder, &format!("-o a.{kind}"));
+        animate(&folder, &format!("-o b.{kind}"));
+        let [a, b] = ["a", "b"].map(|name| std::fs::read(folder.file(&format!("{name}.{kind}"))).unwrap());
+        assert!(a == b, "{kind}");
+    }
+}
+
+/// `ffprobe` reads the films as well, where it is installed.
+#[test]
+fn ffprobe_counts_the_frames() {
+    if Command::new("ffprobe").arg("-version").output().is_err() {
+        return;
+    }
+    let folder = turning("repeat");
+    for name in ["film.gif", "film.png"] {
+        animate(&folder, &format!("-o {name}"));
+        let counted = Command::new("ffprobe")
+            .args(["-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0", name])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(String::from_utf8(counted.stdout).unwrap().trim(), "4", "{name}");
+    }
+}
+
+#[test]
+fn refused_films_name_the_reason_and_leave_no_file() {
+    let folder = turning("repeat");
+    let names = folder.file_names();
+    let refused = |arguments: &str| fail(folder.path(), &format!("animate scene.c2warp.json {arguments}"));
+    for (arguments, reason) in [
+        ("-o film.gif --clip wave", r#"there is no clip "wave": it has ["turn"]"#),
+        ("-o film.gif --fps 0", "--fps: expected a number above 0 and up to 240, found 0"),
+        ("-o film.png --fps 241", "--fps: expected a number above 0 and up to 240, found 241"),
+        ("-o film.gif --fps 60", "--fps: viewers show at most 50 frames of a GIF in a second"),
+        ("-o film.mp4", "film.mp4: a film ends with .gif, .png or .webp"),
+        ("-o frame-%04d.gif", "frame-%04d.gif"),
+        ("-o film.png --scale 0", "--scale"),
+        ("-o nowhere/film.png", "nowhere/film.png: cannot write this file"),
+        ("-o nowhere/frame-%d.png", "nowhere/frame-0.png: cannot write this file"),
+        ("--sheet sheet.jpg", "sheet.jpg: a sheet is a PNG"),
+        ("-o film.png --sheet film.png", "film.png: the film is written to this file"),
+        ("--sheet sheet.png --scale 40", "need a sheet of"),
+    ] {
+        let line = refused(arguments);
+        assert!(line.contains(reason), "{arguments}: {line}");
+    }
+    assert_eq!(folder.file_names(), names);
+    let run = command(folder.path(), "animate scene.c2warp.json -o film.gif --matte red").output().unwrap();
+    assert_eq!(run.status.code(), Some(2), "a colour that is none");
+}
+
+#[test]
+fn the_clip_must_be_clear_and_of_a_fair_length() {
+    let folder = turning("repeat").edited(|project| {
+        let mut other = project["clips"][0].clone();
+        other["name"] = "hour".into();
+        other["duration"] = 3600.into();
+        project["clips"].as_array_mut().unwrap().push(other);
+    });
+    let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
+    assert!(line.contains(r#"--clip names the clip to draw: it has ["turn", "hour"]"#), "{line}");
+    let line = fail(folder.path(), "animate scene.c2warp.json -o film.png --clip hour --fps 240");
+    assert!(line.contains(r#"clip "hour" has 864000 frames at this --fps, but 36000 are the most"#), "{line}");
+    let folder = folder.edited(|project| project["clips"] = json!([]));
+    let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
+    assert!(line.ends_with("--clip names the clip to draw: it has none"), "{line}");
+}

@@ -1,0 +1,243 @@
+//! `c2warp animate`: a clip as a film, as single frames, or as a sprite sheet.
+
+mod drawing;
+mod sequence;
+mod timing;
+
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use c2warp::project::Clip;
+use c2warp::{Filter, ResampleOptions, raster};
+use c2warp_film::{Apng, Encoder, Film, Gif, MOST_GIF_RATE, Sheet, WebP};
+
+use self::drawing::Drawing;
+use self::sequence::Sequence;
+use self::timing::{Timing, check_rate};
+use crate::error::CliError;
+use crate::output::Output;
+use crate::project::{InputFiles, LoadedProject};
+use crate::warp::encode_png;
+
+/// Draws a clip at full quality as a film, as single frames or as a sprite sheet
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    files: InputFiles,
+    /// The output: OUT.gif, OUT.png (an animated PNG), OUT.webp (lossless), or single frames frame-%04d.png
+    #[arg(short, long, value_name = "OUT", required_unless_present = "sheet")]
+    output: Option<PathBuf>,
+    /// The clip to draw. A project with one clip needs no name
+    #[arg(long, value_name = "NAME")]
+    clip: Option<String>,
+    /// Frames a second
+    #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
+    fps: f64,
+    /// Pixels of the result per pixel of the picture
+    #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
+    scale: f64,
+    /// Also or only write a sprite sheet, with a JSON file beside it in TexturePacker's hash form
+    #[arg(long, value_name = "OUT.png")]
+    sheet: Option<PathBuf>,
+    /// Blend the soft edges of a GIF with this colour, such as #ffffff: the background of the page that shows it
+    #[arg(long, value_name = "COLOUR", value_parser = colour)]
+    matte: Option<[u8; 3]>,
+    /// Draw pixel art: take the nearest pixel of the picture, mix no colours and smooth no edges
+    #[arg(long)]
+    pixelated: bool,
+}
+
+/// Reads a colour like `#ffcc00`.
+fn colour(text: &str) -> Result<[u8; 3], String> {
+    let digits = text.strip_prefix('#').unwrap_or(text);
+    let number = u32::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 6 && digits.is_ascii());
+    let [_, r, g, b] = number.ok_or("expected a colour like #ffcc00")?.to_be_bytes();
+    Ok([r, g, b])
+}
+
+/// What is written, checked before the work starts.
+enum Target {
+    Film(Container, Output),
+    Frames(Sequence),
+    Sheet { output: Output, json: Output, image: String },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Container {
+    Gif,
+    Apng,
+    WebP,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
+    let loaded = LoadedProject::open(&arguments.files)?;
+    let clip = clip(&loaded, arguments.clip.as_deref())?;
+    check_rate(arguments.fps)?;
+    let picture = loaded.picture()?;
+    // Reject invalid options and outputs before solving.
+    let scale = arguments.scale;
+    let (width, height) = raster::warped_size(picture.width(), picture.height(), scale).map_err(CliError::Scale)?;
+    let timing = Timing::new(clip, arguments.fps)?;
+    let film = Film {
+        width,
+        height,
+        frames: timing.times.len() as u32,
+        rate: arguments.fps,
+        plays: timing.plays,
+        profile: loaded.profile().map(<[u8]>::to_vec),
+    };
+    let targets = targets(&loaded, arguments, &film)?;
+
+    let solution = loaded.solve()?;
+    let options = ResampleOptions {
+        scale,
+        filter: if arguments.pixelated { Filter::Nearest } else { Filter::Cubic },
+        edges: loaded.project.edges,
+        ..ResampleOptions::default()
+    };
+    let drawing = Drawing { loaded: &loaded, solution: &solution, picture, clip, times: &timing.times, options };
+    targets.into_iter().try_for_each(|target| match target {
+        Target::Film(container, output) => write_film(&drawing, container, &film, arguments.matte, output),
+        Target::Frames(sequence) => write_frames(&drawing, &sequence, &loaded),
+        Target::Sheet { output, json, image } => {
+            let mut text = String::new();
+            write(&drawing, output, |writer| {
+                let sheet = Sheet::new(film.clone(), writer)?;
+                text = sheet.json(&image, &clip.name);
+                Ok(Box::new(sheet))
+            })?;
+            json.write(|writer| writer.write_all(text.as_bytes()))
+        }
+    })
+}
+
+/// The clip with a name, or the only one.
+fn clip<'a>(loaded: &'a LoadedProject, name: Option<&str>) -> Result<&'a Clip, CliError> {
+    match (name, loaded.project.clips.as_slice()) {
+        (Some(name), _) => loaded.clip(name),
+        (None, [only]) => Ok(only),
+        (None, clips) => {
+            let names = clips.iter().map(|clip| clip.name.clone()).collect();
+            Err(CliError::ClipNeeded { path: loaded.path().to_owned(), names })
+        }
+    }
+}
+
+fn targets(loaded: &LoadedProject, arguments: &Arguments, film: &Film) -> Result<Vec<Target>, CliError> {
+    let mut targets = Vec::new();
+    if let Some(path) = &arguments.output {
+        targets.push(match Sequence::named(path) {
+            Some(sequence) => {
+                // The first frame stands for the others.
+                loaded.output(&sequence.path(0))?;
+                Target::Frames(sequence)
+            }
+            None => Target::Film(container(path, film.rate)?, loaded.output(path)?),
+        });
+    }
+    if let Some(path) = &arguments.sheet {
+        let kind = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+        if kind.as_deref() != Some("png") {
+            return Err(CliError::SheetType { path: path.clone() });
+        }
+        // A sheet that is too large is refused without a place to write it to.
+        Sheet::new(film.clone(), io::sink()).map_err(CliError::write(path))?;
+        let (output, json) = (loaded.output(path)?, loaded.output(&path.with_extension("json"))?);
+        if let Some(Target::Film(_, film)) = targets.first()
+            && output.is_same(film)
+        {
+            return Err(CliError::SheetOverFilm { path: path.clone() });
+        }
+        let image = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        targets.push(Target::Sheet { output, json, image });
+    }
+    Ok(targets)
+}
+
+/// The container by the extension of a path.
+fn container(path: &Path, rate: f64) -> Result<Container, CliError> {
+    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+    match extension.as_deref() {
+        // Single frames of another type.
+        _ if name.contains("%d") || name.contains("%0") => Err(CliError::FilmType { path: path.to_owned() }),
+        Some("gif") if rate > MOST_GIF_RATE => Err(CliError::GifRate { most: MOST_GIF_RATE }),
+        Some("gif") => Ok(Container::Gif),
+        Some("png" | "apng") => Ok(Container::Apng),
+        Some("webp") => Ok(Container::WebP),
+        _ => Err(CliError::FilmType { path: path.to_owned() }),
+    }
+}
+
+fn write_film(
+    drawing: &Drawing<'_>,
+    container: Container,
+    film: &Film,
+    matte: Option<[u8; 3]>,
+    output: Output,
+) -> Result<(), CliError> {
+    let film = film.clone();
+    match container {
+        Container::Gif => write(drawing, output, |writer| Ok(Box::new(Gif::new(film, matte, writer)?))),
+        Container::Apng => write(drawing, output, |writer| Ok(Box::new(Apng::new(film, writer)?))),
+        Container::WebP => {
+            // Its length stands at its beginning, and an output cannot be sought.
+            let mut file = tempfile::tempfile().map_err(CliError::write(std::env::temp_dir()))?;
+            let begun = WebP::new(film, BufWriter::new(&file)).map_err(CliError::write(std::env::temp_dir()))?;
+            encode(drawing, Box::new(begun)).map_err(|failure| failure.named(&std::env::temp_dir()))?;
+            file.seek(SeekFrom::Start(0)).map_err(CliError::write(std::env::temp_dir()))?;
+            output.write(|writer| io::copy(&mut file, writer).map(|_| ()))
+        }
+    }
+}
+
+/// Writes all frames by an encoder that begins an output.
+fn write(
+    drawing: &Drawing<'_>,
+    output: Output,
+    begin: impl for<'w> FnOnce(&'w mut dyn Write) -> io::Result<Box<dyn Encoder + 'w>>,
+) -> Result<(), CliError> {
+    let mut refused = None;
+    let written = output.write(|writer| {
+        encode(drawing, begin(writer)?).map_err(|failure| match failure {
+            Failure::Output(reason) => reason,
+            Failure::Refused(error) => {
+                refused = Some(error);
+                io::ErrorKind::Other.into()
+            }
+        })
+    });
+    refused.map_or(written, Err)
+}
+
+/// Why a film is not complete.
+enum Failure {
+    Output(io::Error),
+    Refused(CliError),
+}
+
+impl Failure {
+    fn named(self, path: &Path) -> CliError {
+        match self {
+            Self::Output(reason) => CliError::write(path)(reason),
+            Self::Refused(error) => error,
+        }
+    }
+}
+
+fn encode(drawing: &Drawing<'_>, mut encoder: Box<dyn Encoder + '_>) -> Result<(), Failure> {
+    drawing.draw(|warped| warped.rgba, |_, rgba| encoder.add(&rgba).map_err(Failure::Output), Failure::Refused)?;
+    encoder.finish().map_err(Failure::Output)
+}
+
+fn write_frames(drawing: &Drawing<'_>, sequence: &Sequence, loaded: &LoadedProject) -> Result<(), CliError> {
+    let profile = loaded.profile();
+    drawing.draw(
+        |warped| encode_png(&warped, profile).map_err(io::Error::other),
+        |frame, png| {
+            let output = loaded.output(&sequence.path(frame))?;
+            output.write(|writer| writer.write_all(&png?))
+        },
+        |error| error,
+    )
+}

@@ -1,0 +1,67 @@
+//! Animated PNG: lossless, with full alpha. Programs without animations show the first frame.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::io::{self, Write};
+
+use png::{BitDepth, ColorType, Compression, Encoder as PngEncoder, EncodingError, Info, Writer};
+
+use crate::{Encoder, Film, Plays};
+
+/// Units of delays: a fraction of two numbers of 16 bits would not hold every rate.
+const MILLISECONDS: u32 = 1000;
+
+/// An animated PNG in the making.
+pub struct Apng<W: Write> {
+    film: Film,
+    writer: Writer<W>,
+    added: u32,
+}
+
+impl<W: Write> fmt::Debug for Apng<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Apng").field("film", &self.film).field("added", &self.added).finish_non_exhaustive()
+    }
+}
+
+impl<W: Write> Apng<W> {
+    /// Begins a film.
+    ///
+    /// # Errors
+    /// If the output fails.
+    pub fn new(film: Film, output: W) -> io::Result<Self> {
+        let mut info = Info::with_size(film.width, film.height);
+        (info.color_type, info.bit_depth) = (ColorType::Rgba, BitDepth::Eight);
+        info.icc_profile = film.profile.clone().map(Cow::Owned);
+        let mut encoder = PngEncoder::with_info(output, info).map_err(io_error)?;
+        encoder.set_compression(Compression::Fast);
+        let plays = match film.plays {
+            Plays::Once => 1,
+            Plays::Endlessly => 0,
+        };
+        encoder.set_animated(film.frames, plays).map_err(io_error)?;
+        Ok(Self { writer: encoder.write_header().map_err(io_error)?, film, added: 0 })
+    }
+}
+
+impl<W: Write> Encoder for Apng<W> {
+    fn add(&mut self, rgba: &[u8]) -> io::Result<()> {
+        self.film.check(rgba)?;
+        let delay = self.film.delay(self.added, MILLISECONDS).min(u16::MAX.into()) as u16;
+        self.writer.set_frame_delay(delay, MILLISECONDS as u16).map_err(io_error)?;
+        self.writer.write_image_data(rgba).map_err(io_error)?;
+        self.added += 1;
+        Ok(())
+    }
+
+    fn finish(self: Box<Self>) -> io::Result<()> {
+        self.writer.finish().map_err(io_error)
+    }
+}
+
+fn io_error(error: EncodingError) -> io::Error {
+    match error {
+        EncodingError::IoError(error) => error,
+        error => io::Error::other(error),
+    }
+}

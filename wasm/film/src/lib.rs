@@ -1,0 +1,17 @@
+//! Animated pictures from frames: GIF, APNG, WebP, and sprite sheets.
+//!
+//! Frames go in one after another, as straight RGBA of the film's size; bytes come out as they are made. Nothing here
+//! knows warps, clips or files, so a browser can use it as well. Memory: one frame, except for a sheet.
+
+mod apng;
+mod film;
+mod gif;
+mod palette;
+mod sheet;
+mod webp;
+
+pub use self::apng::Apng;
+pub use self::film::{Encoder, Film, Plays};
+pub use self::gif::{Gif, MOST_GIF_RATE};
+pub use self::sheet::{MOST_SHEET_SIDE, Sheet};
+pub use self::webp::WebP;
