@@ -138,13 +138,16 @@ function readOrders(from: Bytes, lastFrame: number, triangles: number): Order[] 
   let frame = 0;
   const count = from.count(2);
   from.check(count > 0, 'has no drawing order');
+  let before: Uint32Array | null = null;
   return Array.from({ length: count }, (_, index) => {
     const step = from.varint();
     frame += step;
     from.check(step > 0 === index > 0 && frame <= lastFrame, 'has drawing orders in disorder');
     const flags = from.byte();
-    from.check(flags < 4, 'has an unknown kind of drawing order');
-    return { frame, crosses: (flags & 1) > 0, triangles: flags & 2 ? readOrder(from, triangles) : null };
+    // The order of the mesh, its own one, or the one before.
+    from.check(flags < 4 || (flags < 6 && index > 0), 'has an unknown kind of drawing order');
+    if (flags < 4) before = flags < 2 ? null : readOrder(from, triangles);
+    return { frame, crosses: (flags & 1) > 0, triangles: before };
   });
 }
 

@@ -127,11 +127,11 @@ impl RigClip {
             }
         }
         to.count(self.orders.len());
-        let mut before = 0;
+        let mut before: Option<&Order> = None;
         for order in &self.orders {
-            to.varint(order.frame - before);
-            before = order.frame;
-            order.write(to);
+            to.varint(order.frame - before.map_or(0, |before| before.frame));
+            order.write(before, to);
+            before = Some(order);
         }
     }
 
@@ -179,7 +179,8 @@ impl RigClip {
             let is_next = orders.last().map_or(step == 0, |_| step > 0);
             let frame = orders.last().map_or(0, |order| order.frame).saturating_add(step);
             from.expect(is_next && frame <= last_frame, "has drawing orders in disorder")?;
-            orders.push(Order::read(from, frame, triangles)?);
+            let order = Order::read(from, frame, orders.last(), triangles)?;
+            orders.push(order);
         }
         from.expect(!orders.is_empty(), "has no drawing order")?;
         Ok(Self { name, duration, looping, last_frame, bits, keys, motions, orders })

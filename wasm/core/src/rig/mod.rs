@@ -142,7 +142,7 @@ impl Rig {
     #[must_use]
     pub fn drawing_order(&self, clip: usize, frame: f64) -> Vec<u32> {
         let order = &self.clips[clip].order_at(frame).triangles;
-        if order.is_empty() { (0..self.mesh.triangles.len() as u32).collect() } else { order.clone() }
+        if order.is_empty() { (0..self.mesh.triangles.len() as u32).collect() } else { order.to_vec() }
     }
 
     /// The file.
@@ -253,6 +253,8 @@ mod tests {
         let mut rig = Rig::bake(&project, &solution, picture).unwrap();
         let triangles = (0..rig.triangles().len() as u32).rev().collect();
         rig.clips[0].orders.push(order::Order { frame: 3, crosses: true, triangles });
+        let triangles = rig.clips[0].orders[1].triangles.clone();
+        rig.clips[0].orders.push(order::Order { frame: 5, crosses: false, triangles });
         rig
     }
 

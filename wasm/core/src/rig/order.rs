@@ -3,6 +3,8 @@
 //! Only triangles that cover each other in the pose need an order. So one order is kept as long as it suits
 //! the pairs of each frame. If it does not, it is sorted anew for the pairs of all its frames, while that is possible.
 
+use std::sync::Arc;
+
 use glam::DVec2;
 
 use super::{
@@ -19,46 +21,73 @@ use crate::{
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Order {
     pub(super) frame: u32,
-    /// Whether parts cover each other in any of its frames.
+    /// Whether parts cover each other in its frames.
     pub(super) crosses: bool,
     /// Indices of triangles; empty for the order of the mesh.
-    pub(super) triangles: Vec<u32>,
+    pub(super) triangles: Arc<[u32]>,
 }
+
+/// Bits of the flags.
+const CROSSES: u8 = 1;
+/// Its own order follows.
+const OWN: u8 = 2;
+/// It has the order before.
+const SAME: u8 = 4;
 
 impl Order {
     /// That of the mesh, for a whole clip.
     pub(super) fn of_mesh() -> Vec<Self> {
-        vec![Self { frame: 0, crosses: false, triangles: Vec::new() }]
+        vec![Self { frame: 0, crosses: false, triangles: Arc::default() }]
     }
 
-    pub(super) fn write(&self, to: &mut Writer) {
-        to.byte(u8::from(self.crosses) | u8::from(!self.triangles.is_empty()) << 1);
+    pub(super) fn write(&self, before: Option<&Self>, to: &mut Writer) {
+        let is_same = before.is_some_and(|before| before.triangles == self.triangles);
+        let kind = if self.triangles.is_empty() {
+            0
+        } else if is_same {
+            SAME
+        } else {
+            OWN
+        };
+        to.byte(if self.crosses { CROSSES } else { 0 } | kind);
+        if kind != OWN {
+            return;
+        }
         let mut next = 0_i32;
-        for &t in &self.triangles {
+        for &t in &*self.triangles {
             to.signed(t as i32 - next);
             next = t as i32 + 1;
         }
     }
 
-    pub(super) fn read(from: &mut Reader<'_>, frame: u32, count: usize) -> Result<Self, RigError> {
+    /// Reads the order of a number of triangles.
+    pub(super) fn read(
+        from: &mut Reader<'_>,
+        frame: u32,
+        before: Option<&Self>,
+        count: usize,
+    ) -> Result<Self, RigError> {
         let flags = from.byte()?;
-        from.expect(flags < 4, "has an unknown kind of drawing order")?;
-        let mut order = Self { frame, crosses: flags & 1 != 0, triangles: Vec::new() };
-        if flags & 2 == 0 {
-            return Ok(order);
+        let crosses = flags & CROSSES != 0;
+        match (flags & !CROSSES, before) {
+            (0, _) => return Ok(Self { frame, crosses, triangles: Arc::default() }),
+            (OWN, _) => {}
+            (SAME, Some(before)) => return Ok(Self { frame, crosses, triangles: Arc::clone(&before.triangles) }),
+            _ => return Err(from.wrong("has an unknown kind of drawing order")),
         }
         from.expect(from.has(Some(count)) && count > 0, "ends too early")?;
         let mut is_drawn = vec![false; count];
+        let mut triangles = Vec::with_capacity(count);
         let mut next = 0_i32;
         for _ in 0..count {
             let t = next.wrapping_add(from.signed()?);
             let drawn = usize::try_from(t).ok().and_then(|t| is_drawn.get_mut(t));
             let is_new = drawn.is_some_and(|drawn| !std::mem::replace(drawn, true));
             from.expect(is_new, "has a drawing order that is no order of the triangles")?;
-            order.triangles.push(t as u32);
+            triangles.push(t as u32);
             next = t + 1;
         }
-        Ok(order)
+        Ok(Self { frame, crosses, triangles: triangles.into() })
     }
 }
 
@@ -73,7 +102,8 @@ pub(super) struct Orders<'a> {
 
 /// Frames with one order.
 struct Run {
-    frame: u32,
+    /// Frames at which parts begin to cross, or cease, with the first frame of the run.
+    changes: Vec<(u32, bool)>,
     /// The triangles of the solution by depth in the first frame.
     base: Vec<u32>,
     /// The triangle in front, and the one behind it, in all frames.
@@ -86,15 +116,11 @@ struct Run {
 impl Run {
     fn new(frame: u32, base: Vec<u32>, pairs: Vec<[u32; 2]>) -> Self {
         let order = topological(&base, &pairs);
-        Self { frame, ranks: ranks(&order), base, pairs, order }
-    }
-
-    fn crosses(&self) -> bool {
-        !self.pairs.is_empty()
+        Self { changes: vec![(frame, !pairs.is_empty())], ranks: ranks(&order), base, pairs, order }
     }
 
     /// Adds the pairs of another frame, if one order satisfies them all.
-    fn join(&mut self, pairs: &[[u32; 2]]) -> bool {
+    fn join(&mut self, frame: u32, pairs: &[[u32; 2]]) -> bool {
         let mut all = [&self.pairs, pairs].concat();
         all.sort_unstable();
         all.dedup();
@@ -107,6 +133,10 @@ impl Run {
             (self.order, self.ranks) = (order, ranks);
         }
         self.pairs = all;
+        let crosses = !pairs.is_empty();
+        if self.changes.last().is_some_and(|&(_, before)| before != crosses) {
+            self.changes.push((frame, crosses));
+        }
         true
     }
 }
@@ -123,7 +153,7 @@ impl<'a> Orders<'a> {
         let base = by_depth.order(triangles.len());
         let crossings = self.adjacency.crossings(PosedMesh { rest, posed, triangles });
         let pairs = by_depth.pairs(triangles, &crossings);
-        let goes_on = self.runs.last_mut().is_some_and(|run| run.join(&pairs));
+        let goes_on = self.runs.last_mut().is_some_and(|run| run.join(frame, &pairs));
         if !goes_on {
             self.runs.push(Run::new(frame, base, pairs));
         }
@@ -134,9 +164,10 @@ impl<'a> Orders<'a> {
         let of = |run: Run| {
             let is_of_mesh = run.order.is_sorted();
             let all = (0..behind).chain(run.order.iter().map(|t| t + behind));
-            let triangles = if is_of_mesh { Vec::new() } else { all.collect() };
-            Order { frame: run.frame, crosses: run.crosses(), triangles }
+            let triangles: Arc<[u32]> = if is_of_mesh { Arc::default() } else { all.collect() };
+            let changes = run.changes.into_iter();
+            changes.map(move |(frame, crosses)| Order { frame, crosses, triangles: Arc::clone(&triangles) })
         };
-        self.runs.into_iter().map(of).collect()
+        self.runs.into_iter().flat_map(of).collect()
     }
 }
