@@ -168,3 +168,34 @@ for (const held of [false, true]) {
     expectAgreement(await difference(webgl, cpu, info));
   });
 }
+
+test('a glow with an unmoved handle is the picture itself', async ({ page }) => {
+  const { webgl, cpu, picture } = await page.evaluate(async () => {
+    const file = await harness.drawnGlow();
+    const drawn = await harness.drawnTwice(
+      {
+        format: 'c2warp/1',
+        image: { src: 'glow.png', width: 256, height: 256 },
+        domain: { kind: 'alpha', threshold: 0.9 },
+        handles: [{ id: 'left', kind: 'point', rest: [90, 128], posed: [90, 128] }],
+      },
+      file,
+      1,
+    );
+    return { ...drawn, picture: [...new Uint8Array(await file.arrayBuffer())] };
+  });
+  const expected = decode(new Uint8Array(picture)).data;
+  for (const [renderer, drawn] of Object.entries({ webgl, cpu })) {
+    const found = decode(Buffer.from(drawn, 'base64')).data;
+    let most = 0;
+    for (let at = 0; at < expected.length; at++) {
+      const [alpha, other] = [found[at | 3] ?? 0, expected[at | 3] ?? 0];
+      const isAlpha = at % 4 === 3;
+      const [a, b] = isAlpha
+        ? [alpha, other]
+        : [((found[at] ?? 0) * alpha) / 255, ((expected[at] ?? 0) * other) / 255];
+      most = Math.max(most, Math.abs(a - b));
+    }
+    expect(most, renderer).toBeLessThanOrEqual(1.01);
+  }
+});

@@ -2,6 +2,7 @@
 import { Engine } from '../../../web/src/compute/engine';
 import { PictureFile } from '../../../web/src/io/encoder';
 import { Renderer } from '../../../web/src/render/renderer';
+import { drawnGlow } from './drawn_glow';
 import { drawnLegs } from './drawn_legs';
 import { drawnPicture } from './drawn_picture';
 import { encodePng } from './encoded';
@@ -16,6 +17,7 @@ const parts = {
   openedPicture,
   pixelSource,
   encodePng,
+  drawnGlow,
   drawnLegs,
   drawnPicture,
   drawnPixels,
