@@ -253,7 +253,9 @@ export class EditorRuntime {
   #changed(state: EditorState, event: EditorEvent): void {
     this.#pictures.releaseUnused(state);
     this.#solver.freeUnused(state);
-    this.#frames?.request();
+    // The clock ticks at the beginning of a frame: a later one would show the picture behind its handles.
+    if (event.type === 'clock-ticked') this.#frames?.drawNow();
+    else this.#frames?.request();
     this.#study.follow(() => this.#element.render());
     if (state.timeline.open) this.#loadTimeline();
     // An animation out of sight is rendered once it is seen.

@@ -64,6 +64,13 @@ export class Frames {
     if (this.#request === 0 && this.#seen) this.#request = requestAnimationFrame(() => this.#draw());
   }
 
+  /** Draws at once: a frame of the screen has begun, and its marks are rendered with it. */
+  drawNow(): void {
+    if (!this.#seen) return;
+    cancelAnimationFrame(this.#request);
+    this.#draw();
+  }
+
   /** Draws again although nothing has changed. */
   redraw(): void {
     this.#last = this.#last && { ...this.#last, view: { ...this.#last.view, width: 0 } };
