@@ -1,6 +1,7 @@
 /** Answers the editor's questions about one solution from the WebAssembly module. */
 import type { Pose, PosedPicture } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
+import { modeOf } from '../document/bending';
 import type { HiddenCorners, Turns } from '../document/handle';
 import type { PosesAt } from '../document/moment';
 import type { Project } from '../document/project';
@@ -48,11 +49,17 @@ export class SolutionDeformation implements Deformation {
     if (project === this.#asked) return this.#pose;
     this.#asked = project;
     try {
-      this.#pose = this.#picture.pose(project);
+      this.#pose = this.#poseOf(project);
     } catch {
       // The picture stays as it was until the pose can be computed again.
     }
     return this.#pose;
+  }
+
+  /** Along a clip the rigid mode keeps to the way from the beginning: no frame jumps, and scrubbing shows the same. */
+  #poseOf(project: Project): Pose {
+    const along = modeOf(project) === 'rigid' ? this.#clip.playbackOf(this.#picture, project) : null;
+    return along ? along.playback.pose(project, along.time) : this.#picture.pose(project);
   }
 
   placement(project: Project, posed: Vec, within: number): Placement | null {

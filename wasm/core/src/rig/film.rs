@@ -8,6 +8,7 @@ use super::{
     skin::{Skin, greatest_distance},
 };
 use crate::{
+    clip::Playback,
     pose::Motion,
     project::{Blend, Clip, Looping, Project},
     solution::Solution,
@@ -50,13 +51,11 @@ impl Film {
             return Err(BakeError::ClipTooLong { clip: name.clone(), seconds: *duration, most: MOST_SECONDS });
         }
         let last = (duration * FRAMES_PER_SECOND).round().max(1.0) as u32;
-        let mut handles = project.handles.clone();
+        let mut playback = Playback::new(solution.poser().clone(), clip.clone(), project.handles.clone());
         let motions = |frame: u32| {
             let seconds = duration * f64::from(frame) / f64::from(last);
-            handles.clone_from(&project.handles);
-            clip.apply(seconds, &mut handles);
             let refused = |reason| BakeError::Pose { clip: name.clone(), seconds, reason };
-            solution.poser().motions(&handles).map_err(refused)
+            playback.pose(seconds, Blend::Linear).map(|pose| pose.motions().to_vec()).map_err(refused)
         };
         let frames = (0..=last).map(motions).collect::<Result<_, _>>()?;
         Ok(Self { name: name.clone(), duration: *duration, looping: *looping, frames })
