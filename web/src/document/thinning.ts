@@ -23,27 +23,62 @@ export interface PosedSample {
 export function thinned(samples: readonly PosedSample[], posesAt: PosesAt): readonly Key[] {
   const values = valuesOf(samples);
   const keys = samples.map(({ time, handle }) => keyOf(handle, time, values));
-  const [first] = samples;
-  if (!first || keys.length < 3) return keys;
-  const errors = (chosen: readonly number[]) => {
-    const clip = clipOf(
-      first.handle,
-      chosen.map((k) => keys[k] as Key),
-    );
-    return samples.map((sample) => errorOf(sample, clip, posesAt));
-  };
-  let chosen: readonly number[] = [0, keys.length - 1];
+  if (keys.length < 3) return keys;
+  const motion: Motion = { samples, keys, posesAt };
+  return dropped(motion, refined(motion)).map((k) => keys[k] as Key);
+}
+
+interface Motion {
+  readonly samples: readonly PosedSample[];
+  /** A key for each sample. */
+  readonly keys: readonly Key[];
+  readonly posesAt: PosesAt;
+}
+
+/** Chooses keys until all samples are near them. Returns their indices. */
+function refined(motion: Motion): readonly number[] {
+  const last = motion.keys.length - 1;
+  let chosen: readonly number[] = [0, last];
+  const errors = errorsBetween(motion, chosen, 0, 1);
   for (;;) {
-    const found = errors(chosen);
-    const worst = found.indexOf(Math.max(...found));
-    if ((found[worst] ?? 0) <= 1 || chosen.includes(worst)) break;
+    const worst = errors.indexOf(Math.max(...errors));
+    if ((errors[worst] ?? 0) <= 1 || chosen.includes(worst)) return chosen;
     chosen = [...chosen, worst].sort((a, b) => a - b);
+    // The speeds at both neighbours change too, and with them the ways beyond.
+    const at = chosen.indexOf(worst);
+    const from = Math.max(0, at - 2);
+    const changed = errorsBetween(motion, chosen, from, Math.min(chosen.length - 1, at + 2));
+    changed.forEach((error, k) => {
+      errors[(chosen[from] ?? 0) + k] = error;
+    });
   }
-  for (const k of chosen.slice(1, -1)) {
-    const without = chosen.filter((other) => other !== k);
-    if (Math.max(...errors(without)) <= 1) chosen = without;
+}
+
+/** Drops the keys that are not needed. */
+function dropped(motion: Motion, indices: readonly number[]): readonly number[] {
+  let chosen = indices;
+  for (let at = 1; at < chosen.length - 1; ) {
+    const without = chosen.toSpliced(at, 1);
+    const [from, to] = [Math.max(0, at - 2), Math.min(without.length - 1, at + 1)];
+    if (Math.max(...errorsBetween(motion, without, from, to)) <= 1) chosen = without;
+    else at++;
   }
-  return chosen.map((k) => keys[k] as Key);
+  return chosen;
+}
+
+/** How far the samples between two of the chosen keys are off. A way depends on the keys next to it alone. */
+function errorsBetween(
+  { samples, keys, posesAt }: Motion,
+  chosen: readonly number[],
+  from: number,
+  to: number,
+): number[] {
+  const around = chosen.slice(Math.max(0, from - 1), to + 2).map((k) => keys[k] as Key);
+  const within = samples.slice(chosen[from], (chosen[to] ?? 0) + 1);
+  const [first] = within;
+  if (!first) return [];
+  const clip = clipOf(first.handle, around);
+  return within.map((sample) => errorOf(sample, clip, posesAt));
 }
 
 /** The values that the motion changes, besides the places. */

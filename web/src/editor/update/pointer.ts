@@ -9,10 +9,12 @@ import { mayEdit, pressesPan } from '../permissions';
 import type { StagePointer } from '../stage_pointer';
 import { type EditorState, type PointerState, selectionOf } from '../state';
 import { moveCamera } from '../view';
+import { followClip } from './clip_slice';
 import { focus } from './corners';
 import type { Handlers } from './handlers';
 import { followPointer } from './lens';
 import { closeMenu } from './menu_closing';
+import { movePlayhead } from './playhead';
 import { applyTools } from './press';
 import { doublePress } from './renaming';
 import { select } from './selection';
@@ -27,7 +29,7 @@ export const noteKind = (state: EditorState, coarse: boolean): EditorState =>
   state.pointer.coarse === coarse ? state : withPointer(state, { coarse });
 
 function begin(before: EditorState, pointer: StagePointer, pans: boolean, emit: Emit): EditorState {
-  const noted = hideCrosshair(closeMenu(noteKind(before, pointer.coarse), emit));
+  const noted = hideCrosshair(closeMenu(noteKind(stopped(before, pans, emit), pointer.coarse), emit));
   // A press whose end was missed must not stay open.
   const state = applyTools(noted, cancelPress(noted.tools), emit);
   const press = pressOf(state, pointer);
@@ -37,6 +39,10 @@ function begin(before: EditorState, pointer: StagePointer, pans: boolean, emit: 
   const once = pans || pressesPan(state) ? hand : undefined;
   return applyTools(withPointer(state, { onHandle }), pressDown(state.tools, press, context, once), emit);
 }
+
+/** A press stops the timeline at a frame, whose pose the press finds. One that pans leaves it. */
+const stopped = (state: EditorState, pans: boolean, emit: Emit): EditorState =>
+  state.timeline.playing && !pans ? followClip(movePlayhead(state, state.timeline.time, emit), emit) : state;
 
 function end(before: EditorState, pointer: StagePointer, emit: Emit): EditorState {
   const press = pressOf(before, pointer);

@@ -1,6 +1,6 @@
 /** Recording: while R is held, the motion of a drag becomes keys. */
 import { putKeys, removeKeys, roundedTime, trackOf } from '../../document/clip_keys';
-import { changeClip, lastKeyTime } from '../../document/clips';
+import { changeClip, DURATIONS, lastKeyTime } from '../../document/clips';
 import { fileProject, selectedHandles } from '../../document/document';
 import * as history from '../../document/history';
 import { withFileProject } from '../../document/moment';
@@ -124,7 +124,7 @@ export function followRecording(state: EditorState, seconds: number, emit: Emit)
   if (!clip || !recording) return dropRecording(state, emit);
   const held = selectedHandles(documentOf(state)).map(({ id }) => id);
   const others = { ...clip, tracks: clip.tracks.filter(({ handle }) => !held.includes(handle)) };
-  const end = lastKeyTime(others) > 0 ? clip.duration : Number.POSITIVE_INFINITY;
+  const end = lastKeyTime(others) > 0 ? clip.duration : DURATIONS.most - RETURN;
   const next = Math.min(time + seconds, end);
   return next > time ? withTimeline(state, { time: next }) : state;
 }

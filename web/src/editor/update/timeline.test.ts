@@ -118,6 +118,17 @@ describe('the timeline', () => {
     expect(runtime.effects.at(-1)).not.toEqual({ type: 'run-clock', on: true });
   });
 
+  it('is stopped by a press, and a drag then sets a key at a frame', () => {
+    const runtime = opened();
+    send(runtime, move(1));
+    drag(runtime, [100, 150], [160, 150]);
+    send(runtime, move(0), { type: 'command-run', command: 'play' }, { type: 'clock-ticked', seconds: 0.21 });
+    expect(x(runtime, 'a')).toBeCloseTo(112.6, 5);
+    drag(runtime, [112, 150], [112, 180], [112, 200]);
+    expect(runtime.state.timeline.playing).toBe(false);
+    expect(keys(runtime, 'a')?.map(([time]) => time)).toEqual([0, 0.2, 1]);
+  });
+
   it('stops at the end of a clip that plays once, and begins again there', () => {
     const runtime = opened();
     send(runtime, { type: 'clip-loop-chosen', loop: 'none' }, move(1.9), {
