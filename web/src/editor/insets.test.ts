@@ -32,6 +32,18 @@ describe('what the cards leave free', () => {
         }
   });
 
+  it('is the layout of the whole element, above the timeline too', () => {
+    const beside = (height: number, timeline: boolean) =>
+      insetsOf({ stage: { width: 1000, height }, coarse: false, sheet: 'none', timeline, bare: null }).left;
+    // 800 px high, with 226 px of timeline: the tools have one column.
+    expect(beside(800 - 82 - 226, true)).toBe(beside(800 - 82, false));
+    expect(beside(600 - 82 - 226, true)).toBe(134);
+    expect(beside(480 - 82 - 201, true)).toBe(182);
+    const phone = (height: number, timeline: boolean) =>
+      insetsOf({ stage: { width: 320, height }, coarse: true, sheet: 'none', timeline, bare: null }).bottom;
+    expect(phone(640 - 98 - 268, true)).toBe(phone(640 - 98, false));
+  });
+
   it('grows with the height of a phone', () => {
     for (const coarse of [false, true]) {
       const heights = [240, 280, 320, 360, 480, 780].map(

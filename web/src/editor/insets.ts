@@ -2,7 +2,20 @@
  * Room for the cards over the stage, in the layouts of `ui/style/layouts.ts`, which measure the stage with its bars.
  */
 import type { Insets, Size } from '../geometry/camera';
-import { BARS, FROM_BOTTOM, LOW, LOWEST, NARROW, PANEL, PHONE, SHEET, STUDY, TOOLS } from './sizes';
+import {
+  BARS,
+  FROM_BOTTOM,
+  LOW,
+  LOWEST,
+  NARROW,
+  OVER_TIMELINE,
+  PANEL,
+  PHONE,
+  SHEET,
+  STUDY,
+  TIMELINE,
+  TOOLS,
+} from './sizes';
 import type { StudyPage } from './study_state';
 import type { Sheet } from './view_state';
 
@@ -16,6 +29,8 @@ export interface Cards {
   readonly sheet: Sheet;
   /** The study card is open, in place of the panel. */
   readonly study?: StudyPage | null;
+  /** The timeline is open, below the stage. */
+  readonly timeline?: boolean;
   /** What `posable` shows without bars and cards; null in the editor. */
   readonly bare: 'handles' | 'picture' | null;
 }
@@ -29,12 +44,28 @@ const even = (by: number): Insets => ({ top: by, right: by, bottom: by, left: by
 const studyWidth = (page: StudyPage, stage: number): number =>
   page === 'compare' ? Math.max(STUDY.wide, stage / 2) : STUDY.wide;
 
-export function insetsOf({ stage: { width, height }, coarse, sheet, study, bare }: Cards): Insets {
+/** The height of the editor, by that of its stage and bars. */
+function wholeHeight(above: number, timeline: boolean, kind: keyof typeof RIM): number {
+  if (!timeline) return above;
+  const most = kind === 'coarse' ? TIMELINE.coarse : TIMELINE.height;
+  const share = TIMELINE.share / 100;
+  const shared = above / (1 - share);
+  return share * shared <= most ? shared : above + most;
+}
+
+export function insetsOf({
+  stage: { width, height },
+  coarse,
+  sheet,
+  study,
+  timeline = false,
+  bare,
+}: Cards): Insets {
   const right = (panel: number) => (study ? studyWidth(study, width) : panel);
   const kind = coarse ? 'coarse' : 'fine';
   if (bare) return even(bare === 'picture' ? 0 : RIM[kind]);
   const { toolbar, status } = BARS[kind];
-  const whole = toolbar + height + status;
+  const whole = wholeHeight(toolbar + height + status, timeline, kind);
   const tools = whole < LOWEST ? 'lowest' : 'low';
   if (width < PHONE) {
     const settings = Math.min(SHEET.tall, (SHEET.share / 100) * height);
@@ -47,7 +78,11 @@ export function insetsOf({ stage: { width, height }, coarse, sheet, study, bare 
     const [line, tall] = [FROM_BOTTOM.sheet + SHEET.line, FROM_BOTTOM.sheet + settings];
     return { ...even(16), bottom: { none: FROM_BOTTOM.aboveTools, line, tall }[sheet] };
   }
-  if (whole < LOW.wide) return { ...even(16), left: TOOLS[tools], right: right(PANEL.narrow) };
+  if (whole < LOW.wide && !timeline) return { ...even(16), left: TOOLS[tools], right: right(PANEL.narrow) };
+  if (timeline && whole < OVER_TIMELINE.low) {
+    const columns = whole < OVER_TIMELINE.lowest ? 'lowest' : 'low';
+    return { ...even(16), left: TOOLS[columns], right: right(width < NARROW ? PANEL.narrow : PANEL.wide) };
+  }
   if (width < NARROW) return { ...even(20), left: TOOLS.narrow, right: right(PANEL.narrow) };
   return { ...even(28), left: TOOLS.wide, right: right(PANEL.wide) };
 }

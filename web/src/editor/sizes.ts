@@ -40,6 +40,9 @@ export const STUDY = { wide: 360, share: 0.52 } as const;
  */
 export const SHEET = { line: 62, numbers: 160, ofCorner: 250, tall: 236, share: 46, top: 12 } as const;
 
+/** Above an open timeline, tools have two columns if the element is lower than this, or three. */
+export const OVER_TIMELINE = { low: 640, lowest: 490 } as const;
+
 /** The height of the timeline for mouse and touch, and its greatest share of the editor's height in percent. */
 export const TIMELINE = { height: 226, coarse: 270, share: 42 } as const;
 

@@ -190,5 +190,6 @@ export function insets(state: EditorState, sheet = openSheet(state)): Insets {
   const { posable, readonly } = state.page;
   const bare = posable ? (readonly ? 'picture' : 'handles') : null;
   const study = state.study.page;
-  return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, study, bare });
+  const timeline = state.timeline.open && !posable;
+  return insetsOf({ stage: state.stage, coarse: state.media.coarse, sheet, study, timeline, bare });
 }

@@ -1,6 +1,6 @@
 /** The timeline: a bar of controls, a ruler, and a row for each handle. Below the stage in every layout. */
 import { css } from 'lit';
-import { TIMELINE } from '../../editor/sizes';
+import { OVER_TIMELINE, PHONE, TIMELINE, TOOLS } from '../../editor/sizes';
 import { phone } from '../style/layouts';
 import { ORDER } from '../style/order';
 
@@ -315,6 +315,24 @@ export const timelineStyle = css`
     .ruler,
     .now {
       height: var(--_finger);
+    }
+  }
+  /* The tools keep clear of it in two columns, or three. */
+  @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.low}px) {
+    .middle:has(~ .timeline) {
+      --_left: ${TOOLS.low}px;
+    }
+    .middle:has(~ .timeline) .tools {
+      display: grid;
+      grid-template-columns: auto auto;
+    }
+  }
+  @container shell (width >= ${PHONE}px) and (height < ${OVER_TIMELINE.lowest}px) {
+    .middle:has(~ .timeline) {
+      --_left: ${TOOLS.lowest}px;
+    }
+    .middle:has(~ .timeline) .tools {
+      grid-template-columns: auto auto auto;
     }
   }
   @container ${phone} {
