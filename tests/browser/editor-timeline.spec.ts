@@ -233,7 +233,7 @@ test('keys are dragged and chosen by a box', async ({ page }) => {
   await page.mouse.move(second.x, second.y, { steps: 4 });
   await page.mouse.move(second.x + 20, second.y + 8);
   await page.mouse.up();
-  await expect(timeline(editor).locator('.key[aria-pressed="true"]')).toHaveCount(6);
+  await expect(timeline(editor).locator('.clip-key[aria-pressed="true"]')).toHaveCount(6);
   const before = await way(editor, 'head');
   await page.mouse.move(first.x, first.y);
   await page.mouse.down();

@@ -1,6 +1,6 @@
 /**
- * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, its lens, every
- * sample posed, and one pose by the methods that `npm run quality` compares.
+ * `npm run screenshots`: the pictures of the documentation. They show the editor with the bent sample, its lens, the
+ * timeline, every sample posed, and one pose by the methods that `npm run quality` compares.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -72,7 +72,10 @@ async function take(browser, url, colorScheme) {
   const path = join(FOLDER, `editor-${colorScheme}.png`);
   await page.screenshot({ path });
   console.log(path);
-  if (colorScheme === 'light') await takeLens(page);
+  if (colorScheme === 'light') {
+    await takeLens(page);
+    await takeTimeline(page);
+  }
   await page.close();
 }
 
@@ -90,6 +93,27 @@ async function takeLens(page) {
   await page.mouse.click(head.x - 70, head.y + 150);
   await page.getByRole('region', { name: 'Weights' }).getByText('Virtual handles', { exact: true }).waitFor();
   const path = join(FOLDER, 'lens.png');
+  await page.screenshot({ path });
+  console.log(path);
+}
+
+/**
+ * A wave of the raised arm, between two of its keys.
+ *
+ * @param {import('@playwright/test').Page} page
+ */
+async function takeTimeline(page) {
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('t');
+  const timeline = page.getByRole('region', { name: 'Timeline' });
+  await timeline.getByRole('button', { name: 'Wave' }).click();
+  await timeline.getByRole('button', { name: 'Stop' }).click();
+  await timeline.getByRole('button', { name: /^Onion/ }).click();
+  await timeline.getByRole('button', { name: /^left hand, key at 0.30/ }).click();
+  await timeline.getByRole('slider', { name: 'Playhead' }).focus();
+  for (let frame = 0; frame < 5; frame++) await page.keyboard.press('ArrowRight');
+  await page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
+  const path = join(FOLDER, 'timeline.png');
   await page.screenshot({ path });
   console.log(path);
 }

@@ -43,7 +43,7 @@ export function boxSelection(event: PointerEvent, { rows }: TimelineModel, dispa
 
 /** The keys whose middles lie in a rectangle. */
 function keysWithin(tracks: Element, box: DOMRect): readonly KeyRef[] {
-  const keys = [...tracks.querySelectorAll<HTMLElement>('.key')];
+  const keys = [...tracks.querySelectorAll<HTMLElement>('.clip-key')];
   return keys
     .filter((key) => {
       const { left, top, width, height } = key.getBoundingClientRect();

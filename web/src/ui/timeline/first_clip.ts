@@ -10,7 +10,7 @@ export const firstClip = (
   dispatch: Dispatch,
 ): TemplateResult => html`<div class="first-clip">
   <p>Make it move. Start with a clip, then drag handles at other times.</p>
-  <div class="presets">
+  <div class="clip-presets">
     ${CLIP_PRESETS.map((preset) => presetButton(preset, model, dispatch))}
     <button
       type="button"

@@ -45,7 +45,7 @@ function ofPlace(
   dispatch: Dispatch,
 ): boolean {
   if (event.ctrlKey || event.metaKey) return false;
-  const isKey = target.matches('.key');
+  const isKey = target.matches('.clip-key');
   if ((event.key === 'Delete' || event.key === 'Backspace') && timeline.selectedKeys > 0) {
     dispatch({ type: 'keys-removed' });
     return true;
@@ -77,12 +77,12 @@ function movesPlayhead(event: KeyboardEvent, { clip }: TimelineModel, dispatch: 
 function movesKeys(event: KeyboardEvent, key: HTMLElement, dispatch: Dispatch): boolean {
   const step = STEPS[event.key];
   if (!event.altKey || step === undefined) return false;
-  const row = key.closest('.track');
+  const row = key.closest('.key-row');
   dispatch({ type: 'keys-stepped', frames: step * (event.shiftKey ? 10 : 1) });
   // Once the row is rendered: a key that passes another one changes places with it.
   queueMicrotask(() => {
     if (!key.matches('[aria-pressed="true"]'))
-      row?.querySelector<HTMLElement>('.key[aria-pressed="true"]')?.focus();
+      row?.querySelector<HTMLElement>('.clip-key[aria-pressed="true"]')?.focus();
   });
   return true;
 }
@@ -107,16 +107,16 @@ function goesToKey(
 }
 
 function neighbour(key: string, from: HTMLElement): HTMLElement | null {
-  const row = from.closest('.track');
+  const row = from.closest('.key-row');
   if (key === 'ArrowLeft' || key === 'ArrowRight') {
-    const keys = [...(row?.querySelectorAll<HTMLElement>('.key') ?? [])];
+    const keys = [...(row?.querySelectorAll<HTMLElement>('.clip-key') ?? [])];
     return keys[keys.indexOf(from) + (key === 'ArrowLeft' ? -1 : 1)] ?? null;
   }
   if (key !== 'ArrowUp' && key !== 'ArrowDown') return null;
   const time = refOf(from).time;
   let other = sibling(row, key);
-  while (other && !other.querySelector('.key')) other = sibling(other, key);
-  const keys = [...(other?.querySelectorAll<HTMLElement>('.key') ?? [])];
+  while (other && !other.querySelector('.clip-key')) other = sibling(other, key);
+  const keys = [...(other?.querySelectorAll<HTMLElement>('.clip-key') ?? [])];
   const apart = (one: HTMLElement) => Math.abs(refOf(one).time - time);
   return keys.sort((a, b) => apart(a) - apart(b))[0] ?? null;
 }

@@ -103,26 +103,26 @@ export const timelineStyle = css`
   .first-clip p {
     margin: 0;
   }
-  .presets {
+  .clip-presets {
     display: flex;
     flex-wrap: wrap;
     justify-content: center;
     gap: 8px;
   }
-  .presets .button {
+  .clip-presets .button {
     padding: 0 16px;
     background: var(--_raised);
     color: var(--_text);
     font-weight: 600;
   }
-  .presets .preset {
+  .clip-presets .preset {
     background: var(--_accent);
     color: var(--_on-accent);
   }
-  .presets .preset:hover:not(:disabled, [aria-pressed='true'], .on) {
+  .clip-presets .preset:hover:not(:disabled, [aria-pressed='true'], .on) {
     background: color-mix(in srgb, var(--_accent) 86%, var(--_text));
   }
-  .presets .preset:disabled {
+  .clip-presets .preset:disabled {
     background: var(--_raised);
   }
   .lanes {
@@ -132,7 +132,7 @@ export const timelineStyle = css`
     overscroll-behavior: contain;
   }
   .ruler-row,
-  .track {
+  .key-row {
     display: flex;
     width: max-content;
     min-width: 100%;
@@ -179,11 +179,11 @@ export const timelineStyle = css`
   .track-name:hover {
     background: var(--_raised);
   }
-  .track.selected .track-name {
+  .key-row.selected .track-name {
     box-shadow: inset 3px 0 0 var(--_accent);
     font-weight: 600;
   }
-  .track.selected .lane {
+  .key-row.selected .lane {
     background: color-mix(in srgb, var(--_accent) 8%, transparent);
   }
   .ruler,
@@ -254,7 +254,7 @@ export const timelineStyle = css`
     background: var(--_danger);
   }
   /* The diamond in the middle of a larger target. */
-  .key {
+  .clip-key {
     position: absolute;
     top: 0;
     width: var(--_row);
@@ -266,7 +266,7 @@ export const timelineStyle = css`
     cursor: pointer;
     touch-action: none;
   }
-  .key::before {
+  .clip-key::before {
     content: '';
     position: absolute;
     inset: calc((var(--_row) - var(--_key)) / 2);
@@ -275,19 +275,19 @@ export const timelineStyle = css`
     background: var(--_surface);
     rotate: 45deg;
   }
-  .key.linear::before {
+  .clip-key.linear::before {
     background: linear-gradient(45deg, var(--_text) 50%, var(--_surface) 50%);
   }
-  .key.hold::before {
+  .clip-key.hold::before {
     rotate: none;
   }
-  .key:hover::before {
+  .clip-key:hover::before {
     border-color: var(--_accent);
   }
-  .key[aria-pressed='true'] {
+  .clip-key[aria-pressed='true'] {
     z-index: 1;
   }
-  .key[aria-pressed='true']::before {
+  .clip-key[aria-pressed='true']::before {
     border-color: var(--_accent);
     background: var(--_accent);
   }
@@ -341,7 +341,7 @@ export const timelineStyle = css`
     }
   }
   @media (forced-colors: active) {
-    .key[aria-pressed='true']::before {
+    .clip-key[aria-pressed='true']::before {
       background: Highlight;
     }
     .playhead {

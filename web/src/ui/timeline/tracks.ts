@@ -31,7 +31,7 @@ export function trackRows(timeline: TimelineModel, dispatch: Dispatch): Template
 }
 
 function trackRow(row: TimelineRow, clip: Clip, timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
-  return html`<div class="track ${row.selected ? 'selected' : ''}" role="group" aria-label=${row.name}>
+  return html`<div class="key-row ${row.selected ? 'selected' : ''}" role="group" aria-label=${row.name}>
     <button
       type="button"
       class="track-name"
@@ -66,7 +66,7 @@ function keyButton(
   const label = `${row.name}, key at ${secondsText(key.shown)}, ${EASE_NAMES[key.ease].toLowerCase()}`;
   return html`<button
     type="button"
-    class="key ${key.ease}"
+    class="clip-key ${key.ease}"
     data-key-of=${row.handle}
     data-time=${key.time}
     tabindex=${isEntry(key, row, timeline) ? 0 : -1}
