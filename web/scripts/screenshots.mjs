@@ -98,7 +98,7 @@ async function takeLens(page) {
 }
 
 /**
- * A wave of the raised arm, between two of its keys.
+ * The wave of the sample, between two of its keys.
  *
  * @param {import('@playwright/test').Page} page
  */
@@ -106,12 +106,10 @@ async function takeTimeline(page) {
   await page.keyboard.press('Escape');
   await page.keyboard.press('t');
   const timeline = page.getByRole('region', { name: 'Timeline' });
-  await timeline.getByRole('button', { name: 'Wave' }).click();
-  await timeline.getByRole('button', { name: 'Stop' }).click();
   await timeline.getByRole('button', { name: /^Onion/ }).click();
-  await timeline.getByRole('button', { name: /^left hand, key at 0.30/ }).click();
+  await timeline.getByRole('button', { name: /^right hand, key at 0.30/ }).click();
   await timeline.getByRole('slider', { name: 'Playhead' }).focus();
-  for (let frame = 0; frame < 5; frame++) await page.keyboard.press('ArrowRight');
+  for (let frame = 0; frame < 2; frame++) await page.keyboard.press('ArrowRight');
   await page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
   const path = join(FOLDER, 'timeline.png');
   await page.screenshot({ path });
