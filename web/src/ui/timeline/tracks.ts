@@ -16,6 +16,7 @@ const SLIP = 3;
 export function trackRows(timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
   const { clip, rows } = timeline;
   if (!clip) return html``;
+  const entry = entryOf(rows);
   return html`<div
     class="tracks"
     role="group"
@@ -25,12 +26,18 @@ export function trackRows(timeline: TimelineModel, dispatch: Dispatch): Template
     ${repeat(
       rows,
       ({ handle }) => handle,
-      (row) => trackRow(row, clip, timeline, dispatch),
+      (row) => trackRow(row, entry, clip, timeline, dispatch),
     )}
   </div>`;
 }
 
-function trackRow(row: TimelineRow, clip: Clip, timeline: TimelineModel, dispatch: Dispatch): TemplateResult {
+function trackRow(
+  row: TimelineRow,
+  entry: TimelineKey | undefined,
+  clip: Clip,
+  timeline: TimelineModel,
+  dispatch: Dispatch,
+): TemplateResult {
   return html`<div class="key-row ${row.selected ? 'selected' : ''}" role="group" aria-label=${row.name}>
     <button
       type="button"
@@ -47,16 +54,17 @@ function trackRow(row: TimelineRow, clip: Clip, timeline: TimelineModel, dispatc
     </button>
     <div class="lane">
       <div class="time">
-        ${row.keys.map((key) => keyButton(key, row, clip, timeline, dispatch))}
+        ${row.keys.map((key) => keyButton(key, key === entry, row, clip, timeline, dispatch))}
         <i class="playhead" .style=${at(clip, timeline.time)}></i>
       </div>
     </div>
   </div>`;
 }
 
-/** A key. One of all keys takes part in the order of Tab; arrow keys go to the others. */
+/** @param isEntry Tab comes to this key. Arrow keys go to the others. */
 function keyButton(
   key: TimelineKey,
+  isEntry: boolean,
   row: TimelineRow,
   clip: Clip,
   timeline: TimelineModel,
@@ -69,7 +77,7 @@ function keyButton(
     class="clip-key ${key.ease}"
     data-key-of=${row.handle}
     data-time=${key.time}
-    tabindex=${isEntry(key, row, timeline) ? 0 : -1}
+    tabindex=${isEntry ? 0 : -1}
     .style=${at(clip, key.shown)}
     aria-label=${label}
     aria-pressed=${String(key.selected)}
@@ -79,11 +87,10 @@ function keyButton(
   ></button>`;
 }
 
-/** Whether Tab comes to this key: the first selected one, or else the first of all. */
-function isEntry(key: TimelineKey, row: TimelineRow, { rows }: TimelineModel): boolean {
-  const keys = rows.flatMap((other) => other.keys.map((one) => ({ row: other, key: one })));
-  const entry = keys.find((one) => one.key.selected) ?? keys[0];
-  return entry?.row === row && entry.key === key;
+/** The key that Tab comes to: the first selected one, or else the first of all. */
+function entryOf(rows: readonly TimelineRow[]): TimelineKey | undefined {
+  const keys = rows.flatMap((row) => row.keys);
+  return keys.find(({ selected }) => selected) ?? keys[0];
 }
 
 export const selectedRefs = ({ rows }: TimelineModel): readonly KeyRef[] =>
