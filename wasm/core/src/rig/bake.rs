@@ -8,9 +8,9 @@ use super::{
     Rig, RigPicture,
     clip::{MotionBits, RigClip},
     error::BakeError,
-    film::{Comparison, Film},
     mesh::{Mesh, Weights},
     order::{Order, Orders},
+    sequence::{Comparison, MotionSequence},
     skin::{Skin, greatest_distance},
 };
 use crate::{
@@ -40,15 +40,16 @@ struct Drawn {
 
 pub(super) fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Rig, BakeError> {
     let blend = project.pose.blend;
-    let films = Film::all(project, solution)?;
+    let sequences = MotionSequence::all(project, solution)?;
     let drawn = if project.handles.is_empty() { whole(&picture) } else { drawn(solution) };
-    let (mesh, weights) = rounded_mesh(&drawn, &films, blend)?;
+    let (mesh, weights) = rounded_mesh(&drawn, &sequences, blend)?;
     let stored = mesh.skin(&weights);
-    let clip = |film: &Film| {
-        let orders = if project.handles.is_empty() { Order::of_mesh() } else { orders(solution, &drawn, film, blend) };
-        rounded_clip([&drawn.skin, &stored], film, blend, orders)
+    let clip = |sequence: &MotionSequence| {
+        let orders =
+            if project.handles.is_empty() { Order::of_mesh() } else { orders(solution, &drawn, sequence, blend) };
+        rounded_clip([&drawn.skin, &stored], sequence, blend, orders)
     };
-    let clips = films.iter().map(clip).collect::<Result<_, _>>()?;
+    let clips = sequences.iter().map(clip).collect::<Result<_, _>>()?;
     let handles = project.handles.iter().map(|handle| handle.id.clone()).collect();
     Ok(Rig { picture, blend, edges: project.edges, handles, clips, mesh, weights })
 }
@@ -89,10 +90,10 @@ fn drawn(solution: &Solution) -> Drawn {
     Drawn { skin, triangles, behind: background.triangles().len() as u32 }
 }
 
-/// The mesh and its weights with the coarsest steps that keep vertices in place in some frames of all films.
-fn rounded_mesh(drawn: &Drawn, films: &[Film], blend: Blend) -> Result<(Mesh, Weights), BakeError> {
+/// The mesh and its weights with the coarsest steps that keep vertices in place in some frames of all sequences.
+fn rounded_mesh(drawn: &Drawn, sequences: &[MotionSequence], blend: Blend) -> Result<(Mesh, Weights), BakeError> {
     let is_close = |skin: &Skin, tolerance: f64| {
-        films.iter().flat_map(Film::sampled).all(|motions| {
+        sequences.iter().flat_map(MotionSequence::sampled).all(|motions| {
             greatest_distance(&drawn.skin.posed(motions, blend), &skin.posed(motions, blend)) <= tolerance
         })
     };
@@ -100,7 +101,7 @@ fn rounded_mesh(drawn: &Drawn, films: &[Film], blend: Blend) -> Result<(Mesh, We
         let places = mesh.places();
         is_close(&Skin { weights: drawn.skin.weights.clone(), ..places }, PLACE_TOLERANCE)
     });
-    let too_far = || BakeError::TooFar { clip: films[0].name.clone() };
+    let too_far = || BakeError::TooFar { clip: sequences[0].name.clone() };
     let mesh = mesh.ok_or_else(too_far)?;
     let weights = (8..=22).map(|bits| Weights::rounded(&drawn.skin.weights, bits));
     let weights = { weights }.find(|weights| is_close(&mesh.skin(weights), MESH_TOLERANCE)).ok_or_else(too_far)?;
@@ -109,17 +110,17 @@ fn rounded_mesh(drawn: &Drawn, films: &[Film], blend: Blend) -> Result<(Mesh, We
 
 fn rounded_clip(
     [exact, stored]: [&Skin; 2],
-    film: &Film,
+    sequence: &MotionSequence,
     blend: Blend,
     orders: Vec<Order>,
 ) -> Result<RigClip, BakeError> {
     let comparison = |place: u8| {
         let bits = MotionBits { angle: place + FINER, strain: place + FINER, place };
         let rounded = |motions: &Vec<_>| motions.iter().map(|motion| bits.rounded(motion)).collect::<Option<_>>();
-        let rounded: Vec<Vec<_>> = film.frames.iter().map(rounded).collect::<Option<_>>()?;
-        let comparison = Comparison { exact, stored, blend, film, bits, rounded };
-        let frames = film.frames.len();
-        let step = frames.div_ceil(film.sampled().count());
+        let rounded: Vec<Vec<_>> = sequence.frames.iter().map(rounded).collect::<Option<_>>()?;
+        let comparison = Comparison { exact, stored, blend, sequence, bits, rounded };
+        let frames = sequence.frames.len();
+        let step = frames.div_ceil(sequence.sampled().count());
         let is_close = |frame| comparison.error([frame; 2], frame) <= MOTION_TOLERANCE;
         (0..frames as u32).step_by(step).all(is_close).then_some(comparison)
     };
@@ -129,13 +130,13 @@ fn rounded_clip(
     };
     let found = (3..=18).find_map(keyed);
     let (keys, Comparison { bits, rounded, .. }) =
-        found.ok_or_else(|| BakeError::TooFar { clip: film.name.clone() })?;
+        found.ok_or_else(|| BakeError::TooFar { clip: sequence.name.clone() })?;
     let motions = keys.iter().flat_map(|&key| rounded[key as usize].iter().copied()).collect();
     Ok(RigClip {
-        name: film.name.clone(),
-        duration: film.duration,
-        looping: film.looping,
-        last_frame: film.frames.len() as u32 - 1,
+        name: sequence.name.clone(),
+        duration: sequence.duration,
+        looping: sequence.looping,
+        last_frame: sequence.frames.len() as u32 - 1,
         bits,
         keys,
         motions,
@@ -143,14 +144,14 @@ fn rounded_clip(
     })
 }
 
-fn orders(solution: &Solution, drawn: &Drawn, film: &Film, blend: Blend) -> Vec<Order> {
+fn orders(solution: &Solution, drawn: &Drawn, sequence: &MotionSequence, blend: Blend) -> Vec<Order> {
     let skin = Skin {
         vertices: solution.vertices().to_vec(),
         weights: solution.weights().clone(),
         rest: Arc::clone(&drawn.skin.rest),
     };
     let mut orders = Orders::new(solution, drawn.behind);
-    for (frame, motions) in film.frames.iter().enumerate() {
+    for (frame, motions) in sequence.frames.iter().enumerate() {
         orders.push(frame as u32, motions, &skin.posed(motions, blend));
     }
     orders.finish()

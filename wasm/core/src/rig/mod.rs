@@ -7,7 +7,7 @@
 //! as few frames as straight lines between them allow. Every vertex stays within 0.1 px of its place at 60 frames a
 //! second.
 //!
-//! - `film`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
+//! - `sequence`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
 //! - `mesh`, `clip`: the content. `bytes`, `file`: numbers as bytes, and the sections with their checksum.
 //!
 //! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to two minutes.
@@ -17,9 +17,9 @@ mod bytes;
 mod clip;
 mod error;
 mod file;
-mod film;
 mod mesh;
 mod order;
+mod sequence;
 mod skin;
 mod steps;
 

@@ -21,8 +21,8 @@ const MOST_SECONDS: f64 = 120.0;
 /// Frames that steps are chosen by. The others are checked later.
 const SAMPLED: usize = 12;
 
-/// The motions of a clip, frame by frame. A film of one frame is a pose.
-pub(super) struct Film {
+/// The motions of a clip, frame by frame. A sequence of one frame is a pose.
+pub(super) struct MotionSequence {
     pub(super) name: String,
     pub(super) duration: f64,
     pub(super) looping: Looping,
@@ -30,8 +30,8 @@ pub(super) struct Film {
     pub(super) frames: Vec<Vec<Motion>>,
 }
 
-impl Film {
-    /// The films of all clips, or the pose of the handles in a project without clips.
+impl MotionSequence {
+    /// The sequences of all clips, or the pose of the handles in a project without clips.
     pub(super) fn all(project: &Project, solution: &Solution) -> Result<Vec<Self>, BakeError> {
         if project.clips.is_empty() {
             return Ok(vec![Self::still(project, solution)?]);
@@ -68,13 +68,13 @@ impl Film {
     }
 }
 
-/// The stored motions of a film beside the exact ones.
+/// The stored motions of a sequence beside the exact ones.
 pub(super) struct Comparison<'a> {
     pub(super) exact: &'a Skin,
     /// The stored mesh.
     pub(super) stored: &'a Skin,
     pub(super) blend: Blend,
-    pub(super) film: &'a Film,
+    pub(super) sequence: &'a MotionSequence,
     pub(super) bits: MotionBits,
     /// Frames × sites.
     pub(super) rounded: Vec<Vec<[i32; 6]>>,
@@ -90,11 +90,11 @@ impl Comparison<'_> {
     }
 
     fn exact_places(&self, frame: u32) -> Vec<DVec2> {
-        self.exact.posed(&self.film.frames[frame as usize], self.blend)
+        self.exact.posed(&self.sequence.frames[frame as usize], self.blend)
     }
 
     fn last(&self) -> u32 {
-        self.film.frames.len() as u32 - 1
+        self.sequence.frames.len() as u32 - 1
     }
 
     /// As few frames as keep all others within a distance, in pixels, by a greedy search. `None` if a key itself is
