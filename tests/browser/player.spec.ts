@@ -30,6 +30,7 @@ const KEYS = {
 
 let folder = '';
 let project: Project;
+let clips: NonNullable<Project['clips']>;
 let rig: Buffer;
 
 test.beforeAll(() => {
@@ -39,7 +40,7 @@ test.beforeAll(() => {
     handle,
     keys: keys.map(([time, posed]) => ({ time, posed })),
   }));
-  const clips = [
+  clips = [
     { name: 'wave', duration: 1.2, loop: 'repeat', tracks },
     { name: 'there and back', duration: 0.5, loop: 'alternate', tracks: [] },
   ];
@@ -116,9 +117,9 @@ test('frames equal those of the editor, also where arms cross', async ({ page },
       return posed ? { ...handle, posed } : handle;
     });
     const editor = await page.evaluate(
-      async (project) =>
-        harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5),
-      { ...project, handles } as Project,
+      async ([project, time]) =>
+        harness.drawnTwice(project, await (await fetch('/samples/gingerbread.png')).blob(), 0.5, time),
+      [{ ...project, clips, handles } as Project, time] as const,
     );
     const { mean, close, opaque } = await difference(await frame(page, time, 512), editor.webgl, info);
     expect(opaque).toBeGreaterThan(10_000);

@@ -7,13 +7,20 @@ import { drawnPicture } from './drawn_picture';
 import { encodePng } from './encoded';
 import { decodePicture } from './pictures';
 
-/** Draws a project by WebGL and by the solver's rasteriser. Returns PNG files in base64, in straight alpha. */
-export async function drawnTwice(project: Project, file: Blob, scale: number) {
+/**
+ * Draws a project by WebGL and by the solver's rasteriser. Returns PNG files in base64, in straight alpha.
+ *
+ * @param time the time of the project's first clip whose pose WebGL draws; the handles are posed as at that time.
+ */
+export async function drawnTwice(project: Project, file: Blob, scale: number, time?: number) {
   const picture = await decodePicture(file);
   const engine = await Engine.start();
   engine.setPicture(picture);
   const solution = await engine.solve(project);
-  const pose = engine.posedPicture(solution, project).pose(project);
+  const posed = engine.posedPicture(solution, project);
+  const clip = project.clips?.[0];
+  const pose =
+    clip && time !== undefined ? posed.playback(clip, project).pose(project, time) : posed.pose(project);
 
   const renderer = new Renderer(document.createElement('canvas'));
   renderer.setPicture(picture);
