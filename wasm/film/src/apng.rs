@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Write};
 
-use png::{BitDepth, ColorType, Compression, Encoder as PngEncoder, EncodingError, Info, Writer};
+use png::{BitDepth, ColorType, Compression, Encoder as PngEncoder, Info, Writer};
 
+use crate::png_error::png_error;
 use crate::{Encoder, Film, Plays};
 
 /// Units of delays: a fraction of two numbers of 16 bits would not hold every rate.
@@ -33,14 +34,14 @@ impl<W: Write> Apng<W> {
         let mut info = Info::with_size(film.width, film.height);
         (info.color_type, info.bit_depth) = (ColorType::Rgba, BitDepth::Eight);
         info.icc_profile = film.profile.clone().map(Cow::Owned);
-        let mut encoder = PngEncoder::with_info(output, info).map_err(io_error)?;
+        let mut encoder = PngEncoder::with_info(output, info).map_err(png_error)?;
         encoder.set_compression(Compression::Fast);
         let plays = match film.plays {
             Plays::Once => 1,
             Plays::Endlessly => 0,
         };
-        encoder.set_animated(film.frames, plays).map_err(io_error)?;
-        Ok(Self { writer: encoder.write_header().map_err(io_error)?, film, added: 0 })
+        encoder.set_animated(film.frames, plays).map_err(png_error)?;
+        Ok(Self { writer: encoder.write_header().map_err(png_error)?, film, added: 0 })
     }
 }
 
@@ -48,20 +49,13 @@ impl<W: Write> Encoder for Apng<W> {
     fn add(&mut self, rgba: &[u8]) -> io::Result<()> {
         self.film.check(rgba)?;
         let delay = self.film.delay(self.added, MILLISECONDS).min(u16::MAX.into()) as u16;
-        self.writer.set_frame_delay(delay, MILLISECONDS as u16).map_err(io_error)?;
-        self.writer.write_image_data(rgba).map_err(io_error)?;
+        self.writer.set_frame_delay(delay, MILLISECONDS as u16).map_err(png_error)?;
+        self.writer.write_image_data(rgba).map_err(png_error)?;
         self.added += 1;
         Ok(())
     }
 
     fn finish(self: Box<Self>) -> io::Result<()> {
-        self.writer.finish().map_err(io_error)
-    }
-}
-
-fn io_error(error: EncodingError) -> io::Error {
-    match error {
-        EncodingError::IoError(error) => error,
-        error => io::Error::other(error),
+        self.writer.finish().map_err(png_error)
     }
 }

@@ -7,6 +7,7 @@ mod apng;
 mod film;
 mod gif;
 mod palette;
+mod png_error;
 mod sheet;
 mod webp;
 

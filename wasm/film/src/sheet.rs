@@ -6,9 +6,10 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use png::{BitDepth, ColorType, Compression, Encoder as PngEncoder, EncodingError};
+use png::{BitDepth, ColorType, Compression, Encoder as PngEncoder};
 use serde_json::{Map, Value, json};
 
+use crate::png_error::png_error;
 use crate::{Encoder, Film};
 
 /// Pixels of a side at most: what graphics cards hold.
@@ -115,16 +116,9 @@ impl<W: Write> Encoder for Sheet<W> {
         encoder.set_color(ColorType::Rgba);
         encoder.set_depth(BitDepth::Eight);
         encoder.set_compression(Compression::Fast);
-        let mut writer = encoder.write_header().map_err(io_error)?;
-        writer.write_image_data(&rgba).map_err(io_error)?;
-        writer.finish().map_err(io_error)
-    }
-}
-
-fn io_error(error: EncodingError) -> io::Error {
-    match error {
-        EncodingError::IoError(error) => error,
-        error => io::Error::other(error),
+        let mut writer = encoder.write_header().map_err(png_error)?;
+        writer.write_image_data(&rgba).map_err(png_error)?;
+        writer.finish().map_err(png_error)
     }
 }
 
