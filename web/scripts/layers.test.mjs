@@ -5,6 +5,21 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { ROOT, toolPath } from './steps.mjs';
 
+/** What the outermost layers may import. */
+const ALL = [
+  'geometry',
+  'document',
+  'tools',
+  'editor',
+  'ui',
+  'input',
+  'render',
+  'compute',
+  'io',
+  'error',
+  'a shader',
+];
+
 /** The layers that each layer may import. */
 const MAY = {
   geometry: [],
@@ -17,34 +32,8 @@ const MAY = {
   player: ['a shader'],
   compute: ['document', 'geometry', 'error'],
   io: ['error'],
-  runtime: [
-    'geometry',
-    'document',
-    'tools',
-    'editor',
-    'ui',
-    'input',
-    'render',
-    'compute',
-    'io',
-    'error',
-    'a shader',
-  ],
-  element: [
-    'geometry',
-    'document',
-    'tools',
-    'editor',
-    'ui',
-    'input',
-    'render',
-    'compute',
-    'io',
-    'runtime',
-    'error',
-    'a shader',
-    'element.ts',
-  ],
+  runtime: ALL,
+  element: [...ALL, 'runtime', 'element.ts'],
 };
 
 /** One import from each, by the name that `MAY` has for it. */
