@@ -58,7 +58,7 @@
  */
 import type { PropertyDeclaration, PropertyValues, TemplateResult } from 'lit';
 import type { Drawing } from './compute/drawing';
-import { fileProject, handleById } from './document/document';
+import { handleById } from './document/document';
 import { freeId } from './document/edits';
 import { checkedHandle } from './document/handle';
 import {
@@ -74,7 +74,7 @@ import { attributesPending, type Carried, nothingCarried } from './editor/openin
 import type { Media, PageAttributes, Sample } from './editor/page';
 import type { NamedFile } from './editor/picture';
 import { hasEnded, playedClip, playedDuration } from './editor/played_clip';
-import { documentOf, projectOf } from './editor/state';
+import { documentOf, filedProject, projectOf } from './editor/state';
 import { viewModel } from './editor/view_model';
 import type { BlobOptions, HandlePose, LoadOptions, NewHandle, WarpOptions } from './element/api';
 import { areaOf, blobSettings } from './element/blob_settings';
@@ -176,7 +176,7 @@ export class C2Warp extends TypedElement {
    * @throws RangeError that names the invalid key; Error when read while the element is not connected.
    */
   get project(): Project {
-    return deepCopy(fileProject(documentOf(this.#present.state)));
+    return deepCopy(filedProject(this.#present.state));
   }
 
   set project(given: ProjectFile | string | null) {

@@ -28,7 +28,8 @@ const SAME_TIME = 1e-6;
 
 export const isSameTime = (a: number, b: number): boolean => Math.abs(a - b) < SAME_TIME;
 
-const refersTo = (refs: readonly KeyRef[], handle: string, time: number): boolean =>
+/** Whether some of the references are to the key of a handle at a time. */
+export const refersTo = (refs: readonly KeyRef[], handle: string, time: number): boolean =>
   refs.some((ref) => ref.handle === handle && isSameTime(ref.time, time));
 
 export const trackOf = ({ tracks }: Clip, handle: string): Track | undefined =>

@@ -3,7 +3,7 @@ import { centre } from '../geometry/polyline';
 import { add, distance, rotated, subtract, type Vec } from '../geometry/vec';
 import { keyOf } from './clip_keys';
 import { freeClipName } from './clips';
-import { anchor, corners, isAutomatic, isLine, roundedVec, turnedAbout } from './handle';
+import { anchor, corners, isAutomatic, isLine, replaced, roundedVec, turnedAbout } from './handle';
 import type { Clip, Handle, Project } from './project';
 
 export const CLIP_PRESETS = ['sway', 'breathe', 'wave'] as const;
@@ -49,9 +49,9 @@ const MAKE: Readonly<Record<ClipPreset, (project: Project, selection: readonly s
   sway: (project) => {
     const { foot, height } = stand(project);
     const swayed = (side: number) => (handle: Handle) =>
-      mapped(handle, (p) => {
+      replaced(handle, (p) => {
         const turn = side * SWAY * Math.min(1, Math.max(0, (foot[1] - p[1]) / height));
-        return add(foot, rotated(subtract(p, foot), turn));
+        return roundedVec(add(foot, rotated(subtract(p, foot), turn)));
       });
     const at = (time: number, side: number) => ({ time, pose: swayed(side) });
     return { duration: 2.4, poses: [at(0, 0), at(0.6, 1), at(1.2, 0), at(1.8, -1)] };
@@ -59,10 +59,12 @@ const MAKE: Readonly<Record<ClipPreset, (project: Project, selection: readonly s
   breathe: (project) => {
     const { foot } = stand(project);
     const grown = (handle: Handle) =>
-      mapped(handle, ([x, y]) => [
-        foot[0] + (x - foot[0]) * (1 + BREATH.width),
-        foot[1] + (y - foot[1]) * (1 + BREATH.height),
-      ]);
+      replaced(handle, ([x, y]) =>
+        roundedVec([
+          foot[0] + (x - foot[0]) * (1 + BREATH.width),
+          foot[1] + (y - foot[1]) * (1 + BREATH.height),
+        ]),
+      );
     return {
       duration: 3,
       poses: [
@@ -122,8 +124,3 @@ const nearestOf = (places: readonly Vec[], to: Vec): Vec | undefined =>
   );
 
 const middleOf = ({ image }: Project): Vec => [image.width / 2, image.height / 2];
-
-const mapped = (handle: Handle, place: (p: Vec) => Vec): Handle =>
-  isLine(handle)
-    ? { ...handle, posed: handle.posed.map((p) => roundedVec(place(p))) }
-    : { ...handle, posed: roundedVec(place(handle.posed)) };

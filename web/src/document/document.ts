@@ -52,7 +52,7 @@ export const isSameMoment = (
 /** Whether two documents have equal projects. Neither the selection nor the time of a clip counts. */
 export const isSameWork = (a: Document, b: Document): boolean =>
   isEqual(fileProject(a), fileProject(b)) &&
-  (!isSameMoment(a.moment, b.moment) || isEqual(a.project, b.project));
+  (!a.moment || !isSameMoment(a.moment, b.moment) || isEqual(a.project, b.project));
 
 const isEqual = (a: Project, b: Project): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);
 

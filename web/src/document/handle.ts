@@ -80,7 +80,7 @@ export const nameOf = ({ id }: Pick<Handle, 'id'>): string =>
   /[\s\p{Lu}]/u.test(id) ? id : id.replace(/[-_]+/g, ' ').trim() || id;
 
 /** Applies `place` to every posed corner. */
-const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
+export const replaced = (handle: Handle, place: (p: Vec) => Vec): Handle =>
   isLine(handle) ? { ...handle, posed: handle.posed.map(place) } : { ...handle, posed: place(handle.posed) };
 
 export const moved = (handle: Handle, by: Vec): Handle => replaced(handle, (p) => roundedVec(add(p, by)));

@@ -14,10 +14,6 @@ import { placeKey } from './solved';
 /** The poses of handles at a time of a clip, in the order of the handles. */
 export type PosesAt = (clip: Clip, handles: readonly Handle[], time: number) => readonly HandlePose[];
 
-/** The clip that poses the document. */
-export const clipOf = ({ moment }: Document): Clip | null =>
-  (moment && clipNamed(moment.base, moment.clip)) ?? null;
-
 /**
  * The document at a time of a clip; unposed if it has no such clip.
  *

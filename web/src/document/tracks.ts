@@ -1,5 +1,7 @@
 /** The tracks of clips, as handles are removed, renamed and get other corners. */
 import type { Vec } from '../geometry/vec';
+import { trackOf } from './clip_keys';
+import { clipNamed } from './clips';
 import type { Clip, Key, LineHandle, Posed, Project, Track } from './project';
 
 /** Changes tracks in their clips; null removes a track. */
@@ -25,8 +27,8 @@ export const withRenamedTracks = (project: Project, from: string, to: string): P
 export const withTracksOf = (project: Project, handle: string, earlier: Project): Project =>
   withTracks(project, (track, { name }) => {
     if (track.handle !== handle) return track;
-    const clip = earlier.clips?.find((clip) => clip.name === name);
-    return clip?.tracks.find((track) => track.handle === handle) ?? null;
+    const clip = clipNamed(earlier, name);
+    return (clip && trackOf(clip, handle)) ?? null;
   });
 
 /** Changes the corners of a handle in the keys of its tracks, as `change` changes the handle itself. */

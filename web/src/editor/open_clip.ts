@@ -1,11 +1,7 @@
 /** The clip of the open timeline. */
 import { clipNamed } from '../document/clips';
-import { fileProject } from '../document/document';
-import type { Clip, Project } from '../document/project';
-import { documentOf, type EditorState } from './state';
-
-/** The project as its file holds it, with all clips. */
-export const filedProject = (state: EditorState): Project => fileProject(documentOf(state));
+import type { Clip } from '../document/project';
+import { type EditorState, filedProject } from './state';
 
 /** The clip of the open timeline; null without one. */
 export function openClip(state: EditorState): Clip | null {

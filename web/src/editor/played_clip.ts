@@ -1,12 +1,11 @@
 /** The clip that the page plays. */
 import { clipNamed, clipsOf } from '../document/clips';
-import { fileProject } from '../document/document';
 import type { Clip } from '../document/project';
-import { documentOf, type EditorState } from './state';
+import { type EditorState, filedProject } from './state';
 
 /** The clip that the page names, or else the first one. */
 export function playedClip(state: EditorState): Clip | null {
-  const project = fileProject(documentOf(state));
+  const project = filedProject(state);
   const { clip } = state.page;
   return (clip === null ? clipsOf(project)[0] : clipNamed(project, clip)) ?? null;
 }

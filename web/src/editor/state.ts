@@ -170,9 +170,11 @@ export interface PoseChecks {
 }
 
 export const documentOf = ({ document }: EditorState): Document => document.history.present;
+/** The project as its file holds it: without the poses of a clip. */
+export const filedProject = (state: EditorState): Project => fileProject(documentOf(state));
 export const projectOf = (state: EditorState): Project => documentOf(state).project;
 export const isUnsaved = (state: EditorState): boolean =>
-  state.picture !== null && fileProject(documentOf(state)) !== state.document.saved;
+  state.picture !== null && filedProject(state) !== state.document.saved;
 export const selectionOf = (state: EditorState): readonly string[] => documentOf(state).selection;
 export const overlaysOf = ({ page, display }: EditorState): OverlayFlags =>
   page.posable ? NO_OVERLAYS : display.overlays;

@@ -1,10 +1,10 @@
 /** The timeline as people see it. */
-import { isSameTime } from '../document/clip_keys';
+import { isSameTime, refersTo, trackOf } from '../document/clip_keys';
 import { clipsOf } from '../document/clips';
 import { nameOf } from '../document/handle';
 import type { Clip, Ease, Handle } from '../document/project';
-import { filedProject, openClip } from './open_clip';
-import { documentOf, type EditorState, projectOf, selectionOf } from './state';
+import { openClip } from './open_clip';
+import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from './state';
 import type { Rate } from './timeline_state';
 
 export interface TimelineModel {
@@ -74,13 +74,13 @@ export function timelineModel(state: EditorState): TimelineModel | null {
 
 function rowOf(state: EditorState, clip: Clip | null, handle: Handle): TimelineRow {
   const { selected, dragged } = state.timeline;
-  const keys = clip?.tracks.find((track) => track.handle === handle.id)?.keys ?? [];
+  const keys = (clip && trackOf(clip, handle.id))?.keys ?? [];
   return {
     handle: handle.id,
     name: nameOf(handle),
     selected: selectionOf(state).includes(handle.id),
     keys: keys.map(({ time, ease = 'smooth' }) => {
-      const isSelected = selected.some((ref) => ref.handle === handle.id && isSameTime(ref.time, time));
+      const isSelected = refersTo(selected, handle.id, time);
       return { time, shown: isSelected ? time + dragged : time, ease, selected: isSelected };
     }),
   };

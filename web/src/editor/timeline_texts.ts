@@ -26,9 +26,7 @@ export const EASE_NAMES: Readonly<Record<Ease, string>> = {
   hold: 'Hold',
 };
 
-export const NO_CLIPS = 'There are no clips yet.';
 export const NO_CLIP_OPEN = 'No clip is open.';
-export const NO_KEYS = 'The clip has no keys yet.';
 export const NO_KEYS_SELECTED = 'No keys are selected.';
 export const NO_COPIED_KEYS = 'No keys have been copied.';
 

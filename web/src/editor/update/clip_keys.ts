@@ -25,9 +25,9 @@ import { mirrorHandles } from '../../document/mirror';
 import type { Clip, Handle, Key, Project } from '../../document/project';
 import type { Vec } from '../../geometry/vec';
 import type { Emit } from '../effects';
-import { filedProject, openClip } from '../open_clip';
+import { openClip } from '../open_clip';
 import { mayEdit } from '../permissions';
-import { documentOf, type EditorState, selectionOf } from '../state';
+import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
 import {
   countedKeys,
   EASE_NAMES,

@@ -1,6 +1,6 @@
 /** Running the commands of buttons, menus and keys. */
 
-import { fileProject, selectedHandles } from '../../document/document';
+import { selectedHandles } from '../../document/document';
 import { parsePose } from '../../document/pose_text';
 import type { Handle } from '../../document/project';
 import {
@@ -24,7 +24,7 @@ import { contextWithoutHandles } from '../hit_areas';
 import type { MenuState } from '../menu_state';
 import { mayEdit } from '../permissions';
 import { stem } from '../picture';
-import { documentOf, type EditorState, projectOf, selectionOf } from '../state';
+import { documentOf, type EditorState, filedProject, projectOf, selectionOf } from '../state';
 import { fitView, showActualSize, zoom } from '../view';
 import { handleWords } from '../wording';
 import { setKeys } from './clip_keys';
@@ -190,7 +190,7 @@ export function copiedHandles(state: EditorState): readonly Handle[] {
 function save(state: EditorState, whole: boolean, emit: Emit): EditorState {
   const project = projectForFile(state);
   const name = `${stem(project.image.src)}.c2warp.json`;
-  const of = fileProject(documentOf(state));
+  const of = filedProject(state);
   emit({ type: 'save-project', name, project, of, picture: whole ? state.picture : null });
   return state;
 }

@@ -1,10 +1,10 @@
 /** Consequences of every change of the document: a solve, saving, the page's events, checks, and what closes. */
-import { fileProject, selectedHandles } from '../../document/document';
+import { selectedHandles } from '../../document/document';
 import { corners } from '../../document/handle';
 import { redoLabel, undoLabel } from '../../document/history';
 import type { Emit, PageNotification } from '../effects';
 import { isLassoing } from '../hit_areas';
-import { documentOf, type EditorState, selectionOf } from '../state';
+import { documentOf, type EditorState, filedProject, selectionOf } from '../state';
 import { contain } from '../view';
 import { saveWork } from './autosave';
 import { showSelected } from './display';
@@ -72,7 +72,7 @@ function notifyPage(state: EditorState, kind: ChangeKind, emit: Emit): EditorSta
   const now = { selection, undo: undoLabel(history), redo: redoLabel(history) };
   const notify = (notification: PageNotification) => emit({ type: 'notify-page', notification });
   if (selection.join('\n') !== reported.selection.join('\n')) notify({ type: 'selectionchange', selection });
-  if (kind === 'input' || kind === 'change') notify({ type: kind, project: fileProject(documentOf(state)) });
+  if (kind === 'input' || kind === 'change') notify({ type: kind, project: filedProject(state) });
   if (now.undo !== reported.undo || now.redo !== reported.redo) {
     notify({ type: 'historychange', undo: now.undo, redo: now.redo });
   }

@@ -1,11 +1,9 @@
-/** Exports: begun with the person's choices, followed, cancelled, and told of. */
-import { fileProject } from '../../document/document';
 import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
 import { EXPORT_FORMATS, type ExportChoices } from '../export_choices';
 import { EXPORT_CANCELLED, savedText } from '../notice_texts';
 import { stem } from '../picture';
-import { documentOf, type EditorState, type ExportState, projectOf } from '../state';
+import { type EditorState, type ExportState, filedProject, projectOf } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { saveWork } from './autosave';
 import type { Handlers } from './handlers';
@@ -21,7 +19,7 @@ const withExport = (state: EditorState, change: Partial<ExportState>): EditorSta
 
 /** The project with the name of the open picture, for a file. */
 export function projectForFile(state: EditorState): Project {
-  const project = fileProject(documentOf(state));
+  const project = filedProject(state);
   return { ...project, image: { ...project.image, src: state.picture?.name ?? project.image.src } };
 }
 

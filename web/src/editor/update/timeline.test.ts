@@ -3,8 +3,7 @@ import { anchor } from '../../document/handle';
 import type { Vec } from '../../geometry/vec';
 import type { EditorEvent } from '../events';
 import { FakeRuntime } from '../fake_runtime';
-import { filedProject } from '../open_clip';
-import { documentOf, isUnsaved, projectOf } from '../state';
+import { documentOf, filedProject, isUnsaved, projectOf } from '../state';
 import { viewModel } from '../view_model';
 import { projectForFile } from './exporting';
 
