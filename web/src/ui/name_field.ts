@@ -1,14 +1,13 @@
 /** The name of the selected handle: a button or, while the name is being typed, a field. */
 import { html, nothing, type TemplateResult } from 'lit';
 import { nameOf } from '../document/handle';
-import { MOST_CHARACTERS } from '../document/names';
 import type { Handle } from '../document/project';
 import { COMMANDS } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import { NAME_FAULTS } from '../editor/notice_texts';
 import type { EditorModel } from '../editor/view_model';
 import { icon } from './icons';
-import { untyped } from './untyped';
+import { nameInput } from './name_input';
 
 export function nameTitle(handle: Handle, model: EditorModel, dispatch: Dispatch): TemplateResult {
   if (model.renaming?.id === handle.id) return nameField(handle, model, dispatch);
@@ -27,38 +26,18 @@ export function nameTitle(handle: Handle, model: EditorModel, dispatch: Dispatch
   </h2>`;
 }
 
-/** Commits on Enter and on leaving the field. Escape keeps the old name. */
 function nameField(handle: Handle, { renaming }: EditorModel, dispatch: Dispatch): TemplateResult {
   const fault = renaming?.fault ?? null;
-  const given = ({ target }: Event, keyed: boolean) =>
-    dispatch({ type: 'name-given', name: (target as HTMLInputElement).value, keyed });
-  const onKey = (event: KeyboardEvent) => {
-    if (event.isComposing || (event.key !== 'Enter' && event.key !== 'Escape')) return;
-    event.preventDefault();
-    if (event.key === 'Enter') given(event, true);
-    else dispatch({ type: 'renaming-ended' });
-  };
   return html`<div class="naming">
-    <label class="field">
-      <input
-        type="text"
-        data-control="name"
-        aria-label="Name of the handle"
-        aria-invalid=${String(fault !== null)}
-        aria-describedby=${fault ? 'name-fault' : nothing}
-        autocomplete="off"
-        spellcheck="false"
-        maxlength=${MOST_CHARACTERS}
-        .value=${untyped(nameOf(handle))}
-        @keydown=${onKey}
-        @blur=${(event: Event) => given(event, false)}
-        @change=${(event: Event) => event.stopPropagation()}
-        @input=${(event: Event) => {
-          event.stopPropagation();
-          dispatch({ type: 'name-typed', name: (event.target as HTMLInputElement).value });
-        }}
-      />
-    </label>
+    ${nameInput({
+      control: 'name',
+      label: 'Name of the handle',
+      name: nameOf(handle),
+      fault: fault && 'name-fault',
+      given: (name, keyed) => dispatch({ type: 'name-given', name, keyed }),
+      ended: () => dispatch({ type: 'renaming-ended' }),
+      typed: (name) => dispatch({ type: 'name-typed', name }),
+    })}
     ${fault ? html`<p class="fault" id="name-fault">${NAME_FAULTS[fault]}</p>` : nothing}
   </div>`;
 }

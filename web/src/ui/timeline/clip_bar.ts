@@ -3,7 +3,6 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { CLIP_PRESETS } from '../../document/clip_presets';
 import { DURATIONS } from '../../document/clips';
-import { MOST_CHARACTERS } from '../../document/names';
 import type { Clip, Ease, Loop } from '../../document/project';
 import type { Dispatch } from '../../editor/events';
 import type { TimelineModel } from '../../editor/timeline_model';
@@ -12,8 +11,8 @@ import { EASE_NAMES, LOOP_NAMES, PRESET_NAMES } from '../../editor/timeline_text
 import type { EditorModel } from '../../editor/view_model';
 import { commandButton } from '../command_button';
 import { type IconName, icon } from '../icons';
+import { nameInput } from '../name_input';
 import { numberField } from '../number_field';
-import { untyped } from '../untyped';
 
 export function clipBar(timeline: TimelineModel, model: EditorModel, dispatch: Dispatch): TemplateResult {
   const { clip } = timeline;
@@ -155,31 +154,14 @@ function clipChoice({ clips }: TimelineModel, clip: Clip, dispatch: Dispatch): T
   </select>`;
 }
 
-/** Commits on Enter and on leaving the field. Escape keeps the old name. */
-function nameField(clip: Clip, dispatch: Dispatch): TemplateResult {
-  const given = ({ target }: Event) =>
-    dispatch({ type: 'clip-named', name: (target as HTMLInputElement).value });
-  const onKey = (event: KeyboardEvent) => {
-    if (event.isComposing || (event.key !== 'Enter' && event.key !== 'Escape')) return;
-    event.preventDefault();
-    if (event.key === 'Enter') given(event);
-    else dispatch({ type: 'clip-renaming-switched', on: false });
-  };
-  return html`<label class="field clip-field"
-    ><input
-      type="text"
-      data-control="clip-name"
-      aria-label="Name of the clip"
-      autocomplete="off"
-      spellcheck="false"
-      maxlength=${MOST_CHARACTERS}
-      .value=${untyped(clip.name)}
-      @keydown=${onKey}
-      @blur=${given}
-      @change=${(event: Event) => event.stopPropagation()}
-      @input=${(event: Event) => event.stopPropagation()}
-  /></label>`;
-}
+const nameField = (clip: Clip, dispatch: Dispatch): TemplateResult =>
+  nameInput({
+    control: 'clip-name',
+    label: 'Name of the clip',
+    name: clip.name,
+    given: (name) => dispatch({ type: 'clip-named', name }),
+    ended: () => dispatch({ type: 'clip-renaming-switched', on: false }),
+  });
 
 const durationField = (clip: Clip, model: EditorModel, dispatch: Dispatch): TemplateResult =>
   numberField(
