@@ -76,6 +76,18 @@ fn animated_webp_has_the_frames_of_warp() {
 }
 
 #[test]
+fn a_range_is_a_part_of_the_clip() {
+    for (looping, times) in
+        [("repeat", vec![0.15, 0.25]), ("alternate", vec![0.15, 0.25, 0.35, 0.25]), ("none", vec![0.15, 0.25, 0.35])]
+    {
+        let folder = turning(looping);
+        animate(&folder, "-o film.png --range 0.15..0.35");
+        let frames = PngDecoder::new(reader(&folder, "film.png")).unwrap().apng().unwrap().into_frames();
+        assert_frames(&folder, frames.collect_frames().unwrap(), &times);
+    }
+}
+
+#[test]
 fn gif_has_the_frames_of_warp_in_few_colours() {
     let folder = turning("alternate");
     animate(&folder, "-o film.gif");
@@ -183,9 +195,12 @@ fn refused_films_name_the_reason_and_leave_no_file() {
     let refused = |arguments: &str| fail(folder.path(), &format!("animate scene.c2warp.json {arguments}"));
     for (arguments, reason) in [
         ("-o film.gif --clip wave", r#"there is no clip "wave": it has ["turn"]"#),
-        ("-o film.gif --fps 0", "--fps: expected a number above 0 and up to 240, found 0"),
-        ("-o film.png --fps 241", "--fps: expected a number above 0 and up to 240, found 241"),
+        ("-o film.gif --fps 0", "--fps: expected frames a second above 0 and up to 240, found 0"),
+        ("-o film.png --fps 241", "--fps: expected frames a second above 0 and up to 240, found 241"),
         ("-o film.gif --fps 60", "--fps: viewers show at most 50 frames of a GIF in a second"),
+        ("-o film.png --range 0.1..0.5", "--range: clip “turn”: expected a range from 0 to 0.4 seconds, "),
+        ("-o film.png --range 0.3..0.1", "the end after the beginning, found 0.3..0.1"),
+        ("-o film.png --range -1..0.1", "found -1..0.1"),
         ("-o film.mp4", "film.mp4: a film ends with .gif, .png or .webp"),
         ("-o frame-%04d.gif", "frame-%04d.gif"),
         ("-o film.png --scale 0", "--scale"),
@@ -199,8 +214,10 @@ fn refused_films_name_the_reason_and_leave_no_file() {
         assert!(line.contains(reason), "{arguments}: {line}");
     }
     assert_eq!(folder.file_names(), names);
-    let run = command(folder.path(), "animate scene.c2warp.json -o film.gif --matte red").output().unwrap();
-    assert_eq!(run.status.code(), Some(2), "a colour that is none");
+    for option in ["--matte red", "--range 0.1", "--range 0.1..x", "--range ..0.1"] {
+        let run = command(folder.path(), &format!("animate scene.c2warp.json -o film.gif {option}")).output().unwrap();
+        assert_eq!(run.status.code(), Some(2), "{option}");
+    }
 }
 
 #[test]
@@ -214,7 +231,7 @@ fn the_clip_must_be_clear_and_of_a_fair_length() {
     let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
     assert!(line.contains(r#"--clip names the clip to draw: it has ["turn", "hour"]"#), "{line}");
     let line = fail(folder.path(), "animate scene.c2warp.json -o film.png --clip hour --fps 240");
-    assert!(line.contains(r#"clip "hour" has 864000 frames at this --fps, but 36000 are the most"#), "{line}");
+    assert!(line.contains("--fps: a film of clip “hour” would have 864000 frames, but at most 36000"), "{line}");
     let folder = folder.edited(|project| project["clips"] = json!([]));
     let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
     assert!(line.ends_with("--clip names the clip to draw: it has none"), "{line}");

@@ -35,12 +35,10 @@ pub(crate) enum CliError {
     NoClip { path: PathBuf, name: String, names: Vec<String> },
     #[error("{}: --clip names the clip to draw: {}", path.display(), listed(names))]
     ClipNeeded { path: PathBuf, names: Vec<String> },
-    #[error("--fps: expected a number above 0 and up to {most}, found {found}")]
-    Rate { found: f64, most: f64 },
     #[error("--fps: viewers show at most {most} frames of a GIF in a second")]
     GifRate { most: f64 },
-    #[error("clip {clip:?} has {frames} frames at this --fps, but {most} are the most")]
-    TooManyFrames { clip: String, frames: f64, most: u32 },
+    #[error("{option}: {reason}")]
+    Film { option: &'static str, reason: c2warp::Error },
     #[error("{}: a film ends with .gif, .png or .webp, and single frames are named like frame-%04d.png", path.display())]
     FilmType { path: PathBuf },
     #[error("{}: a sheet is a PNG: use .png", path.display())]
@@ -90,6 +88,12 @@ impl CliError {
     pub(crate) fn write(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
         let path = path.into();
         |reason| Self::Write { path, reason }
+    }
+
+    /// A film whose frames have no times.
+    pub(crate) fn film(reason: c2warp::Error) -> Self {
+        let option = if matches!(reason, c2warp::Error::FrameRange { .. }) { "--range" } else { "--fps" };
+        Self::Film { option, reason }
     }
 
     pub(crate) fn refused(path: impl Into<PathBuf>) -> impl FnOnce(c2warp::Error) -> Self {

@@ -24,6 +24,11 @@ pub(crate) const MAX_FIELD_BYTES: usize = 1 << 30;
 /// Greatest absolute number of a pose: a coordinate in pixels, a scale, or a depth.
 pub(crate) const MAX_POSED: f64 = 1e12;
 
+/// Greatest number of frames in a second of a film.
+pub const MAX_FRAME_RATE: f64 = 240.0;
+/// Greatest number of frames of a film: ten minutes at 60 a second.
+pub const MAX_FRAMES: u32 = 36_000;
+
 /// Sites closer than this, in pixels, coincide.
 pub const MIN_SEPARATION: f64 = 0.01;
 /// Greatest number of handles in one solve.

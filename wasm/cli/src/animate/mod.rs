@@ -2,18 +2,18 @@
 
 mod drawing;
 mod sequence;
-mod timing;
 
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use c2warp::clip::FrameTimes;
 use c2warp::project::Clip;
 use c2warp::{Filter, ResampleOptions, raster};
-use c2warp_film::{Apng, Encoder, Film, Gif, MOST_GIF_RATE, Sheet, WebP};
+use c2warp_film::{Apng, Encoder, Film, Gif, MOST_GIF_RATE, Plays, Sheet, WebP};
 
 use self::drawing::Drawing;
 use self::sequence::Sequence;
-use self::timing::{Timing, check_rate};
 use crate::error::CliError;
 use crate::output::Output;
 use crate::project::{InputFiles, LoadedProject};
@@ -33,6 +33,9 @@ pub(crate) struct Arguments {
     /// Frames a second
     #[arg(long, value_name = "F", default_value_t = 30.0, allow_negative_numbers = true)]
     fps: f64,
+    /// Draw a part of the clip, in seconds, such as 0.5..1.2
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range)]
+    range: Option<Range<f64>>,
     /// Pixels of the result per pixel of the picture
     #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
     scale: f64,
@@ -55,6 +58,13 @@ fn colour(text: &str) -> Result<[u8; 3], String> {
     Ok([r, g, b])
 }
 
+/// Reads two times like `0.5..1.2`.
+fn range(text: &str) -> Result<Range<f64>, String> {
+    let time = |text: &str| text.parse().ok().filter(|time: &f64| time.is_finite());
+    let times = text.split_once("..").and_then(|(from, to)| Some(time(from)?..time(to)?));
+    times.ok_or_else(|| "expected two times in seconds like 0.5..1.2".to_owned())
+}
+
 /// What is written, checked before the work starts.
 enum Target {
     Film(Container, Output),
@@ -72,18 +82,17 @@ enum Container {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let loaded = LoadedProject::open(&arguments.files)?;
     let clip = clip(&loaded, arguments.clip.as_deref())?;
-    check_rate(arguments.fps)?;
+    let times = FrameTimes::new(clip, arguments.fps, arguments.range.clone()).map_err(CliError::film)?;
     let picture = loaded.picture()?;
     // Reject invalid options and outputs before solving.
     let scale = arguments.scale;
     let (width, height) = raster::warped_size(picture.width(), picture.height(), scale).map_err(CliError::Scale)?;
-    let timing = Timing::new(clip, arguments.fps)?;
     let film = Film {
         width,
         height,
-        frames: timing.times.len() as u32,
+        frames: times.count(),
         rate: arguments.fps,
-        plays: timing.plays,
+        plays: if times.repeats() { Plays::Endlessly } else { Plays::Once },
         profile: loaded.profile().map(<[u8]>::to_vec),
     };
     let targets = targets(&loaded, arguments, &film)?;
@@ -95,7 +104,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         edges: loaded.project.edges,
         ..ResampleOptions::default()
     };
-    let drawing = Drawing { loaded: &loaded, solution: &solution, picture, clip, times: &timing.times, options };
+    let drawing = Drawing { loaded: &loaded, solution: &solution, picture, clip, times: times.seconds(), options };
     targets.into_iter().try_for_each(|target| match target {
         Target::Film(container, output) => write_film(&drawing, container, &film, arguments.matte, output),
         Target::Frames(sequence) => write_frames(&drawing, &sequence, &loaded),

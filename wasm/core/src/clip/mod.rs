@@ -8,13 +8,15 @@
 //! A pose takes time linear in the number of keys. Only the four basic operations are used: the bits are the same on
 //! every platform.
 //!
-//! [`Playback`] poses a solution along a clip.
+//! [`Playback`] poses a solution along a clip. [`FrameTimes`] are the times of a film's frames.
 
 mod channel;
 mod clock;
+mod frame_times;
 mod monotone;
 mod playback;
 
+pub use self::frame_times::FrameTimes;
 pub use self::playback::Playback;
 
 use self::channel::{Channel, Knot};

@@ -4,7 +4,7 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 24] = [
+    pub const CODES: [&'static str; 25] = [
         "project",
         "picture",
         "picture-mismatch",
@@ -25,6 +25,7 @@ impl Error {
         "held-too-fine",
         "unsupported",
         "pose",
+        "film",
         "point-outside",
         "mesh",
         "cloud",
@@ -55,6 +56,7 @@ impl Error {
     /// | `held-too-fine` | a fixed boundary with too many sharp corners |
     /// | `unsupported` | a setting or handle that point clouds do not support |
     /// | `pose` | a pose with other handles, with too large numbers, or of another solution |
+    /// | `film` | a rate, a part of a clip, or a number of frames that no film has |
     /// | `point-outside` | a point outside the domain |
     /// | `mesh` | an invalid mesh |
     /// | `cloud` | an invalid point cloud |
@@ -88,6 +90,7 @@ impl Error {
             | Self::PoseOfAnotherSolution
             | Self::PoseShape { .. }
             | Self::PoseNotFinite { .. } => "pose",
+            Self::FrameRate { .. } | Self::FrameRange { .. } | Self::TooManyFrames { .. } => "film",
             Self::PointOutside { .. } => "point-outside",
             Self::TooManySites => "too-many-sites",
             Self::TooMuchMemory => "too-much-memory",

@@ -300,6 +300,42 @@ pub enum Error {
         /// Id of the handle.
         id: String,
     },
+    /// A film has no rate, or too high a one.
+    #[error("expected frames a second above 0 and up to {max}, found {}", DisplayNumber(*rate),
+        max = limits::MAX_FRAME_RATE)]
+    FrameRate {
+        /// Frames a second.
+        rate: f64,
+    },
+    /// The part of a clip for a film is empty, or reaches beyond the clip.
+    #[error(
+        "clip “{clip}”: expected a range from 0 to {} seconds, the end after the beginning, found {}..{}",
+        DisplayNumber(*duration),
+        DisplayNumber(*from),
+        DisplayNumber(*to)
+    )]
+    FrameRange {
+        /// Name of the clip.
+        clip: String,
+        /// Beginning of the part, in seconds.
+        from: f64,
+        /// End of the part, in seconds.
+        to: f64,
+        /// Length of the clip, in seconds.
+        duration: f64,
+    },
+    /// A film has too many frames.
+    #[error(
+        "a film of clip “{clip}” would have {frames} frames, but at most {max} are supported: lower the frames a second, \
+         or show a part of the clip",
+        max = limits::MAX_FRAMES
+    )]
+    TooManyFrames {
+        /// Name of the clip.
+        clip: String,
+        /// Number of frames.
+        frames: f64,
+    },
     /// A point is outside the domain.
     #[error("the point ({}, {}) lies outside the domain", DisplayNumber(*.x), DisplayNumber(*.y))]
     PointOutside {

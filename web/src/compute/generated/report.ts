@@ -98,6 +98,7 @@ export type ErrorCode =
   | 'held-too-fine'
   | 'unsupported'
   | 'pose'
+  | 'film'
   | 'point-outside'
   | 'mesh'
   | 'cloud'

@@ -1,0 +1,32 @@
+//! The times of the frames of a film.
+
+use c2warp::{
+    Error,
+    clip::FrameTimes,
+    project::{clip_from_json, handles_from_json},
+};
+use wasm_bindgen::prelude::*;
+
+use crate::error::to_js;
+
+/// The times of a film's frames, in seconds. It takes a clip and its handles as JSON, as in a project, frames a second,
+/// and the part of the clip to show. Without `from` and `to`, the film shows all of the clip.
+///
+/// # Errors
+/// With the code `film` for a rate, a part or a length that no film has. Any deviation of the JSON from the format, by
+/// the path of the offending key.
+#[wasm_bindgen]
+pub fn frame_times(
+    clip_json: &str,
+    handles_json: &str,
+    rate: f64,
+    from: Option<f64>,
+    to: Option<f64>,
+) -> Result<Vec<f64>, JsValue> {
+    let times = || {
+        let clip = clip_from_json(clip_json, &handles_from_json(handles_json)?)?;
+        let range = (from.is_some() || to.is_some()).then(|| from.unwrap_or(0.0)..to.unwrap_or(clip.duration));
+        Ok::<_, Error>(FrameTimes::new(&clip, rate, range)?.seconds().to_vec())
+    };
+    times().map_err(|error| to_js(&error))
+}
