@@ -6,6 +6,7 @@
 mod apng;
 mod film;
 mod gif;
+mod gif_colours;
 mod palette;
 mod png_error;
 mod sheet;
@@ -14,5 +15,6 @@ mod webp;
 pub use self::apng::Apng;
 pub use self::film::{Encoder, Film, Plays};
 pub use self::gif::{Gif, MOST_GIF_RATE};
+pub use self::gif_colours::GifColours;
 pub use self::sheet::{MOST_SHEET_SIDE, Sheet};
 pub use self::webp::WebP;

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use c2warp::clip::FrameTimes;
 use c2warp::project::Clip;
 use c2warp::{Filter, ResampleOptions, raster};
-use c2warp_film::{Apng, Encoder, Film, Gif, MOST_GIF_RATE, Plays, Sheet, WebP};
+use c2warp_film::{Apng, Encoder, Film, Gif, GifColours, MOST_GIF_RATE, Plays, Sheet, WebP};
 
 use self::drawing::Drawing;
 use self::sequence::Sequence;
@@ -187,7 +187,10 @@ fn write_film(
 ) -> Result<(), CliError> {
     let film = film.clone();
     match container {
-        Container::Gif => write(drawing, output, |writer| Ok(Box::new(Gif::new(film, matte, writer)?))),
+        Container::Gif => {
+            let colours = GifColours::new(&drawing.picture_at_rest()?, matte);
+            write(drawing, output, |writer| Ok(Box::new(Gif::new(film, colours, writer)?)))
+        }
         Container::Apng => write(drawing, output, |writer| Ok(Box::new(Apng::new(film, writer)?))),
         Container::WebP => {
             // Its length stands at its beginning, and an output cannot be sought.
