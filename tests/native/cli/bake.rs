@@ -42,10 +42,10 @@ fn the_same_project_gives_the_same_bytes() {
 
 #[test]
 fn refused_rigs_leave_the_file_as_it_is() {
-    let folder = waving().edited(|project| project["clips"][0]["duration"] = 500.into());
+    let folder = waving().edited(|project| project["clips"][0]["duration"] = 700.into());
     folder.write("out.c2rig", "before");
     let line = fail(folder.path(), BAKE);
-    assert_eq!(line, "scene.c2warp.json: clip \"wave\" lasts 500 s: a rig has clips of up to 120 s");
+    assert_eq!(line, "scene.c2warp.json: clip \"wave\" lasts 700 s: a rig has clips of up to 600 s");
     assert_eq!(fs::read(folder.file("out.c2rig")).unwrap(), b"before");
     let line = fail(folder.path(), "bake scene.c2warp.json -o out.png");
     assert_eq!(line, "out.png: the extension means Png, but the output is a rig: use .c2rig");

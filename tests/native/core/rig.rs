@@ -2,7 +2,7 @@
 
 use c2warp::{
     Picture, ResampleOptions, Solution,
-    project::{Blend, Clip, Ease, Handle, Key, Looping, PoseMode, Project, Track},
+    project::{Blend, Clip, Ease, Handle, Key, Looping, PoseMode, Project, Rotation, Track},
     raster,
     rig::{BakeError, Rig, RigClip, RigPicture},
     solve,
@@ -10,11 +10,17 @@ use c2warp::{
 use c2warp_tests::Scene;
 use glam::DVec2;
 
+use crate::random::Random;
+
 /// Pixels.
 const CLOSE: f64 = 0.1;
 
 /// A scene whose handles go from rest to their pose and back.
 fn moving(scene: &str, mode: PoseMode, blend: Blend) -> (Project, Solution) {
+    moving_as(scene, mode, blend, false)
+}
+
+fn moving_as(scene: &str, mode: PoseMode, blend: Blend, fix_boundary: bool) -> (Project, Solution) {
     let Scene { mut project, picture } = Scene::named(scene);
     let track = |handle: &Handle| {
         let key = |time, posed: &[DVec2]| Key::new(time, Ease::Smooth).posed_at(posed.iter().copied());
@@ -23,7 +29,7 @@ fn moving(scene: &str, mode: PoseMode, blend: Blend) -> (Project, Solution) {
     let tracks: Vec<Track> = project.handles.iter().map(track).collect();
     let still = Clip::new("still", 2.0, Looping::None);
     project.clips = vec![Clip::new("wave", 1.2, Looping::Repeat).with_tracks(tracks), still];
-    (project.pose.mode, project.pose.blend) = (mode, blend);
+    (project.pose.mode, project.pose.blend, project.fix_boundary) = (mode, blend, fix_boundary);
     let picture = Picture::new(picture.width(), picture.height(), picture.as_raw()).expect("a valid scene");
     let solution = solve(&project, &picture).expect("a valid scene");
     (project, solution)
@@ -34,16 +40,20 @@ fn baked(project: &Project, solution: &Solution) -> Rig {
     Rig::bake(project, solution, picture).expect("a valid scene")
 }
 
-/// The greatest distance of a corner of the rig from its place, at a frame of a clip.
+/// The greatest distance of a corner of the rig from its place.
+fn distance(solution: &Solution, rig: &Rig, found: &[DVec2], exact: &[DVec2]) -> f64 {
+    let behind = solution.static_background().triangles().len();
+    let corners = rig.triangles()[behind..].iter().flatten().zip(solution.triangles().iter().flatten());
+    corners.map(|(&a, &b)| found[a as usize].distance(exact[b as usize])).fold(0.0, f64::max)
+}
+
+/// The same at a frame of a clip.
 fn greatest_error(project: &Project, solution: &Solution, rig: &Rig, clip: usize, frame: u32) -> f64 {
     let (known, played) = (&project.clips[clip], &rig.clips()[clip]);
     let mut project = project.clone();
     known.apply(known.duration * f64::from(frame) / f64::from(played.last_frame), &mut project.handles);
     let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
-    let found = rig.posed_vertices(clip, f64::from(frame));
-    let behind = solution.static_background().triangles().len();
-    let corners = rig.triangles()[behind..].iter().flatten().zip(solution.triangles().iter().flatten());
-    corners.map(|(&a, &b)| found[a as usize].distance(exact[b as usize])).fold(0.0, f64::max)
+    distance(solution, rig, &rig.posed_vertices(clip, f64::from(frame)), &exact)
 }
 
 #[test]
@@ -70,8 +80,79 @@ fn vertices_stay_close_in_all_frames_and_files_are_small() {
         }
         let keys: usize = rig.clips().iter().map(RigClip::keys).sum();
         let bar = rig.picture().file.len() * 13 / 10 + 20 * rig.vertices().len() + 24 * rig.sites() * keys;
-        assert!(file.len() <= bar, "{scene}: {} bytes, not {bar}", file.len());
+        assert!(
+            file.len() <= bar,
+            "{scene}: {} bytes, not {bar}: {} vertices, {} sites, {keys} keys",
+            file.len(),
+            rig.vertices().len(),
+            rig.sites()
+        );
     }
+}
+
+/// Handles posed at random: up to half the longer side away, a quarter turn, and half or twice the size.
+fn posed_at_random(handles: &[Handle], reach: f64, random: &mut Random) -> Vec<Handle> {
+    let mut between = |least: f64, most: f64| least + (most - least) * random.unit();
+    let pose = |handle: &Handle| {
+        let mut posed = handle.clone();
+        for (place, rest) in posed.shape.posed_mut().iter_mut().zip(handle.shape.rest()) {
+            *place = rest + between(0.0, reach) * DVec2::from_angle(between(0.0, 7.0));
+        }
+        posed.rotation = between(-90.0, 90.0).into();
+        posed.scale = between(-1.0, 1.0).exp2();
+        posed
+    };
+    handles.iter().map(pose).collect()
+}
+
+#[test]
+fn handles_are_posed_without_a_solver_in_the_harmonic_mode() {
+    let mut random = Random(7);
+    for (scene, blend, fix_boundary) in [
+        ("strip", Blend::Linear, false),
+        ("gingerbread", Blend::Rigid, false),
+        ("gingerbread", Blend::Linear, true),
+        ("islands", Blend::Linear, false),
+        ("fold", Blend::Rigid, false),
+        ("tower", Blend::Linear, false),
+        ("portrait", Blend::Rigid, false),
+        ("road", Blend::Linear, false),
+    ] {
+        let (mut project, solution) = moving_as(scene, PoseMode::Harmonic, blend, fix_boundary);
+        let rig = baked(&project, &solution);
+        let rig = Rig::from_bytes(&rig.to_bytes().expect("a valid scene")).expect("a valid scene");
+        let handles = rig.handles().expect("the harmonic mode").to_vec();
+        assert_eq!(handles, project.handles, "{scene}");
+        let reach = f64::from(project.image.width.max(project.image.height)) / 2.0;
+        for pose in 0..12 {
+            project.handles = posed_at_random(&handles, reach, &mut random);
+            if pose == 0 {
+                // Bars without a length do not collapse what they pass their motion on to.
+                project.handles.iter_mut().for_each(|handle| {
+                    let [first, others @ ..] = handle.shape.posed_mut() else {
+                        unreachable!("every handle has a place")
+                    };
+                    others.fill(*first);
+                });
+            }
+            let exact = solution.posed_vertices(&solution.pose(&project).expect("a valid scene"));
+            let found = rig.vertices_posed_by(&project.handles).expect("the same handles");
+            let error = distance(&solution, &rig, &found, &exact);
+            assert!(error <= CLOSE, "{scene}: {error} px in pose {pose}");
+        }
+        assert_eq!(rig.vertices_posed_by(&handles[1..]), None);
+    }
+}
+
+#[test]
+fn rigs_of_the_rigid_mode_have_no_shares() {
+    let (mut project, solution) = moving("gingerbread", PoseMode::Rigid, Blend::Linear);
+    assert_eq!(baked(&project, &solution).handles(), None);
+    // A point that turns by itself needs the solver, too.
+    let (_, solution) = moving("gingerbread", PoseMode::Harmonic, Blend::Linear);
+    assert!(baked(&project, &solution).handles().is_some());
+    project.handles[0].rotation = Rotation::Auto;
+    assert_eq!(baked(&project, &solution).handles(), None);
 }
 
 /// The mean difference of the rig's picture from the one of the solution, in steps of 255.
@@ -147,8 +228,15 @@ fn clips_that_cannot_be_baked_are_named() {
         let picture = RigPicture { width: 96, height: 48, file: Vec::new() };
         Rig::bake(project, &solution, picture).unwrap_err()
     };
-    project.clips[1].duration = 121.0;
+    project.clips[1].duration = 601.0;
     assert!(matches!(bake(&project), BakeError::ClipTooLong { clip, .. } if clip == "still"));
+    project.clips = (0..300).map(|k| Clip::new(format!("{k}"), 600.0, Looping::None)).collect();
+    assert!(matches!(bake(&project), BakeError::TooManyMotions { frames: 10_800_300, .. }));
+    let (mut project, solution) = moving("strip", PoseMode::Harmonic, Blend::Linear);
+    let bake = |project: &Project| {
+        let picture = RigPicture { width: 96, height: 48, file: Vec::new() };
+        Rig::bake(project, &solution, picture).unwrap_err()
+    };
     project.clips[1].duration = 1.0;
     project.clips[0].tracks[0].keys[1].posed = Some(vec![DVec2::splat(1e11)]);
     assert_eq!(bake(&project).to_string(), "clip \"wave\": handles move too far for a rig");

@@ -2,7 +2,7 @@
 import type { Bytes } from './bytes';
 
 /** Numbers of a stored motion: angle, strain xx, xy and yy, translation x and y. */
-const NUMBERS = 6;
+export const NUMBERS = 6;
 /** Numbers of a motion for the vertex shader: three texels. */
 export const STRIDE = 12;
 
@@ -44,46 +44,38 @@ export function frameAt({ duration, lastFrame }: RigClip, time: number): number 
 export const orderAt = ({ orders }: RigClip, frame: number): Order =>
   orders.findLast((order) => order.frame <= frame) ?? (orders[0] as Order);
 
-/**
- * Writes the motions at a frame for the vertex shader, sites × 12.
- *
- * @param rest Sites × 2.
- */
-export function writeMotions(
-  { keys, motions }: RigClip,
-  rest: Float64Array,
-  frame: number,
-  to: Float32Array,
-): void {
-  const sites = rest.length / 2;
+/** A number of a site's motion: angle, strain xx, xy and yy, translation x and y. */
+export type MotionNumber = (site: number, index: number) => number;
+
+/** The motions at a frame. */
+export function motionAt({ keys, motions }: RigClip, sites: number, frame: number): MotionNumber {
   let after = keys.findIndex((key) => key > frame);
   if (after < 0) after = keys.length - 1;
   const before = Math.max(0, after - 1);
   const [start, end] = [keys[before] ?? 0, keys[after] ?? 0];
   const along = end > start ? Math.min(1, (frame - start) / (end - start)) : 0;
+  return (site, index) => {
+    const a = motions[(before * sites + site) * NUMBERS + index] ?? 0;
+    const b = motions[(after * sites + site) * NUMBERS + index] ?? 0;
+    return a + along * (b - a);
+  };
+}
+
+/**
+ * Writes the motions at a frame for the vertex shader, sites × 12.
+ *
+ * @param rest Sites × 2.
+ */
+export function writeMotions(clip: RigClip, rest: Float64Array, frame: number, to: Float32Array): void {
+  const sites = rest.length / 2;
+  const motion = motionAt(clip, sites, frame);
   for (let site = 0; site < sites; site++) {
-    const number = (index: number) => {
-      const a = motions[(before * sites + site) * NUMBERS + index] ?? 0;
-      const b = motions[(after * sites + site) * NUMBERS + index] ?? 0;
-      return a + along * (b - a);
-    };
+    const number = (index: number) => motion(site, index);
     const angle = number(0);
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-    // The exponential of the strain: e^mean (cosh r + sinh r / r · [half xy; xy −half]).
-    const [xx, xy, yy] = [number(1), number(2), number(3)];
-    const half = (xx - yy) / 2;
-    const r = Math.hypot(half, xy);
-    const scale = Math.exp((xx + yy) / 2);
-    const even = scale * Math.cosh(r);
-    const odd = scale * (r === 0 ? 1 : Math.sinh(r) / r);
-    const [p, q, s] = [even + odd * half, odd * xy, even - odd * half];
     const [x, y] = [rest[2 * site] ?? 0, rest[2 * site + 1] ?? 0];
     to.set(
       [
-        cos * p - sin * q,
-        sin * p + cos * q,
-        cos * q - sin * s,
-        sin * q + cos * s,
+        ...linearOf([angle, number(1), number(2), number(3)]),
         x,
         y,
         x + number(4),
@@ -96,6 +88,19 @@ export function writeMotions(
       STRIDE * site,
     );
   }
+}
+
+/** R(angle) exp(strain) as [a, b, c, d]: x goes to (a, b), y to (c, d). Takes angle, strain xx, xy and yy. */
+export function linearOf([angle = 0, xx = 0, xy = 0, yy = 0]: readonly number[]): readonly number[] {
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  // The exponential of the strain: e^mean (cosh r + sinh r / r · [half xy; xy −half]).
+  const half = (xx - yy) / 2;
+  const r = Math.hypot(half, xy);
+  const scale = Math.exp((xx + yy) / 2);
+  const even = scale * Math.cosh(r);
+  const odd = scale * (r === 0 ? 1 : Math.sinh(r) / r);
+  const [p, q, s] = [even + odd * half, odd * xy, even - odd * half];
+  return [cos * p - sin * q, sin * p + cos * q, cos * q - sin * s, sin * q + cos * s];
 }
 
 export function readClip(from: Bytes, sites: number, triangles: number): RigClip {

@@ -3,22 +3,36 @@
  *
  * Out of sight and in hidden tabs its time stands still, and nothing is computed.
  */
-import { cycleOf, frameAt, orderAt, type RigClip } from './clip';
+
+import { PlayerAttributes } from './attributes';
+import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
 import { advanced } from './clock';
+import { type Grips, gripsOf } from './grips';
+import { handlesAt } from './handles_at';
 import { borrow, giveBack, type Loaded } from './library';
+import { fileHandle, type HandlePose, type PosedHandle, posedClip, posedHandles } from './posed';
 import { type Screen, screenOf } from './screen';
+import type { Handle } from './shares';
 import { type Stage, stage } from './stage';
 
 /** Seconds of the clock between two `timeupdate` events. */
 const UPDATE_S = 0.25;
 /** A longer gap between frames is a break, for example of a hidden tab. Milliseconds. */
 const BREAK_MS = 250;
-/** Servers have no elements. */
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+export class C2WarpPlayer extends PlayerAttributes {
+  static readonly observedAttributes = [
+    'src',
+    'clip',
+    'autoplay',
+    'poster',
+    'alt',
+    'width',
+    'height',
+    'posable',
+  ];
 
-export class C2WarpPlayer extends Base {
-  static readonly observedAttributes = ['src', 'clip', 'autoplay', 'loop'];
-
+  readonly #internals = this.attachInternals();
+  readonly #grips: Grips;
   readonly #screen: Screen;
   #stage: Stage | undefined;
   /** The address of the newest source. */
@@ -29,6 +43,8 @@ export class C2WarpPlayer extends Base {
   #loading: Promise<void> = Promise.resolve();
   #error: Error | null = null;
   #clip: RigClip | undefined;
+  /** The handles as a page posed them, in place of the clip. */
+  #posed: readonly Handle[] | undefined;
   #time = 0;
   #rate = 1;
   #paused = true;
@@ -39,8 +55,14 @@ export class C2WarpPlayer extends Base {
 
   constructor() {
     super();
-    this.attachInternals().role = 'img';
-    this.#screen = screenOf(this, {
+    this.#internals.role = 'img';
+    this.#grips = gripsOf(this, {
+      moved: (id, [x, y]) =>
+        this.#alter(id, ({ posed }) => ({ posed: posed.map(([px, py]) => [px + x, py + y] as const) })),
+      reset: (id) => this.#alter(id, ({ rest }) => ({ posed: rest, rotation: 0, scale: 1 })),
+      ended: () => this.dispatchEvent(new Event('change', { bubbles: true })),
+    });
+    this.#screen = screenOf(this, this.#grips.element, {
       seen: () => {
         this.#last = Number.NaN;
         this.#ask();
@@ -73,15 +95,11 @@ export class C2WarpPlayer extends Base {
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (name === 'src' && this.isConnected) this.#load();
     if (name === 'clip' && before !== after) this.#choose();
+    if (name === 'poster') this.#screen.setPoster(after ?? '');
+    if (name === 'posable') this.#offer();
+    if (name === 'alt') this.#internals.ariaLabel = after;
+    if (name === 'width' || name === 'height') this.#screen.setSize(this.givenSize);
     if (name === 'autoplay' && after !== null && this.#shown) this.#autoplay();
-  }
-
-  get src(): string {
-    return this.getAttribute('src') ?? '';
-  }
-
-  set src(src: string) {
-    this.setAttribute('src', src);
   }
 
   /** The name of the clip. Without one, the first clip plays. */
@@ -98,20 +116,26 @@ export class C2WarpPlayer extends Base {
     return this.#shown?.rig.clips.map(({ name }) => name) ?? [];
   }
 
-  get autoplay(): boolean {
-    return this.hasAttribute('autoplay');
+  /**
+   * A copy of the handles in their present poses, as in a project. It is empty until the rig is there, and for rigs
+   * that cannot be posed.
+   */
+  get handles(): PosedHandle[] {
+    return this.#handles().map(fileHandle);
   }
 
-  set autoplay(autoplay: boolean) {
-    this.toggleAttribute('autoplay', autoplay);
-  }
-
-  get loop(): boolean {
-    return this.hasAttribute('loop');
-  }
-
-  set loop(loop: boolean) {
-    this.toggleAttribute('loop', loop);
+  /**
+   * Poses handles in place of the clip, which pauses, until it plays or a time is set. Takes the handles of a project,
+   * or ids with changes.
+   *
+   * @throws RangeError if there is no such handle, or a pose is invalid; TypeError without a list. Then nothing moves.
+   * @throws Error if the rig is not there yet, or its poses need the solver.
+   */
+  pose(handles: readonly HandlePose[]): void {
+    if (!this.#shown) throw new Error('there is no rig yet that could be posed');
+    const { shares } = this.#shown.rig;
+    if (!shares) throw new Error('this rig cannot be posed: its poses need the solver, as in the rigid mode');
+    this.#pose(posedHandles(this.#handles(), handles));
   }
 
   /** Seconds. A clip that alternates lasts there and back. NaN until the rig is there. */
@@ -127,6 +151,7 @@ export class C2WarpPlayer extends Base {
     if (!Number.isFinite(time)) throw new TypeError('The time must be a finite number.');
     this.#time = Math.max(0, this.#clip ? Math.min(time, this.duration) : time);
     this.#ended = false;
+    this.#posed = undefined;
     this.#update();
     this.#ask();
   }
@@ -167,9 +192,41 @@ export class C2WarpPlayer extends Base {
     this.#stop();
   }
 
+  /** The handles as they are shown. */
+  #handles(): readonly Handle[] {
+    const { shares, rest } = this.#shown?.rig ?? {};
+    if (this.#posed || !shares || !rest || !this.#clip) return this.#posed ?? [];
+    return handlesAt(shares, motionAt(this.#clip, rest.length / 2, frameAt(this.#clip, this.#time)), rest);
+  }
+
+  #pose(handles: readonly Handle[]): void {
+    this.pause();
+    this.#posed = handles;
+    this.#ask();
+  }
+
+  /** A reader changes the pose of a handle. */
+  #alter(id: string, change: (handle: Handle) => Partial<Handle>): void {
+    const one = (handle: Handle) => (handle.id === id ? { ...handle, ...change(handle) } : handle);
+    this.#pose(this.#handles().map(one));
+    this.dispatchEvent(new Event('input', { bubbles: true }));
+  }
+
+  /** Shows grips, or none. */
+  #offer(): void {
+    // An image has no parts for screen readers.
+    this.#internals.role = this.#hasGrips ? 'group' : 'img';
+    this.#ask();
+  }
+
+  get #hasGrips(): boolean {
+    return this.posable && Boolean(this.#shown?.rig.shares);
+  }
+
   #begin(): void {
     if (this.#ended) this.#time = 0;
     this.#ended = false;
+    this.#posed = undefined;
     if (!this.#paused) return;
     this.#paused = false;
     this.dispatchEvent(new Event('play'));
@@ -227,6 +284,7 @@ export class C2WarpPlayer extends Base {
     this.#shownAddress = address;
     this.#address = '';
     this.#screen.showPicture(loaded.rig);
+    this.#offer();
     this.#time = 0;
     this.#choose();
     this.dispatchEvent(new Event('loadeddata'));
@@ -243,8 +301,9 @@ export class C2WarpPlayer extends Base {
   #giveBack(): void {
     if (!this.#shown) return;
     giveBack(this.#shownAddress, (loaded) => this.#stage?.forget(loaded));
-    [this.#shown, this.#clip, this.#shownAddress] = [undefined, undefined, ''];
+    [this.#shown, this.#clip, this.#posed, this.#shownAddress] = [undefined, undefined, undefined, ''];
     this.#screen.showPicture(null);
+    this.#grips.show(null, null);
   }
 
   #choose(): void {
@@ -298,12 +357,14 @@ export class C2WarpPlayer extends Base {
   }
 
   #draw(): void {
-    const [loaded, clip] = [this.#shown, this.#clip];
+    const loaded = this.#shown;
+    const clip = loaded && this.#posed ? posedClip(loaded.rig, this.#posed) : this.#clip;
     const { context } = this.#screen;
     const view = loaded && this.#screen.viewOf(loaded.rig);
     if (!loaded || !clip || !context || !view) return;
     const at = frameAt(clip, this.#time);
     this.#stage?.show(loaded, clip, at, orderAt(clip, at), view, context);
+    this.#grips.show(this.#hasGrips ? this.#handles() : null, view);
   }
 }
 

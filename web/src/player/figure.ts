@@ -3,6 +3,9 @@ import { type Order, STRIDE } from './clip';
 import { fill, padded, tableOf } from './program';
 import type { Rig } from './rig';
 
+/** Each pose with depths has an order of its own: old ones are forgotten. */
+const MOST_ORDERS = 64;
+
 export interface Figure {
   /** Uploads motions, sites × 12. */
   pose(motions: Float32Array): void;
@@ -34,6 +37,13 @@ export function figureOf(gl: WebGL2RenderingContext, rig: Rig, picture: ImageBit
   textures.push(motionTable);
   const table = padded((rig.rest.length / 2) * STRIDE, 4);
   const orders = new Map<Order['triangles'], WebGLBuffer>();
+  const forgetOldest = () => {
+    for (const [triangles, buffer] of orders) {
+      if (orders.size < MOST_ORDERS) return;
+      gl.deleteBuffer(buffer);
+      orders.delete(triangles);
+    }
+  };
   return {
     pose(motions) {
       table.set(motions);
@@ -46,6 +56,7 @@ export function figureOf(gl: WebGL2RenderingContext, rig: Rig, picture: ImageBit
       const known = orders.get(triangles);
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, known ?? null);
       if (!known) {
+        forgetOldest();
         const buffer = gl.createBuffer();
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
         gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, ordered(rig.triangles, triangles), gl.STATIC_DRAW);

@@ -1,17 +1,24 @@
 import { readFileSync } from 'node:fs';
 import { crc32, deflateRawSync, inflateRawSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
-import { cycleOf, frameAt, orderAt, STRIDE, writeMotions } from './clip';
-import { readRig } from './rig';
+import { cycleOf, frameAt, orderAt, type RigClip, STRIDE, writeMotions } from './clip';
+import { posedClip, posedHandles } from './posed';
+import { type Rig, readRig } from './rig';
 
 /** Made by `c2warp bake` from a picture of 24 × 18 px with two handles, of which one moves. */
-const FILE = new Uint8Array(readFileSync(new URL('./fixtures/wave.c2rig', import.meta.url)));
+const FILE = fixture('wave.c2rig');
+/** The same picture in the harmonic mode, with two points and a bar. */
+const POSABLE = fixture('posable.c2rig');
 const HEADER = 24;
 const ROW = 12;
 
-/** The file with other unpacked sections, and a right checksum. */
-function packed(change: (sections: Uint8Array[]) => void): Uint8Array<ArrayBuffer> {
-  const file = Buffer.from(FILE);
+function fixture(name: string): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(readFileSync(new URL(`./fixtures/${name}`, import.meta.url)));
+}
+
+/** A file with other unpacked sections, and a right checksum. */
+function packed(change: (sections: Uint8Array[]) => void, of = FILE): Uint8Array<ArrayBuffer> {
+  const file = Buffer.from(of);
   const rows = Array.from({ length: file.readUInt32LE(20) }, (_, row) => HEADER + ROW * row);
   let at = HEADER + ROW * rows.length;
   const sections = rows.map((row) => {
@@ -39,9 +46,10 @@ function packed(change: (sections: Uint8Array[]) => void): Uint8Array<ArrayBuffe
 /** Whether a file is read. Any failure but a sentence for people fails the test. */
 const isRead = (file: Uint8Array<ArrayBuffer>) =>
   readRig(file).then(
-    ({ clips, rest }) => {
+    (rig) => {
+      const clips = rig.shares ? [...rig.clips, posedClip(rig, rig.shares.handles)] : rig.clips;
       for (const clip of clips)
-        writeMotions(clip, rest, clip.lastFrame / 3, new Float32Array(rest.length * STRIDE));
+        writeMotions(clip, rig.rest, clip.lastFrame / 3, new Float32Array(rig.rest.length * STRIDE));
       return true;
     },
     (error: Error) => {
@@ -49,6 +57,64 @@ const isRead = (file: Uint8Array<ArrayBuffer>) =>
       return false;
     },
   );
+
+/** The posed vertices, by the linear blend. */
+function posedVertices({ positions, rows, entries, rest }: Rig, clip: RigClip): number[][] {
+  const motions = new Float32Array((rest.length / 2) * STRIDE);
+  writeMotions(clip, rest, 0, motions);
+  return Array.from({ length: rows.length / 2 }, (_, vertex) => {
+    const [px = 0, py = 0] = positions.subarray(2 * vertex);
+    const [first = 0, count = 0] = rows.subarray(2 * vertex);
+    const posed = [0, 0];
+    for (let entry = first; entry < first + count; entry++) {
+      const [site = 0, weight = 0] = entries.subarray(2 * entry);
+      const [a = 0, b = 0, c = 0, d = 0, rx = 0, ry = 0, x = 0, y = 0] = motions.subarray(STRIDE * site);
+      posed[0] = (posed[0] ?? 0) + weight * (x + a * (px - rx) + c * (py - ry));
+      posed[1] = (posed[1] ?? 0) + weight * (y + b * (px - rx) + d * (py - ry));
+    }
+    return posed;
+  });
+}
+
+describe('posed handles', () => {
+  it('take every vertex to its place', async () => {
+    const rig = await readRig(POSABLE);
+    const handles = posedHandles(rig.shares?.handles ?? [], [
+      { id: 'left', posed: [5, 12], rotation: -30, scale: 1.5 },
+      {
+        id: 'top',
+        posed: [
+          [8, 4],
+          [14, 2],
+          [17, 6],
+        ],
+        scale: 0.8,
+      },
+    ]);
+    // By `c2warp map`, at the vertices of the rig.
+    const [, ...lines] = Buffer.from(fixture('posed.csv')).toString().trim().split('\n');
+    const expected = lines.map((line) => line.split(',').map(Number));
+    const found = posedVertices(rig, posedClip(rig, handles));
+    expect(found.length).toBe(expected.length);
+    for (const [vertex, [x = 0, y = 0]] of found.entries()) {
+      const [ex = 0, ey = 0] = expected[vertex] ?? [];
+      expect(Math.hypot(x - ex, y - ey), `vertex ${vertex}`).toBeLessThan(0.1);
+    }
+  });
+
+  it('are drawn by their depths', async () => {
+    const rig = await readRig(POSABLE);
+    const orderOf = (depth: number) =>
+      posedClip(rig, posedHandles(rig.shares?.handles ?? [], [{ id: 'left', depth }])).orders[0]?.triangles;
+    expect(orderOf(0)).toBeNull();
+    const [front, behind] = [orderOf(1), orderOf(-1)];
+    expect([...(front ?? [])].sort((a, b) => a - b)).toEqual([...(front ?? [])].map((_, at) => at));
+    const places = rig.positions;
+    const x = (triangle = 0) => places[2 * (rig.triangles[3 * triangle] ?? 0)] ?? 0;
+    expect(x(front?.at(-1))).toBeLessThan(12);
+    expect(x(behind?.[0])).toBeLessThan(12);
+  });
+});
 
 describe('a rig', () => {
   it('is read', async () => {
@@ -93,6 +159,30 @@ describe('a rig', () => {
       [cycleOf(wave), cycleOf(back), frameAt(back, 0.4), frameAt(back, 0.1)].map((n) => n.toFixed(6)),
     ).toEqual(['0.500000', '0.500000', '6.000000', '6.000000']);
     expect(orderAt(wave, 7)).toMatchObject({ frame: 0, crosses: false });
+  });
+
+  it('has its shares read or refused with any content', { timeout: 60_000 }, async () => {
+    const SHARES = 4;
+    const read = await Promise.all(
+      Array.from({ length: 200 }, (_, k) => {
+        const change = (sections: Uint8Array[]) => {
+          const bytes = sections[SHARES] as Uint8Array;
+          bytes[(k * 7919) % bytes.length] = [0, 0x7f, 0x80, 0xff][k % 4] ?? 0;
+        };
+        return isRead(packed(change, POSABLE));
+      }),
+    );
+    expect(read).toContain(true);
+    expect(read).toContain(false);
+    const cut = Array.from({ length: 300 }, (_, less) =>
+      isRead(
+        packed((sections) => {
+          const bytes = sections[SHARES] as Uint8Array;
+          sections[SHARES] = less > 0 ? bytes.slice(0, bytes.length - less) : new Uint8Array([...bytes, 0]);
+        }, POSABLE),
+      ),
+    );
+    expect(await Promise.all(cut)).not.toContain(true);
   });
 
   it('is refused if it is cut short or longer', { timeout: 60_000 }, async () => {

@@ -3,6 +3,7 @@ import { type Bytes, bytesOf } from './bytes';
 import { type RigClip, readClip } from './clip';
 import { sectionsOf } from './file';
 import { type Mesh, readMesh, readWeights, type Weights } from './mesh';
+import { readShares, type Shares } from './shares';
 
 export interface Rig extends Mesh, Weights {
   /** Of the picture, pixels. */
@@ -12,6 +13,8 @@ export interface Rig extends Mesh, Weights {
   /** Whether edges are drawn where parts cross. */
   readonly edges: boolean;
   readonly handles: readonly string[];
+  /** Null where poses of handles need a solver. */
+  readonly shares: Shares | null;
   /** The file of the picture. */
   readonly picture: Uint8Array<ArrayBuffer>;
   /** At least one. */
@@ -24,7 +27,7 @@ export interface Rig extends Mesh, Weights {
  * @throws Error with a sentence for people if the bytes are no rig of version 1, or a damaged one.
  */
 export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
-  const known = (await sectionsOf(file)).filter(({ tag }) => /^(HEAD|PICT|MESH|WGHT|CLIP)$/.test(tag));
+  const known = (await sectionsOf(file)).filter(({ tag }) => /^(HEAD|PICT|MESH|WGHT|SHAR|CLIP)$/.test(tag));
   const next = (wanted: string, part: string) => {
     const { tag, data } = known.shift() ?? {};
     if (!data || tag !== wanted) throw new Error(`This rig is damaged: ${part} is missing.`);
@@ -47,6 +50,10 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
   const mesh = read('MESH', 'the mesh', readMesh);
   const sites = mesh.rest.length / 2;
   const weights = read('WGHT', 'the weights', (from) => readWeights(from, mesh.positions.length / 2, sites));
+  const shares =
+    known[0]?.tag === 'SHAR'
+      ? read('SHAR', 'the shares', (from) => readShares(from, head.handles, sites))
+      : null;
   const clips: RigClip[] = [];
   do {
     const clip = read('CLIP', 'a clip', (from) => readClip(from, sites, mesh.triangles.length / 3));
@@ -54,5 +61,5 @@ export async function readRig(file: Uint8Array<ArrayBuffer>): Promise<Rig> {
       throw new Error('This rig is damaged: two clips have one name.');
     clips.push(clip);
   } while (known.length > 0);
-  return { ...head, ...mesh, ...weights, picture, clips };
+  return { ...head, ...mesh, ...weights, shares, picture, clips };
 }

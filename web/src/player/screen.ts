@@ -1,4 +1,5 @@
 /** The canvas of a player: its size in device pixels, and whether it is in sight. */
+import { GRIP_SHEET } from './grips';
 import type { View } from './painter';
 
 export interface Size {
@@ -12,8 +13,12 @@ export interface Screen {
   /** Follows the size and the place of the element, until `unwatch`. */
   watch(): void;
   unwatch(): void;
-  /** Shows the canvas, shaped as a picture of this size. Null shows the content of the element in its place. */
+  /** Shows the canvas, shaped as a picture of this size. Null shows the poster or the content in its place. */
   showPicture(size: Size | null): void;
+  /** The address of an image to show until there is a picture; empty for none. */
+  setPoster(address: string): void;
+  /** The size that the page says; without one the element has that of the picture, or else of the poster. */
+  setSize(size: Size | null): void;
   /** A picture of this size as large as fits, in the middle; null on a canvas without a size. */
   viewOf(size: Size): View | null;
 }
@@ -28,19 +33,38 @@ interface Listeners {
 /** The longest side of a drawing, device pixels. Some graphics cards have no larger ones. */
 const MOST_PX = 4096;
 
-const SHEET = `:host{display:inline-block;position:relative}:host([hidden]),slot[hidden],canvas[hidden]{display:none}canvas{position:absolute;inset:0;width:100%;height:100%}`;
+const SHEET = `:host{display:inline-block;position:relative}:host([hidden]),[hidden]{display:none}canvas,img{position:absolute;inset:0;width:100%;height:100%;object-fit:contain}`;
 
-export function screenOf(host: HTMLElement, listeners: Listeners): Screen {
+/** @param grips shown above the picture. */
+export function screenOf(host: HTMLElement, grips: HTMLElement, listeners: Listeners): Screen {
   const root = host.attachShadow({ mode: 'open' });
   const canvas = document.createElement('canvas');
   canvas.setAttribute('part', 'canvas');
-  canvas.hidden = true;
   const content = document.createElement('slot');
-  root.append(canvas, content);
+  const poster = document.createElement('img');
+  poster.setAttribute('part', 'poster');
+  poster.alt = '';
+  root.append(canvas, poster, content, grips);
   // Style sheets of this kind are allowed by every security policy.
   const [fixed, shape] = [new CSSStyleSheet(), new CSSStyleSheet()];
-  fixed.replaceSync(SHEET);
+  fixed.replaceSync(SHEET + GRIP_SHEET);
   root.adoptedStyleSheets = [fixed, shape];
+
+  let picture: Size | null = null;
+  let given: Size | null = null;
+  const arrange = () => {
+    const { naturalWidth: width, naturalHeight: height } = poster;
+    const hasPoster = width > 0 && poster.hasAttribute('src');
+    canvas.hidden = !picture;
+    poster.hidden = picture !== null || !hasPoster;
+    content.hidden = picture !== null || hasPoster;
+    const size = given ?? picture ?? (hasPoster ? { width, height } : null);
+    const sheet = `:host{width:${size?.width}px;max-width:100%;aspect-ratio:${size?.width}/${size?.height}}`;
+    shape.replaceSync(size ? sheet : '');
+  };
+  poster.onload = arrange;
+  poster.onerror = arrange;
+  arrange();
 
   let isSeen = false;
   const sight = new IntersectionObserver((entries) => {
@@ -78,11 +102,17 @@ export function screenOf(host: HTMLElement, listeners: Listeners): Screen {
       isSeen = false;
     },
     showPicture(size) {
-      canvas.hidden = !size;
-      content.hidden = size !== null;
-      const { width, height } = size ?? { width: 0, height: 0 };
-      const sheet = `:host{width:${width}px;max-width:100%;aspect-ratio:${width}/${height}}`;
-      shape.replaceSync(size ? sheet : '');
+      picture = size;
+      arrange();
+    },
+    setPoster(address) {
+      if (address) poster.src = address;
+      else poster.removeAttribute('src');
+      arrange();
+    },
+    setSize(size) {
+      given = size;
+      arrange();
     },
     viewOf(size) {
       const { width, height } = canvas;

@@ -48,19 +48,19 @@ pub(crate) struct Bone {
     /// Index of the handle in the project.
     pub(crate) handle: u32,
     /// The segment that contains the bone, between corners `segment` and `segment + 1` of the handle.
-    segment: u32,
+    pub(crate) segment: u32,
     /// The ends at rest, in pixels.
     pub(crate) rest: [DVec2; 2],
     /// Whether it is part of a polygon.
     pub(crate) of_loop: bool,
     /// The joints at the ends.
-    joints: [u32; 2],
+    pub(crate) joints: [u32; 2],
     /// Offset of each end from its joint along the segment, as a fraction of the segment. The outline may cut off a
     /// little and leave the bone connected.
-    beyond: [f64; 2],
+    pub(crate) beyond: [f64; 2],
     /// Offset of each end from its joint across the segment, in pixels. Bones of one joint may end beside each other,
     /// and do so in a pose.
-    beside: [f64; 2],
+    pub(crate) beside: [f64; 2],
     /// Number of the body that the bone belongs to.
     pub(crate) body: u32,
 }

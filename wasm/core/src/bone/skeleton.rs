@@ -21,7 +21,7 @@ use crate::{distance::Navigation, domain::Domain, error::Error};
 pub(crate) struct Skeleton {
     pub(crate) bones: Vec<Bone>,
     /// Joints: the anchors that meet in each.
-    pub(super) joints: Vec<Vec<Anchor>>,
+    pub(crate) joints: Vec<Vec<Anchor>>,
 }
 
 impl Skeleton {

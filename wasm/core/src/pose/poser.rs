@@ -100,6 +100,21 @@ impl Poser {
         self.rest.len()
     }
 
+    /// What the sites are.
+    pub(crate) fn kinds(&self) -> &[SiteKind] {
+        &self.kinds
+    }
+
+    /// The bones of bars and polygons.
+    pub(crate) fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    /// ϖ: for each site its real sites and their weights.
+    pub(crate) fn harmonic(&self) -> &[Vec<(u32, f64)>] {
+        &self.harmonic
+    }
+
     /// The rest places of the sites.
     pub(crate) fn rest(&self) -> &Arc<[DVec2]> {
         &self.rest
@@ -231,7 +246,7 @@ impl Poser {
     }
 
     /// The handles in the order in which they were solved.
-    fn as_solved<'a>(&self, handles: &'a [Handle]) -> Result<Cow<'a, [Handle]>, Error> {
+    pub(crate) fn as_solved<'a>(&self, handles: &'a [Handle]) -> Result<Cow<'a, [Handle]>, Error> {
         if handles.len() != self.solved.len() {
             return Err(Error::PoseMismatch { expected: self.solved.len(), found: handles.len() });
         }

@@ -10,11 +10,15 @@ use super::{
     error::BakeError,
     mesh::{Mesh, Weights},
     order::{Order, Orders},
+    progress::Progress,
     sequence::{Comparison, MotionSequence},
+    shares::{ExactShares, Shares},
     skin::{Skin, greatest_distance},
 };
 use crate::{
-    project::{Blend, Project},
+    error::Error,
+    pose::Motion,
+    project::{Blend, Handle, Project},
     solution::Solution,
     weight::SparseWeights,
 };
@@ -26,6 +30,8 @@ pub(super) const TOLERANCE: f64 = 0.1;
 const PLACE_TOLERANCE: f64 = 0.02;
 const MESH_TOLERANCE: f64 = 0.03;
 const MOTION_TOLERANCE: f64 = 0.05;
+/// The part of it for places, weights and shares together, in poses of the handles.
+const SHARE_TOLERANCE: f64 = 0.05;
 
 /// Angles and strains act at a distance: their steps are so many bits finer than those of translations.
 const FINER: u8 = 6;
@@ -38,20 +44,65 @@ struct Drawn {
     behind: u32,
 }
 
-pub(super) fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Rig, BakeError> {
+pub(super) fn bake(
+    project: &Project,
+    solution: &Solution,
+    picture: RigPicture,
+    tell: &mut dyn FnMut(f64),
+) -> Result<Rig, BakeError> {
+    let progress = &mut Progress::new(MotionSequence::count_frames(project, solution)?, tell);
     let blend = project.pose.blend;
-    let sequences = MotionSequence::all(project, solution)?;
+    let sequences = MotionSequence::all(project, solution, progress)?;
+    let posable = Posable::of(project, solution)?;
     let drawn = if project.handles.is_empty() { whole(&picture) } else { drawn(solution) };
-    let (mesh, weights) = rounded_mesh(&drawn, &sequences, blend)?;
+    let (mesh, weights) = rounded_mesh(&drawn, &sequences, posable.as_ref(), blend)?;
     let stored = mesh.skin(&weights);
     let clip = |sequence: &MotionSequence| {
-        let orders =
-            if project.handles.is_empty() { Order::of_mesh() } else { orders(solution, &drawn, sequence, blend) };
-        rounded_clip([&drawn.skin, &stored], sequence, blend, orders)
+        let is_still = project.handles.is_empty();
+        let orders = if is_still { Order::of_mesh() } else { orders(solution, &drawn, sequence, blend, progress) };
+        rounded_clip([&drawn.skin, &stored], sequence, blend, orders, progress)
     };
     let clips = sequences.iter().map(clip).collect::<Result<_, _>>()?;
-    let handles = project.handles.iter().map(|handle| handle.id.clone()).collect();
-    Ok(Rig { picture, blend, edges: project.edges, handles, clips, mesh, weights })
+    let shares = posable.map(|posable| posable.rounded([&drawn.skin, &stored], blend)).transpose()?;
+    // Shares name the handles in the order in which they were solved.
+    let handles = solution.poser().as_solved(&project.handles).map_err(not_posed)?;
+    let handles = handles.iter().map(|handle| handle.id.clone()).collect();
+    Ok(Rig { picture, blend, edges: project.edges, handles, shares, clips, mesh, weights })
+}
+
+fn not_posed(reason: Error) -> BakeError {
+    BakeError::Pose { clip: String::new(), seconds: 0.0, reason }
+}
+
+/// Shares with some poses of the handles, and the exact motions in these.
+struct Posable {
+    shares: ExactShares,
+    probes: Vec<(Vec<Handle>, Vec<Motion>)>,
+}
+
+impl Posable {
+    /// `None` where poses need a solver.
+    fn of(project: &Project, solution: &Solution) -> Result<Option<Self>, BakeError> {
+        let poser = solution.poser();
+        let handles = poser.as_solved(&project.handles).map_err(not_posed)?;
+        let Some(shares) = ExactShares::of(poser, &handles) else { return Ok(None) };
+        let reach = f64::from(project.image.width.max(project.image.height)) / 2.0;
+        let exact = |handles: Vec<Handle>| poser.motions(&handles).map(|motions| (handles, motions));
+        let probes = shares.probes(reach).into_iter().map(exact).collect::<Result<_, _>>().map_err(not_posed)?;
+        Ok(Some(Self { shares, probes }))
+    }
+
+    fn rounded(&self, [exact, stored]: [&Skin; 2], blend: Blend) -> Result<Shares, BakeError> {
+        let places: Vec<_> = self.probes.iter().map(|(_, motions)| exact.posed(motions, blend)).collect();
+        let is_close = |shares: &Shares| {
+            self.probes.iter().zip(&places).all(|((handles, _), places)| {
+                let motions = shares.motions(&stored.rest, handles);
+                greatest_distance(places, &stored.posed(&motions, blend)) <= SHARE_TOLERANCE
+            })
+        };
+        let found = (10..=24).map(|bits| self.shares.rounded(bits)).find(is_close);
+        found.ok_or(BakeError::TooFar { clip: String::new() })
+    }
 }
 
 /// The picture as it is, for a project without handles.
@@ -90,10 +141,17 @@ fn drawn(solution: &Solution) -> Drawn {
     Drawn { skin, triangles, behind: background.triangles().len() as u32 }
 }
 
-/// The mesh and its weights with the coarsest steps that keep vertices in place in some frames of all sequences.
-fn rounded_mesh(drawn: &Drawn, sequences: &[MotionSequence], blend: Blend) -> Result<(Mesh, Weights), BakeError> {
+/// The mesh and its weights with the coarsest steps that keep vertices in place. They are tried in some frames of all
+/// sequences, and in some poses of the handles.
+fn rounded_mesh(
+    drawn: &Drawn,
+    sequences: &[MotionSequence],
+    posable: Option<&Posable>,
+    blend: Blend,
+) -> Result<(Mesh, Weights), BakeError> {
+    let probes = || posable.iter().flat_map(|posable| posable.probes.iter().map(|(_, motions)| motions));
     let is_close = |skin: &Skin, tolerance: f64| {
-        sequences.iter().flat_map(MotionSequence::sampled).all(|motions| {
+        sequences.iter().flat_map(MotionSequence::sampled).chain(probes()).all(|motions| {
             greatest_distance(&drawn.skin.posed(motions, blend), &skin.posed(motions, blend)) <= tolerance
         })
     };
@@ -113,6 +171,7 @@ fn rounded_clip(
     sequence: &MotionSequence,
     blend: Blend,
     orders: Vec<Order>,
+    progress: &mut Progress<'_>,
 ) -> Result<RigClip, BakeError> {
     let comparison = |place: u8| {
         let bits = MotionBits { angle: place + FINER, strain: place + FINER, place };
@@ -124,11 +183,11 @@ fn rounded_clip(
         let is_close = |frame| comparison.error([frame; 2], frame) <= MOTION_TOLERANCE;
         (0..frames as u32).step_by(step).all(is_close).then_some(comparison)
     };
-    let keyed = |place: u8| {
+    let mut keyed = |place: u8| {
         let comparison = comparison(place)?;
-        Some((comparison.keys(TOLERANCE)?, comparison))
+        Some((comparison.keys(TOLERANCE, progress)?, comparison))
     };
-    let found = (3..=18).find_map(keyed);
+    let found = (3..=18).find_map(&mut keyed);
     let (keys, Comparison { bits, rounded, .. }) =
         found.ok_or_else(|| BakeError::TooFar { clip: sequence.name.clone() })?;
     let motions = keys.iter().flat_map(|&key| rounded[key as usize].iter().copied()).collect();
@@ -144,7 +203,13 @@ fn rounded_clip(
     })
 }
 
-fn orders(solution: &Solution, drawn: &Drawn, sequence: &MotionSequence, blend: Blend) -> Vec<Order> {
+fn orders(
+    solution: &Solution,
+    drawn: &Drawn,
+    sequence: &MotionSequence,
+    blend: Blend,
+    progress: &mut Progress<'_>,
+) -> Vec<Order> {
     let skin = Skin {
         vertices: solution.vertices().to_vec(),
         weights: solution.weights().clone(),
@@ -152,6 +217,7 @@ fn orders(solution: &Solution, drawn: &Drawn, sequence: &MotionSequence, blend: 
     };
     let mut orders = Orders::new(solution, drawn.behind);
     for (frame, motions) in sequence.frames.iter().enumerate() {
+        progress.add(1);
         orders.push(frame as u32, motions, &skin.posed(motions, blend));
     }
     orders.finish()

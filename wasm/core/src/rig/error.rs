@@ -16,6 +16,8 @@ pub enum RigPart {
     Mesh,
     /// Weights of the vertices.
     Weights,
+    /// Handles and their shares in the motions of sites.
+    Shares,
     /// A clip.
     Clip,
 }
@@ -28,6 +30,7 @@ impl RigPart {
             Self::Picture => "the picture",
             Self::Mesh => "the mesh",
             Self::Weights => "the weights",
+            Self::Shares => "the shares",
             Self::Clip => "a clip",
         }
     }
@@ -90,6 +93,16 @@ pub enum BakeError {
         seconds: f64,
         /// The longest duration.
         most: f64,
+    },
+    /// Clips with too many frames for memory, all together.
+    #[error("the clips have {frames} frames at {sites} sites: a rig has up to {most} motions in all its clips")]
+    TooManyMotions {
+        /// Frames of all clips.
+        frames: usize,
+        /// Sites, each of which has a motion in every frame.
+        sites: usize,
+        /// The greatest product.
+        most: usize,
     },
     /// Numbers so large that vertices would miss their places.
     #[error("{}: handles move too far for a rig", named(clip))]

@@ -208,7 +208,7 @@ impl Weights {
 }
 
 /// Weights as whole numbers of exactly this sum, by the largest remainders. Weights of 0 are left out.
-fn shares(row: impl Iterator<Item = (usize, f64)>, whole: u32) -> Vec<(u32, u32)> {
+pub(super) fn shares(row: impl Iterator<Item = (usize, f64)>, whole: u32) -> Vec<(u32, u32)> {
     let row: Vec<(usize, f64)> = row.collect();
     let sum: f64 = row.iter().map(|(_, weight)| weight).sum();
     let exact = |&(site, weight): &(usize, f64)| (site as u32, weight / sum * f64::from(whole));

@@ -8,9 +8,11 @@
 //! second.
 //!
 //! - `sequence`: the exact motions of a clip. `order`: the drawing order along it. `bake`: the choice of steps.
+//! - `sources`, `shares`: what a page poses the handles by, in the harmonic mode.
 //! - `mesh`, `clip`: the content. `bytes`, `file`: numbers as bytes, and the sections with their checksum.
 //!
-//! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to two minutes.
+//! Cost: baking poses every frame once, and blends all vertices some six times a frame. Clips last up to ten minutes,
+//! and all clips together have up to eight million motions of sites.
 
 mod bake;
 mod bytes;
@@ -19,9 +21,14 @@ mod error;
 mod file;
 mod mesh;
 mod order;
+mod progress;
 mod sequence;
+mod shares;
 mod skin;
+mod sources;
 mod steps;
+
+use std::collections::VecDeque;
 
 use glam::DVec2;
 
@@ -32,9 +39,10 @@ use self::{
     bytes::{Reader, Writer},
     file::{Section, Tag, packed, unpacked},
     mesh::{Mesh, Weights},
+    shares::Shares,
 };
 use crate::{
-    project::{Blend, Project},
+    project::{Blend, Handle, Project},
     solution::Solution,
 };
 
@@ -42,6 +50,7 @@ const HEAD: Tag = *b"HEAD";
 const PICTURE: Tag = *b"PICT";
 const MESH: Tag = *b"MESH";
 const WEIGHTS: Tag = *b"WGHT";
+const SHARES: Tag = *b"SHAR";
 const CLIP: Tag = *b"CLIP";
 
 /// A picture that moves, for pages without a solver.
@@ -68,6 +77,7 @@ pub struct Rig {
     blend: Blend,
     edges: bool,
     handles: Vec<String>,
+    shares: Option<Shares>,
     clips: Vec<RigClip>,
     mesh: Mesh,
     weights: Weights,
@@ -89,10 +99,24 @@ impl Rig {
     ///
     /// # Errors
     /// - [`BakeError::Pose`] if a pose of a clip cannot be made;
-    /// - [`BakeError::ClipTooLong`] for a clip of more than two minutes;
+    /// - [`BakeError::ClipTooLong`] for a clip of more than ten minutes, [`BakeError::TooManyMotions`] for
+    ///   clips of more than eight million motions of sites together;
     /// - [`BakeError::TooFar`] if 32 bits are too few for the motions.
     pub fn bake(project: &Project, solution: &Solution, picture: RigPicture) -> Result<Self, BakeError> {
-        bake::bake(project, solution, picture)
+        Self::bake_telling(project, solution, picture, &mut |_| {})
+    }
+
+    /// As [`bake`](Self::bake), and tells the part that is done, from 0 to 1, about a hundred times.
+    ///
+    /// # Errors
+    /// As [`bake`](Self::bake).
+    pub fn bake_telling(
+        project: &Project,
+        solution: &Solution,
+        picture: RigPicture,
+        tell: &mut dyn FnMut(f64),
+    ) -> Result<Self, BakeError> {
+        bake::bake(project, solution, picture, tell)
     }
 
     /// The picture.
@@ -135,6 +159,23 @@ impl Rig {
         self.mesh.skin(&self.weights).posed(&motions, self.blend)
     }
 
+    /// The handles, posed as in the project. `None` if poses of handles need a solver: in the rigid mode, and with
+    /// handles that turn by themselves.
+    #[must_use]
+    pub fn handles(&self) -> Option<&[Handle]> {
+        self.shares.as_ref().map(|shares| &shares.sources.handles[..])
+    }
+
+    /// The vertices with the handles posed as given, in the order of [`handles`](Self::handles). `None` for other
+    /// handles, and where poses need a solver.
+    #[must_use]
+    pub fn vertices_posed_by(&self, handles: &[Handle]) -> Option<Vec<DVec2>> {
+        let shares = self.shares.as_ref().filter(|shares| shares.sources.fit(handles))?;
+        let skin = self.mesh.skin(&self.weights);
+        let motions = shares.motions(&skin.rest, handles);
+        Some(skin.posed(&motions, self.blend))
+    }
+
     /// The indices of the triangles in the drawing order at a frame of a clip.
     ///
     /// # Panics
@@ -161,6 +202,7 @@ impl Rig {
             written(MESH, &|to| self.mesh.write(to)),
             written(WEIGHTS, &|to| self.weights.write(to)),
         ];
+        sections.extend(self.shares.iter().map(|shares| written(SHARES, &|to| shares.write(to))));
         sections.extend(self.clips.iter().map(|clip| written(CLIP, &|to| clip.write(to, self.sites()))));
         packed(&sections)
     }
@@ -172,14 +214,11 @@ impl Rig {
     pub fn from_bytes(file: &[u8]) -> Result<Self, RigError> {
         let mut sections = unpacked(file)?;
         // Sections of other names belong to later versions.
-        sections.retain(|section| [HEAD, PICTURE, MESH, WEIGHTS, CLIP].contains(&section.tag));
-        let mut next = |tag: Tag, part: RigPart| match sections.pop_front() {
-            Some(section) if section.tag == tag => Ok(section.bytes),
-            _ => Err(RigError::Part { part, reason: "is missing" }),
-        };
-        let head = next(HEAD, RigPart::Head)?;
-        let picture = next(PICTURE, RigPart::Picture)?;
-        let [mesh, weights] = [next(MESH, RigPart::Mesh)?, next(WEIGHTS, RigPart::Weights)?];
+        sections.retain(|section| [HEAD, PICTURE, MESH, WEIGHTS, SHARES, CLIP].contains(&section.tag));
+        let head = next(&mut sections, HEAD, RigPart::Head)?;
+        let picture = next(&mut sections, PICTURE, RigPart::Picture)?;
+        let mesh = next(&mut sections, MESH, RigPart::Mesh)?;
+        let weights = next(&mut sections, WEIGHTS, RigPart::Weights)?;
         let mut from = Reader::new(RigPart::Head, &head);
         let mut rig = Self::read_head(&mut from, picture)?;
         from.end()?;
@@ -189,6 +228,12 @@ impl Rig {
         let mut from = Reader::new(RigPart::Weights, &weights);
         rig.weights = Weights::read(&mut from, rig.mesh.vertices.len(), rig.sites())?;
         from.end()?;
+        if sections.front().is_some_and(|section| section.tag == SHARES) {
+            let shares = next(&mut sections, SHARES, RigPart::Shares)?;
+            let mut from = Reader::new(RigPart::Shares, &shares);
+            rig.shares = Some(Shares::read(&mut from, &rig.handles, rig.sites())?);
+            from.end()?;
+        }
         for Section { tag, bytes } in sections {
             let mut from = Reader::new(RigPart::Clip, &bytes);
             from.expect(tag == CLIP, "is in the wrong place")?;
@@ -221,10 +266,19 @@ impl Rig {
             blend: if flags & 1 == 0 { Blend::Linear } else { Blend::Rigid },
             edges: flags & 2 != 0,
             handles,
+            shares: None,
             clips: Vec::new(),
             mesh: Mesh { place_bits: 0, vertices: Vec::new(), triangles: Vec::new(), rest: Vec::new() },
             weights: Weights { bits: 0, offsets: vec![0], sites: Vec::new(), shares: Vec::new() },
         })
+    }
+}
+
+/// The bytes of the next section, which must have this tag.
+fn next(sections: &mut VecDeque<Section>, tag: Tag, part: RigPart) -> Result<Vec<u8>, RigError> {
+    match sections.pop_front() {
+        Some(section) if section.tag == tag => Ok(section.bytes),
+        _ => Err(RigError::Part { part, reason: "is missing" }),
     }
 }
 
@@ -244,7 +298,11 @@ mod tests {
         let rgba = vec![255; 24 * 18 * 4];
         let mut project = Project::for_picture(24, 18);
         project.samples = 100;
-        project.handles = vec![Handle::point("left", [4.0, 9.0]), Handle::point("right", [20.0, 9.0])];
+        project.handles = vec![
+            Handle::point("left", [4.0, 9.0]),
+            Handle::point("right", [20.0, 9.0]),
+            Handle::bar("top", [[9.0, 3.0], [15.0, 3.0]]),
+        ];
         let keys = [(0.0, 9.0), (0.1, 4.0)].map(|(time, y)| Key::new(time, Ease::Smooth).posed_at([[20.0, y]]));
         let wave = Clip::new("wave", 0.2, Looping::Repeat).with_tracks([Track::new("right", keys)]);
         project.clips = vec![wave, Clip::new("still", 1.0, Looping::None)];
@@ -266,6 +324,9 @@ mod tests {
                 assert_eq!(rig.posed_vertices(index, frame).len(), rig.vertices().len());
                 assert_eq!(rig.drawing_order(index, frame).len(), rig.triangles().len());
             }
+        }
+        if let Some(handles) = rig.handles() {
+            assert_eq!(rig.vertices_posed_by(handles).unwrap().len(), rig.vertices().len());
         }
         Ok(())
     }
@@ -312,6 +373,13 @@ mod tests {
             fewer.remove(missing);
             assert!(try_out(&fewer).is_err());
         }
+        let mut without_clips = sections();
+        without_clips.truncate(5);
+        assert!(try_out(&without_clips).is_err());
+        // Then poses need a solver.
+        let mut without_shares = sections();
+        without_shares.remove(4);
+        assert_eq!(Rig::from_bytes(&packed(&without_shares).unwrap()).unwrap().handles(), None);
     }
 
     #[test]

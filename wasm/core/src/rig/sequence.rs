@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::{
     clip::MotionBits,
     error::BakeError,
+    progress::Progress,
     skin::{Skin, greatest_distance},
 };
 use crate::{
@@ -16,8 +17,10 @@ use crate::{
 
 /// Frames that motions are compared at: those of most screens.
 const FRAMES_PER_SECOND: f64 = 60.0;
-/// Longer clips would not fit into memory while they are baked.
-const MOST_SECONDS: f64 = 120.0;
+/// Longer clips take minutes to bake.
+const MOST_SECONDS: f64 = 600.0;
+/// Frames of all clips, times sites. A motion takes 80 bytes while it is baked: 640 MB at most.
+const MOST_MOTIONS: usize = 8_000_000;
 /// Frames that steps are chosen by. The others are checked later.
 const SAMPLED: usize = 12;
 
@@ -32,11 +35,25 @@ pub(super) struct MotionSequence {
 
 impl MotionSequence {
     /// The sequences of all clips, or the pose of the handles in a project without clips.
-    pub(super) fn all(project: &Project, solution: &Solution) -> Result<Vec<Self>, BakeError> {
+    pub(super) fn all(
+        project: &Project,
+        solution: &Solution,
+        progress: &mut Progress<'_>,
+    ) -> Result<Vec<Self>, BakeError> {
         if project.clips.is_empty() {
             return Ok(vec![Self::still(project, solution)?]);
         }
-        project.clips.iter().map(|clip| Self::of(clip, project, solution)).collect()
+        project.clips.iter().map(|clip| Self::of(clip, project, solution, progress)).collect()
+    }
+
+    /// The number of frames of all clips, or of the pose in a project without clips.
+    pub(super) fn count_frames(project: &Project, solution: &Solution) -> Result<usize, BakeError> {
+        let frames = project.clips.iter().map(frames_of).sum::<Result<usize, _>>()?;
+        let sites = solution.poser().sites();
+        if frames * sites > MOST_MOTIONS {
+            return Err(BakeError::TooManyMotions { frames, sites, most: MOST_MOTIONS });
+        }
+        Ok(frames.max(1))
     }
 
     fn still(project: &Project, solution: &Solution) -> Result<Self, BakeError> {
@@ -45,16 +62,14 @@ impl MotionSequence {
         Ok(Self { name: String::new(), duration: 0.0, looping: Looping::None, frames: vec![motions] })
     }
 
-    fn of(clip: &Clip, project: &Project, solution: &Solution) -> Result<Self, BakeError> {
+    fn of(clip: &Clip, project: &Project, solution: &Solution, progress: &mut Progress<'_>) -> Result<Self, BakeError> {
         let Clip { name, duration, looping, .. } = clip;
-        if *duration > MOST_SECONDS {
-            return Err(BakeError::ClipTooLong { clip: name.clone(), seconds: *duration, most: MOST_SECONDS });
-        }
-        let last = (duration * FRAMES_PER_SECOND).round().max(1.0) as u32;
+        let last = frames_of(clip)? as u32 - 1;
         let mut playback = Playback::new(solution.poser().clone(), clip.clone(), project.handles.clone());
         let motions = |frame: u32| {
             let seconds = duration * f64::from(frame) / f64::from(last);
             let refused = |reason| BakeError::Pose { clip: name.clone(), seconds, reason };
+            progress.add(1);
             playback.pose(seconds, Blend::Linear).map(|pose| pose.motions().to_vec()).map_err(refused)
         };
         let frames = (0..=last).map(motions).collect::<Result<_, _>>()?;
@@ -66,6 +81,15 @@ impl MotionSequence {
         let step = self.frames.len().div_ceil(SAMPLED);
         self.frames.iter().step_by(step)
     }
+}
+
+/// The number of frames of a clip.
+fn frames_of(clip: &Clip) -> Result<usize, BakeError> {
+    if clip.duration > MOST_SECONDS {
+        let (clip, seconds) = (clip.name.clone(), clip.duration);
+        return Err(BakeError::ClipTooLong { clip, seconds, most: MOST_SECONDS });
+    }
+    Ok((clip.duration * FRAMES_PER_SECOND).round().max(1.0) as usize + 1)
 }
 
 /// The stored motions of a sequence beside the exact ones.
@@ -101,7 +125,7 @@ impl Comparison<'_> {
     /// farther away.
     ///
     /// Cost: some four blends of all vertices for each frame.
-    pub(super) fn keys(&self, tolerance: f64) -> Option<Vec<u32>> {
+    pub(super) fn keys(&self, tolerance: f64, progress: &mut Progress<'_>) -> Option<Vec<u32>> {
         let mut keys = vec![0];
         let mut key = 0;
         loop {
@@ -111,7 +135,9 @@ impl Comparison<'_> {
             if key == self.last() {
                 return Some(keys);
             }
-            key = self.next_key(key, tolerance);
+            let next = self.next_key(key, tolerance);
+            progress.add((next - key) as usize);
+            key = next;
             keys.push(key);
         }
     }

@@ -1,0 +1,248 @@
+//! The shares of handles in the motions of sites: what a page needs to pose the handles without a solver.
+//!
+//! Only the harmonic mode has them: there every motion is a sum of those of handles (eq. 4). The rigid mode minimises
+//! an energy for each pose.
+
+use glam::DVec2;
+
+use super::{
+    bytes::{Reader, Writer},
+    error::RigError,
+    mesh::shares,
+    sources::{Sources, turns_by_itself},
+};
+use crate::{
+    pose::{Motion, Poser},
+    project::{Handle, Rotation, Shape},
+    site::SiteKind,
+};
+
+/// The finest steps.
+const MOST_BITS: u8 = 24;
+
+/// The handles of a rig, and their shares in the motions of its sites.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shares {
+    pub(super) sources: Sources,
+    sites: Vec<Driven>,
+    /// Shares are multiples of 2 to the power of minus this.
+    bits: u8,
+    /// One for each virtual site.
+    rows: Vec<Vec<Share>>,
+}
+
+/// What a site moves by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Driven {
+    /// Its shares.
+    Virtual,
+    /// Nothing: it stays.
+    Still,
+    /// It is a site of this source.
+    Source(u32),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Share {
+    source: u32,
+    share: u32,
+    /// How far along the bone the sites lie that the share comes from: a fraction of the same steps.
+    along: u32,
+}
+
+/// The shares as they are in a solution.
+pub(super) struct ExactShares {
+    sources: Sources,
+    sites: Vec<Driven>,
+    /// For each virtual site its sources, ascending, with share and fraction along.
+    rows: Vec<Vec<(u32, f64, f64)>>,
+}
+
+impl ExactShares {
+    /// `None` where poses need a solver: in the rigid mode, and with handles that turn by themselves.
+    pub(super) fn of(poser: &Poser, handles: &[Handle]) -> Option<Self> {
+        if poser.is_rigid() || handles.is_empty() || handles.iter().any(turns_by_itself) {
+            return None;
+        }
+        let mut skeleton = poser.skeleton().clone();
+        // Only a solve needs bodies.
+        skeleton.bones.iter_mut().for_each(|bone| bone.body = 0);
+        let sources = Sources { handles: handles.to_vec(), skeleton };
+        let count = handles.len() as u32;
+        let driven = |kind: &SiteKind| match *kind {
+            SiteKind::Point { handle } => Driven::Source(handle),
+            SiteKind::Bone { bone, .. } => Driven::Source(count + bone),
+            SiteKind::Boundary => Driven::Still,
+            SiteKind::Virtual => Driven::Virtual,
+        };
+        let sites: Vec<Driven> = poser.kinds().iter().map(driven).collect();
+        let along = |site: usize, source: u32| match source.checked_sub(count) {
+            None => 0.0,
+            Some(bone) => {
+                let [a, b] = sources.skeleton.bones[bone as usize].rest;
+                ((poser.rest()[site] - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0)
+            }
+        };
+        let row = |row: &Vec<(u32, f64)>| {
+            let from = |&(site, weight): &(u32, f64)| match sites[site as usize] {
+                Driven::Source(source) => Some((source, weight, weight * along(site as usize, source))),
+                Driven::Still | Driven::Virtual => None,
+            };
+            let mut parts: Vec<_> = row.iter().filter_map(from).collect();
+            parts.sort_by_key(|&(source, ..)| source);
+            let of_source = |parts: &[(u32, f64, f64)]| {
+                let sum = parts.iter().fold((0.0, 0.0), |sum, part| (sum.0 + part.1, sum.1 + part.2));
+                (parts[0].0, sum.0, if sum.0 > 0.0 { sum.1 / sum.0 } else { 0.0 })
+            };
+            parts.chunk_by(|a, b| a.0 == b.0).map(of_source).collect()
+        };
+        let virtual_rows = poser.harmonic().iter().zip(&sites).filter(|(_, driven)| **driven == Driven::Virtual);
+        let rows = virtual_rows.map(|(harmonic, _)| row(harmonic)).collect();
+        Some(Self { sources, sites, rows })
+    }
+
+    pub(super) fn rounded(&self, bits: u8) -> Shares {
+        let whole = f64::from(1_u32 << bits);
+        let row = |row: &Vec<(u32, f64, f64)>| {
+            let sum: f64 = row.iter().map(|&(_, share, _)| share).sum();
+            let items = row.iter().enumerate().map(|(at, &(_, share, _))| (at, share));
+            let rounded = shares(items, (sum * whole).round() as u32).into_iter();
+            let share = |(at, share): (u32, u32)| {
+                let (source, _, along) = row[at as usize];
+                Share { source, share, along: (along * whole).round() as u32 }
+            };
+            rounded.map(share).collect()
+        };
+        let rows = self.rows.iter().map(row).collect();
+        Shares { sources: self.sources.clone(), sites: self.sites.clone(), bits, rows }
+    }
+
+    /// Poses that shares are measured with: all handles at once, `reach` pixels away, turned and scaled.
+    pub(super) fn probes(&self, reach: f64) -> Vec<Vec<Handle>> {
+        let probe = |probe: usize| {
+            let pose = |(at, handle): (usize, &Handle)| {
+                let mut posed = handle.clone();
+                for (corner, place) in posed.shape.posed_mut().iter_mut().enumerate() {
+                    // Directions that differ between handles, corners and probes, without a pattern.
+                    let direction = 2.4 * (at + 3 * corner + 7 * probe) as f64;
+                    *place =
+                        handle.shape.rest()[corner] + reach * DVec2::new(libm::cos(direction), libm::sin(direction));
+                }
+                let is_point = matches!(posed.shape, Shape::Point { .. });
+                let quarter = if (at + probe) % 2 == 1 { 90.0 } else { -90.0 };
+                posed.rotation = Rotation::Degrees(if is_point { quarter } else { 0.0 });
+                posed.scale = if (at / 2 + probe) % 2 == 1 { 2.0 } else { 0.5 };
+                posed
+            };
+            self.sources.handles.iter().enumerate().map(pose).collect()
+        };
+        (0..PROBES).map(probe).collect()
+    }
+}
+
+const PROBES: usize = 6;
+
+impl Shares {
+    /// The motions of sites at these places, with the handles posed as given.
+    pub(super) fn motions(&self, rest: &[DVec2], handles: &[Handle]) -> Vec<Motion> {
+        let sources = self.sources.posed(handles);
+        let source = |source: u32| sources[source as usize].as_ref().expect("bars are no sources");
+        let whole = f64::from(1_u32 << self.bits);
+        let mut rows = self.rows.iter();
+        let motion = |(&place, driven): (&DVec2, &Driven)| match *driven {
+            Driven::Source(number) => source(number).own(place),
+            Driven::Still => Motion::default(),
+            Driven::Virtual => {
+                let part = |part: &Share| {
+                    let [along, share] = [part.along, part.share].map(|steps| f64::from(steps) / whole);
+                    (source(part.source).spread(place, along), share)
+                };
+                Motion::blended(rows.next().expect("a row for each virtual site").iter().map(part))
+            }
+        };
+        rest.iter().zip(&self.sites).map(motion).collect()
+    }
+
+    pub(super) fn write(&self, to: &mut Writer) {
+        self.sources.write(to);
+        for driven in &self.sites {
+            to.varint(match *driven {
+                Driven::Virtual => 0,
+                Driven::Still => 1,
+                Driven::Source(source) => source + 2,
+            });
+        }
+        to.byte(self.bits);
+        self.rows.iter().for_each(|row| to.count(row.len()));
+        for row in &self.rows {
+            let mut next = 0;
+            for share in row {
+                to.varint(share.source - next);
+                next = share.source + 1;
+            }
+        }
+        let parts = || self.rows.iter().flatten();
+        parts().for_each(|part| to.varint(part.share));
+        parts().filter(|part| self.is_bone(part.source)).for_each(|part| to.varint(part.along));
+    }
+
+    fn is_bone(&self, source: u32) -> bool {
+        source as usize >= self.sources.handles.len()
+    }
+
+    /// Reads the shares of named handles in a number of sites.
+    pub(super) fn read(from: &mut Reader<'_>, names: &[String], sites: usize) -> Result<Self, RigError> {
+        let sources = Sources::read(from, names)?;
+        from.expect(from.has(Some(sites)), "end too early")?;
+        let mut driven = Vec::with_capacity(sites);
+        for _ in 0..sites {
+            let kind = from.varint()?;
+            let is_known = kind < 2 || sources.has(kind as usize - 2);
+            from.expect(is_known, "name a handle or bone that there is not")?;
+            driven.push(match kind {
+                0 => Driven::Virtual,
+                1 => Driven::Still,
+                source => Driven::Source(source - 2),
+            });
+        }
+        let bits = from.byte()?;
+        from.expect(bits <= MOST_BITS, "are too fine")?;
+        let rows = driven.iter().filter(|driven| **driven == Driven::Virtual).count();
+        from.expect(from.has(Some(rows)), "end too early")?;
+        let mut counts = Vec::with_capacity(rows);
+        let mut entries = 0_usize;
+        for _ in 0..rows {
+            let count = from.varint()? as usize;
+            entries = entries.saturating_add(count);
+            from.expect(from.has(Some(entries)), "end too early")?;
+            counts.push(count);
+        }
+        let mut shares = Self { sources, sites: driven, bits, rows: Vec::with_capacity(rows) };
+        for count in counts {
+            let mut next = 0_usize;
+            let mut row = Vec::with_capacity(count);
+            for _ in 0..count {
+                let source = next.saturating_add(from.varint()? as usize);
+                from.expect(shares.sources.has(source), "name a handle or bone that there is not")?;
+                row.push(Share { source: source as u32, share: 0, along: 0 });
+                next = source + 1;
+            }
+            shares.rows.push(row);
+        }
+        let whole = 1_u32 << bits;
+        for row in &mut shares.rows {
+            let mut left = whole;
+            for part in row {
+                part.share = from.varint()?;
+                from.expect(part.share > 0 && part.share <= left, "sum to more than 1")?;
+                left -= part.share;
+            }
+        }
+        let first_bone = shares.sources.handles.len();
+        for part in shares.rows.iter_mut().flatten().filter(|part| part.source as usize >= first_bone) {
+            part.along = from.varint()?;
+            from.expect(part.along <= whole, "come from beyond a bone")?;
+        }
+        Ok(shares)
+    }
+}

@@ -1,0 +1,64 @@
+/** The attributes of `<c2-warp-player>` as properties. */
+import type { Size } from './screen';
+
+/** Servers have no elements. */
+const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+
+export class PlayerAttributes extends Base {
+  get src(): string {
+    return this.getAttribute('src') ?? '';
+  }
+
+  set src(src: string) {
+    this.setAttribute('src', src);
+  }
+
+  /** The address of an image that is shown until the rig is there, and if it fails. */
+  get poster(): string {
+    return this.getAttribute('poster') ?? '';
+  }
+
+  set poster(poster: string) {
+    this.setAttribute('poster', poster);
+  }
+
+  /** What the picture shows, for screen readers. */
+  get alt(): string {
+    return this.getAttribute('alt') ?? '';
+  }
+
+  set alt(alt: string) {
+    this.setAttribute('alt', alt);
+  }
+
+  /** Readers may pose the handles, by pointer and by keyboard. */
+  get posable(): boolean {
+    return this.hasAttribute('posable');
+  }
+
+  set posable(posable: boolean) {
+    this.toggleAttribute('posable', posable);
+  }
+
+  get autoplay(): boolean {
+    return this.hasAttribute('autoplay');
+  }
+
+  set autoplay(autoplay: boolean) {
+    this.toggleAttribute('autoplay', autoplay);
+  }
+
+  get loop(): boolean {
+    return this.hasAttribute('loop');
+  }
+
+  set loop(loop: boolean) {
+    this.toggleAttribute('loop', loop);
+  }
+
+  /** The size that the page says, or null. */
+  protected get givenSize(): Size | null {
+    const [width, height] = ['width', 'height'].map((name) => Number(this.getAttribute(name)));
+    return width && height && width > 0 && height > 0 ? { width, height } : null;
+  }
+}

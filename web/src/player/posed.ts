@@ -1,0 +1,68 @@
+/** Poses that pages give, in the words of project files, and the motions that they make: a clip of one frame. */
+import type { RigClip } from './clip';
+import { depthOrder } from './depth_order';
+import { posedSites } from './posing';
+import type { Rig } from './rig';
+import type { Handle, Place } from './shares';
+
+/** Corners as in project files: one place for a point, a list for a bar or polygon. */
+export type Corners = Place | readonly Place[];
+
+/** A handle with its pose, as in project files. */
+export interface PosedHandle extends Omit<Handle, 'rest' | 'posed'> {
+  readonly rest: Corners;
+  readonly posed: Corners;
+}
+
+/** A handle with changes of its pose. The kind and the rest place of a project's handle are not looked at. */
+export type HandlePose = Pick<PosedHandle, 'id'> & Partial<PosedHandle>;
+
+/** A copy of a handle in the form of project files. */
+export function fileHandle({ rest, posed, ...handle }: Handle): PosedHandle {
+  const corners = (places: readonly Place[]) =>
+    handle.kind === 'point' ? ([...(places[0] as Place)] as Place) : places.map(([x, y]): Place => [x, y]);
+  return { ...handle, rest: corners(rest), posed: corners(posed) };
+}
+
+/** @throws RangeError that names the handle; TypeError without a list. */
+export function posedHandles(handles: readonly Handle[], poses: readonly HandlePose[]): readonly Handle[] {
+  if (!Array.isArray(poses)) throw new TypeError('pose: expected a list of handles');
+  const changes = new Map<string, HandlePose>(poses.map((pose) => [pose.id, pose]));
+  for (const id of changes.keys())
+    if (!handles.some((handle) => handle.id === id)) throw new RangeError(`there is no handle "${id}"`);
+  return handles.map((handle) => changed(handle, changes.get(handle.id) ?? handle));
+}
+
+function changed(handle: Handle, pose: HandlePose | Handle): Handle {
+  const { id } = handle;
+  const check = (isRight: boolean, key: string, wanted: string) => {
+    if (!isRight) throw new RangeError(`${id}: ${key}: expected ${wanted}`);
+  };
+  const {
+    posed = handle.posed,
+    rotation = handle.rotation,
+    scale = handle.scale,
+    depth = handle.depth,
+  } = pose;
+  const places = (Array.isArray(posed) && !Array.isArray(posed[0]) ? [posed] : posed) as readonly Place[];
+  const isPlace = (place: Place) => place.length === 2 && place.every(Number.isFinite);
+  const count = handle.rest.length;
+  check(
+    Array.isArray(places) && places.length === count && places.every(isPlace),
+    'posed',
+    count === 1 ? 'two numbers' : `${count} places of two numbers`,
+  );
+  check(Number.isFinite(rotation), 'rotation', 'degrees, since turning by itself needs the solver');
+  check(Number.isFinite(scale) && scale > 0, 'scale', 'a number above 0');
+  check(Number.isFinite(depth), 'depth', 'a number');
+  return { ...handle, posed: places.map(([x, y]): Place => [x, y]), rotation, scale, depth };
+}
+
+/** The rig with handles posed, as a clip of one frame. The rig must have shares. */
+export function posedClip(rig: Rig, handles: readonly Handle[]): RigClip {
+  if (!rig.shares) throw new TypeError('the rig has no shares');
+  const { motions, depths } = posedSites(rig.shares, handles, rig.rest);
+  // Parts may cross anywhere.
+  const orders = [{ frame: 0, crosses: true, triangles: depthOrder(rig, depths) }];
+  return { name: '', duration: 0, end: 0, lastFrame: 0, keys: Uint32Array.of(0), motions, orders };
+}

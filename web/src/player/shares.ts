@@ -1,0 +1,137 @@
+/** The handles of a rig, and their shares in the motions of its sites: see web/docs/rig-format.md. */
+import type { Bytes } from './bytes';
+
+export type Place = readonly [number, number];
+
+/** A handle as in project files, with a list of corners: a point has one. */
+export interface Handle {
+  readonly id: string;
+  readonly kind: 'point' | 'bar' | 'polygon';
+  readonly rest: readonly Place[];
+  readonly posed: readonly Place[];
+  /** Degrees. */
+  readonly rotation: number;
+  readonly scale: number;
+  readonly depth: number;
+}
+
+export interface Anchor {
+  readonly handle: number;
+  readonly segment: number;
+  readonly fraction: number;
+}
+
+/** A straight part of a bar or polygon. */
+export interface Bone {
+  readonly handle: number;
+  readonly segment: number;
+  readonly rest: readonly [Place, Place];
+  readonly joints: readonly [number, number];
+  readonly beyond: readonly [number, number];
+  readonly beside: readonly [number, number];
+}
+
+export interface Share {
+  /** A handle, or after these a bone. */
+  readonly source: number;
+  share: number;
+  /** How far along the bone the share comes from, from 0 to 1. */
+  along: number;
+}
+
+export interface Shares {
+  readonly handles: readonly Handle[];
+  readonly joints: readonly (readonly Anchor[])[];
+  readonly bones: readonly Bone[];
+  /** For each site 0: virtual. 1: it stays. 2 + k: it is one of source k. */
+  readonly driven: Uint32Array;
+  /** One for each virtual site. */
+  readonly rows: readonly (readonly Share[])[];
+}
+
+const KINDS = ['point', 'bar', 'polygon'] as const;
+
+export function readShares(from: Bytes, names: readonly string[], sites: number): Shares {
+  const list = <Item>(length: number, item: () => Item) => Array.from({ length }, item);
+  const float = () => {
+    const number = from.float();
+    from.check(Number.isFinite(number), 'have a number that is none');
+    return number;
+  };
+  const pair = (): Place => [float(), float()];
+  const handles = names.map((id, at): Handle => {
+    const kind = from.byte();
+    from.check(kind < 3 && id !== '' && names.indexOf(id) === at, 'have a handle that no project has');
+    const corners = kind === 0 ? 1 : from.count(32);
+    from.check(corners > kind, 'have a handle that no project has');
+    const [rest, posed] = [list(corners, pair), list(corners, pair)];
+    const [rotation, scale, depth] = [float(), float(), float()];
+    from.check(scale > 0, 'have a handle that no project has');
+    return { id, kind: KINDS[kind] ?? 'point', rest, posed, rotation, scale, depth };
+  });
+  const place = () => {
+    const [handle, segment] = [from.varint(), from.varint()];
+    const { kind, rest } = handles[handle] ?? {};
+    from.check(rest !== undefined && kind !== 'point' && segment < rest.length, 'have bones that do not fit');
+    return { handle, segment };
+  };
+  const joints = list(from.count(), () => {
+    const anchors = list(from.count(10), () => ({ ...place(), fraction: float() }));
+    from.check(anchors.length > 0, 'have bones that do not fit');
+    return anchors;
+  });
+  const joint = () => {
+    const index = from.varint();
+    from.check(index < joints.length, 'have bones that do not fit');
+    return index;
+  };
+  const bones = list(from.count(68), (): Bone => {
+    const [at, a, b] = [place(), pair(), pair()];
+    from.check(a[0] !== b[0] || a[1] !== b[1], 'have a bone without a length');
+    return { ...at, rest: [a, b], joints: [joint(), joint()], beyond: pair(), beside: pair() };
+  });
+  const check = (source: number) => {
+    const isThere =
+      source < handles.length ? handles[source]?.kind === 'point' : source < handles.length + bones.length;
+    from.check(isThere, 'name a handle or bone that there is not');
+    return source;
+  };
+  from.check(from.has(sites), 'end too early');
+  const driven = Uint32Array.from({ length: sites }, () => {
+    const kind = from.varint();
+    return kind < 2 ? kind : check(kind - 2) + 2;
+  });
+  const bits = from.byte();
+  from.check(bits <= 24, 'are too fine');
+  const whole = 2 ** bits;
+  let entries = 0;
+  const counts = [...driven.filter((kind) => kind === 0)].map(() => {
+    const count = from.varint();
+    entries += count;
+    from.check(from.has(entries), 'end too early');
+    return count;
+  });
+  const rows = counts.map((count) => {
+    let next = 0;
+    return list(count, (): Share => {
+      const source = check(next + from.varint());
+      next = source + 1;
+      return { source, share: 0, along: 0 };
+    });
+  });
+  for (const row of rows) {
+    let left = whole;
+    for (const part of row) {
+      const share = from.varint();
+      left -= share;
+      from.check(share > 0 && left >= 0, 'sum to more than 1');
+      part.share = share / whole;
+    }
+  }
+  for (const part of rows.flat()) {
+    if (part.source < handles.length) continue;
+    part.along = from.varint() / whole;
+    from.check(part.along <= 1, 'come from beyond a bone');
+  }
+  return { handles, joints, bones, driven, rows };
+}
