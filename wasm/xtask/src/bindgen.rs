@@ -1,6 +1,6 @@
-//! `xtask bindgen`: the solver, or its benchmark, as a WebAssembly module with its TypeScript glue.
+//! `xtask bindgen`: the editor's WebAssembly modules with their TypeScript glue, or one of another crate.
 //!
-//! Builds the crate for `wasm32-unknown-unknown` and passes the result to `wasm-bindgen`. That is a library here, in
+//! Builds a crate for `wasm32-unknown-unknown` and passes the result to `wasm-bindgen`. That is a library here, in
 //! the version that the crate is compiled with. So nothing must be installed, and versions always match. Takes half a
 //! second if nothing has changed.
 
@@ -11,10 +11,23 @@ use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The crate that the editor loads.
-pub(crate) const PACKAGE: &str = "c2warp-bind";
-/// Where the editor looks for it.
-pub(crate) const OUTPUT: &str = "web/src/compute/generated";
+/// A module: its crate, the folder to write it into, from the root of the repository, and the name of its files.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Module<'a> {
+    pub(crate) package: &'a str,
+    pub(crate) output: &'a Path,
+    pub(crate) name: &'a str,
+}
+
+/// The name of a solver's files, also of its benchmark's.
+pub(crate) const SOLVER: &str = "c2warp";
+
+/// The modules that the editor loads: the solver, and the film encoders when they are needed.
+pub(crate) fn editor_modules() -> [Module<'static>; 2] {
+    let solver = Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER };
+    let film = Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film" };
+    [solver, film]
+}
 
 /// The profile of cargo for the module.
 #[derive(Clone, Copy, Debug)]
@@ -36,11 +49,10 @@ pub(crate) enum BindgenError {
     Glue { path: PathBuf, reason: String },
 }
 
-/// Builds a crate's module and writes `c2warp.js`, `c2warp.d.ts` and `c2warp_bg.wasm` into the folder `output`
-/// below `root`.
-pub(crate) fn run(root: &Path, package: &str, output: &Path, profile: Profile) -> Result<(), BindgenError> {
-    let module = compiled_module(root, package, profile)?;
-    generate(&module, &root.join(output), profile)
+/// Builds a module and writes `NAME.js`, `NAME.d.ts` and `NAME_bg.wasm` into its folder.
+pub(crate) fn run(root: &Path, module: Module<'_>, profile: Profile) -> Result<(), BindgenError> {
+    let compiled = compiled_module(root, module.package, profile)?;
+    generate(&compiled, &root.join(module.output), module.name, profile)
 }
 
 fn compiled_module(root: &Path, package: &str, profile: Profile) -> Result<PathBuf, BindgenError> {
@@ -65,11 +77,11 @@ fn compiled_module(root: &Path, package: &str, profile: Profile) -> Result<PathB
     Ok(target_dir.join(TARGET).join(directory).join(package.replace('-', "_")).with_extension("wasm"))
 }
 
-fn generate(module: &Path, output: &Path, profile: Profile) -> Result<(), BindgenError> {
+fn generate(module: &Path, output: &Path, name: &str, profile: Profile) -> Result<(), BindgenError> {
     let mut bindgen = Bindgen::new();
     bindgen
         .input_path(module)
-        .out_name("c2warp")
+        .out_name(name)
         .typescript(true)
         .ts_typed_array_buffers(true)
         // The page compiles the module itself, so that the bundler need not follow an import to it.

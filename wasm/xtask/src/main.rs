@@ -18,17 +18,17 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Builds a WebAssembly module and its glue: without options, the editor's
+    /// Builds WebAssembly modules and their glue: without options, the editor's
     Bindgen {
         /// Builds quickly, and keeps the names of functions
         #[arg(long)]
         dev: bool,
-        /// The crate to build
-        #[arg(long, default_value = bindgen::PACKAGE)]
-        package: String,
-        /// The folder to write into, from the root of the repository
-        #[arg(long, default_value = bindgen::OUTPUT)]
-        out: PathBuf,
+        /// Another crate to build in their place
+        #[arg(long, requires = "out")]
+        package: Option<String>,
+        /// The folder to write it into, from the root of the repository
+        #[arg(long, requires = "package")]
+        out: Option<PathBuf>,
     },
     /// Writes the types and constants that the page shares with the solver into web/src/*/generated
     Schema {
@@ -43,7 +43,13 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Bindgen { dev, package, out } => {
             let profile = if dev { bindgen::Profile::Dev } else { bindgen::Profile::Release };
-            bindgen::run(&root, &package, &out, profile).map_err(|error| error.to_string())
+            let built = match (&package, &out) {
+                (Some(package), Some(output)) => {
+                    bindgen::run(&root, bindgen::Module { package, output, name: bindgen::SOLVER }, profile)
+                }
+                _ => bindgen::editor_modules().into_iter().try_for_each(|module| bindgen::run(&root, module, profile)),
+            };
+            built.map_err(|error| error.to_string())
         }
         Command::Schema { check } => schema::write(&root, check).map_err(|error| error.to_string()),
     };
