@@ -3,7 +3,7 @@
 use c2warp::{
     Error,
     clip::FrameTimes,
-    project::{clip_from_json, handles_from_json},
+    project::{Clip, clip_from_json, handles_from_json},
 };
 use wasm_bindgen::prelude::*;
 
@@ -23,10 +23,16 @@ pub fn frame_times(
     from: Option<f64>,
     to: Option<f64>,
 ) -> Result<Vec<f64>, JsValue> {
-    let times = || {
+    let seconds = || {
         let clip = clip_from_json(clip_json, &handles_from_json(handles_json)?)?;
-        let range = (from.is_some() || to.is_some()).then(|| from.unwrap_or(0.0)..to.unwrap_or(clip.duration));
-        Ok::<_, Error>(FrameTimes::new(&clip, rate, range)?.seconds().to_vec())
+        Ok::<_, Error>(times(&clip, rate, from, to)?.seconds().to_vec())
     };
-    times().map_err(|error| to_js(&error))
+    seconds().map_err(|error| to_js(&error))
+}
+
+/// The times of a clip's frames. Without `from` and `to`, of all of it.
+pub(crate) fn times(clip: &Clip, rate: f64, from: Option<f64>, to: Option<f64>) -> Result<FrameTimes, Error> {
+    let is_part = from.is_some() || to.is_some();
+    let range = is_part.then(|| from.unwrap_or(0.0)..to.unwrap_or(clip.duration));
+    FrameTimes::new(clip, rate, range)
 }

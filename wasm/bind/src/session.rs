@@ -1,7 +1,9 @@
 //! Solves in a worker: one picture, and one project after another.
 
 use c2warp::{
-    Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes, project::Project, raster,
+    Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes,
+    project::{Project, clip_from_json},
+    raster,
 };
 use glam::DVec2;
 use serde::Serialize;
@@ -11,6 +13,7 @@ use crate::{
     cell_borders::CellBorders,
     drawing::{Canvas, Drawing},
     error::{to_js, with_code},
+    filming::{FilmOptions, Filming, Moment},
     solution::Solution,
 };
 
@@ -88,7 +91,8 @@ impl Session {
 
     /// Prepares to draw the warped picture at full quality. Solves first if necessary.
     ///
-    /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art.
+    /// Its size is that of the picture times `scale`, unless the canvas differs. `pixelated` is for pixel art. With a
+    /// clip as JSON and a time in seconds, the handles are posed as there, along the way from the clip's beginning.
     ///
     /// # Errors
     /// As [`Session::begin`] and [`Session::advance`], and for a result that is empty or too large.
@@ -98,11 +102,47 @@ impl Session {
         scale: f64,
         canvas: Canvas,
         pixelated: bool,
+        clip_json: Option<String>,
+        time: Option<f64>,
     ) -> Result<Drawing, JsValue> {
-        let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
-        let options = ResampleOptions { scale, canvas: canvas.into(), filter, ..ResampleOptions::default() };
-        let drawing = self.try_draw(project_json, options);
+        let moment = clip_json.zip(time).map(|(clip, time)| Moment { clip, time });
+        let drawing = self.try_draw(project_json, options(scale, canvas, pixelated), moment.as_ref());
         drawing.map(Drawing::from).map_err(|error| to_js(&error))
+    }
+
+    /// Prepares to draw the frames of a film of a clip, given as JSON. `rate` is in frames a second. Without `from` and
+    /// `to`, in seconds, the film shows all of the clip. Solves first if necessary.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw). With the code `film` for a rate, a part or a length that no film has.
+    #[allow(clippy::too_many_arguments, reason = "wasm-bindgen has no structs of plain values")]
+    pub fn film(
+        &mut self,
+        project_json: &str,
+        clip_json: &str,
+        rate: f64,
+        from: Option<f64>,
+        to: Option<f64>,
+        scale: f64,
+        canvas: Canvas,
+        pixelated: bool,
+    ) -> Result<Filming, JsValue> {
+        let film = FilmOptions { rate, from, to, resample: options(scale, canvas, pixelated) };
+        self.try_film(project_json, clip_json, film).map_err(|error| to_js(&error))
+    }
+
+    /// Prepares to draw a frame of a film, counted from 0.
+    ///
+    /// # Errors
+    /// If there is no such frame, or its handles have no pose.
+    pub fn frame(&self, filming: &mut Filming, frame: u32) -> Result<Drawing, JsValue> {
+        let picture = Picture::new(self.width, self.height, &self.rgba);
+        let drawing = picture.and_then(|picture| filming.drawing(&picture, frame).transpose());
+        match drawing {
+            Ok(Some(drawing)) => Ok(drawing.into()),
+            Ok(None) => Err(with_code("there is no such frame", "engine")),
+            Err(error) => Err(to_js(&error)),
+        }
     }
 
     /// Draws rows of a drawing of the present picture: straight RGBA.
@@ -112,6 +152,16 @@ impl Session {
     pub fn rows(&self, drawing: &Drawing, from: u32, to: u32) -> Result<Vec<u8>, JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba).map_err(|error| to_js(&error))?;
         drawing.rows(&picture, from..to).ok_or_else(|| with_code("there are no such rows", "engine"))
+    }
+
+    /// Prepares to draw all of the picture at the scale of a film, which has the colours of all its frames.
+    ///
+    /// # Errors
+    /// Without a picture.
+    pub fn picture_at_rest(&self, filming: &Filming) -> Result<Drawing, JsValue> {
+        let picture = Picture::new(self.width, self.height, &self.rgba);
+        let drawing = picture.and_then(|picture| filming.picture_at_rest(&picture));
+        drawing.map(Drawing::from).map_err(|error| to_js(&error))
     }
 
     /// The borders between the cells of a project's solution. Solves first if necessary.
@@ -168,7 +218,12 @@ impl Session {
         Ok(Some(stage.name()))
     }
 
-    fn try_draw(&mut self, project_json: &str, options: ResampleOptions) -> Result<c2warp::Drawing, Error> {
+    fn try_draw(
+        &mut self,
+        project_json: &str,
+        options: ResampleOptions,
+        moment: Option<&Moment>,
+    ) -> Result<c2warp::Drawing, Error> {
         let project = Project::from_json(project_json)?;
         let (width, height) = (self.width, self.height);
         let options = ResampleOptions { edges: project.edges, ..options };
@@ -176,8 +231,23 @@ impl Session {
         raster::warped_size(width, height, options.scale)?;
         self.try_solve(&project)?;
         let solution = self.solver.solution().expect("it has just been solved");
-        let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
+        let pose = match moment {
+            Some(moment) => moment.pose(solution, &project)?,
+            None => solution.poser().pose(&project.handles, project.pose.blend)?,
+        };
         solution.drawing(&Picture::new(width, height, &self.rgba)?, &pose, options)
+    }
+
+    fn try_film(&mut self, project_json: &str, clip_json: &str, film: FilmOptions) -> Result<Filming, Error> {
+        let project = Project::from_json(project_json)?;
+        let clip = clip_from_json(clip_json, &project.handles)?;
+        // Invalid options are rejected before the solve, because it takes time.
+        let times = film.times(&clip)?;
+        let (width, height) = raster::warped_size(self.width, self.height, film.resample.scale)?;
+        self.try_solve(&project)?;
+        let solution = self.solver.shared_solution().expect("it has just been solved");
+        let options = ResampleOptions { edges: project.edges, ..film.resample };
+        Ok(Filming::new(solution, &project, clip, times, options, [width, height]))
     }
 
     /// The solution of a project. The last one is used again if it fits.
@@ -188,6 +258,11 @@ impl Session {
         }
         Ok(self.solver.solution().expect("every stage has run"))
     }
+}
+
+fn options(scale: f64, canvas: Canvas, pixelated: bool) -> ResampleOptions {
+    let filter = if pixelated { Filter::Nearest } else { Filter::Cubic };
+    ResampleOptions { scale, canvas: canvas.into(), filter, ..ResampleOptions::default() }
 }
 
 fn json(value: &impl Serialize) -> String {

@@ -87,7 +87,7 @@ enum Progress {
 struct FinishedSolve {
     key: DomainKey,
     input: SolveInput,
-    solution: Solution,
+    solution: Arc<Solution>,
 }
 
 impl Solver {
@@ -147,7 +147,7 @@ impl Solver {
             Progress::Partitioned { located, samples, partition } => {
                 let prepared = Arc::clone(prepared);
                 let solution = pipeline::compute_weights(propagation, prepared, &input, located, samples, partition);
-                *finished = Some(FinishedSolve { key: key.clone(), input, solution });
+                *finished = Some(FinishedSolve { key: key.clone(), input, solution: Arc::new(solution) });
                 return Ok(Some(Stage::Weights));
             }
         };
@@ -158,7 +158,13 @@ impl Solver {
     /// The last solution; `None` before the first solve has finished.
     #[must_use]
     pub fn solution(&self) -> Option<&Solution> {
-        self.finished.as_ref().map(|finished| &finished.solution)
+        self.finished.as_ref().map(|finished| &*finished.solution)
+    }
+
+    /// The last solution, to be kept while other solves go on.
+    #[must_use]
+    pub fn shared_solution(&self) -> Option<Arc<Solution>> {
+        self.finished.as_ref().map(|finished| Arc::clone(&finished.solution))
     }
 
     /// Whether the last solution is that of a project, apart from its pose and `image.src`.
@@ -173,6 +179,6 @@ impl Solver {
     /// The last solution, by value.
     #[must_use]
     pub fn into_solution(self) -> Option<Solution> {
-        self.finished.map(|finished| finished.solution)
+        self.finished.map(|finished| Arc::unwrap_or_clone(finished.solution))
     }
 }

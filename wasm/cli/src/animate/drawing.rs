@@ -9,9 +9,8 @@ use std::thread;
 
 use c2warp::clip::Playback;
 use c2warp::deform::Pose;
-use c2warp::glam::DVec2;
 use c2warp::project::Clip;
-use c2warp::{Picture, ResampleOptions, Solution, Warped, raster};
+use c2warp::{Picture, ResampleOptions, Solution, Warped};
 
 use crate::error::CliError;
 use crate::project::LoadedProject;
@@ -32,11 +31,8 @@ pub(super) struct Drawing<'a> {
 impl Drawing<'_> {
     /// All of the picture at the scale of the film. It has the colours of all frames.
     pub(super) fn picture_at_rest(&self) -> Result<Vec<u8>, CliError> {
-        let Self { picture, options, .. } = self;
-        let size = DVec2::new(picture.width().into(), picture.height().into());
-        let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|corner| corner * size);
-        let warped = raster::warp(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], *options);
-        warped.map(|warped| warped.rgba).map_err(|reason| self.loaded.refused(reason))
+        let drawing = c2warp::Drawing::at_rest(&self.picture, self.options);
+        drawing.map(|drawing| drawing.warped(&self.picture).rgba).map_err(|reason| self.loaded.refused(reason))
     }
 
     /// Draws all frames. `prepare` runs on all cores; `take` gets the results in order, with the number of the frame.

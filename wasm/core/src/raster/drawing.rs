@@ -88,6 +88,17 @@ impl Drawing {
         Ok(Self { frame, filter, facets, bins, mip_levels, edges: None })
     }
 
+    /// Prepares to draw all of a picture as it is, at a scale. The canvas is that of the picture.
+    ///
+    /// # Errors
+    /// [`Error::Scale`] as for [`warped_size`].
+    pub fn at_rest(picture: &Picture<'_>, options: ResampleOptions) -> Result<Self, Error> {
+        let size = DVec2::new(picture.width().into(), picture.height().into());
+        let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|corner| corner * size);
+        let options = ResampleOptions { canvas: Canvas::Picture, ..options };
+        Self::new(picture, &corners, &corners, &[[0, 1, 2], [0, 2, 3]], options)
+    }
+
     /// The same drawing with edges where parts cross. `around` bounds all crossings, in pixels of the picture, and
     /// `scale` is that of [`new`](Self::new).
     pub(crate) fn with_edges(self, picture: &Picture<'_>, scale: f64, around: Bounds) -> Self {

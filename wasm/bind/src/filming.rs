@@ -1,0 +1,117 @@
+//! The frames of a film, drawn one after another.
+
+use std::sync::Arc;
+
+use c2warp::{
+    Drawing, Error, Picture, ResampleOptions, Solution,
+    clip::{FrameTimes, Playback},
+    deform::Pose,
+    project::{Blend, Clip, Project, clip_from_json},
+};
+use wasm_bindgen::prelude::*;
+
+use crate::frame_times::times;
+
+/// A time of a clip.
+#[derive(Debug)]
+pub(crate) struct Moment {
+    /// As JSON.
+    pub(crate) clip: String,
+    /// In seconds.
+    pub(crate) time: f64,
+}
+
+impl Moment {
+    /// The pose of a solution's handles at this time, along the way from the clip's beginning.
+    pub(crate) fn pose(&self, solution: &Solution, project: &Project) -> Result<Pose, Error> {
+        let clip = clip_from_json(&self.clip, &project.handles)?;
+        let mut playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
+        playback.pose(self.time, project.pose.blend)
+    }
+}
+
+/// How a clip becomes frames.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FilmOptions {
+    /// Frames a second.
+    pub(crate) rate: f64,
+    /// The part of the clip, in seconds. Without both, all of it.
+    pub(crate) from: Option<f64>,
+    pub(crate) to: Option<f64>,
+    pub(crate) resample: ResampleOptions,
+}
+
+impl FilmOptions {
+    pub(crate) fn times(&self, clip: &Clip) -> Result<FrameTimes, Error> {
+        times(clip, self.rate, self.from, self.to)
+    }
+}
+
+/// A solution along a clip, and the times to draw. It keeps its solution while other projects are solved.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Filming {
+    solution: Arc<Solution>,
+    playback: Playback,
+    blend: Blend,
+    times: FrameTimes,
+    options: ResampleOptions,
+    size: [u32; 2],
+}
+
+#[wasm_bindgen]
+impl Filming {
+    /// Width of all frames in pixels.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.size[0]
+    }
+
+    /// Height of all frames in pixels.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.size[1]
+    }
+
+    /// Number of frames.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn frames(&self) -> u32 {
+        self.times.count()
+    }
+
+    /// Whether the film begins again after its last frame.
+    #[must_use]
+    #[wasm_bindgen(getter)]
+    pub fn endlessly(&self) -> bool {
+        self.times.repeats()
+    }
+}
+
+impl Filming {
+    pub(crate) fn new(
+        solution: Arc<Solution>,
+        project: &Project,
+        clip: Clip,
+        times: FrameTimes,
+        options: ResampleOptions,
+        size: [u32; 2],
+    ) -> Self {
+        let playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
+        Self { solution, playback, blend: project.pose.blend, times, options, size }
+    }
+
+    /// All of the picture at the scale of the film. It has the colours of all frames.
+    pub(crate) fn picture_at_rest(&self, picture: &Picture<'_>) -> Result<Drawing, Error> {
+        Drawing::at_rest(picture, self.options)
+    }
+
+    /// A frame, ready to be drawn; `None` if there is no such frame.
+    pub(crate) fn drawing(&mut self, picture: &Picture<'_>, frame: u32) -> Option<Result<Drawing, Error>> {
+        let &time = self.times.seconds().get(frame as usize)?;
+        let pose = self.playback.pose(time, self.blend);
+        Some(pose.and_then(|pose| self.solution.drawing(picture, &pose, self.options)))
+    }
+}
