@@ -51,6 +51,20 @@ test('under the strictest policy it opens, poses and exports', async ({ page }) 
   const download = page.waitForEvent('download');
   await editor.pressExport();
   expect((await download).suggestedFilename()).toBe('gingerbread-warped.png');
+  // The encoders of films: a module of their own, and the browser's.
+  const panel = page.getByRole('dialog', { name: 'Export' });
+  await editor.button('Export as …').click();
+  await panel.getByRole('button', { name: 'Film', exact: true }).click();
+  const size = panel.getByRole('spinbutton', { name: 'Size (%)' });
+  await size.fill('5');
+  await size.press('Enter');
+  for (const format of ['GIF', 'WebM']) {
+    if (!(await panel.isVisible())) await editor.button('Export as …').click();
+    await panel.getByRole('button', { name: format, exact: true }).click();
+    const film = page.waitForEvent('download');
+    await panel.getByRole('button', { name: `Export ${format}` }).click();
+    expect((await film).suggestedFilename()).toMatch(/^gingerbread-wave\.(gif|webm)$/);
+  }
   expect(await page.evaluate(() => Reflect.get(globalThis, 'violations'))).toEqual([]);
 });
 
@@ -102,13 +116,18 @@ test('the download of a page stays small', async ({ request }) => {
   const kilobytes = async (name: string) =>
     gzipSync(await (await request.get(`/element/${name}`)).body(), { level: 9 }).length / 1000;
   const [script, solver] = await Promise.all([kilobytes('c2warp.js'), kilobytes('c2warp_bg.wasm')]);
-  // Compressed, measured in November 2026: 136 and 494. The sum is what a page waits for.
-  expect(script).toBeLessThan(138);
-  expect(script + solver).toBeLessThan(634);
+  // Compressed, measured in November 2026: 138 and 495. The sum is what a page waits for.
+  expect(script).toBeLessThan(140);
+  expect(script + solver).toBeLessThan(636);
   // Loaded only when they are first shown: 11.9, 6.4 and 1.2.
   expect(await kilobytes('study.js')).toBeLessThan(13);
   expect(await kilobytes('timeline.js')).toBeLessThan(8);
   expect(await kilobytes('compare.js')).toBeLessThan(2);
+  // With the film page of the export panel, and the first film: 3.9. The encoders follow by format: 105, 40 and 7.
+  expect((await kilobytes('pages.js')) + (await kilobytes('filming.js'))).toBeLessThan(5);
+  expect(await kilobytes('film_bg.wasm')).toBeLessThan(110);
+  expect(await kilobytes('video_film.js')).toBeLessThan(42);
+  expect(await kilobytes('zipped_film.js')).toBeLessThan(8);
 });
 
 test('the package’s entries exist, and servers of all kinds can import one', async ({ request }) => {

@@ -1,6 +1,6 @@
 /**
  * The licences of a build's parts: the npm packages bundled in the page and in its workers, and the crates linked into
- * the solver. They require that their text accompanies every copy.
+ * the WebAssembly modules. They require that their text accompanies every copy.
  */
 import { execFile } from 'node:child_process';
 import { readdir, readFile } from 'node:fs/promises';
@@ -8,11 +8,11 @@ import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';
 import { ROOT } from './steps.mjs';
 
-/** @typedef {{ name: string, version: string, license: string, folder: string }} Package */
+/** @typedef {{ name: string, version: string, license: string, folder: string, source?: string }} Package */
 /** @typedef {import('vite').Plugin} Plugin */
 
 const FILE = 'LICENSES.md';
-const SOLVER = 'c2warp-bind';
+const MODULES = ['c2warp-bind', 'c2warp-film-bind'];
 const TARGET = 'wasm32-unknown-unknown';
 
 /**
@@ -69,12 +69,14 @@ const folderOf = (/** @type {string} */ module) =>
  * @returns {Promise<Package>}
  */
 async function npmPackage(folder) {
-  const { name, version, license } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8'));
-  return { name, version, license, folder };
+  const { name, version, license, repository } = JSON.parse(
+    await readFile(join(folder, 'package.json'), 'utf8'),
+  );
+  return { name, version, license, folder, source: repository?.url };
 }
 
 /**
- * The crates linked into the solver, without those that only run while it is built.
+ * The crates linked into the modules, without those that only run while it is built.
  * @returns {Promise<Package[]>}
  */
 async function crates() {
@@ -86,7 +88,8 @@ async function crates() {
   const { packages, resolve } = JSON.parse(stdout);
   const byId = new Map(packages.map((/** @type {{ id: string }} */ one) => [one.id, one]));
   const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
-  const reached = new Set([packages.find((/** @type {Package} */ one) => one.name === SOLVER).id]);
+  const modules = packages.filter((/** @type {Package} */ { name }) => MODULES.includes(name));
+  const reached = new Set(modules.map((/** @type {{ id: string }} */ { id }) => id));
   for (const id of reached) {
     for (const { pkg, dep_kinds } of nodes.get(id).deps) {
       const isLinked = dep_kinds.some((/** @type {{ kind: string | null }} */ { kind }) => kind === null);
@@ -108,11 +111,14 @@ async function crates() {
 }
 
 /** @param {Package} one */
-async function chapter({ name, version, license, folder }) {
+async function chapter({ name, version, license, folder, source }) {
   const files = (await readdir(folder)).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
   // One of several alternatives suffices.
   const mit = files.find((file) => /mit/i.test(file));
   const chosen = mit && /\bMIT\b/.test(license) ? [mit] : files;
   const texts = await Promise.all(chosen.map((file) => readFile(join(folder, file), 'utf8')));
-  return [`## ${name} ${version} (${license})\n`, ...texts.map((text) => `${text.trim()}\n`)].join('\n');
+  // This licence asks for the place of the source.
+  const place = license.startsWith('MPL') && source ? [`Its source is at ${source}.\n`] : [];
+  const title = `## ${name} ${version} (${license})\n`;
+  return [title, ...place, ...texts.map((text) => `${text.trim()}\n`)].join('\n');
 }

@@ -445,10 +445,7 @@ export class C2Warp extends TypedElement {
 
   protected override render(): TemplateResult | null {
     const runtime = this.#runtime;
-    return (
-      runtime &&
-      shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas, runtime.study, runtime.timeline)
-    );
+    return runtime && shell(viewModel(runtime.state), runtime.dispatch, runtime.canvas, runtime.laterParts);
   }
 
   /** Asks at once for what the attributes name, so that what a page sets next is for that. */

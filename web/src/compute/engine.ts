@@ -7,19 +7,27 @@
  */
 import type { Lens } from '../document/generated/lens';
 import type { Study } from '../document/generated/study';
-import type { Project } from '../document/project';
+import type { Clip, Project } from '../document/project';
 import { ENGINE, WarpError } from '../error';
 import type { Vec } from '../geometry/vec';
 import { startWorker } from '../start_worker';
 import { Drawing } from './drawing';
 import { superseded } from './errors';
+import { Filming } from './filming';
 import { Link } from './link';
-import type { DrawingOptions, Messages } from './messages';
+import type { DrawingOptions, FilmOptions, Messages } from './messages';
 import { checkedProject, loadModule } from './module';
 import type { PosedPicture } from './posed_picture';
 import type { CellBorders, PixelSource, SolutionData, Stage } from './solution';
 import { createPosedPicture } from './wasm_picture';
 import worker from './worker/worker?worker&url';
+
+/** A time of a clip, whose tracks name the handles as the project does. */
+export interface ClipMoment {
+  readonly clip: Clip;
+  /** Seconds. */
+  readonly time: number;
+}
 
 export class Engine {
   readonly #link: Link;
@@ -63,13 +71,28 @@ export class Engine {
   }
 
   /**
-   * Prepares to draw the warped picture in straight alpha. Solves go on between its bands.
+   * Prepares to draw the warped picture in straight alpha. Solves go on between its bands. With a moment the handles
+   * are posed as there.
    * @throws DOMException `AbortError` when another picture comes before the worker has this one; WarpError otherwise.
    */
-  async draw(project: Project, options: DrawingOptions): Promise<Drawing> {
+  async draw(project: Project, options: DrawingOptions, moment: ClipMoment | null = null): Promise<Drawing> {
     const picture = this.#picture;
-    const size = await this.#ask('draw', { project: problemText(project), ...options });
+    const at = moment && { clip: JSON.stringify(moment.clip), time: moment.time };
+    const size = await this.#ask('draw', { project: problemText(project), moment: at, ...options });
     return new Drawing(this.#link, size, () => picture === this.#picture);
+  }
+
+  /**
+   * Prepares to draw the frames of a clip. Solves go on between their bands.
+   * @param project with the poses of handles without a track.
+   * @param clip names the handles as the project does.
+   * @throws as {@link draw}.
+   */
+  async film(project: Project, clip: Clip, options: FilmOptions): Promise<Filming> {
+    const picture = this.#picture;
+    const asked = { project: problemText(project), clip: JSON.stringify(clip), ...options };
+    const size = await this.#ask('film', asked);
+    return new Filming(this.#link, size, () => picture === this.#picture);
   }
 
   /**
@@ -110,7 +133,7 @@ export class Engine {
   }
 
   /** Asks about the present picture, once the worker has it. */
-  async #ask<N extends 'draw' | 'cells' | 'study' | 'lens'>(
+  async #ask<N extends 'draw' | 'film' | 'cells' | 'study' | 'lens'>(
     name: N,
     body: Messages[N][0],
   ): Promise<Messages[N][1]> {

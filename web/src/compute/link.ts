@@ -40,6 +40,7 @@ const NOT_STARTED =
   'The solver failed: its worker could not be started: is the file there, and does the page allow it?';
 
 const TOO_MUCH_TO_DRAW = 'The picture needs more memory to be drawn than this browser gives.';
+const TOO_MUCH_TO_FILM = 'The film needs more memory to be drawn than this browser gives.';
 
 /** Why a request broke the solver: nearly always for want of memory. */
 const BROKE: Readonly<Record<Name, string>> = {
@@ -48,6 +49,10 @@ const BROKE: Readonly<Record<Name, string>> = {
   draw: TOO_MUCH_TO_DRAW,
   rows: TOO_MUCH_TO_DRAW,
   release: TOO_MUCH_TO_DRAW,
+  film: TOO_MUCH_TO_FILM,
+  frame: TOO_MUCH_TO_FILM,
+  'at-rest': TOO_MUCH_TO_FILM,
+  'release-film': TOO_MUCH_TO_FILM,
   cells: 'The cells are more than the solver can do in this browser.',
   study: 'The figures are more than the solver can do in this browser.',
   lens: 'The lens is more than the solver can do in this browser.',

@@ -12,6 +12,32 @@ export interface DrawingOptions {
   readonly pixelated: boolean;
 }
 
+/** A time of a clip. The handles go along the clip from its beginning. */
+export interface Moment {
+  /** As JSON. Its tracks name the handles as the project does. */
+  readonly clip: string;
+  /** Seconds. */
+  readonly time: number;
+}
+
+export interface FilmOptions extends DrawingOptions {
+  /** Frames a second. */
+  readonly rate: number;
+  /** The beginning and the end of the part to show, in seconds; null for the whole clip. */
+  readonly range: readonly [from: number, to: number] | null;
+}
+
+export interface FilmSize {
+  /** Names the film in later requests. */
+  readonly film: number;
+  /** Of all frames. */
+  readonly width: number;
+  readonly height: number;
+  readonly frames: number;
+  /** The film begins again after its last frame. */
+  readonly endlessly: boolean;
+}
+
 export interface DrawingSize {
   /** Names the drawing in later requests. */
   readonly drawing: number;
@@ -28,13 +54,23 @@ export interface Messages {
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
   /** Prepares the warped picture at full quality. It is drawn by `rows` until `release`. */
-  draw: [request: { readonly project: string } & DrawingOptions, response: DrawingSize];
+  draw: [
+    request: { readonly project: string; readonly moment: Moment | null } & DrawingOptions,
+    response: DrawingSize,
+  ];
   /** Some rows of a drawing. */
   rows: [
     request: { readonly drawing: number; readonly from: number; readonly to: number },
     response: Uint8Array<ArrayBuffer>,
   ];
   release: [request: { readonly drawing: number }, response: null];
+  /** Prepares the frames of a clip, which `frame` draws until `release-film`. The clip is JSON. */
+  film: [request: { readonly project: string; readonly clip: string } & FilmOptions, response: FilmSize];
+  /** Prepares a frame, which is drawn by `rows` as any drawing. */
+  frame: [request: { readonly film: number; readonly frame: number }, response: DrawingSize];
+  /** Prepares all of the picture at the scale of a film: it has the colours of all frames. */
+  'at-rest': [request: { readonly film: number }, response: DrawingSize];
+  'release-film': [request: { readonly film: number }, response: null];
   /** The borders between the cells of the project's solution. */
   cells: [request: { readonly project: string }, response: CellBorders];
   /** The project's solution, explained. */

@@ -3,6 +3,7 @@
 import type { Clip, Handle, Project } from '../document/project';
 import { ENGINE, WarpError } from '../error';
 import init, {
+  frame_times,
   ClipPoses as ModuleClip,
   PosedPicture as ModulePicture,
   ClipPlayback as ModulePlayback,
@@ -44,6 +45,17 @@ export const createModulePlayback = (
   clip: Clip,
   handles: readonly Handle[],
 ): ModulePlayback => new ModulePlayback(picture, JSON.stringify(clip), JSON.stringify(handles));
+
+/**
+ * The times of a film's frames, in seconds. Requires the module to be loaded.
+ * @throws Error with a code and a message about a rate, a part or a length that no film has.
+ */
+export const frameTimes = (
+  clip: Clip,
+  handles: readonly Handle[],
+  rate: number,
+  range: readonly [from: number, to: number] | null,
+): Float64Array => frame_times(JSON.stringify(clip), JSON.stringify(handles), rate, range?.[0], range?.[1]);
 
 /**
  * A project file's project, with every key written out. Requires the module to be loaded.

@@ -7,7 +7,7 @@ import { isSameTime, KEYED_VALUES, type KeyedValue, keyOf, putKeys, trackOf } fr
 import { changeClip, clipNamed } from './clips';
 import { type Document, fileProject, handleById, isSameMoment } from './document';
 import { corners, depthOf, scaleOf } from './handle';
-import { type HandlePose, withPose } from './handle_poses';
+import { type HandlePose, handlePoses, withPose } from './handle_poses';
 import type { Clip, Handle, Project } from './project';
 import { placeKey } from './solved';
 
@@ -40,6 +40,15 @@ export function atMoment(
     project: { ...base, handles: base.handles.map(posed) },
     moment: { clip: name, time, base },
   };
+}
+
+/** Whether the clip of the document's moment poses all handles: none is held, or on its way. */
+export function isAlong(document: Document, posesAt: PosesAt): boolean {
+  const { moment, project } = document;
+  if (!moment) return false;
+  const { handles } = atMoment(document, moment.clip, moment.time, posesAt).project;
+  const [posed, present] = [handlePoses(handles), handlePoses(project.handles)];
+  return posed.length === present.length && posed.every((value, k) => Object.is(value, present[k]));
 }
 
 /** The document without the poses of a clip. */

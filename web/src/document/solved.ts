@@ -6,7 +6,7 @@
  * Changes of the pose, the clips, the blend or the edges need no new solve. Other settings do, and so do handles that
  * are placed or removed. While a newer solve runs, the picture follows the handles of the last solution.
  */
-import type { Handle, Project } from './project';
+import type { Clip, Handle, Project } from './project';
 
 /** Two projects have the same key if and only if they have the same solution. */
 export const solveKey = (project: Project): string =>
@@ -57,6 +57,13 @@ export const withIdsOf = (solved: Project, project: Project): Project => ({
   ...project,
   handles: project.handles.map((handle, k) => ({ ...handle, id: solved.handles[k]?.id ?? handle.id })),
 });
+
+/** A clip of the second project, whose tracks name the handles as the first one does. Both have the same solution. */
+export function clipWithIdsOf(solved: Project, { handles }: Project, clip: Clip): Clip {
+  const names = new Map(handles.map(({ id }, k) => [id, solved.handles[k]?.id ?? id]));
+  const tracks = clip.tracks.map((track) => ({ ...track, handle: names.get(track.handle) ?? track.handle }));
+  return { ...clip, tracks };
+}
 
 /** Whether two handles have the same kind and number of corners. A point's place has the length 2. */
 export const hasSameForm = (a: Handle, b: Handle): boolean =>

@@ -7,7 +7,7 @@
  */
 import type { HiddenCorners, Turns } from '../document/handle';
 import type { PosesAt } from '../document/moment';
-import type { Project } from '../document/project';
+import type { Clip, Project } from '../document/project';
 import type { Box } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, Placement } from '../geometry/place';
@@ -59,9 +59,19 @@ export interface GroupWay {
   readonly end: { readonly turn: number; readonly scale: number };
 }
 
+/** The number of frames of a film, or why there can be no such film. */
+export interface FrameCount {
+  readonly frames: number;
+  readonly refusal: string | null;
+}
+
 export interface Deformation {
   /** The poses of handles at a time of a clip, in seconds. */
   posesAt: PosesAt;
+  /** The frames of a clip, or of a part of it in seconds, at a rate in frames a second. */
+  filmFrames(project: Project, clip: Clip, rate: number, range: readonly [number, number] | null): FrameCount;
+  /** About the bounding box of all frames of a clip, or of a part of it in seconds. */
+  filmBounds(project: Project, clip: Clip, range: readonly [number, number] | null): Box | null;
   /** Where a point handle can be placed: at `posed`, or at most `within` away on the nearest part that bends. */
   placement(project: Project, posed: Vec, within: number): Placement | null;
   /**

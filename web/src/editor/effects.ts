@@ -1,8 +1,9 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
-import type { Project, ProjectFile } from '../document/project';
+import type { Clip, Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
 import type { EditorEvent } from './events';
 import type { ExportChoices } from './export_choices';
+import type { FilmArea, FilmFormat, Range } from './film_choices';
 import type { NamedFile, Picture } from './picture';
 import type { Solution } from './solution';
 import type { Title } from './state';
@@ -39,6 +40,31 @@ export type ProjectSource =
 export interface CarriedProject {
   readonly project: Project;
   readonly picture: NamedFile | null;
+}
+
+/** A time of a clip. */
+export interface ClipMoment {
+  readonly clip: Clip;
+  /** Seconds. */
+  readonly time: number;
+}
+
+/** A film as it was chosen. */
+export interface FilmOrder {
+  readonly format: FilmFormat;
+  /** Bits of a video for each of its pixels. */
+  readonly bits: number;
+  readonly scale: number;
+  readonly area: FilmArea;
+  /** Frames a second. */
+  readonly rate: number;
+  /** Null for the whole clip. */
+  readonly range: Range | null;
+  /** As `#rrggbb`; null for a transparent film. */
+  readonly background: string | null;
+  readonly matte: string;
+  /** Names files in a zip. */
+  readonly name: string;
 }
 
 export type EditorEffect =
@@ -86,9 +112,26 @@ export type EditorEffect =
       readonly type: 'export';
       readonly name: string;
       readonly project: Project;
+      /** The time of a clip that poses the handles. */
+      readonly moment: ClipMoment | null;
       readonly choices: ExportChoices;
       /** The project that a PNG carries. */
       readonly carried: CarriedProject;
+    }
+  /** Answered by `export-ended`. */
+  | {
+      readonly type: 'export-film';
+      readonly name: string;
+      readonly project: Project;
+      readonly clip: Clip;
+      readonly film: FilmOrder;
+    }
+  /** Answered by `codecs-found`. */
+  | {
+      readonly type: 'find-codecs';
+      readonly width: number;
+      readonly height: number;
+      readonly rate: number;
     }
   /** Answered by `export-ended`, unless the export has ended already. */
   | { readonly type: 'cancel-export' }

@@ -19,7 +19,8 @@ import type { ToolName } from '../tools/machine';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
 import type { CellBorders } from './deformation';
-import type { ExportChoices } from './export_choices';
+import type { ExportChoices, ExportKind } from './export_choices';
+import type { FilmChoices, VideoCodecs } from './film_choices';
 import type { MenuState } from './menu_state';
 import type { OpenOutcome, OpenRequest, Restoring } from './opening_state';
 import type { OverlayName } from './overlays';
@@ -241,8 +242,13 @@ type FileEvent =
       readonly saved: string | null;
       readonly error: Error | null;
     }
-  | { readonly type: 'export-progressed'; readonly fraction: number }
-  | { readonly type: 'export-choice-made'; readonly choice: Partial<ExportChoices> };
+  /** `left`: seconds until it ends, if that is known. */
+  | { readonly type: 'export-progressed'; readonly fraction: number; readonly left?: number }
+  | { readonly type: 'export-choice-made'; readonly choice: Partial<ExportChoices> }
+  | { readonly type: 'export-kind-chosen'; readonly kind: ExportKind }
+  | { readonly type: 'film-choice-made'; readonly choice: Partial<FilmChoices> }
+  /** The browser's codecs for films of the last asked size. */
+  | { readonly type: 'codecs-found'; readonly codecs: VideoCodecs };
 
 type StorageEvent =
   | { readonly type: 'autosave-key-set'; readonly key: string | null }

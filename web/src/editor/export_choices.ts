@@ -1,6 +1,8 @@
 /** How a person exports: kept for the next export, and stored with the work. */
 import type { Area } from '../geometry/area';
 
+export type ExportKind = 'picture' | 'film';
+
 export type ExportFormat = 'png' | 'jpeg' | 'webp';
 
 export interface ExportChoices {

@@ -92,6 +92,15 @@ class PlaneDeformation implements Deformation {
     });
   }
 
+  filmFrames(_: Project, { duration }: Clip, rate: number, range: readonly [number, number] | null) {
+    const [from, to] = range ?? [0, duration];
+    return { frames: Math.round((to - from) * rate), refusal: null };
+  }
+
+  filmBounds(project: Project) {
+    return this.bounds(project);
+  }
+
   placement(project: Project, posed: Vec, within: number) {
     const rest = subtract(posed, shift(project));
     const inside = isInside(project, rest, within);

@@ -4,6 +4,7 @@ import { historyOf } from '../document/history';
 import { initialTools } from '../tools/machine';
 import { NO_CROSSING } from './crossing';
 import { DEFAULT_CHOICES } from './export_choices';
+import { DEFAULT_FILM } from './film_choices';
 import type { OpeningState } from './opening_state';
 import { NO_OVERLAYS } from './overlays';
 import type { Media, PageAttributes } from './page';
@@ -70,7 +71,14 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
     focus: { on: 'nothing', handle: null, corner: null },
     menu: null,
     notices: { offer: null, error: null, passing: null, graphics: null, announcement: '', tasks: [] },
-    exporting: { choices: DEFAULT_CHOICES, running: null },
+    exporting: {
+      kind: 'picture',
+      choices: DEFAULT_CHOICES,
+      film: DEFAULT_FILM,
+      codecs: null,
+      awaitsCodecs: false,
+      running: null,
+    },
     autosave: {
       key: null,
       restoring: false,

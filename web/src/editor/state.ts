@@ -19,7 +19,8 @@ import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
 import type { Crossing } from './crossing';
 import type { EditorEvent } from './events';
-import type { ExportChoices } from './export_choices';
+import type { ExportChoices, ExportKind } from './export_choices';
+import type { FilmChoices, VideoCodecs } from './film_choices';
 import type { Focus } from './focus';
 import type { FoldGuard } from './fold_guard';
 import type { MenuState } from './menu_state';
@@ -134,7 +135,13 @@ export interface DisplayState {
 }
 
 export interface ExportState {
+  readonly kind: ExportKind;
   readonly choices: ExportChoices;
+  readonly film: FilmChoices;
+  /** The browser's codecs; null until it has been asked. */
+  readonly codecs: VideoCodecs | null;
+  /** A film begins once they are known. */
+  readonly awaitsCodecs: boolean;
   /** The export under way, and whether it cuts off a part of the posed picture. */
   readonly running: { readonly cut: boolean } | null;
 }

@@ -7,4 +7,6 @@ export interface Task {
   readonly cancellable: boolean;
   /** The part that is done, from 0 to 1, if it is known. */
   readonly fraction?: number;
+  /** How long it will still take. */
+  readonly left?: string;
 }

@@ -17,7 +17,8 @@ import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
-import type { ExportChoices } from './export_choices';
+import type { ExportChoices, ExportKind } from './export_choices';
+import { type FilmModel, filmModel } from './film_model';
 import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
 import type { MenuState } from './menu_state';
 import type { Notice } from './notice';
@@ -157,6 +158,7 @@ export interface EditorModel {
 }
 
 export interface ExportModel {
+  readonly kind: ExportKind;
   readonly choices: ExportChoices;
   readonly running: boolean;
   /**
@@ -164,6 +166,8 @@ export interface ExportModel {
    * panel is closed.
    */
   readonly size: Size | null;
+  /** Null while the panel shows another kind, or is closed. */
+  readonly film: FilmModel | null;
 }
 
 /** The page's hint, and the place of the picture that it points to. */
@@ -268,10 +272,12 @@ export function viewModel(state: EditorState): EditorModel {
     alt: page.alt,
     dark: media.dark,
     get exporting() {
-      const { choices, running } = state.exporting;
+      const { kind, choices, running } = state.exporting;
+      const open = display.popover === 'export';
       // The bounds of the posed picture take a pass over its mesh.
-      const size = display.popover === 'export' ? exportSize(state) : null;
-      return { choices, running: running !== null, size };
+      const size = open && kind === 'picture' ? exportSize(state) : null;
+      const film = open && kind === 'film' ? filmModel(state) : null;
+      return { kind, choices, running: running !== null, size, film };
     },
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),

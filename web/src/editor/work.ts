@@ -3,7 +3,8 @@ import type { Document } from '../document/document';
 import type { HistoryRecord } from '../document/history';
 import type { Project } from '../document/project';
 import type { Drawings } from '../tools/machine';
-import type { ExportChoices } from './export_choices';
+import type { ExportChoices, ExportKind } from './export_choices';
+import type { FilmChoices } from './film_choices';
 import type { SourceFile } from './picture';
 import type { ViewState } from './view_state';
 
@@ -34,6 +35,8 @@ export interface WorkSnapshot extends Work {
   readonly fromOtherTab?: boolean;
   /** The choices for exports. Without them, those of the editor stay. */
   readonly exports?: ExportChoices;
+  readonly films?: FilmChoices;
+  readonly exportKind?: ExportKind;
 }
 
 /** Whether losing the work would lose a step or a drawing. */

@@ -1,5 +1,5 @@
 /** Opens and saves files that the user picks: with the File System Access API, or else by upload and download. */
-import { type FileWithHandle, fileOpen, fileSave } from 'browser-fs-access';
+import { type FileWithHandle, fileOpen, fileSave, supported } from 'browser-fs-access';
 
 const KINDS = {
   project: { description: 'c2warp projects', mimeTypes: ['application/json'], extensions: ['.json'] },
@@ -12,9 +12,14 @@ const KINDS = {
   png: { description: 'PNG pictures', mimeTypes: ['image/png'], extensions: ['.png'] },
   jpeg: { description: 'JPEG pictures', mimeTypes: ['image/jpeg'], extensions: ['.jpg', '.jpeg'] },
   webp: { description: 'WebP pictures', mimeTypes: ['image/webp'], extensions: ['.webp'] },
+  gif: { description: 'GIF pictures', mimeTypes: ['image/gif'], extensions: ['.gif'] },
+  webm: { description: 'WebM films', mimeTypes: ['video/webm'], extensions: ['.webm'] },
+  mp4: { description: 'MP4 films', mimeTypes: ['video/mp4'], extensions: ['.mp4'] },
+  zip: { description: 'Zip archives', mimeTypes: ['application/zip'], extensions: ['.zip'] },
 };
 
 type Kind = keyof typeof KINDS;
+export type FilmKind = Extract<Kind, 'webm' | 'mp4' | 'gif' | 'png' | 'webp' | 'zip'>;
 
 /** Asks for a picture or a project to open. Returns undefined if the user cancels. */
 export function openFile(): Promise<FileWithHandle | undefined> {
@@ -49,8 +54,30 @@ export async function saveFile(
   return null;
 }
 
+/** The part of the File System Access API that TypeScript does not know. */
+interface Asking {
+  showSaveFilePicker(options: {
+    suggestedName: string;
+    id: string;
+    types: { description: string; accept: Record<string, string[]> }[];
+  }): Promise<FileSystemFileHandle>;
+}
+
+/** Asks for a file that is written bit by bit. Returns null if the browser has only downloads. */
+export async function pickTarget(
+  fileName: string,
+  kind: FilmKind,
+): Promise<FileSystemFileHandle | null | 'cancelled'> {
+  if (!supported) return null;
+  const { description, mimeTypes, extensions } = KINDS[kind];
+  const types = [{ description, accept: Object.fromEntries(mimeTypes.map((type) => [type, extensions])) }];
+  const asking = globalThis as unknown as Asking;
+  const picked = asking.showSaveFilePicker({ suggestedName: fileName, id: kind, types });
+  return (await unlessCancelled(picked)) ?? 'cancelled';
+}
+
 /** Removes the empty file that browsers create when the user names a new one, if nothing was written to it. */
-async function removeEmpty(
+export async function removeEmpty(
   handle: (FileSystemFileHandle & { remove?(): Promise<void> }) | null,
 ): Promise<void> {
   try {

@@ -1,25 +1,34 @@
 /** Answers the editor's questions about one solution from the WebAssembly module. */
+import { frameTimes } from '../compute/module';
 import type { Pose, PosedPicture } from '../compute/posed_picture';
 import type { SolutionData } from '../compute/solution';
 import { modeOf } from '../document/bending';
+import { openDocument } from '../document/document';
 import type { HiddenCorners, Turns } from '../document/handle';
-import type { PosesAt } from '../document/moment';
-import type { Project } from '../document/project';
+import { atMoment, type PosesAt } from '../document/moment';
+import type { Clip, Project } from '../document/project';
 import type {
   CellBorders,
   CreasedMesh,
   Deformation,
+  FrameCount,
   GroupWay,
   LimitedPose,
   SiteGraph,
 } from '../editor/deformation';
-import type { Box } from '../geometry/box';
+import { asError } from '../error';
+import { type Box, boxOfBoth } from '../geometry/box';
 import type { Crease } from '../geometry/crease';
 import type { LocatedPoint, MappedPoint, Placement } from '../geometry/place';
 import { MOTION_STRIDE } from '../geometry/skin';
 import { type Symmetry, symmetryOf } from '../geometry/symmetry';
 import type { Vec } from '../geometry/vec';
 import { OpenClip } from './clip_poses';
+
+type FilmRange = readonly [from: number, to: number] | null;
+
+/** Times of a film that are posed to tell its size roughly. */
+const BOUND_TIMES = 24;
 
 const NO_TURNS: Turns = new Map();
 const NOTHING_HIDDEN: HiddenCorners = new Map();
@@ -36,12 +45,41 @@ export class SolutionDeformation implements Deformation {
   /** Found when somebody snaps to it. */
   #symmetry: Symmetry | undefined;
 
+  /** The box of the film that was asked about last. */
+  #filmed: { readonly of: Project; readonly key: string; readonly bounds: Box | null } | null = null;
+
   readonly #clip = new OpenClip();
   readonly posesAt: PosesAt = (clip, handles, time) => this.#clip.at(clip, handles, time);
 
   constructor(picture: PosedPicture, data: SolutionData) {
     this.#picture = picture;
     this.data = data;
+  }
+
+  filmFrames(project: Project, clip: Clip, rate: number, range: FilmRange): FrameCount {
+    try {
+      return { frames: frameTimes(clip, project.handles, rate, range).length, refusal: null };
+    } catch (error) {
+      return { frames: 0, refusal: asError(error).message };
+    }
+  }
+
+  filmBounds(project: Project, clip: Clip, range: FilmRange): Box | null {
+    const key = JSON.stringify([clip, range]);
+    if (this.#filmed?.of !== project || this.#filmed.key !== key)
+      this.#filmed = { of: project, key, bounds: this.#boundsAlong(project, clip, range) };
+    return this.#filmed.bounds;
+  }
+
+  #boundsAlong(project: Project, clip: Clip, range: FilmRange): Box | null {
+    const [from, to] = range ?? [0, clip.duration];
+    let all: Box | null = null;
+    for (let k = 0; k <= BOUND_TIMES; k++) {
+      const time = from + ((to - from) * k) / BOUND_TIMES;
+      const bounds = this.bounds(atMoment(openDocument(project), clip.name, time, this.posesAt).project);
+      all = bounds && all ? boxOfBoth(all, bounds) : (bounds ?? all);
+    }
+    return all;
   }
 
   /** The pose of a project; the last one if this one cannot be computed, such as of a bar without length. */

@@ -15,6 +15,7 @@ import { mayReceive } from '../editor/permissions';
 import { misfit, type NamedFile } from '../editor/picture';
 import { type EditorState, overlaysOf, projectOf } from '../editor/state';
 import { snapshotOf } from '../editor/update/autosave';
+import { drawn } from '../editor/update/exporting';
 import { asError } from '../error';
 import type { Area } from '../geometry/area';
 import { deviceView } from '../geometry/camera';
@@ -22,13 +23,16 @@ import type { HeatMap } from '../geometry/heat';
 import type { MappedPoint } from '../geometry/place';
 import type { Vec } from '../geometry/vec';
 import { type DropReceiver, DropTarget } from '../input/drop';
-import type { StudyView } from '../ui/study_view';
+import { focusExport } from '../ui/export/menu';
+import type { ExportPages } from '../ui/export_pages';
+import type { LaterParts } from '../ui/shell';
 import type { TimelineView } from '../ui/timeline_view';
 import { CanvasView } from './canvas_view';
 import { Clipboard } from './clipboard';
 import { Clock } from './clock';
 import { carryOut, type Resources } from './effects';
 import { Files } from './files';
+import { Films } from './films';
 import { Focus } from './focus';
 import { FocusKeeper } from './focus_keeper';
 import { type Frame, Frames } from './frames';
@@ -65,6 +69,7 @@ export class EditorRuntime {
   readonly #pictures = new Pictures();
   readonly #solver: Solver;
   readonly #files: Files;
+  readonly #films: Films;
   readonly #storage: Storage;
   readonly #timers: Timers;
   readonly #clock: Clock;
@@ -77,6 +82,7 @@ export class EditorRuntime {
   readonly #reach: ReachCache;
   readonly #study: Study;
   readonly #timeline: LazyView<TimelineView>;
+  readonly #exportPages: LazyView<ExportPages>;
   readonly #listening = new AbortController();
   readonly #loads = new Map<number, { resolve(): void; reject(reason: unknown): void }>();
   #lastReply = 0;
@@ -93,6 +99,7 @@ export class EditorRuntime {
     this.dispatch = dispatch;
     this.#solver = new Solver(dispatch);
     this.#files = new Files(dispatch, this.#pictures, this.#solver);
+    this.#films = new Films(dispatch, this.#solver);
     this.#storage = new Storage(dispatch);
     this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
     // Out of sight time stands still.
@@ -124,6 +131,10 @@ export class EditorRuntime {
       element.root,
       async () => (await import('../ui/timeline/timeline')).timelineView,
     );
+    this.#exportPages = new LazyView(
+      element.root,
+      async () => (await import('../ui/export/pages')).exportPages,
+    );
     const resources = this.#resourcesOf(element);
   }
 
@@ -131,14 +142,8 @@ export class EditorRuntime {
     return this.#store.state;
   }
 
-  /** The study card; null until it is loaded. */
-  get study(): StudyView | null {
-    return this.#study.view;
-  }
-
-  /** The timeline; null until it is loaded. */
-  get timeline(): TimelineView | null {
-    return this.#timeline.view;
+  get laterParts(): LaterParts {
+    return { study: this.#study.view, timeline: this.#timeline.view, exportPages: this.#exportPages.view };
   }
 
   /** Whether the stage is on the page. */
@@ -217,7 +222,8 @@ export class EditorRuntime {
   async drawing(scale: number, area: Area, pixelated = this.#isPixelated): Promise<Drawing> {
     if (!this.state.picture) throw new RangeError('There is no picture yet.');
     // The pose of this moment: the page may go on to the next one meanwhile.
-    return this.#solver.draw(projectOf(this.state), { scale, area, pixelated });
+    const { project, moment } = drawn(this.state);
+    return this.#solver.draw(project, { scale, area, pixelated }, moment);
   }
 
   /** What the next runtime of the element continues with. */
@@ -243,6 +249,7 @@ export class EditorRuntime {
     this.#frames?.dispose();
     this.#storage.dispose();
     this.#files.dispose();
+    this.#films.dispose();
     this.#solver.dispose();
     this.#pictures.dispose();
     for (const { reject } of this.#loads.values())
@@ -258,6 +265,7 @@ export class EditorRuntime {
     else this.#frames?.request();
     this.#study.follow(() => this.#element.render());
     if (state.timeline.open) this.#loadTimeline();
+    if (state.display.popover === 'export' && state.exporting.kind !== 'picture') this.#loadExportPages();
     // An animation out of sight is rendered once it is seen.
     const moves = event.type === 'handles-posed' || event.type === 'clock-ticked';
     if (!moves || this.#frames?.seen) this.#element.render();
@@ -273,6 +281,18 @@ export class EditorRuntime {
       this.#element.rendered().then(() => this.#focus.moveToControl('timeline'));
     };
     this.#timeline.want(loaded, failed);
+  }
+
+  #loadExportPages(): void {
+    const failed = (error: Error) => {
+      this.dispatch({ type: 'export-kind-chosen', kind: 'picture' });
+      this.dispatch({ type: 'error-reported', error });
+    };
+    const loaded = () => {
+      this.#element.render();
+      this.#element.rendered().then(() => focusExport(this.#element.root));
+    };
+    this.#exportPages.want(loaded, failed);
   }
 
   #frame(): Frame {
@@ -341,6 +361,7 @@ export class EditorRuntime {
       clipboard: this.#clipboard,
       clock: this.#clock,
       files: this.#files,
+      films: this.#films,
       focus: this.#focus,
       menu: this.#menu,
       pictures: this.#pictures,
@@ -348,6 +369,7 @@ export class EditorRuntime {
       storage: this.#storage,
       study: this.#study,
       timers: this.#timers,
+      rendered: () => element.rendered(),
       notifyPage: (notification) => element.notifyPage(notification),
       settleLoad: (reply, error) => this.#settleLoad(reply, error),
       adoptPageProject: (effect) => this.#adoptPageProject(effect),

@@ -2,11 +2,12 @@
 import type { EditorEffect, PageNotification } from '../editor/effects';
 import type { EditorState } from '../editor/state';
 import { prepareEncoder } from '../io/encoder';
-import { toggleExport } from '../ui/export_menu';
+import { focusExport, toggleExport } from '../ui/export/menu';
 import { showSelected } from '../ui/handle_list';
 import type { Clipboard } from './clipboard';
 import type { Clock } from './clock';
 import type { Files } from './files';
+import type { Films } from './films';
 import type { Focus } from './focus';
 import type { MenuPopover } from './menu_popover';
 import type { Pictures } from './pictures';
@@ -22,6 +23,7 @@ export interface Resources {
   readonly clipboard: Clipboard;
   readonly clock: Clock;
   readonly files: Files;
+  readonly films: Films;
   readonly focus: Focus;
   readonly menu: MenuPopover;
   readonly pictures: Pictures;
@@ -31,6 +33,8 @@ export interface Resources {
   readonly timers: Timers;
   /** Whether the picture is shown as pixel art. */
   readonly pixelated: boolean;
+  /** Resolves once the page shows the state. */
+  rendered(): Promise<unknown>;
   notifyPage(notification: PageNotification): void;
   settleLoad(reply: number, error: Error | 'superseded' | null): void;
   adoptPageProject(effect: Extract<EditorEffect, { type: 'adopt-page-project' }>): void;
@@ -59,9 +63,13 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'pick-file': (_, { files }) => files.pick(),
   'save-project': (effect, { files }) =>
     files.saveProject(effect.name, effect.project, effect.of, effect.picture),
-  export: (effect, { files, pixelated }) =>
-    files.export(effect.name, effect.project, effect.choices, pixelated, effect.carried),
-  'cancel-export': (_, { files }) => files.cancelExport(),
+  export: (effect, { files, pixelated }) => files.export(effect, pixelated),
+  'export-film': (effect, { films, pixelated }) => films.export(effect, pixelated),
+  'find-codecs': (effect, { films }) => films.findCodecs(effect),
+  'cancel-export': (_, { files, films }) => {
+    files.cancelExport();
+    films.cancel();
+  },
   'prepare-export': () => prepareEncoder(),
   'copy-pose': (_, { clipboard }) => clipboard.copy(),
   'paste-pose': (_, { clipboard }) => clipboard.paste(),
@@ -76,7 +84,10 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'show-menu': (effect, { state, menu }) => menu.show(effect.at, state),
   'hide-menu': (_, { menu }) => menu.hide(),
   'toggle-keys': (_, { root }) => root.querySelector<HTMLElement>('#keys')?.togglePopover(),
-  'toggle-export': (_, { root }) => toggleExport(root),
+  'toggle-export': (_, { root, rendered }) => {
+    toggleExport(root);
+    rendered().then(() => focusExport(root));
+  },
   'set-theme': (effect, resources) => resources.setTheme(effect.theme),
   'release-input': (_, resources) => resources.releaseInput(),
   'run-clock': ({ on }, { clock }) => clock.run(on),

@@ -88,7 +88,7 @@ async function takeBands(
 }
 
 /** The promise, or the reason of the signal as soon as it is aborted. */
-async function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
+export async function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
   if (!signal) return promise;
   // Nobody awaits the promise after that.
   promise.catch(() => {});

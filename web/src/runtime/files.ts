@@ -2,9 +2,9 @@
 
 import type { Project } from '../document/project';
 import { projectText } from '../document/project_text';
-import type { CarriedProject, ProjectSource } from '../editor/effects';
+import type { EditorEffect, ProjectSource } from '../editor/effects';
 import type { Dispatch, EventOf } from '../editor/events';
-import { EXPORT_FORMATS, type ExportChoices } from '../editor/export_choices';
+import { EXPORT_FORMATS } from '../editor/export_choices';
 import type { NamedFile, Picture } from '../editor/picture';
 import { asError } from '../error';
 import { fetchFile, fileName } from '../io/address';
@@ -15,6 +15,8 @@ import { joinedProject, KEYWORD, splitProject } from './carried';
 import { writtenFile } from './exporting';
 import { type Pictures, withFileName } from './pictures';
 import type { Solver } from './solver';
+
+type ExportOrder = Extract<EditorEffect, { readonly type: 'export' }>;
 
 export class Files {
   readonly #dispatch: Dispatch;
@@ -141,18 +143,12 @@ export class Files {
   }
 
   /** Saves the warped picture. A PNG carries the project. */
-  async export(
-    name: string,
-    project: Project,
-    choices: ExportChoices,
-    pixelated: boolean,
-    carried: CarriedProject,
-  ): Promise<void> {
+  async export(order: ExportOrder, pixelated: boolean): Promise<void> {
     const controller = new AbortController();
     this.#exporting = controller;
     try {
-      const file = this.#written(project, choices, pixelated, carried, controller.signal);
-      const saved = await saveFile(file, name, choices.format);
+      const file = this.#written(order, pixelated, controller.signal);
+      const saved = await saveFile(file, order.name, order.choices.format);
       this.#dispatch({ type: 'export-ended', saved, error: null });
     } catch (error) {
       this.#dispatch({ type: 'export-ended', saved: null, error: asError(error) });
@@ -176,15 +172,14 @@ export class Files {
   }
 
   async #written(
-    project: Project,
-    { format, percent, area, quality, background }: ExportChoices,
+    { project, moment, choices, carried }: ExportOrder,
     pixelated: boolean,
-    carried: CarriedProject,
     signal: AbortSignal,
   ): Promise<Blob> {
+    const { format, percent, area, quality, background } = choices;
     const chunks =
       format === 'png' ? [textChunk(KEYWORD, await this.#text(carried.project, carried.picture))] : [];
-    const drawing = this.#solver.draw(project, { scale: percent / 100, area, pixelated });
+    const drawing = this.#solver.draw(project, { scale: percent / 100, area, pixelated }, moment);
     const { type } = EXPORT_FORMATS[format];
     const onProgress = (fraction: number) => this.#dispatch({ type: 'export-progressed', fraction });
     const settings = { type, quality: quality / 100, background, chunks };

@@ -4,13 +4,14 @@
  * Solutions hold memory of the WebAssembly module. Those that the state no longer names are freed.
  */
 import type { Drawing } from '../compute/drawing';
-import { Engine } from '../compute/engine';
-import type { DrawingOptions } from '../compute/messages';
+import { type ClipMoment, Engine } from '../compute/engine';
+import type { Filming } from '../compute/filming';
+import type { DrawingOptions, FilmOptions } from '../compute/messages';
 import { checkedProject } from '../compute/module';
 import type { PixelSource, SolutionData } from '../compute/solution';
 import { checkedHandle } from '../document/handle';
-import type { Project, ProjectFile } from '../document/project';
-import { solveKey, withIdsOf } from '../document/solved';
+import type { Clip, Project, ProjectFile } from '../document/project';
+import { clipWithIdsOf, solveKey, withIdsOf } from '../document/solved';
 import type { Dispatch } from '../editor/events';
 import type { Solution, SolveReport } from '../editor/solution';
 import type { EditorState } from '../editor/state';
@@ -94,12 +95,32 @@ export class Solver {
   }
 
   /** The warped picture, ready to be drawn: see `Engine.draw`. */
-  async draw(project: Project, options: DrawingOptions): Promise<Drawing> {
+  async draw(project: Project, options: DrawingOptions, moment: ClipMoment | null = null): Promise<Drawing> {
     const engine = await this.#started();
+    const known = this.#known(project);
+    const at = moment && { ...moment, clip: known.clip(moment.clip) };
+    return engine.draw(known.project, options, at);
+  }
+
+  /** The frames of a clip, ready to be drawn: see `Engine.film`. */
+  async film(project: Project, clip: Clip, options: FilmOptions): Promise<Filming> {
+    const engine = await this.#started();
+    const known = this.#known(project);
+    return engine.film(known.project, known.clip(clip), options);
+  }
+
+  /**
+   * A project, and clips for it, with the ids that it was solved with. The worker compares ids too, and would solve
+   * again for a handle that was only renamed.
+   */
+  #known(project: Project): { readonly project: Project; clip(clip: Clip): Clip } {
     const key = solveKey(project);
     const solved = [...this.#solved.keys()].findLast((solution) => solution.key === key)?.project;
-    // The worker compares ids too, and would solve again for a handle that was only renamed.
-    return engine.draw(solved ? withIdsOf(solved, project) : project, options);
+    if (!solved) return { project, clip: (clip) => clip };
+    return {
+      project: withIdsOf(solved, project),
+      clip: (clip) => clipWithIdsOf(solved, project, clip),
+    };
   }
 
   /** Parses a project file. @throws WarpError with a message that names the invalid key. */

@@ -8,6 +8,7 @@ import { contextMenu } from './context_menu';
 import { draftBar } from './drawing';
 import { emptyStage } from './empty';
 import { exportCard } from './export_card';
+import type { ExportPages } from './export_pages';
 import { keysCard } from './keys';
 import { legends } from './legends';
 import { notice } from './notice';
@@ -22,23 +23,25 @@ import { toolStrip } from './tool_strip';
 import { topBar } from './toolbar';
 import { tooltips } from './tooltips';
 
-/**
- * @param canvas shows the picture, and lives as long as its WebGL context.
- * @param study null until it is loaded.
- * @param timeline likewise.
- */
+/** The parts that are loaded when they are first shown; null until then. */
+export interface LaterParts {
+  readonly study: StudyView | null;
+  readonly timeline: TimelineView | null;
+  readonly exportPages: ExportPages | null;
+}
+
+/** @param canvas shows the picture, and lives as long as its WebGL context. */
 export function shell(
   model: EditorModel,
   dispatch: Dispatch,
   canvas: HTMLCanvasElement,
-  study: StudyView | null,
-  timeline: TimelineView | null,
+  { study, timeline, exportPages }: LaterParts,
 ): TemplateResult {
   const { posable } = model;
   const studying = study !== null && model.study.page !== null && !posable;
   return html`${posable ? room(model) : nothing}
   <div class="shell" lang="en" tabindex="-1" ?inert=${model.disabled} ${tooltips(model)}>
-    ${posable ? nothing : topBar(model, dispatch)}
+    ${posable ? nothing : topBar(model, dispatch, exportPages)}
     <div class="middle ${studying ? `studying on-${model.study.page}` : ''}">
       ${stage(model, dispatch, canvas, studying ? study.marks(model) : nothing)} ${model.picture ? nothing : emptyStage(model, dispatch)}
       ${posable ? nothing : html`${toolStrip(model, dispatch)} ${studying ? study.card(model, dispatch) : panel(model, dispatch)}`}

@@ -77,10 +77,10 @@ export const percentOf = ({ fraction = 0 }: Task): number => Math.round(fraction
 
 /** A task with its progress, and the button that cancels it. Anybody may cancel an export, which changes nothing. */
 export const progress = (task: Task, { readonly }: EditorModel, dispatch: Dispatch): TemplateResult => {
-  const { name, label, cancellable, fraction } = task;
+  const { name, label, cancellable, fraction, left } = task;
   const mayCancel = cancellable && (!readonly || name === 'export');
   return html`<span class="spinner" aria-hidden="true"></span>
-    <span class="task">${label}${fraction === undefined ? '' : ` ${percentOf(task)} %`}</span>
+    <span class="task">${label}${fraction === undefined ? '' : ` ${percentOf(task)} %`}${left ? `, ${left}` : ''}</span>
     ${mayCancel ? html`<button type="button" class="link" @click=${() => dispatch({ type: 'task-cancelled', task: name })}>Cancel</button>` : nothing}`;
 };
 

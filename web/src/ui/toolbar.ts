@@ -4,7 +4,8 @@ import type { CommandName } from '../editor/commands';
 import type { Dispatch } from '../editor/events';
 import type { EditorModel } from '../editor/view_model';
 import { commandButton, type Look } from './command_button';
-import { exportMenu } from './export_menu';
+import { exportMenu } from './export/menu';
+import type { ExportPages } from './export_pages';
 import { filesMenu } from './files_menu';
 import { holdButton } from './hold_button';
 import { keysButton } from './keys';
@@ -12,14 +13,15 @@ import { moreMenu } from './more_menu';
 import { overlayButton } from './overlay_list';
 import { themeButton } from './theme';
 
-export function topBar(model: EditorModel, dispatch: Dispatch): TemplateResult {
+/** @param pages see `exportMenu`. */
+export function topBar(model: EditorModel, dispatch: Dispatch, pages: ExportPages | null): TemplateResult {
   const command = (name: CommandName, look?: Look) => commandButton(name, model, dispatch, look);
   return html`<div class="top" part="toolbar" role="group" aria-label="Document">
     <span class="brand" aria-hidden="true">c<sup>2</sup>warp</span>
     <div class="group">
       ${command('open', { text: 'Open' })} ${filesMenu(model, dispatch)}
       ${command('save', { text: 'Save' })}
-      ${exportMenu(model, dispatch)}
+      ${exportMenu(model, dispatch, pages)}
     </div>
     <div class="group">
       ${command('undo', { label: told('Undo', model.undo), caption: 'Undo' })}

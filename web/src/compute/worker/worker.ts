@@ -4,8 +4,16 @@
  * Errors with a code are sent as replies. Anything else is a panic, after which the module's memory cannot be trusted:
  * the worker reports that it died, and the page replaces it.
  */
-import init, { Canvas, type Drawing, Session, type Solution } from '../generated/c2warp';
-import { type Boot, type Failure, type Messages, type Reply, type Request, SUPERSEDED } from '../messages';
+import init, { Canvas, type Drawing, type Filming, Session, type Solution } from '../generated/c2warp';
+import {
+  type Boot,
+  type DrawingSize,
+  type Failure,
+  type Messages,
+  type Reply,
+  type Request,
+  SUPERSEDED,
+} from '../messages';
 import type { Report, SolutionData, Stage } from '../solution';
 import { nextTask, Queue } from './queue';
 import { WARM_UP } from './warm_up';
@@ -19,6 +27,9 @@ let session: Session | undefined;
 
 /** The drawings of the present picture, by the ids of their requests. */
 const drawings = new Map<number, Drawing>();
+
+/** The films of the present picture, by the ids of their requests. */
+const films = new Map<number, Filming>();
 
 const CANVASES = { picture: Canvas.Picture, grown: Canvas.Grown, covered: Canvas.Covered } as const;
 
@@ -60,8 +71,9 @@ async function handle(session: Session, request: Request): Promise<void> {
     case 'picture': {
       const { width, height, pixels } = request.body;
       session.set_picture(width, height, await received(pixels));
-      for (const drawn of drawings.values()) drawn.free();
+      for (const drawn of [...drawings.values(), ...films.values()]) drawn.free();
       drawings.clear();
+      films.clear();
       return done(null);
     }
     case 'solve': {
@@ -72,12 +84,30 @@ async function handle(session: Session, request: Request): Promise<void> {
       return done(solution, buffers(solution));
     }
     case 'draw': {
-      const { project, scale, area, pixelated } = request.body;
-      const drawn = session.draw(project, scale, CANVASES[area], pixelated);
-      const { width, height, bandRows } = drawn;
-      drawings.set(id, drawn);
-      return done({ drawing: id, width, height, bandRows });
+      const { project, moment, scale, area, pixelated } = request.body;
+      const drawn = session.draw(project, scale, CANVASES[area], pixelated, moment?.clip, moment?.time);
+      return done(begun(id, drawn));
     }
+    case 'film': {
+      const { project, clip, rate, range, scale, area, pixelated } = request.body;
+      const [from, to] = range ?? [];
+      const film = session.film(project, clip, rate, from, to, scale, CANVASES[area], pixelated);
+      films.set(id, film);
+      const { width, height, frames, endlessly } = film;
+      return done({ film: id, width, height, frames, endlessly });
+    }
+    case 'at-rest':
+    case 'frame': {
+      const film = films.get(request.body.film);
+      if (!film) return post({ id, kind: 'failed', failure: { code: 'engine', message: LOST } });
+      const drawn =
+        request.name === 'frame' ? session.frame(film, request.body.frame) : session.picture_at_rest(film);
+      return done(begun(id, drawn));
+    }
+    case 'release-film':
+      films.get(request.body.film)?.free();
+      films.delete(request.body.film);
+      return done(null);
     case 'rows': {
       const { drawing, from, to } = request.body;
       const drawn = drawings.get(drawing);
@@ -104,6 +134,13 @@ async function handle(session: Session, request: Request): Promise<void> {
       return done(lens === undefined ? null : JSON.parse(lens));
     }
   }
+}
+
+/** Keeps a drawing by the id of its request. */
+function begun(drawing: number, drawn: Drawing): DrawingSize {
+  drawings.set(drawing, drawn);
+  const { width, height, bandRows } = drawn;
+  return { drawing, width, height, bandRows };
 }
 
 /** The pixels that arrive at a port. @throws Error with the code `picture` if the picture was released. */

@@ -31,7 +31,8 @@ export function snapshotOf(state: EditorState): WorkSnapshot | null {
   const open = opening.trial ? opening.trial.before : picture && { picture, work: workOf(state) };
   if (!open) return null;
   const { id, file, name, thumbnail } = open.picture;
-  const settings = { guarded: guard.on, snapping: display.snapping, exports: exporting.choices };
+  const { kind: exportKind, choices: exports, film: films } = exporting;
+  const settings = { guarded: guard.on, snapping: display.snapping, exports, films, exportKind };
   return { id, file, name, thumbnail, ...open.work, ...settings };
 }
 

@@ -31,7 +31,7 @@ import { setKeys } from './clip_keys';
 import { addCornerToSelected, focus, removeFocusedCorner } from './corners';
 import { openSettings, togglePreview } from './display';
 import { mirror, paste, raise, removeSelected, reset } from './edits';
-import { cancelExport, exportPicture, projectForFile } from './exporting';
+import { cancelExport, exportChosen, exportPicture, projectForFile } from './exporting';
 import type { Handlers } from './handlers';
 import { announce, dismiss, notify, shownNotice } from './notices';
 import { openTimeline, play } from './playhead';
@@ -74,7 +74,7 @@ const RUN: Readonly<Record<CommandName, Run>> = {
   open: effect('pick-file'),
   save: (state, emit) => save(state, false, emit),
   'save-whole': (state, emit) => save(state, true, emit),
-  export: (state, emit) => exportPicture(state, emit),
+  export: exportChosen,
   'export-as': effect('toggle-export'),
   'export-all': (state, emit) => exportPicture(state, emit, { instead: { area: 'grown' } }),
   'export-whole': (state, emit) =>

@@ -25,6 +25,7 @@ import {
   setField,
   setPoseMode,
 } from './edits';
+import { openExport } from './filming';
 import type { Handlers } from './handlers';
 import { removeLasso } from './lasso';
 import { applyTools } from './press';
@@ -93,7 +94,10 @@ export const controlHandlers: Handlers<
   },
   'settings-opened': (state, { open }) => openSettings(state, open),
   'numbers-opened': (state, { open }) => openNumbers(state, open),
-  'popover-toggled': (state, { popover, open }) => togglePopover(state, popover, open),
+  'popover-toggled': (state, { popover, open }, emit) => {
+    const next = togglePopover(state, popover, open);
+    return open && popover === 'export' ? openExport(next, emit) : next;
+  },
   'overlays-opened': (state, { open, keyed }, emit) => openOverlays(state, open, keyed, emit),
   'handles-selected': (state, { ids }, emit) => select(state, ids, emit),
   'handle-toggled': (state, { id }, emit) => toggleSelected(state, id, emit),

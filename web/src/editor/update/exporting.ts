@@ -1,21 +1,21 @@
+import { clipNamed } from '../../document/clips';
+import { isAlong } from '../../document/moment';
 import type { Project } from '../../document/project';
-import type { Emit } from '../effects';
+import type { ClipMoment, Emit } from '../effects';
 import { EXPORT_FORMATS, type ExportChoices } from '../export_choices';
+import { timeLeftText } from '../film_texts';
 import { EXPORT_CANCELLED, savedText } from '../notice_texts';
 import { stem } from '../picture';
-import { type EditorState, type ExportState, filedProject, projectOf } from '../state';
+import { documentOf, type EditorState, filedProject } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { saveWork } from './autosave';
+import { withExport } from './export_slice';
+import { exportFilm } from './filming';
 import type { Handlers } from './handlers';
 import { announce, beginTask, endTask, followTask, inform, notify, report } from './notices';
 
 /** Steps of the percentage that screen readers announce. */
 const ANNOUNCED = 0.25;
-
-const withExport = (state: EditorState, change: Partial<ExportState>): EditorState => ({
-  ...state,
-  exporting: { ...state.exporting, ...change },
-});
 
 /** The project with the name of the open picture, for a file. */
 export function projectForFile(state: EditorState): Project {
@@ -30,6 +30,20 @@ interface ExportOptions {
   readonly holdsPicture?: boolean;
 }
 
+/** Exports by the last choices. */
+export const exportChosen = (state: EditorState, emit: Emit): EditorState =>
+  state.exporting.kind === 'film' ? exportFilm(state, emit) : exportPicture(state, emit);
+
+/** The pose that exports draw. Along a clip the picture keeps to the way from its beginning. */
+export function drawn(state: EditorState): { readonly project: Project; readonly moment: ClipMoment | null } {
+  const document = documentOf(state);
+  const clip = document.moment && clipNamed(document.moment.base, document.moment.clip);
+  const deformation = state.solution.shown?.deformation;
+  if (!document.moment || !clip || !deformation || !isAlong(document, deformation.posesAt))
+    return { project: document.project, moment: null };
+  return { project: document.moment.base, moment: { clip, time: document.moment.time } };
+}
+
 export function exportPicture(
   state: EditorState,
   emit: Emit,
@@ -42,7 +56,7 @@ export function exportPicture(
   const name = `${stem(picture.name)}-warped${choices.area === 'grown' ? '-all' : ''}.${extension}`;
   const cut = choices.area === 'picture' && reachesBeyondFrame(state);
   const carried = { project: projectForFile(state), picture: holdsPicture ? picture : null };
-  emit({ type: 'export', name, project: projectOf(state), choices, carried });
+  emit({ type: 'export', name, ...drawn(state), choices, carried });
   const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
   return beginTask(withExport(state, { running: { cut } }), task, emit);
 }
@@ -53,11 +67,13 @@ export function cancelExport(state: EditorState, emit: Emit): EditorState {
 }
 
 /** Shows whole percents only, and announces a few of them. */
-function follow(state: EditorState, fraction: number, emit: Emit): EditorState {
-  const before = state.notices.tasks.find(({ name }) => name === 'export')?.fraction ?? 0;
-  const now = Math.floor(fraction * 100) / 100;
-  if (!state.exporting.running || now <= before) return state;
-  const next = followTask(state, 'export', now, emit);
+function follow(state: EditorState, fraction: number, seconds: number | undefined, emit: Emit): EditorState {
+  const task = state.notices.tasks.find(({ name }) => name === 'export');
+  const before = task?.fraction ?? 0;
+  const now = Math.max(before, Math.floor(fraction * 100) / 100);
+  const left = seconds === undefined ? undefined : timeLeftText(seconds);
+  if (!state.exporting.running || (now === before && left === task?.left)) return state;
+  const next = followTask(state, 'export', { fraction: now, ...(left && { left }) }, emit);
   const isStep = Math.floor(now / ANNOUNCED) > Math.floor(before / ANNOUNCED) && now < 1;
   return isStep ? announce(next, `Exporting, ${Math.round(now * 100)} percent`) : next;
 }
@@ -75,7 +91,7 @@ function ended(before: EditorState, saved: string | null, error: Error | null, e
 }
 
 export const exportHandlers: Handlers<'export-ended' | 'export-progressed' | 'export-choice-made'> = {
-  'export-progressed': (state, { fraction }, emit) => follow(state, fraction, emit),
+  'export-progressed': (state, { fraction, left }, emit) => follow(state, fraction, left, emit),
   'export-ended': (state, { saved, error }, emit) => ended(state, saved, error, emit),
   'export-choice-made': (state, { choice }, emit) =>
     saveWork(withExport(state, { choices: { ...state.exporting.choices, ...choice } }), emit),

@@ -16,6 +16,7 @@ import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
 import { requestBorders } from './display';
 import { exportHandlers } from './exporting';
+import { filmHandlers } from './filming';
 import { focusHandlers } from './focus';
 import { graphicsHandlers, tellOfLostGraphics } from './graphics';
 import type { Handlers } from './handlers';
@@ -68,6 +69,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...commandHandlers,
   ...controlHandlers,
   ...exportHandlers,
+  ...filmHandlers,
   ...focusHandlers,
   ...graphicsHandlers,
   ...keyHandlers,

@@ -110,11 +110,16 @@ export const withoutGraphicsNotice = (state: EditorState): EditorState =>
 export const beginTask = (state: EditorState, task: Task, emit: Emit): EditorState =>
   withTasks(state, [...state.notices.tasks.filter(({ name }) => name !== task.name), task], emit);
 
-/** Shows how much of a task is done. */
-export const followTask = (state: EditorState, name: TaskName, fraction: number, emit: Emit): EditorState =>
+/** Shows how much of a task is done, and how long it will still take. */
+export const followTask = (
+  state: EditorState,
+  name: TaskName,
+  progress: Pick<Task, 'fraction' | 'left'>,
+  emit: Emit,
+): EditorState =>
   withTasks(
     state,
-    state.notices.tasks.map((task) => (task.name === name ? { ...task, fraction } : task)),
+    state.notices.tasks.map((task) => (task.name === name ? { ...task, ...progress } : task)),
     emit,
   );
 

@@ -1,6 +1,8 @@
+import { colourOf } from './colours';
+
 /** Draws straight RGBA over a colour, in place. @param background as `#rrggbb`. */
 export function opaqueOver(background: string, rgba: Uint8Array): void {
-  const below = [1, 3, 5].map((at) => Number.parseInt(background.slice(at, at + 2), 16));
+  const below = colourOf(background);
   for (let at = 0; at < rgba.length; at += 4) {
     const alpha = rgba[at + 3] ?? 0;
     if (alpha === 255) continue;

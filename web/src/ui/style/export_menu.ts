@@ -4,7 +4,7 @@ import { phone } from './layouts';
 
 export const exportMenuStyle = css`
   .export {
-    --_width: 280px;
+    --_width: 304px;
     width: var(--_width);
     max-width: calc(100vw - 16px);
     max-height: calc(100dvh - 16px);

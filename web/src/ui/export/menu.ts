@@ -1,0 +1,74 @@
+/** The export panel, with a page for each kind of export. On a phone it is a sheet. */
+import { html, nothing, type TemplateResult } from 'lit';
+import { ariaKeys, COMMANDS, keyHint } from '../../editor/commands';
+import type { Dispatch } from '../../editor/events';
+import type { ExportKind } from '../../editor/export_choices';
+import type { EditorModel } from '../../editor/view_model';
+import { placeBelowButton } from '../below_button';
+import { captionOf } from '../command_button';
+import type { ExportPages } from '../export_pages';
+import { icon } from '../icons';
+import { choice } from './controls';
+import { picturePage } from './picture';
+
+const KINDS: Readonly<Record<ExportKind, string>> = { picture: 'Picture', film: 'Film' };
+
+/** @param pages those that are loaded later; null until then. */
+export function exportMenu(
+  model: EditorModel,
+  dispatch: Dispatch,
+  pages: ExportPages | null,
+): TemplateResult {
+  const label = COMMANDS['export-as'].label;
+  return html`<div class="menu">
+    <button
+      type="button"
+      class="button worded"
+      part="button"
+      popovertarget="export"
+      data-tip=${label}
+      data-keys=${keyHint('export-as', model.platform)}
+      aria-label=${label}
+      aria-keyshortcuts=${ariaKeys('export-as', model.platform) || nothing}
+      ?disabled=${!model.canRun('export')}
+    >
+      ${icon('export')}<span class="word">Export</span>${captionOf('Export')}
+    </button>
+    <div
+      id="export"
+      class="popover card export"
+      part="menu"
+      popover
+      role="dialog"
+      aria-label="Export"
+      tabindex="-1"
+      @beforetoggle=${(event: ToggleEvent) => {
+        placeBelowButton(event);
+        dispatch({ type: 'popover-toggled', popover: 'export', open: event.newState === 'open' });
+      }}
+    >
+      ${choice('Kind', KINDS, model.exporting.kind, (kind) => dispatch({ type: 'export-kind-chosen', kind }))}
+      ${page(model, dispatch, pages)}
+    </div>
+  </div>`;
+}
+
+/** Opens or closes the panel. */
+export const toggleExport = (root: ShadowRoot): unknown =>
+  root.querySelector<HTMLElement>('#export')?.togglePopover();
+
+/** Focuses the button of the open panel, so that Enter exports. Another control there keeps the focus. */
+export function focusExport(root: ShadowRoot): void {
+  const panel = root.querySelector('#export:popover-open');
+  if (!panel?.contains(root.activeElement)) panel?.querySelector<HTMLElement>('.primary')?.focus();
+}
+
+function page(
+  model: EditorModel,
+  dispatch: Dispatch,
+  pages: ExportPages | null,
+): TemplateResult | typeof nothing {
+  const { kind, film } = model.exporting;
+  if (kind === 'picture') return picturePage(model, dispatch);
+  return pages && film ? pages[kind](film, model, dispatch) : nothing;
+}

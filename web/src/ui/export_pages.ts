@@ -1,0 +1,10 @@
+/** The pages of the export panel that are loaded when they are first shown. */
+import type { CSSResult, TemplateResult } from 'lit';
+import type { Dispatch } from '../editor/events';
+import type { FilmModel } from '../editor/film_model';
+import type { EditorModel } from '../editor/view_model';
+
+export interface ExportPages {
+  readonly styles: readonly CSSResult[];
+  film(film: FilmModel, model: EditorModel, dispatch: Dispatch): TemplateResult;
+}
