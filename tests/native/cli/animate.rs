@@ -170,6 +170,46 @@ fn frames_are_numbered_files() {
 }
 
 #[test]
+fn grown_frames_have_one_size_that_holds_all() {
+    let folder = turning("none").edited(|project| {
+        // The ring leaves the picture at both sides, one after the other.
+        let key = |time: f64, x: f64| json!({ "time": time, "ease": "linear", "posed": [x, 64] });
+        project["handles"] = json!([{ "id": "all", "kind": "point", "rest": [30, 64], "posed": [30, 64] }]);
+        let tracks = json!([{ "handle": "all", "keys": [key(0.0, 0.0), key(0.2, 70.0)] }]);
+        project["clips"] = json!([{ "name": "turn", "duration": 0.2, "loop": "none", "tracks": tracks }]);
+    });
+    let arguments = "animate scene.c2warp.json --scale 0.5 --fps 10 --grow";
+    let origin = |line: Vec<u8>| -> [i64; 2] {
+        let line = String::from_utf8(line).unwrap();
+        let (left, top) = line.trim().split_once(',').unwrap();
+        [left, top].map(|number| number.parse().unwrap())
+    };
+    let [left, top] = origin(succeed(folder.path(), &format!("{arguments} -o frame-%d.png")));
+    let (mut most_left, mut most_right) = (0, 0);
+    for (frame, time) in [0.0, 0.1, 0.2].into_iter().enumerate() {
+        let still = format!("warp scene.c2warp.json --scale 0.5 --clip turn --at {time} --grow -o still.png");
+        let [x, y] = origin(succeed(folder.path(), &still));
+        let still = folder.picture("still.png");
+        let found = folder.picture(&format!("frame-{frame}.png"));
+        let mut wanted = RgbaImage::new(found.width(), found.height());
+        imageops::replace(&mut wanted, &still, left - x, top - y);
+        assert!(found == wanted, "at {time} s");
+        most_left = most_left.max(x);
+        most_right = most_right.max(i64::from(still.width()) - x);
+    }
+    let size = folder.picture("frame-0.png").dimensions();
+    assert!(left > 10 && most_right > 64 + 10, "it leaves both sides: {left}, {most_right}");
+    assert_eq!((left, top, size), (most_left, 0, ((most_left + most_right) as u32, 64)));
+    for name in ["film.gif", "film.webp"] {
+        succeed(folder.path(), &format!("{arguments} -o {name}"));
+    }
+    let frames = WebPDecoder::new(reader(&folder, "film.webp")).unwrap().into_frames().collect_frames().unwrap();
+    let last = without_hidden_colours(frames.into_iter().next_back().unwrap().into_buffer());
+    assert!(last == without_hidden_colours(folder.picture("frame-2.png")));
+    assert_eq!(u32::from(gif_frames(&folder, "film.gif").0[0].width), size.0);
+}
+
+#[test]
 fn sheet_has_all_frames_and_their_places() {
     let folder = turning("none");
     animate(&folder, "--sheet sheet.png");
@@ -236,6 +276,7 @@ fn refused_films_name_the_reason_and_leave_no_file() {
         ("-o nowhere/frame-%d.png", "nowhere/frame-0.png: cannot write this file"),
         ("--sheet sheet.jpg", "sheet.jpg: a sheet is a PNG"),
         ("-o film.png --sheet film.png", "film.png: the film is written to this file"),
+        ("-o film.png --scale 120 --grow", "--scale"),
         ("--sheet sheet.png --scale 40", "need a sheet of"),
     ] {
         let line = refused(arguments);

@@ -91,7 +91,7 @@ pub use input_mesh::InputMesh;
 pub use lens::{Lens, LensSite, Share};
 pub use picture::Picture;
 pub use raster::options::{Canvas, Filter, ResampleOptions};
-pub use raster::{Drawing, sources::Source, warped::Warped};
+pub use raster::{Drawing, extent::Extent, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
 pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};

@@ -18,6 +18,7 @@ use crate::{
     project::{Project, Weighting},
     raster::{
         self, Drawing,
+        extent::Extent,
         options::{Filter, ResampleOptions},
         sources::Source,
         warped::Warped,
@@ -341,6 +342,15 @@ impl Solution {
             }
             _ => drawing,
         })
+    }
+
+    /// The rectangle of the warped picture, found without drawing all of it. The [union](Extent::union) of those of all
+    /// frames is a [`Canvas::Fixed`](crate::Canvas::Fixed) for a film.
+    ///
+    /// # Errors
+    /// Those of [`warped`](Self::warped).
+    pub fn extent(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Extent, Error> {
+        Ok(self.drawing(picture, pose, ResampleOptions { edges: false, ..options })?.extent())
     }
 
     /// The [sources](raster::sources()) of the pixels of a warped picture, in rows from top to bottom. `warped` is the

@@ -10,7 +10,7 @@ use std::thread;
 use c2warp::clip::Playback;
 use c2warp::deform::Pose;
 use c2warp::project::Clip;
-use c2warp::{Picture, ResampleOptions, Solution, Warped};
+use c2warp::{Canvas, Extent, Picture, ResampleOptions, Solution, Warped};
 
 use crate::error::CliError;
 use crate::project::LoadedProject;
@@ -20,15 +20,43 @@ const FRAMES_PER_CORE: usize = 2;
 
 /// A solved project, and the times of its clip to draw.
 pub(super) struct Drawing<'a> {
-    pub(super) loaded: &'a LoadedProject,
-    pub(super) solution: &'a Solution,
-    pub(super) picture: Picture<'a>,
-    pub(super) clip: &'a Clip,
-    pub(super) times: &'a [f64],
-    pub(super) options: ResampleOptions,
+    loaded: &'a LoadedProject,
+    solution: &'a Solution,
+    picture: Picture<'a>,
+    playback: Playback,
+    times: &'a [f64],
+    options: ResampleOptions,
 }
 
-impl Drawing<'_> {
+impl<'a> Drawing<'a> {
+    pub(super) fn new(
+        loaded: &'a LoadedProject,
+        solution: &'a Solution,
+        clip: &Clip,
+        times: &'a [f64],
+        options: ResampleOptions,
+    ) -> Result<Self, CliError> {
+        let playback = Playback::new(solution.poser().clone(), clip.clone(), loaded.project.handles.clone());
+        Ok(Self { loaded, solution, picture: loaded.picture()?, playback, times, options })
+    }
+
+    /// Grows the rectangle of all frames to hold everything that is drawn in any of them, and returns it.
+    pub(super) fn grow(&mut self) -> Result<Extent, CliError> {
+        let Self { loaded, solution, picture, options, .. } = *self;
+        let grown = ResampleOptions { canvas: Canvas::Grown, ..options };
+        let mut all: Option<Extent> = None;
+        let extent = |pose: &Pose| solution.extent(&picture, pose, grown);
+        let take = |_, extent| {
+            let union = all.map_or(Ok(extent), |all| all.union(extent));
+            all = Some(union.map_err(|reason| loaded.refused(reason))?);
+            Ok(())
+        };
+        self.each(extent, take, |error| error)?;
+        let extent = all.expect("a film has frames");
+        self.options.canvas = Canvas::Fixed(extent);
+        Ok(extent)
+    }
+
     /// All of the picture at the scale of the film. It has the colours of all frames.
     pub(super) fn picture_at_rest(&self) -> Result<Vec<u8>, CliError> {
         let drawing = c2warp::Drawing::at_rest(&self.picture, self.options);
@@ -37,49 +65,55 @@ impl Drawing<'_> {
 
     /// Draws all frames. `prepare` runs on all cores; `take` gets the results in order, with the number of the frame.
     pub(super) fn draw<T: Send, E>(
-        &self,
+        &mut self,
         prepare: impl Fn(Warped) -> T + Sync,
+        take: impl FnMut(usize, T) -> Result<(), E>,
+        refused: impl Fn(CliError) -> E,
+    ) -> Result<(), E> {
+        let Self { solution, picture, options, .. } = *self;
+        self.each(|pose| solution.warped(&picture, pose, options).map(&prepare), take, refused)
+    }
+
+    /// Poses all frames. `make` runs on all cores; `take` gets the results in order, with the number of the frame.
+    fn each<T: Send, E>(
+        &mut self,
+        make: impl Fn(&Pose) -> Result<T, c2warp::Error> + Sync,
         mut take: impl FnMut(usize, T) -> Result<(), E>,
         refused: impl Fn(CliError) -> E,
     ) -> Result<(), E> {
         let cores = thread::available_parallelism().map_or(1, NonZero::get);
-        let project = &self.loaded.project;
-        let mut playback = Playback::new(self.solution.poser().clone(), self.clip.clone(), project.handles.clone());
-        let mut drawn: Vec<T> = Vec::new();
+        let Self { loaded, playback, times, .. } = self;
+        let blend = loaded.project.pose.blend;
+        let refused = |reason| refused(loaded.refused(reason));
+        let mut made: Vec<T> = Vec::new();
         let mut taken = 0;
-        for times in self.times.chunks(cores * FRAMES_PER_CORE) {
-            let poses = times.iter().map(|&time| playback.pose(time, project.pose.blend)).collect::<Result<_, _>>();
-            let poses: Vec<Pose> = poses.map_err(|reason| refused(self.loaded.refused(reason)))?;
+        for times in times.chunks(cores * FRAMES_PER_CORE) {
+            let poses: Result<Vec<Pose>, _> = times.iter().map(|&time| playback.pose(time, blend)).collect();
+            let poses = poses.map_err(refused)?;
             let queue = Mutex::new(poses.iter().enumerate());
             let next = || queue.lock().map_or(None, |mut queue| queue.next());
             let work = || {
                 let mut results = Vec::new();
                 while let Some((at, pose)) = next() {
-                    let warped = self.solution.warped(&self.picture, pose, self.options);
-                    results.push((at, warped.map(&prepare)));
+                    results.push((at, make(pose)));
                 }
                 results
             };
-            let batch = thread::scope(|scope| {
+            made = thread::scope(|scope| {
                 let workers: Vec<_> = (0..cores.min(poses.len())).map(|_| scope.spawn(work)).collect();
                 // Meanwhile this thread encodes the batch before.
-                for frame in drawn.drain(..) {
-                    take(taken, frame)?;
+                for result in made.drain(..) {
+                    take(taken, result)?;
                     taken += 1;
                 }
                 let mut batch: Vec<_> =
                     workers.into_iter().flat_map(|worker| worker.join().expect("drawing does not panic")).collect();
                 batch.sort_by_key(|&(at, _)| at);
-                batch
-                    .into_iter()
-                    .map(|(_, frame)| frame)
-                    .collect::<Result<Vec<T>, _>>()
-                    .map_err(|reason| refused(self.loaded.refused(reason)))
+                batch.into_iter().map(|(_, result)| result).collect::<Result<Vec<T>, _>>().map_err(refused)
             })?;
-            drawn = batch;
         }
-        for frame in drawn {
-            take(taken, frame)?;
+        for result in made {
+            take(taken, result)?;
             taken += 1;
         }
         Ok(())

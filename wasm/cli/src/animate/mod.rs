@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use c2warp::clip::FrameTimes;
 use c2warp::project::Clip;
-use c2warp::{Filter, ResampleOptions, raster};
+use c2warp::{Extent, Filter, ResampleOptions, raster};
 use c2warp_film::{Apng, Encoder, Film, Gif, GifColours, MOST_GIF_RATE, Plays, Sheet, WebP};
 
 use self::drawing::Drawing;
@@ -39,6 +39,10 @@ pub(crate) struct Arguments {
     /// Pixels of the result per pixel of the picture
     #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
     scale: f64,
+    /// Grow all frames to hold everything that any of them bends beyond the picture's rectangle. Prints X,Y: the
+    /// position of the picture's upper left corner in the frames
+    #[arg(long)]
+    grow: bool,
     /// Also or only write a sprite sheet, with a JSON file beside it in TexturePacker's hash form
     #[arg(long, value_name = "OUT.png")]
     sheet: Option<PathBuf>,
@@ -87,7 +91,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     // Reject invalid options and outputs before solving.
     let scale = arguments.scale;
     let (width, height) = raster::warped_size(picture.width(), picture.height(), scale).map_err(CliError::Scale)?;
-    let film = Film {
+    let mut film = Film {
         width,
         height,
         frames: times.count(),
@@ -104,20 +108,30 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         edges: loaded.project.edges,
         ..ResampleOptions::default()
     };
-    let drawing = Drawing { loaded: &loaded, solution: &solution, picture, clip, times: times.seconds(), options };
+    let mut drawing = Drawing::new(&loaded, &solution, clip, times.seconds(), options)?;
+    let grown = arguments.grow.then(|| drawing.grow()).transpose()?;
+    if let Some(Extent { width, height, .. }) = grown {
+        (film.width, film.height) = (width, height);
+    }
     targets.into_iter().try_for_each(|target| match target {
-        Target::Film(container, output) => write_film(&drawing, container, &film, arguments.matte, output),
-        Target::Frames(sequence) => write_frames(&drawing, &sequence, &loaded),
+        Target::Film(container, output) => write_film(&mut drawing, container, &film, arguments.matte, output),
+        Target::Frames(sequence) => write_frames(&mut drawing, &sequence, &loaded),
         Target::Sheet { output, json, image } => {
             let mut text = String::new();
-            write(&drawing, output, |writer| {
+            write(&mut drawing, output, |writer| {
                 let sheet = Sheet::new(film.clone(), writer)?;
                 text = sheet.json(&image, &clip.name);
                 Ok(Box::new(sheet))
             })?;
             json.write(|writer| writer.write_all(text.as_bytes()))
         }
-    })
+    })?;
+    match grown {
+        Some(Extent { origin: [left, top], .. }) => {
+            io::stdout().write_all(format!("{left},{top}\n").as_bytes()).map_err(CliError::Print)
+        }
+        None => Ok(()),
+    }
 }
 
 /// The clip with a name, or the only one.
@@ -179,7 +193,7 @@ fn container(path: &Path, rate: f64) -> Result<Container, CliError> {
 }
 
 fn write_film(
-    drawing: &Drawing<'_>,
+    drawing: &mut Drawing<'_>,
     container: Container,
     film: &Film,
     matte: Option<[u8; 3]>,
@@ -205,7 +219,7 @@ fn write_film(
 
 /// Writes all frames by an encoder that begins an output.
 fn write(
-    drawing: &Drawing<'_>,
+    drawing: &mut Drawing<'_>,
     output: Output,
     begin: impl for<'w> FnOnce(&'w mut dyn Write) -> io::Result<Box<dyn Encoder + 'w>>,
 ) -> Result<(), CliError> {
@@ -237,12 +251,12 @@ impl Failure {
     }
 }
 
-fn encode(drawing: &Drawing<'_>, mut encoder: Box<dyn Encoder + '_>) -> Result<(), Failure> {
+fn encode(drawing: &mut Drawing<'_>, mut encoder: Box<dyn Encoder + '_>) -> Result<(), Failure> {
     drawing.draw(|warped| warped.rgba, |_, rgba| encoder.add(&rgba).map_err(Failure::Output), Failure::Refused)?;
     encoder.finish().map_err(Failure::Output)
 }
 
-fn write_frames(drawing: &Drawing<'_>, sequence: &Sequence, loaded: &LoadedProject) -> Result<(), CliError> {
+fn write_frames(drawing: &mut Drawing<'_>, sequence: &Sequence, loaded: &LoadedProject) -> Result<(), CliError> {
     let profile = loaded.profile();
     drawing.draw(
         |warped| encode_png(&warped, profile).map_err(io::Error::other),

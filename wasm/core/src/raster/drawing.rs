@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::band::Band;
 use super::covered::covered;
 use super::edges::Edges;
+use super::extent::Extent;
 use super::facet::{Facet, mesh_facets};
 use super::frame::{Area, Frame};
 use super::options::{Canvas, Filter, ResampleOptions};
@@ -52,8 +53,8 @@ impl Drawing {
     ///
     /// # Errors
     /// - [`Error::Scale`] as for [`warped_size`].
-    /// - [`Error::Canvas`] if the canvas would grow beyond the largest size of a picture.
-    /// - [`Error::NothingDrawn`] if a canvas of the covered part would be empty.
+    /// - [`Error::Canvas`] if the canvas is beyond the largest size of a picture.
+    /// - [`Error::NothingDrawn`] if the canvas would be empty.
     ///
     /// # Panics
     /// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
@@ -68,9 +69,15 @@ impl Drawing {
         let mut facets = mesh_facets(rest, posed, triangles, scale);
         let mip_levels = mip_levels(*picture, filter, &facets);
         let own = Frame::of_picture(picture_size);
-        if canvas == Canvas::Picture {
-            let bins = facets_by_band(&facets, own.size[1]);
-            return Ok(Self { frame: own, filter, facets, bins, mip_levels, edges: None });
+        let known = match canvas {
+            Canvas::Picture => Some(own),
+            Canvas::Fixed(extent) => Some(Frame::of_extent(extent)?),
+            Canvas::Grown | Canvas::Covered => None,
+        };
+        if let Some(frame) = known {
+            move_by(&mut facets, frame.origin);
+            let bins = facets_by_band(&facets, frame.size[1]);
+            return Ok(Self { frame, filter, facets, bins, mip_levels, edges: None });
         }
         check_range(posed, triangles, scale)?;
         let around = own.around(&facets)?;
@@ -118,6 +125,12 @@ impl Drawing {
         self.frame.size[1] as u32
     }
 
+    /// The rectangle of the result.
+    #[must_use]
+    pub fn extent(&self) -> Extent {
+        self.frame.extent()
+    }
+
     /// Draws some rows of the result, in straight (not premultiplied) RGBA. `picture` is the one of [`new`](Self::new).
     ///
     /// # Panics
@@ -150,8 +163,7 @@ impl Drawing {
     /// Draws the whole result.
     #[must_use]
     pub fn warped(&self, picture: &Picture<'_>) -> Warped {
-        let (width, height) = (self.width(), self.height());
-        let origin = self.frame.origin.map(|side| side as i32);
+        let Extent { origin, width, height } = self.extent();
         Warped { width, height, origin, rgba: self.rows(picture, 0..height) }
     }
 }

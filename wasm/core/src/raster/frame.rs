@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
+use super::extent::{Extent, check_size};
 use super::facet::Facet;
-use crate::{
-    error::Error,
-    limits::{MAX_PIXELS, MAX_SIDE},
-};
+use crate::error::Error;
 
 /// Columns and rows of a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,6 +45,24 @@ impl Frame {
         Self { origin: [0; 2], size: [width as usize, height as usize] }
     }
 
+    /// A given frame.
+    ///
+    /// # Errors
+    /// [`Error::Canvas`] if it exceeds the largest size of a picture, [`Error::NothingDrawn`] if it is empty.
+    pub(super) fn of_extent(Extent { origin, width, height }: Extent) -> Result<Self, Error> {
+        if width == 0 || height == 0 {
+            return Err(Error::NothingDrawn);
+        }
+        check_size([width.into(), height.into()])?;
+        Ok(Self { origin: origin.map(i64::from), size: [width as usize, height as usize] })
+    }
+
+    /// The rectangle of this frame.
+    pub(super) fn extent(self) -> Extent {
+        let [width, height] = self.size.map(|side| side as u32);
+        Extent { origin: self.origin.map(|side| side as i32), width, height }
+    }
+
     /// The smallest frame around this one and `facets`, which are relative to the picture's rectangle.
     ///
     /// # Errors
@@ -62,9 +78,7 @@ impl Frame {
         }
         let origin = least.map(|side| -side);
         let size = [0, 1].map(|axis| greatest[axis].abs_diff(least[axis]));
-        if size.into_iter().any(|side| side > u64::from(MAX_SIDE)) || size[0] * size[1] > MAX_PIXELS {
-            return Err(Error::Canvas { width: size[0], height: size[1] });
-        }
+        check_size(size)?;
         Ok(Self { origin, size: size.map(|side| side as usize) })
     }
 

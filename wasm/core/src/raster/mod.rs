@@ -27,6 +27,7 @@ mod band;
 mod covered;
 mod drawing;
 mod edges;
+pub(crate) mod extent;
 mod facet;
 mod footprint;
 mod frame;

@@ -1,5 +1,7 @@
 //! Options for resampling a picture through a warp.
 
+use super::extent::Extent;
+
 /// How a warped picture is resampled. The defaults keep the picture's size and rectangle, and filter smoothly.
 ///
 /// ```
@@ -33,6 +35,8 @@ pub enum Canvas {
     Grown,
     /// The smallest rectangle that holds all that is drawn: its border rows and columns are not empty.
     Covered,
+    /// A given rectangle, such as one for all frames of a film. Anything beyond it is cut off.
+    Fixed(Extent),
 }
 
 /// How colours between pixels are reconstructed, and whether edges are smooth.

@@ -4,8 +4,11 @@ use glam::DVec2;
 
 use super::super::{
     Drawing,
+    extent::Extent,
     options::{Canvas, ResampleOptions},
-    warp, warped_size,
+    warp,
+    warped::Warped,
+    warped_size,
 };
 use super::{GROWN, mesh, noise, opaque, picture, warp_bytes};
 use crate::error::Error;
@@ -110,6 +113,42 @@ fn bands_are_rows_of_the_whole_result() {
         let whole = warp(&picture, &rest, &posed, &triangles, options).unwrap();
         assert!(bands.collect::<Vec<_>>().concat() == whole.rgba, "{canvas:?}");
     }
+}
+
+#[test]
+fn fixed_canvas_is_a_window_on_the_grown_one() {
+    let bytes = noise(33, 70);
+    let picture = picture(33, 70, &bytes);
+    let (rest, triangles) = mesh(33.0, 70.0, 4);
+    let posed: Vec<_> = rest.iter().map(|&p| DVec2::new(p.x * 1.3 - 9.0, p.y * 0.8 + p.x * 0.2 - 5.0)).collect();
+    let warped = |canvas| {
+        warp(&picture, &rest, &posed, &triangles, ResampleOptions { canvas, ..ResampleOptions::default() }).unwrap()
+    };
+    let grown = warped(Canvas::Grown);
+    let origin = grown.origin;
+    let same = Extent { origin, width: grown.width, height: grown.height };
+    assert_eq!(warped(Canvas::Fixed(same)), grown);
+    let larger = warped(Canvas::Fixed(Extent {
+        origin: [origin[0] + 5, origin[1] + 21],
+        width: grown.width + 12,
+        height: grown.height + 40,
+    }));
+    let row = |of: &Warped, y: usize| of.rgba.chunks_exact(of.width as usize * 4).nth(y).unwrap().to_vec();
+    for y in 0..larger.height as usize {
+        let expected = if (21..21 + grown.height as usize).contains(&y) {
+            [vec![0; 5 * 4], row(&grown, y - 21), vec![0; 7 * 4]].concat()
+        } else {
+            vec![0; larger.width as usize * 4]
+        };
+        assert!(row(&larger, y) == expected, "row {y}");
+    }
+    let smaller = warped(Canvas::Fixed(Extent { origin: [origin[0] - 3, origin[1] - 2], width: 20, height: 30 }));
+    for y in 0..30 {
+        assert!(row(&smaller, y) == row(&grown, y + 2)[3 * 4..23 * 4], "row {y}");
+    }
+    let empty = Canvas::Fixed(Extent { origin, width: 0, height: 3 });
+    let refused = warp(&picture, &rest, &posed, &triangles, ResampleOptions { canvas: empty, ..GROWN });
+    assert_eq!(refused, Err(Error::NothingDrawn));
 }
 
 #[test]
