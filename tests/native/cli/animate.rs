@@ -238,21 +238,102 @@ fn films_do_not_depend_on_the_run() {
     }
 }
 
-/// `ffprobe` reads the films as well, where it is installed.
+/// The output of a program that may be missing.
+fn output_of(program: &str, arguments: &[&str], folder: &SceneFolder) -> Option<Vec<u8>> {
+    let run = match Command::new(program).args(arguments).current_dir(folder.path()).output() {
+        Ok(run) => run,
+        Err(reason) => {
+            eprintln!("skipped: {program} is not installed: {reason}");
+            return None;
+        }
+    };
+    assert!(run.status.success(), "{program}: {}", String::from_utf8_lossy(&run.stderr));
+    Some(run.stdout)
+}
+
+/// FFmpeg is written by others and shares no code with the encoders. It does not read animated WebP.
 #[test]
-fn ffprobe_counts_the_frames() {
-    if Command::new("ffprobe").arg("-version").output().is_err() {
-        return;
-    }
+fn ffmpeg_decodes_the_frames_of_warp() {
     let folder = turning("repeat");
+    let times = [0.0, 0.1, 0.2, 0.3];
+    let wanted = times.map(|time| warped(&folder, time));
+    let (width, height) = wanted[0].dimensions();
     for name in ["film.gif", "film.png"] {
         animate(&folder, &format!("-o {name}"));
-        let counted = Command::new("ffprobe")
-            .args(["-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0", name])
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
-        assert_eq!(String::from_utf8(counted.stdout).unwrap().trim(), "4", "{name}");
+        let probe =
+            ["-v", "error", "-of", "csv=p=0", "-show_entries", "packet=duration_time:stream=width,height", name];
+        let Some(lines) = output_of("ffprobe", &probe, &folder) else { return };
+        let lines = String::from_utf8(lines).unwrap();
+        let durations: Vec<f64> = lines.lines().filter_map(|line| line.trim_end_matches(',').parse().ok()).collect();
+        assert_eq!(durations, [0.1; 4], "{name}");
+        assert!(lines.contains(&format!("{width},{height}")), "{name}: {lines}");
+
+        let decode = ["-v", "error", "-i", name, "-vsync", "passthrough", "-f", "rawvideo", "-pix_fmt", "rgba", "-"];
+        let Some(decoded) = output_of("ffmpeg", &decode, &folder) else { return };
+        let frames = decoded.chunks_exact(4 * width as usize * height as usize);
+        assert_eq!(frames.len(), times.len(), "{name}");
+        for (rgba, wanted) in frames.zip(&wanted) {
+            let found = RgbaImage::from_raw(width, height, rgba.to_vec()).unwrap();
+            if name == "film.gif" {
+                let frame = gif::Frame {
+                    width: width as u16,
+                    height: height as u16,
+                    buffer: rgba.into(),
+                    ..gif::Frame::default()
+                };
+                let difference = gif_difference(&frame, wanted);
+                assert!(difference < 4.2, "mean difference {difference}");
+            } else {
+                assert!(without_hidden_colours(found) == without_hidden_colours(wanted.clone()), "{name}");
+            }
+        }
+    }
+}
+
+/// The device is full from the beginning, and a frame is the second output.
+#[cfg(target_os = "linux")]
+#[test]
+fn outputs_that_fill_up_are_named_and_leave_no_half_file() {
+    let folder = turning("repeat");
+    for name in ["full.gif", "full.png", "full.webp", "frame-1.png"] {
+        std::os::unix::fs::symlink("/dev/full", folder.file(name)).unwrap();
+    }
+    let names = folder.file_names();
+    let arguments = "animate scene.c2warp.json --scale 0.5 --fps 10";
+    for output in ["-o full.gif", "-o full.png", "-o full.webp", "--sheet full.png"] {
+        let line = fail(folder.path(), &format!("{arguments} {output}"));
+        let name = output.rsplit(' ').next().unwrap();
+        assert!(line.contains(&format!("{name}: cannot write this file: No space left")), "{line}");
+    }
+    assert_eq!(folder.file_names(), names);
+    let line = fail(folder.path(), &format!("{arguments} -o frame-%d.png"));
+    assert!(line.contains("frame-1.png: cannot write this file: No space left"), "{line}");
+    assert!(folder.picture("frame-0.png") == warped(&folder, 0.0), "frames before it are whole");
+}
+
+#[test]
+fn damaged_clips_are_named_by_the_path_of_the_key() {
+    type Change = fn(&mut Value);
+    let changes: [(Change, &str); 6] = [
+        (
+            |clip| clip["tracks"][0]["keys"][1]["time"] = 1.5.into(),
+            "clips[0].tracks[0].keys[1].time: expected seconds from",
+        ),
+        (
+            |clip| clip["tracks"][0]["keys"][1]["time"] = 0.into(),
+            "clips[0].tracks[0].keys[1].time: expected more than 0",
+        ),
+        (|clip| clip["tracks"][0]["handle"] = "tail".into(), r#"clips[0].tracks[0].handle: there is no handle "tail""#),
+        (|clip| clip["duration"] = 0.into(), "clips[0].duration: expected seconds above 0"),
+        (|clip| clip["duration"] = 3601.into(), "clips[0].duration: expected seconds above 0 and up to 3600"),
+        (|clip| clip["loop"] = "once".into(), "clips[0].loop: "),
+    ];
+    for (change, reason) in changes {
+        let folder = turning("repeat").edited(|project| change(&mut project["clips"][0]));
+        let names = folder.file_names();
+        let line = fail(folder.path(), "animate scene.c2warp.json -o film.gif");
+        assert!(line.contains(reason), "{line}");
+        assert_eq!(folder.file_names(), names);
     }
 }
 
