@@ -159,6 +159,53 @@ fn jumps_between_frames_become_motion() {
     }
 }
 
+impl Scene {
+    /// The same ways there and back, over and over.
+    fn repeated(mut self) -> Self {
+        let Clip { duration, tracks, .. } = &self.clip;
+        let tracks = tracks.iter().map(|track| {
+            let at = |time: f64, key: &Key| {
+                let mut key = key.clone();
+                key.time = time;
+                key
+            };
+            let there = track.keys.iter().map(|key| at(key.time / 2.0, key));
+            let back = track.keys.iter().rev().skip(1).map(|key| at(duration - key.time / 2.0, key));
+            Track::new(track.handle.clone(), there.chain(back))
+        });
+        self.clip = Clip::new("there and back", *duration, Looping::Repeat).with_tracks(tracks);
+        self
+    }
+
+    /// The largest step of a vertex over the seam of two rounds, and between all other frames. Without a lead, the
+    /// first frame is plain.
+    fn seam(&self, has_lead: bool) -> [f64; 2] {
+        let mut clip = self.clip.clone();
+        if !has_lead {
+            clip.looping = Looping::None;
+        }
+        let mut playback = Playback::new(self.solution.poser().clone(), clip, self.project.handles.clone());
+        let frames = (self.clip.duration * RATE).round() as u32;
+        let frames: Vec<_> = (0..frames).map(|frame| self.frame(&mut playback, f64::from(frame) / RATE)).collect();
+        let inside = frames.windows(2).map(|pair| farthest(&pair[0], &pair[1])).fold(0.0, f64::max);
+        [farthest(&frames[frames.len() - 1], &frames[0]), inside]
+    }
+}
+
+#[test]
+fn clips_that_repeat_do_not_jump_at_their_seam() {
+    for (name, scene) in [("middle", middle_that_passes()), ("end", end_that_turns()), ("arm", arm_over_another())] {
+        let scene = scene.repeated();
+        let [alone, led] = [false, true].map(|has_lead| scene.seam(has_lead));
+        eprintln!("{name}: seam and inside: {alone:.2?}, after a round before: {led:.2?}");
+        let [seam, inside] = led;
+        assert!(seam <= inside, "{name}: {led:?}");
+        if name == "arm" {
+            assert!(alone[0] > 5.0 * seam, "the first frame alone is far from the last: {alone:?} {led:?}");
+        }
+    }
+}
+
 #[test]
 fn frames_are_plain_poses_where_nothing_jumps() {
     for (name, scene) in [("turn", square_that_turns()), ("swap", handles_that_swap())] {

@@ -6,11 +6,14 @@
 //! step before is continued to the nearest minimum, and taken if that is no jump. The same rule leads from the last
 //! step before a time to that time. A pose depends on the clip and the time alone, not on the times asked for before.
 //!
-//! Cost: a plain pose for each step that is passed for the first time, twice to ten times as much for a step that is
-//! continued. Later a pose near any step takes one or two poses. Memory: a byte a step, and up to 64 MiB of motions.
+//! A clip that repeats is followed once before, and its beginning continues that end. So it does not jump at its seam
+//! if two rounds end in the same minimum.
 //!
-//! Known limits: a minimum that vanishes makes the picture jump. In a clip that repeats, the last pose may belong to
-//! another minimum than the first one: the picture then jumps at the seam.
+//! Cost: a plain pose for each step that is passed for the first time, twice to ten times as much for a step that is
+//! continued. The first pose of a clip that repeats takes a round, but at most ten seconds of steps. Later a pose near
+//! any step takes one or two poses. Memory: a byte a step, and up to 64 MiB of motions.
+//!
+//! Known limits: a minimum that vanishes makes the picture jump. So does a seam where no two rounds end alike.
 
 use super::clock;
 use crate::{
@@ -22,6 +25,9 @@ use crate::{
 
 /// Steps a second: the frames of most screens, and a multiple of the rates of most films.
 const STEPS_PER_SECOND: f64 = 60.0;
+
+/// Steps before the seam that lead to the beginning of a clip that repeats: ten seconds.
+const MOST_LEADING_STEPS: usize = 600;
 
 /// A pose is no jump if no site is farther from where it was, or from where the handles carry it, than they move times
 /// this factor, plus the tolerance.
@@ -129,7 +135,7 @@ impl Playback {
     fn step(&mut self, step: usize) -> Option<Vec<Motion>> {
         while self.steps.len() <= step {
             let next = self.steps.len();
-            let before = next.checked_sub(1).and_then(|before| self.known_step(before));
+            let before = if next == 0 { self.lead() } else { self.known_step(next - 1) };
             let followed = follow(&self.poser, &self.handles(step_time(next)), before.as_deref()).ok();
             let is_kept = next.is_multiple_of(self.stride);
             self.steps.push(match &followed {
@@ -139,6 +145,19 @@ impl Playback {
             self.last = Some((next, followed.map(|followed| followed.motions)));
         }
         self.known_step(step)
+    }
+
+    /// The motions that a clip that repeats ends with, before it begins again. `None` for another clip.
+    fn lead(&self) -> Option<Vec<Motion>> {
+        if !self.clip.looping.repeats() {
+            return None;
+        }
+        // The last step is before the end, which is the beginning.
+        let end = (self.clip.duration * STEPS_PER_SECOND).ceil() as usize;
+        (end.saturating_sub(MOST_LEADING_STEPS)..end).fold(None, |before: Option<Vec<Motion>>, step| {
+            let followed = follow(&self.poser, &self.handles(step_time(step)), before.as_deref()).ok()?;
+            Some(followed.motions)
+        })
     }
 
     /// The motions of a step that was passed before.
