@@ -22,7 +22,7 @@ export class PlayerAttributes extends Base {
     this.setAttribute('poster', poster);
   }
 
-  /** What the picture shows, for screen readers. */
+  /** A description of the picture for screen readers. */
   get alt(): string {
     return this.getAttribute('alt') ?? '';
   }

@@ -9,10 +9,11 @@ import { cycleOf, frameAt, motionAt, orderAt, type RigClip } from './clip';
 import { advanced } from './clock';
 import { type Grips, gripsOf } from './grips';
 import { handlesAt } from './handles_at';
-import { borrow, giveBack, type Loaded } from './library';
+import type { Loaded } from './library';
 import { fileHandle, type HandlePose, type PosedHandle, posedClip, posedHandles } from './posed';
 import { type Screen, screenOf } from './screen';
 import type { Handle } from './shares';
+import { Source } from './source';
 import { type Stage, stage } from './stage';
 
 /** Seconds of the clock between two `timeupdate` events. */
@@ -35,12 +36,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   readonly #grips: Grips;
   readonly #screen: Screen;
   #stage: Stage | undefined;
-  /** The address of the newest source. */
-  #address = '';
-  /** The address of the shown rig. */
-  #shownAddress = '';
-  #shown: Loaded | undefined;
-  #loading: Promise<void> = Promise.resolve();
+  readonly #source: Source;
   #error: Error | null = null;
   #clip: RigClip | undefined;
   /** The handles as a page posed them, in place of the clip. */
@@ -62,6 +58,19 @@ export class C2WarpPlayer extends PlayerAttributes {
       reset: (id) => this.#alter(id, ({ rest }) => ({ posed: rest, rotation: 0, scale: 1 })),
       ended: () => this.dispatchEvent(new Event('change', { bubbles: true })),
     });
+    this.#source = new Source({
+      begun: () => {
+        this.#stage = stage();
+      },
+      shown: (loaded) => this.#begun(loaded),
+      left: () => {
+        [this.#clip, this.#posed] = [undefined, undefined];
+        this.#screen.showPicture(null);
+        this.#grips.show(null, null);
+      },
+      forgotten: (loaded) => this.#stage?.forget(loaded),
+      failed: (error) => this.#fail(error),
+    });
     this.#screen = screenOf(this, this.#grips.element, {
       seen: () => {
         this.#last = Number.NaN;
@@ -77,7 +86,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   connectedCallback(): void {
     this.#screen.watch();
     stillness().addEventListener('change', this.#onStillness);
-    if (this.#wanted() !== (this.#address || this.#shownAddress)) this.#load();
+    if (this.#wanted() !== this.#source.address) this.#load();
   }
 
   disconnectedCallback(): void {
@@ -87,8 +96,7 @@ export class C2WarpPlayer extends PlayerAttributes {
       this.#screen.unwatch();
       stillness().removeEventListener('change', this.#onStillness);
       this.#stage?.cancel(this.#frame);
-      this.#leave();
-      this.#giveBack();
+      this.#source.release();
     });
   }
 
@@ -99,7 +107,7 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (name === 'posable') this.#offer();
     if (name === 'alt') this.#internals.ariaLabel = after;
     if (name === 'width' || name === 'height') this.#screen.setSize(this.givenSize);
-    if (name === 'autoplay' && after !== null && this.#shown) this.#autoplay();
+    if (name === 'autoplay' && after !== null && this.#source.loaded) this.#autoplay();
   }
 
   /** The name of the clip. Without one, the first clip plays. */
@@ -113,7 +121,7 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** The names of all clips; empty until the rig is there. */
   get clips(): string[] {
-    return this.#shown?.rig.clips.map(({ name }) => name) ?? [];
+    return this.#source.loaded?.rig.clips.map(({ name }) => name) ?? [];
   }
 
   /**
@@ -132,8 +140,8 @@ export class C2WarpPlayer extends PlayerAttributes {
    * @throws Error if the rig is not there yet, or its poses need the solver.
    */
   pose(handles: readonly HandlePose[]): void {
-    if (!this.#shown) throw new Error('there is no rig yet that could be posed');
-    const { shares } = this.#shown.rig;
+    if (!this.#source.loaded) throw new Error('there is no rig yet that could be posed');
+    const { shares } = this.#source.loaded.rig;
     if (!shares) throw new Error('this rig cannot be posed: its poses need the solver, as in the rigid mode');
     this.#pose(posedHandles(this.#handles(), handles));
   }
@@ -183,7 +191,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   async play(): Promise<void> {
     this.#autoplays = false;
     this.#begin();
-    await this.#loading;
+    await this.#source.loading;
     if (this.#error) throw this.#error;
   }
 
@@ -194,7 +202,7 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** The handles as they are shown. */
   #handles(): readonly Handle[] {
-    const { shares, rest } = this.#shown?.rig ?? {};
+    const { shares, rest } = this.#source.loaded?.rig ?? {};
     if (this.#posed || !shares || !rest || !this.#clip) return this.#posed ?? [];
     return handlesAt(shares, motionAt(this.#clip, rest.length / 2, frameAt(this.#clip, this.#time)), rest);
   }
@@ -220,7 +228,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   get #hasGrips(): boolean {
-    return this.posable && Boolean(this.#shown?.rig.shares);
+    return this.posable && Boolean(this.#source.loaded?.rig.shares);
   }
 
   #begin(): void {
@@ -257,33 +265,12 @@ export class C2WarpPlayer extends PlayerAttributes {
 
   /** Loads the source. A newer one supersedes it. */
   #load(): void {
-    this.#leave();
     this.#error = null;
-    const address = this.#wanted();
-    if (!address) {
-      this.#giveBack();
-      return;
-    }
-    this.#address = address;
-    const loading = this.#show(address).catch((error: Error) => {
-      // Another source is loading.
-      if (this.#loading !== loading) return;
-      this.#leave();
-      this.#giveBack();
-      this.#fail(error);
-    });
-    this.#loading = loading;
+    this.#source.load(this.#wanted());
   }
 
-  async #show(address: string): Promise<void> {
-    this.#stage = stage();
-    const loaded = await borrow(address);
-    if (this.#address !== address) return;
-    this.#giveBack();
-    this.#shown = loaded;
-    this.#shownAddress = address;
-    this.#address = '';
-    this.#screen.showPicture(loaded.rig);
+  #begun({ rig }: Loaded): void {
+    this.#screen.showPicture(rig);
     this.#offer();
     this.#time = 0;
     this.#choose();
@@ -291,24 +278,9 @@ export class C2WarpPlayer extends PlayerAttributes {
     if (this.autoplay) this.#autoplay();
   }
 
-  /** Gives back a source that is loading. */
-  #leave(): void {
-    if (this.#address) giveBack(this.#address, () => {});
-    this.#address = '';
-  }
-
-  /** Gives back the shown rig, and shows the content of the element again. */
-  #giveBack(): void {
-    if (!this.#shown) return;
-    giveBack(this.#shownAddress, (loaded) => this.#stage?.forget(loaded));
-    [this.#shown, this.#clip, this.#posed, this.#shownAddress] = [undefined, undefined, undefined, ''];
-    this.#screen.showPicture(null);
-    this.#grips.show(null, null);
-  }
-
   #choose(): void {
-    if (!this.#shown) return;
-    const { clips } = this.#shown.rig;
+    if (!this.#source.loaded) return;
+    const { clips } = this.#source.loaded.rig;
     const wanted = this.getAttribute('clip');
     const found = wanted === null ? clips[0] : clips.find(({ name }) => name === wanted);
     if (found) this.#error = null;
@@ -330,11 +302,11 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   #ask(): void {
-    if (this.#shown && this.#screen.isSeen) this.#stage?.ask(this.#frame);
+    if (this.#source.loaded && this.#screen.isSeen) this.#stage?.ask(this.#frame);
   }
 
   readonly #frame = (now: number): boolean => {
-    if (!this.#shown || !this.#screen.isSeen) return false;
+    if (!this.#source.loaded || !this.#screen.isSeen) return false;
     this.#advance(now);
     this.#draw();
     return !this.#paused;
@@ -357,7 +329,7 @@ export class C2WarpPlayer extends PlayerAttributes {
   }
 
   #draw(): void {
-    const loaded = this.#shown;
+    const loaded = this.#source.loaded;
     const clip = loaded && this.#posed ? posedClip(loaded.rig, this.#posed) : this.#clip;
     const { context } = this.#screen;
     const view = loaded && this.#screen.viewOf(loaded.rig);
