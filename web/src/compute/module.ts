@@ -74,12 +74,13 @@ function reason(error: unknown): string {
 }
 
 async function load(): Promise<WebAssembly.Module> {
-  const module = await compile(new URL('./generated/c2warp_bg.wasm', import.meta.url));
+  const module = await compiled(new URL('./generated/c2warp_bg.wasm', import.meta.url));
   await init({ module_or_path: module });
   return module;
 }
 
-async function compile(url: URL): Promise<WebAssembly.Module> {
+/** @throws Error that says what is wrong with the file. */
+export async function compiled(url: URL): Promise<WebAssembly.Module> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url.pathname} answers ${response.status}`);
   const type = response.headers.get('content-type') ?? '';

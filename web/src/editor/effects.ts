@@ -18,7 +18,7 @@ export interface FocusTarget {
 }
 
 /** Controls that the editor focuses by itself. */
-export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'overlay-button';
+export type ControlName = 'name' | 'clip-name' | 'timeline' | 'overlays' | 'overlay-button' | 'code';
 
 /** The DOM events of the element. */
 export type PageNotification =
@@ -126,6 +126,15 @@ export type EditorEffect =
       readonly clip: Clip;
       readonly film: FilmOrder;
     }
+  /** Answered by `export-ended`. */
+  | {
+      readonly type: 'export-rig';
+      readonly name: string;
+      readonly project: Project;
+      readonly picture: Picture;
+    }
+  /** Answered by `code-copied`. */
+  | { readonly type: 'copy-code'; readonly code: string }
   /** Answered by `codecs-found`. */
   | {
       readonly type: 'find-codecs';

@@ -248,7 +248,11 @@ type FileEvent =
   | { readonly type: 'export-kind-chosen'; readonly kind: ExportKind }
   | { readonly type: 'film-choice-made'; readonly choice: Partial<FilmChoices> }
   /** The browser's codecs for films of the last asked size. */
-  | { readonly type: 'codecs-found'; readonly codecs: VideoCodecs };
+  | { readonly type: 'codecs-found'; readonly codecs: VideoCodecs }
+  /** The code that shows the exported rig is asked for. */
+  | { readonly type: 'code-asked' }
+  /** `copied`: whether the browser took it to the clipboard. */
+  | { readonly type: 'code-copied'; readonly copied: boolean };
 
 type StorageEvent =
   | { readonly type: 'autosave-key-set'; readonly key: string | null }

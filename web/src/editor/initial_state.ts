@@ -77,6 +77,7 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       film: DEFAULT_FILM,
       codecs: null,
       awaitsCodecs: false,
+      code: null,
       running: null,
     },
     autosave: {

@@ -142,6 +142,8 @@ export interface ExportState {
   readonly codecs: VideoCodecs | null;
   /** A film begins once they are known. */
   readonly awaitsCodecs: boolean;
+  /** Whether the browser took the code of a web page to the clipboard; null before it was asked for. */
+  readonly code: 'copied' | 'blocked' | null;
   /** The export under way, and whether it cuts off a part of the posed picture. */
   readonly running: { readonly cut: boolean } | null;
 }

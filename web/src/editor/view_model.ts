@@ -47,6 +47,7 @@ import { isKept } from './update/autosave';
 import { currentTask, shownNotice } from './update/notices';
 import { exportSize, isInView } from './view';
 import { awaitsPicture, toolToCome, waitingPlaces } from './waiting_input';
+import { type WebPageModel, webPageModel } from './web_page_model';
 import type { WorkSnapshot } from './work';
 
 export interface EditorModel {
@@ -168,6 +169,8 @@ export interface ExportModel {
   readonly size: Size | null;
   /** Null while the panel shows another kind, or is closed. */
   readonly film: FilmModel | null;
+  /** The same for a web page. */
+  readonly page: WebPageModel | null;
 }
 
 /** The page's hint, and the place of the picture that it points to. */
@@ -277,7 +280,8 @@ export function viewModel(state: EditorState): EditorModel {
       // The bounds of the posed picture take a pass over its mesh.
       const size = open && kind === 'picture' ? exportSize(state) : null;
       const film = open && kind === 'film' ? filmModel(state) : null;
-      return { kind, choices, running: running !== null, size, film };
+      const page = open && kind === 'page' ? webPageModel(state) : null;
+      return { kind, choices, running: running !== null, size, film, page };
     },
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),

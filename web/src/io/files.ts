@@ -15,6 +15,7 @@ const KINDS = {
   gif: { description: 'GIF pictures', mimeTypes: ['image/gif'], extensions: ['.gif'] },
   webm: { description: 'WebM films', mimeTypes: ['video/webm'], extensions: ['.webm'] },
   mp4: { description: 'MP4 films', mimeTypes: ['video/mp4'], extensions: ['.mp4'] },
+  rig: { description: 'c2warp rigs', mimeTypes: ['application/octet-stream'], extensions: ['.c2rig'] },
   zip: { description: 'Zip archives', mimeTypes: ['application/zip'], extensions: ['.zip'] },
 };
 

@@ -46,6 +46,7 @@ import { Storage } from './storage';
 import { Store } from './store';
 import { Study } from './study';
 import { Timers } from './timers';
+import { WebPages } from './web_pages';
 
 /** The element that the editor runs in, and its answers to the editor. */
 export interface EditorElement {
@@ -70,6 +71,7 @@ export class EditorRuntime {
   readonly #solver: Solver;
   readonly #files: Files;
   readonly #films: Films;
+  readonly #webPages: WebPages;
   readonly #storage: Storage;
   readonly #timers: Timers;
   readonly #clock: Clock;
@@ -100,6 +102,7 @@ export class EditorRuntime {
     this.#solver = new Solver(dispatch);
     this.#files = new Files(dispatch, this.#pictures, this.#solver);
     this.#films = new Films(dispatch, this.#solver);
+    this.#webPages = new WebPages(dispatch, this.#pictures);
     this.#storage = new Storage(dispatch);
     this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
     // Out of sight time stands still.
@@ -250,6 +253,7 @@ export class EditorRuntime {
     this.#storage.dispose();
     this.#files.dispose();
     this.#films.dispose();
+    this.#webPages.dispose();
     this.#solver.dispose();
     this.#pictures.dispose();
     for (const { reject } of this.#loads.values())
@@ -362,6 +366,7 @@ export class EditorRuntime {
       clock: this.#clock,
       files: this.#files,
       films: this.#films,
+      webPages: this.#webPages,
       focus: this.#focus,
       menu: this.#menu,
       pictures: this.#pictures,

@@ -15,6 +15,7 @@ import type { Solver } from './solver';
 import type { Storage } from './storage';
 import type { Study } from './study';
 import type { Timers } from './timers';
+import type { WebPages } from './web_pages';
 
 /** The resources that carry out effects. */
 export interface Resources {
@@ -31,6 +32,7 @@ export interface Resources {
   readonly storage: Storage;
   readonly study: Study;
   readonly timers: Timers;
+  readonly webPages: WebPages;
   /** Whether the picture is shown as pixel art. */
   readonly pixelated: boolean;
   /** Resolves once the page shows the state. */
@@ -66,9 +68,12 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   export: (effect, { files, pixelated }) => files.export(effect, pixelated),
   'export-film': (effect, { films, pixelated }) => films.export(effect, pixelated),
   'find-codecs': (effect, { films }) => films.findCodecs(effect),
-  'cancel-export': (_, { files, films }) => {
+  'export-rig': (effect, { webPages }) => webPages.export(effect),
+  'copy-code': (effect, { webPages }) => webPages.copyCode(effect.code),
+  'cancel-export': (_, { files, films, webPages }) => {
     files.cancelExport();
     films.cancel();
+    webPages.cancel();
   },
   'prepare-export': () => prepareEncoder(),
   'copy-pose': (_, { clipboard }) => clipboard.copy(),

@@ -3,8 +3,10 @@ import type { CSSResult, TemplateResult } from 'lit';
 import type { Dispatch } from '../editor/events';
 import type { FilmModel } from '../editor/film_model';
 import type { EditorModel } from '../editor/view_model';
+import type { WebPageModel } from '../editor/web_page_model';
 
 export interface ExportPages {
   readonly styles: readonly CSSResult[];
+  page(page: WebPageModel, model: EditorModel, dispatch: Dispatch): TemplateResult;
   film(film: FilmModel, model: EditorModel, dispatch: Dispatch): TemplateResult;
 }

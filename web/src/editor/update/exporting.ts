@@ -13,6 +13,7 @@ import { withExport } from './export_slice';
 import { exportFilm } from './filming';
 import type { Handlers } from './handlers';
 import { announce, beginTask, endTask, followTask, inform, notify, report } from './notices';
+import { exportRig } from './web_page';
 
 /** Steps of the percentage that screen readers announce. */
 const ANNOUNCED = 0.25;
@@ -31,8 +32,16 @@ interface ExportOptions {
 }
 
 /** Exports by the last choices. */
-export const exportChosen = (state: EditorState, emit: Emit): EditorState =>
-  state.exporting.kind === 'film' ? exportFilm(state, emit) : exportPicture(state, emit);
+export function exportChosen(state: EditorState, emit: Emit): EditorState {
+  switch (state.exporting.kind) {
+    case 'picture':
+      return exportPicture(state, emit);
+    case 'film':
+      return exportFilm(state, emit);
+    case 'page':
+      return exportRig(state, emit);
+  }
+}
 
 /** The pose that exports draw. Along a clip the picture keeps to the way from its beginning. */
 export function drawn(state: EditorState): { readonly project: Project; readonly moment: ClipMoment | null } {

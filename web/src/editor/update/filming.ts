@@ -73,7 +73,7 @@ function chooseFilm(state: EditorState, choice: Partial<FilmChoices>, emit: Emit
 /** The panel opens: the clip of the timeline is meant again. */
 export function openExport(state: EditorState, emit: Emit): EditorState {
   const { kind, film } = state.exporting;
-  const next = withExport(state, { film: { ...film, clip: null } });
+  const next = withExport(state, { film: { ...film, clip: null }, code: null });
   return kind === 'film' ? findCodecs(next, emit) : next;
 }
 

@@ -42,6 +42,7 @@ import { studyHandlers } from './study';
 import { reportTitle } from './title';
 import { trialHandlers } from './trial';
 import { askForRelease, keepWaiting, waitingHandlers } from './waiting';
+import { webPageHandlers } from './web_page';
 
 const timerHandlers: Handlers<'timer-elapsed'> = {
   'timer-elapsed': (state, { timer }, emit) => {
@@ -91,6 +92,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...timerHandlers,
   ...trialHandlers,
   ...waitingHandlers,
+  ...webPageHandlers,
 };
 
 export interface Update {

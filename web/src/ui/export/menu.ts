@@ -11,7 +11,7 @@ import { icon } from '../icons';
 import { choice } from './controls';
 import { picturePage } from './picture';
 
-const KINDS: Readonly<Record<ExportKind, string>> = { picture: 'Picture', film: 'Film' };
+const KINDS: Readonly<Record<ExportKind, string>> = { picture: 'Picture', film: 'Film', page: 'Web page' };
 
 /** @param pages those that are loaded later; null until then. */
 export function exportMenu(
@@ -68,7 +68,8 @@ function page(
   dispatch: Dispatch,
   pages: ExportPages | null,
 ): TemplateResult | typeof nothing {
-  const { kind, film } = model.exporting;
+  const { kind, film, page } = model.exporting;
   if (kind === 'picture') return picturePage(model, dispatch);
-  return pages && film ? pages[kind](film, model, dispatch) : nothing;
+  if (film) return pages?.film(film, model, dispatch) ?? nothing;
+  return (page && pages?.page(page, model, dispatch)) ?? nothing;
 }

@@ -2,5 +2,11 @@
 import type { ExportPages } from '../export_pages';
 import { filmPage } from './film';
 import { filmStyle } from './film_style';
+import { webPage } from './web_page';
+import { webPageStyle } from './web_page_style';
 
-export const exportPages: ExportPages = { styles: [filmStyle], film: filmPage };
+export const exportPages: ExportPages = {
+  styles: [filmStyle, webPageStyle],
+  film: filmPage,
+  page: webPage,
+};

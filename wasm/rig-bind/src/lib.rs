@@ -1,0 +1,43 @@
+//! Rigs for JavaScript: a module of its own with a solver, which a page loads when somebody exports for the web.
+//!
+//! It lives in a worker that ends with the bake. So a cancel needs no pause in it.
+
+use std::fmt;
+
+use c2warp::{
+    Picture,
+    project::Project,
+    rig::{Rig, RigPicture},
+    solve,
+};
+use js_sys::{Error as JsError, Function};
+use wasm_bindgen::prelude::*;
+
+/// Solves a project, and bakes its clips.
+///
+/// `rgba` is straight, rows from top to bottom. `picture_file` is a PNG, WebP or JPEG file of the same picture. `tell`
+/// gets the part that is done, from 0 to 1.
+///
+/// # Errors
+/// For a project that cannot be solved with this picture, and for clips that no rig can hold.
+#[wasm_bindgen]
+pub fn bake(
+    project_json: &str,
+    width: u32,
+    height: u32,
+    rgba: &[u8],
+    picture_file: Vec<u8>,
+    tell: &Function,
+) -> Result<Vec<u8>, JsError> {
+    let refused = |reason: &dyn fmt::Display| JsError::new(&reason.to_string());
+    let project = Project::from_json(project_json).map_err(|reason| refused(&reason))?;
+    let picture = Picture::new(width, height, rgba).map_err(|reason| refused(&reason))?;
+    let solution = solve(&project, &picture).map_err(|reason| refused(&reason))?;
+    let picture = RigPicture { width, height, file: picture_file };
+    let mut tell = |part: f64| {
+        // Nothing can be done about a listener that fails.
+        let _ = tell.call1(&JsValue::NULL, &part.into());
+    };
+    let rig = Rig::bake_telling(&project, &solution, picture, &mut tell);
+    rig.and_then(|rig| rig.to_bytes()).map_err(|reason| refused(&reason))
+}

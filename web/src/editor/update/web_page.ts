@@ -1,0 +1,29 @@
+/** Exports for web pages: a rig, and the code that shows it. */
+import type { Emit } from '../effects';
+import { playerCode, rigName } from '../player_code';
+import { type EditorState, filedProject } from '../state';
+import { withExport } from './export_slice';
+import type { Handlers } from './handlers';
+import { beginTask } from './notices';
+
+export function exportRig(state: EditorState, emit: Emit): EditorState {
+  const { picture, exporting } = state;
+  if (!picture || exporting.running) return state;
+  emit({ type: 'export-rig', name: rigName(picture.name), project: filedProject(state), picture });
+  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
+  return beginTask(withExport(state, { running: { cut: false } }), task, emit);
+}
+
+function copyCode(state: EditorState, emit: Emit): EditorState {
+  const { picture } = state;
+  if (picture) emit({ type: 'copy-code', code: playerCode(filedProject(state), picture.name) });
+  return state;
+}
+
+export const webPageHandlers: Handlers<'code-asked' | 'code-copied'> = {
+  'code-asked': (state, _, emit) => copyCode(state, emit),
+  'code-copied': (state, { copied }, emit) => {
+    if (!copied) emit({ type: 'focus-control', control: 'code' });
+    return withExport(state, { code: copied ? 'copied' : 'blocked' });
+  },
+};
