@@ -78,6 +78,7 @@ mod stage;
 
 // Leaving: solutions for other programs.
 pub mod rig;
+mod sprite_mesh;
 
 // Explaining a solution.
 mod lens;
@@ -96,6 +97,7 @@ pub use report::{Inspection, Report};
 pub use solution::Solution;
 pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};
 pub use solver::Solver;
+pub use sprite_mesh::{SpriteMesh, TooFewVertices};
 pub use stage::{Stage, StageTimes};
 pub use static_background::StaticBackground;
 pub use study::{SiteStudy, Study};

@@ -178,6 +178,11 @@ impl Solution {
         &self.prepared.domain
     }
 
+    /// Whether pixels around the domain move with it: those of a picture that is cut out by its alpha.
+    pub(crate) fn draws_around(&self) -> bool {
+        self.prepared.around.is_some()
+    }
+
     /// The triangulation of the domain that [distances](Navigation::distances_from) are computed on.
     #[must_use]
     pub fn navigation(&self) -> &Navigation {

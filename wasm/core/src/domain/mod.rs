@@ -10,6 +10,7 @@ mod outline;
 mod polygon;
 mod ring;
 mod simplify;
+mod visible;
 
 use glam::DVec2;
 
@@ -27,6 +28,7 @@ pub use ring::Ring;
 #[cfg(test)]
 pub(crate) use ring::contains;
 pub(crate) use ring::{edges, signed_area};
+pub(crate) use visible::VisiblePixels;
 
 /// The region to warp, in image pixels. See the [module](self) for its invariants.
 #[derive(Debug, Clone, PartialEq)]

@@ -14,6 +14,7 @@ mod refine;
 mod samples;
 mod shown;
 mod skirt;
+mod sprite;
 mod tiles;
 
 #[cfg(test)]
@@ -21,3 +22,4 @@ pub(crate) use base::BaseSamples;
 pub(crate) use cache::SamplingCache;
 pub(crate) use coarse::{CoarseSamples, coarse_sample_count};
 pub(crate) use samples::Samples;
+pub(crate) use sprite::SpriteSamples;
