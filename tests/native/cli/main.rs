@@ -7,6 +7,7 @@ mod bake;
 mod carried;
 mod command;
 mod errors;
+mod export;
 mod inspect;
 mod manual;
 mod scene_folder;

@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use c2warp::project::ProjectError;
+use c2warp_export::ExportError;
 use image::{ImageError, ImageFormat};
 
 /// The reason for which a command failed. Most messages begin with the file concerned.
@@ -63,6 +64,14 @@ pub(crate) enum CliError {
     Refused { path: PathBuf, reason: c2warp::Error },
     #[error("{}: {reason}", path.display())]
     NotBaked { path: PathBuf, reason: c2warp::rig::BakeError },
+    #[error("{}: a rig ends with .spine.json, _ske.json, .glb or .tscn", path.display())]
+    RigType { path: PathBuf },
+    #[error("{option}: expected a whole number, found {found}")]
+    Whole { option: &'static str, found: f64 },
+    #[error("{0}")]
+    Export(Box<ExportError>),
+    #[error("{}: {reason}", path.display())]
+    NotExported { path: PathBuf, reason: Box<ExportError> },
     #[error("{}: the first line must be x,y", path.display())]
     PointsHeader { path: PathBuf },
     #[error("{}: line {line}: expected two finite numbers x,y, found {found:?}", path.display())]

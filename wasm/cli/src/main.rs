@@ -8,6 +8,7 @@ mod bake;
 mod carried;
 mod distance;
 mod error;
+mod export;
 mod input;
 mod inspect;
 mod map;
@@ -43,6 +44,7 @@ enum Command {
     Map(map::Arguments),
     Distance(distance::Arguments),
     Bake(bake::Arguments),
+    Export(export::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
         Command::Map(arguments) => map::run(&arguments),
         Command::Distance(arguments) => distance::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

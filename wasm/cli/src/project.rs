@@ -84,6 +84,11 @@ impl LoadedProject {
         }
     }
 
+    /// Returns whether a path is that of the project's picture.
+    pub(crate) fn is_picture(&self, path: &Path) -> bool {
+        matches!([fs::canonicalize(path), fs::canonicalize(&self.image_path)], [Ok(path), Ok(image)] if path == image)
+    }
+
     /// Returns the pixels for the solver.
     pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {
         let pixels = &self.image.pixels;

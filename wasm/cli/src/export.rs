@@ -1,0 +1,112 @@
+//! `c2warp export`: the picture as a rig for a game engine, with bones, weights and baked clips.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Options};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
+
+use crate::error::CliError;
+use crate::picture::PictureFile;
+use crate::project::{InputFiles, LoadedProject};
+
+/// Writes the picture and its clips as a rig for a game engine, and prints the loss of the rig
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example: a rig for Spine with 40 bones, as cat.spine.json, cat.atlas and cat.png\n  \
+                        c2warp export cat.c2warp.json -o rigs/cat.spine.json --bones 40")]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    files: InputFiles,
+    /// The output: OUT.spine.json (Spine), OUT_ske.json (DragonBones), OUT.glb (glTF) or OUT.tscn (Godot). An atlas and
+    /// the picture are written beside it, except for glTF
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+    /// The most bones besides the root, up to 255
+    #[arg(long, value_name = "N", default_value_t = Options::default().bones as f64, allow_negative_numbers = true)]
+    bones: f64,
+    /// The most bones that move a vertex. Godot and most engines have 4
+    #[arg(long, value_name = "N", default_value_t = Options::default().influences as f64, allow_negative_numbers = true)]
+    influences: f64,
+    /// The most vertices
+    #[arg(long, value_name = "N", default_value_t = Options::default().vertices as f64, allow_negative_numbers = true)]
+    vertices: f64,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
+    // Reject invalid options and outputs before solving.
+    let path = &arguments.output;
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let (format, stem) = Format::of_file(name).ok_or_else(|| CliError::RigType { path: path.clone() })?;
+    let options = Options {
+        bones: whole("--bones", arguments.bones)?,
+        influences: whole("--influences", arguments.influences)?,
+        vertices: whole("--vertices", arguments.vertices)?,
+    };
+    options.check(format).map_err(|reason| CliError::Export(Box::new(reason)))?;
+    let loaded = LoadedProject::open(&arguments.files)?;
+    let picture = loaded.picture()?;
+    let beside = |ending: &str| path.with_file_name(format!("{stem}{ending}"));
+    let endings = [format.ending()].into_iter().chain(format.other_endings().iter().copied());
+    let outputs = endings.map(|ending| loaded.output(&beside(ending))).collect::<Result<Vec<_>, _>>()?;
+    // The project's own picture is used as it is.
+    let picture_path = format.picture_ending().map(beside).filter(|path| !loaded.is_picture(path));
+    let picture_output = picture_path.map(|path| loaded.output(&path)).transpose()?;
+
+    let solution = loaded.solve()?;
+    let refused =
+        |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
+    let rig = EngineRig::new(stem, &loaded.project, &solution, &picture, options).map_err(refused)?;
+    let png = encode_png(loaded.picture_file()).map_err(|reason| CliError::write(path)(io::Error::other(reason)))?;
+    let files = rig.files(format, &png).map_err(refused)?;
+    for (output, file) in outputs.into_iter().zip(files) {
+        output.write(|writer| writer.write_all(&file.bytes))?;
+    }
+    if let Some(output) = picture_output {
+        output.write(|writer| writer.write_all(&png))?;
+    }
+    print_report(&rig, &mut io::stdout().lock()).map_err(CliError::Print)
+}
+
+fn whole(option: &'static str, number: f64) -> Result<usize, CliError> {
+    if number.fract() == 0.0 && number >= 0.0 {
+        // Huge numbers are cut to the greatest one, which is refused later.
+        Ok(number as usize)
+    } else {
+        Err(CliError::Whole { option, found: number })
+    }
+}
+
+/// The picture as decoded: upright, with 8 bits a channel.
+fn encode_png(PictureFile { pixels, profile, .. }: &PictureFile) -> ImageResult<Vec<u8>> {
+    let mut png = Vec::new();
+    let mut encoder = PngEncoder::new(&mut png);
+    if let Some(profile) = profile {
+        encoder.set_icc_profile(profile.clone()).map_err(ImageError::Unsupported)?;
+    }
+    encoder.write_image(pixels, pixels.width(), pixels.height(), ExtendedColorType::Rgba8)?;
+    Ok(png)
+}
+
+fn print_report(rig: &EngineRig, to: &mut impl Write) -> io::Result<()> {
+    let ((bones, sites), (vertices, triangles)) = (rig.bones(), rig.size());
+    writeln!(to, "bones        {bones} of {sites} sites")?;
+    writeln!(to, "influences   {}", rig.influences())?;
+    writeln!(to, "vertices     {vertices}, in {triangles} triangles")?;
+    writeln!(to, "outline      within {:.1} px", rig.outline_tolerance())?;
+    let loss = rig.loss();
+    if !loss.clips.is_empty() {
+        writeln!(to, "keys         within {KEY_TOLERANCE_PX} px more, at 60 frames a second")?;
+    }
+    writeln!(to, "{:<34}{:>9}{:>9}{:>9}", "error in pixels", "largest", "99 %", "mean")?;
+    let mut line = |name: &str, errors: &Errors| {
+        let Errors { largest, percentile_99, mean } = errors;
+        writeln!(to, "{name:<34}{largest:>9.3}{percentile_99:>9.3}{mean:>9.3}")
+    };
+    line("vertices, project's pose", &loss.pose)?;
+    line("vertices, 20 random poses", &loss.random)?;
+    for (name, errors) in &loss.clips {
+        line(&format!("vertices, clip {name:?}"), errors)?;
+    }
+    line("between vertices", &loss.between)
+}

@@ -1,0 +1,40 @@
+//! Names that every format accepts.
+
+use std::collections::BTreeSet;
+
+/// Godot refuses these in names of nodes and animations.
+const REFUSED: &[char] = &['.', ':', '@', '/', '"', '%', ',', '[', ']', '\\'];
+
+/// Gives out names, each once.
+#[derive(Debug, Default)]
+pub(crate) struct Names(BTreeSet<String>);
+
+impl Names {
+    /// The name with refused characters replaced, and a number where it is taken.
+    pub(crate) fn unique(&mut self, name: &str) -> String {
+        let is_refused = |c: char| c.is_control() || REFUSED.contains(&c);
+        let plain: String = name.chars().map(|c| if is_refused(c) { '_' } else { c }).collect();
+        let mut unique = plain.clone();
+        for number in 2.. {
+            if self.0.insert(unique.clone()) {
+                break;
+            }
+            unique = format!("{plain} {number}");
+        }
+        unique
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Names;
+
+    #[test]
+    fn names_are_unique_after_characters_are_replaced() {
+        let mut names = Names::default();
+        assert_eq!(names.unique("hand"), "hand");
+        assert_eq!(names.unique("a/b"), "a_b");
+        assert_eq!(names.unique("a:b"), "a_b 2");
+        assert_eq!(names.unique("hand"), "hand 2");
+    }
+}
