@@ -10,7 +10,7 @@
 //! if two rounds end in the same minimum.
 //!
 //! Cost: a plain pose for each step that is passed for the first time, twice to ten times as much for a step that is
-//! continued. The first pose of a clip that repeats takes a round, but at most ten seconds of steps. Later a pose near
+//! continued. The first pose of a clip that repeats takes a round, but at most two seconds of steps. Later a pose near
 //! any step takes one or two poses. Memory: a byte a step, and up to 64 MiB of motions.
 //!
 //! Known limits: a minimum that vanishes makes the picture jump. So does a seam where no two rounds end alike.
@@ -26,8 +26,9 @@ use crate::{
 /// Steps a second: the frames of most screens, and a multiple of the rates of most films.
 const STEPS_PER_SECOND: f64 = 60.0;
 
-/// Steps before the seam that lead to the beginning of a clip that repeats: ten seconds.
-const MOST_LEADING_STEPS: usize = 600;
+/// Steps before the seam that lead to the beginning of a clip that repeats: two seconds. With more, the first look at a
+/// clip takes longer after each edit.
+const MOST_LEADING_STEPS: usize = 120;
 
 /// A pose is no jump if no site is farther from where it was, or from where the handles carry it, than they move times
 /// this factor, plus the tolerance.
