@@ -220,6 +220,44 @@ test('a film goes to the picked file bit by bit, and has a part of the clip', as
   expectFrames(shown, wanted, 1);
 });
 
+test('all frames of a grown film hold the part that leaves the picture in some', async ({ page }) => {
+  await opened(page);
+  await page.locator('c2-warp').evaluate((element) => {
+    const warp = element as C2Warp;
+    const { project } = warp;
+    const keys = [
+      { time: 0, posed: [900, 516] as const },
+      { time: 0.25, posed: [1150, 400] as const },
+    ];
+    const clips = [
+      { name: 'wave', duration: 0.5, loop: 'repeat' as const, tracks: [{ handle: 'right-hand', keys }] },
+    ];
+    warp.project = { ...project, clips };
+  });
+  await choose(page, 'APNG');
+  await choose(page, 'All frames');
+  await expect(panel(page)).toContainText(/≈ 1\d\d × 154 px/);
+  const { file } = await exported(page, 'APNG');
+  const { frames, shown } = await decodePicture(page, file, 'image/png', ALL);
+  expect(frames).toBe(FRAMES);
+  const [width = 0, height] = [shown[0]?.width, shown[0]?.height];
+  expect(width).toBeGreaterThan(140);
+  expect(height).toBe(154);
+  // Within the picture's own rectangle the frames are those of the command.
+  const wanted = await expected(page);
+  expectFrames(
+    shown.map((frame) => croppedTo(frame, 123, 154)),
+    wanted,
+    1,
+  );
+  // The hand is beyond it in one frame, and not in the first.
+  const beyond = (frame: Pixels | undefined) =>
+    Array.from(frame?.data ?? []).filter((value, at) => at % 4 === 3 && (at / 4) % width > 125 && value > 0)
+      .length;
+  expect(beyond(shown[0])).toBe(0);
+  expect(beyond(shown[2])).toBeGreaterThan(100);
+});
+
 test('Escape and a button cancel half way, and the next film is whole', async ({ page }) => {
   const editor = await opened(page);
   const before = await projectText(page);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use c2warp::{
-    Drawing, Error, Picture, ResampleOptions, Solution,
+    Canvas, Drawing, Error, Extent, Picture, ResampleOptions, Solution,
     clip::{FrameTimes, Playback},
     deform::Pose,
     project::{Blend, Clip, Project, clip_from_json},
@@ -56,7 +56,8 @@ pub struct Filming {
     blend: Blend,
     times: FrameTimes,
     options: ResampleOptions,
-    size: [u32; 2],
+    /// The rectangle of all frames.
+    extent: Extent,
 }
 
 #[wasm_bindgen]
@@ -65,14 +66,14 @@ impl Filming {
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
-        self.size[0]
+        self.extent.width
     }
 
     /// Height of all frames in pixels.
     #[must_use]
     #[wasm_bindgen(getter)]
     pub fn height(&self) -> u32 {
-        self.size[1]
+        self.extent.height
     }
 
     /// Number of frames.
@@ -97,10 +98,11 @@ impl Filming {
         clip: Clip,
         times: FrameTimes,
         options: ResampleOptions,
-        size: [u32; 2],
+        [width, height]: [u32; 2],
     ) -> Self {
         let playback = Playback::new(solution.poser().clone(), clip, project.handles.clone());
-        Self { solution, playback, blend: project.pose.blend, times, options, size }
+        let extent = Extent { origin: [0, 0], width, height };
+        Self { solution, playback, blend: project.pose.blend, times, options, extent }
     }
 
     /// All of the picture at the scale of the film. It has the colours of all frames.
@@ -110,8 +112,22 @@ impl Filming {
 
     /// A frame, ready to be drawn; `None` if there is no such frame.
     pub(crate) fn drawing(&mut self, picture: &Picture<'_>, frame: u32) -> Option<Result<Drawing, Error>> {
+        let pose = self.pose(frame)?;
+        let options = ResampleOptions { canvas: Canvas::Fixed(self.extent), ..self.options };
+        Some(pose.and_then(|pose| self.solution.drawing(picture, &pose, options)))
+    }
+
+    /// Grows the rectangle of all frames to hold this one; `None` if there is no such frame.
+    pub(crate) fn include(&mut self, picture: &Picture<'_>, frame: u32) -> Option<Result<(), Error>> {
+        let pose = self.pose(frame)?;
+        let options = ResampleOptions { canvas: Canvas::Grown, ..self.options };
+        let extent = pose.and_then(|pose| self.solution.extent(picture, &pose, options));
+        let grown = extent.and_then(|extent| self.extent.union(extent));
+        Some(grown.map(|extent| self.extent = extent))
+    }
+
+    fn pose(&mut self, frame: u32) -> Option<Result<Pose, Error>> {
         let &time = self.times.seconds().get(frame as usize)?;
-        let pose = self.playback.pose(time, self.blend);
-        Some(pose.and_then(|pose| self.solution.drawing(picture, &pose, self.options)))
+        Some(self.playback.pose(time, self.blend))
     }
 }

@@ -124,11 +124,20 @@ impl Session {
         from: Option<f64>,
         to: Option<f64>,
         scale: f64,
-        canvas: Canvas,
         pixelated: bool,
     ) -> Result<Filming, JsValue> {
-        let film = FilmOptions { rate, from, to, resample: options(scale, canvas, pixelated) };
+        let film = FilmOptions { rate, from, to, resample: options(scale, Canvas::Picture, pixelated) };
         self.try_film(project_json, clip_json, film).map_err(|error| to_js(&error))
+    }
+
+    /// Grows all frames of a film to hold all that one of them draws, counted from 0. Call it for each frame before any
+    /// of them is drawn.
+    ///
+    /// # Errors
+    /// As [`frame`](Self::frame), and if the frames would be too large.
+    pub fn include(&self, filming: &mut Filming, frame: u32) -> Result<(), JsValue> {
+        let picture = Picture::new(self.width, self.height, &self.rgba);
+        of_frame(picture.and_then(|picture| filming.include(&picture, frame).transpose()))
     }
 
     /// Prepares to draw a frame of a film, counted from 0.
@@ -137,12 +146,7 @@ impl Session {
     /// If there is no such frame, or its handles have no pose.
     pub fn frame(&self, filming: &mut Filming, frame: u32) -> Result<Drawing, JsValue> {
         let picture = Picture::new(self.width, self.height, &self.rgba);
-        let drawing = picture.and_then(|picture| filming.drawing(&picture, frame).transpose());
-        match drawing {
-            Ok(Some(drawing)) => Ok(drawing.into()),
-            Ok(None) => Err(with_code("there is no such frame", "engine")),
-            Err(error) => Err(to_js(&error)),
-        }
+        of_frame(picture.and_then(|picture| filming.drawing(&picture, frame).transpose())).map(Drawing::from)
     }
 
     /// Draws rows of a drawing of the present picture: straight RGBA.
@@ -257,6 +261,15 @@ impl Session {
             while self.try_advance()?.is_some() {}
         }
         Ok(self.solver.solution().expect("every stage has run"))
+    }
+}
+
+/// An answer about a frame, if there is one.
+fn of_frame<T>(answer: Result<Option<T>, Error>) -> Result<T, JsValue> {
+    match answer {
+        Ok(Some(answer)) => Ok(answer),
+        Ok(None) => Err(with_code("there is no such frame", "engine")),
+        Err(error) => Err(to_js(&error)),
     }
 }
 

@@ -50,6 +50,7 @@ const BROKE: Readonly<Record<Name, string>> = {
   rows: TOO_MUCH_TO_DRAW,
   release: TOO_MUCH_TO_DRAW,
   film: TOO_MUCH_TO_FILM,
+  include: TOO_MUCH_TO_FILM,
   frame: TOO_MUCH_TO_FILM,
   'at-rest': TOO_MUCH_TO_FILM,
   'release-film': TOO_MUCH_TO_FILM,

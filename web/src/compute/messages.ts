@@ -20,7 +20,7 @@ export interface Moment {
   readonly time: number;
 }
 
-export interface FilmOptions extends DrawingOptions {
+export interface FilmOptions extends Omit<DrawingOptions, 'area'> {
   /** Frames a second. */
   readonly rate: number;
   /** The beginning and the end of the part to show, in seconds; null for the whole clip. */
@@ -66,6 +66,8 @@ export interface Messages {
   release: [request: { readonly drawing: number }, response: null];
   /** Prepares the frames of a clip, which `frame` draws until `release-film`. The clip is JSON. */
   film: [request: { readonly project: string; readonly clip: string } & FilmOptions, response: FilmSize];
+  /** Grows all frames to hold all that one of them draws. Sent for each of them before one is drawn. */
+  include: [request: { readonly film: number; readonly frame: number }, response: FilmSize];
   /** Prepares a frame, which is drawn by `rows` as any drawing. */
   frame: [request: { readonly film: number; readonly frame: number }, response: DrawingSize];
   /** Prepares all of the picture at the scale of a film: it has the colours of all frames. */

@@ -49,9 +49,14 @@ export async function exportedFilm(
   if (target === 'cancelled') return null;
   let filming: Filming | null = null;
   try {
-    const asked = solver.film(project, clip, { rate, range, scale, area, pixelated });
+    const asked = solver.film(project, clip, { rate, range, scale, pixelated });
     filming = await opened(asked, following.signal);
-    const blob = await written(filming, film, target, following);
+    const blob = await written(
+      filming,
+      film,
+      target,
+      area === 'grown' ? await grown(filming, following) : following,
+    );
     return blob ? await saveFile(blob, name, kind) : (target?.name ?? name);
   } catch (error) {
     // Before a film has begun, nothing else removes the file.
@@ -77,7 +82,7 @@ async function written(
   target: FileSystemFileHandle | null,
   { signal, onProgress }: FilmFollowing,
 ): Promise<Blob | null> {
-  const { width, height, frames, endlessly } = filming;
+  const { width, height, frames, endlessly } = filming.size;
   const { format, rate, background, matte, bits, name } = film;
   const shape = { width, height, rate };
   const codec = format === 'webm' || format === 'mp4' ? await findCodec(format, shape) : null;
@@ -103,6 +108,19 @@ async function written(
     // Not awaited: a frame that is being encoded ends first. A complete file is not empty, and stays.
     file.dispose().then(() => removeEmpty(target));
   }
+}
+
+/** The part of the time that it takes to find the rectangle of all frames. */
+const GROWN = 0.1;
+
+/** Grows the frames to hold all that is drawn in any. Returns how to follow the rest. */
+async function grown(filming: Filming, { signal, onProgress }: FilmFollowing): Promise<FilmFollowing> {
+  const { frames } = filming.size;
+  for (let frame = 0; frame < frames; frame++) {
+    await unlessAborted(filming.include(frame), signal);
+    onProgress((GROWN * (frame + 1)) / frames, null);
+  }
+  return { signal, onProgress: (fraction, left) => onProgress(GROWN + (1 - GROWN) * fraction, left) };
 }
 
 async function restPicture(filming: Filming, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {

@@ -9,6 +9,7 @@ import {
   type Boot,
   type DrawingSize,
   type Failure,
+  type FilmSize,
   type Messages,
   type Reply,
   type Request,
@@ -89,12 +90,17 @@ async function handle(session: Session, request: Request): Promise<void> {
       return done(begun(id, drawn));
     }
     case 'film': {
-      const { project, clip, rate, range, scale, area, pixelated } = request.body;
+      const { project, clip, rate, range, scale, pixelated } = request.body;
       const [from, to] = range ?? [];
-      const film = session.film(project, clip, rate, from, to, scale, CANVASES[area], pixelated);
+      const film = session.film(project, clip, rate, from, to, scale, pixelated);
       films.set(id, film);
-      const { width, height, frames, endlessly } = film;
-      return done({ film: id, width, height, frames, endlessly });
+      return done(sizeOf(id, film));
+    }
+    case 'include': {
+      const film = films.get(request.body.film);
+      if (!film) return post({ id, kind: 'failed', failure: { code: 'engine', message: LOST } });
+      session.include(film, request.body.frame);
+      return done(sizeOf(request.body.film, film));
     }
     case 'at-rest':
     case 'frame': {
@@ -135,6 +141,14 @@ async function handle(session: Session, request: Request): Promise<void> {
     }
   }
 }
+
+const sizeOf = (film: number, { width, height, frames, endlessly }: Filming): FilmSize => ({
+  film,
+  width,
+  height,
+  frames,
+  endlessly,
+});
 
 /** Keeps a drawing by the id of its request. */
 function begun(drawing: number, drawn: Drawing): DrawingSize {

@@ -40,6 +40,7 @@ const FORMATS = Object.fromEntries(
   Object.entries(FILM_FORMATS).map(([format, { name }]) => [format, name]),
 ) as Readonly<Record<FilmFormat, string>>;
 
+const AREAS = { picture: 'Original', grown: 'All frames' } as const;
 const PARTS = { whole: 'Whole clip', part: 'A part' } as const;
 const BACKGROUNDS = { transparent: 'Transparent', colour: 'Colour' } as const;
 
@@ -72,7 +73,7 @@ export function filmPage(film: FilmModel, model: EditorModel, dispatch: Dispatch
       ${numberField(SIZE, [choices.percent], (change) => choose({ percent: changed(choices.percent, change) }), model, dispatch)}
       ${numberField(RATE, [choices.rate], (change) => choose({ rate: changed(choices.rate, change) }), model, dispatch)}
     </div>
-    ${part(film, choose, model, dispatch)} ${background(film, choose)}
+    ${choice('Area', AREAS, choices.area, (area) => choose({ area }))} ${part(film, choose, model, dispatch)} ${background(film, choose)}
     ${film.refusal ? html`<p class="film-refusal" role="status">${film.refusal}</p>` : nothing}
     ${exportRow(told(film), format ? FILM_FORMATS[format].name : '', !format || film.refusal !== null, model, dispatch)}`;
 }
