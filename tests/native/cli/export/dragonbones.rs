@@ -1,4 +1,4 @@
-//! DragonBones JSON 5.5, read as its data format and the runtime's parser define it.
+//! Reads DragonBones JSON 5.5, apart from the writer.
 
 use std::fs;
 

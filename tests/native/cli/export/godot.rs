@@ -1,4 +1,4 @@
-//! A scene of Godot 4, read as its text format and `Polygon2D` define it.
+//! Reads a scene of Godot 4, apart from the writer.
 
 use std::collections::HashMap;
 use std::fs;

@@ -1,4 +1,4 @@
-//! Spine JSON, read as <http://esotericsoftware.com/spine-json-format> tells.
+//! Reads Spine JSON, apart from the writer. The format: <https://esotericsoftware.com/spine-json-format>.
 
 use std::fs;
 
