@@ -1,10 +1,11 @@
 //! Measures the quality of poses: `npm run quality`.
 //!
-//! Standard poses are solved in every mode of the solver and by two reference methods, and compared on one mesh. The
+//! Standard poses are solved in every mode of the solver and by reference methods, and compared on one mesh. The
 //! reference methods exist only in this crate:
 //!
 //! - [`dense_arap`]: as-rigid-as-possible over the whole mesh. It has the quality that the modes aim at, but is slow.
 //! - [`least_squares`]: moving least squares. It knows no domain.
+//! - [`optimum`]: the least energy that a mesh can have. The editor's method is measured against it.
 //!
 //! [`distances`] compares intrinsic distances with exact geodesics. [`maxima`] counts secondary maxima of weights.
 
@@ -16,7 +17,9 @@ pub mod least_squares;
 pub mod maxima;
 pub mod measure;
 pub mod methods;
+pub mod optimum;
 pub mod poses;
+pub mod random_poses;
 pub mod requirements;
 pub mod sheet;
 pub mod tables;

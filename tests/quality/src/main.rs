@@ -16,8 +16,9 @@ use std::{
 use c2warp_quality::{
     distances::distances,
     maxima::maxima,
-    methods::{Comparison, EDITOR, METHODS, Method},
-    poses::standard_poses,
+    methods::{Comparison, EDITOR, METHODS, METHODS_BESIDE_OPTIMUM, Method, OTHER_SAMPLES},
+    poses::{PosedScene, standard_poses},
+    random_poses::poses_beside_optimum,
     sheet::{Row, sheet},
     tables::tables,
 };
@@ -50,7 +51,7 @@ fn main() -> ExitCode {
 fn overview(file: &Path) -> Result<(), Box<dyn Error>> {
     let waving = standard_poses()?.into_iter().find(|pose| pose.name == WAVING).ok_or("no such pose")?;
     let methods = [Method::Paper, EDITOR, Method::Dense, Method::LeastSquares];
-    Ok(sheet(&Comparison::of(waving)?, &methods, &[Row::Grid, Row::Picture]).save(file)?)
+    Ok(sheet(&Comparison::of(waving, &METHODS, &[])?, &methods, &[Row::Grid, Row::Picture]).save(file)?)
 }
 
 fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
@@ -65,20 +66,42 @@ fn compare(folder: &Path, name: &str) -> Result<(), Box<dyn Error>> {
         eprintln!("  {MAXIMA}");
         counted = maxima()?;
     }
-    let (mut comparisons, mut failed) = (Vec::new(), Vec::new());
-    for pose in standard_poses()?.into_iter().filter(|pose| pose.name.contains(name)) {
-        let name = pose.name;
-        eprintln!("  {name}");
-        match Comparison::of(pose) {
-            Ok(comparison) => {
-                sheet(&comparison, &METHODS, &Row::ALL)
-                    .save(folder.join(name.replace(' ', "-")).with_extension("png"))?;
-                comparisons.push(comparison);
-            }
-            Err(reason) => failed.push((name, reason.to_string())),
-        }
-    }
-    let text = tables(&measured, &counted, &comparisons, &failed);
+    let mut comparisons = Comparisons { folder, name, done: Vec::new(), failed: Vec::new() };
+    comparisons.run(standard_poses()?, &METHODS, &OTHER_SAMPLES)?;
+    comparisons.run(poses_beside_optimum()?, &METHODS_BESIDE_OPTIMUM, &[])?;
+    let text = tables(&measured, &counted, &comparisons.done, &comparisons.failed);
     fs::write(folder.join("tables.md"), &text)?;
     Ok(io::stdout().write_all(text.as_bytes())?)
+}
+
+/// The comparisons of poses, and where their sheets go.
+struct Comparisons<'a> {
+    folder: &'a Path,
+    /// Poses without it in their name are left out.
+    name: &'a str,
+    done: Vec<Comparison>,
+    failed: Vec<(String, String)>,
+}
+
+impl Comparisons<'_> {
+    fn run(
+        &mut self,
+        scenes: Vec<PosedScene>,
+        methods: &[Method],
+        other_samples: &[u32],
+    ) -> Result<(), Box<dyn Error>> {
+        for scene in scenes.into_iter().filter(|scene| scene.name.contains(self.name)) {
+            let name = scene.name.clone();
+            eprintln!("  {name}");
+            match Comparison::of(scene, methods, other_samples) {
+                Ok(comparison) => {
+                    sheet(&comparison, methods, &Row::ALL)
+                        .save(self.folder.join(name.replace(' ', "-")).with_extension("png"))?;
+                    self.done.push(comparison);
+                }
+                Err(reason) => self.failed.push((name, reason.to_string())),
+            }
+        }
+        Ok(())
+    }
 }

@@ -19,7 +19,8 @@ use crate::{
     dense_arap::{DenseArap, pins},
     least_squares,
     measure::{Distortion, jacobians},
-    poses::StandardPose,
+    optimum::Optimizer,
+    poses::PosedScene,
 };
 
 /// Times are the minimum of some runs, as in the benchmark.
@@ -43,6 +44,8 @@ pub enum Method {
     Dense,
     /// Moving least squares.
     LeastSquares,
+    /// The least energy on the mesh.
+    Optimum,
 }
 
 /// The number of virtual sites that the editor asks for.
@@ -53,7 +56,7 @@ pub const EDITOR: Method = Method::Rigid { density: EDITOR_DENSITY, blend: Blend
 /// Further numbers of samples for the editor's method. The result must not depend on them.
 pub const OTHER_SAMPLES: [u32; 5] = [4_000, 6_000, 10_000, 16_000, 31_325];
 
-/// All methods in the order of tables and sheets.
+/// The methods for standard poses, in the order of tables and sheets.
 pub const METHODS: [Method; 9] = [
     Method::Paper,
     Method::Rigid { density: 0, blend: Blend::Linear },
@@ -66,6 +69,16 @@ pub const METHODS: [Method; 9] = [
     Method::LeastSquares,
 ];
 
+/// The methods for the poses that are compared with the optimum.
+pub const METHODS_BESIDE_OPTIMUM: [Method; 6] = [
+    EDITOR,
+    Method::Rigid { density: 200, blend: Blend::Linear },
+    Method::Rigid { density: 400, blend: Blend::Linear },
+    Method::Dense,
+    Method::LeastSquares,
+    Method::Optimum,
+];
+
 impl Method {
     /// Returns the name in tables and sheets.
     #[must_use]
@@ -76,6 +89,7 @@ impl Method {
             Self::Rigid { density, .. } => format!("rigid {density}"),
             Self::Dense => "dense".into(),
             Self::LeastSquares => "least squares".into(),
+            Self::Optimum => "optimum".into(),
         }
     }
 }
@@ -106,32 +120,33 @@ pub struct Outcome {
 /// The results of all methods for one pose.
 #[derive(Debug)]
 pub struct Comparison {
-    /// The pose.
-    pub pose: StandardPose,
+    /// The picture and its handles.
+    pub scene: PosedScene,
     /// The constraints of the pose.
     pub constraints: Constraints,
     /// The common mesh.
     pub mesh: ComparisonMesh,
-    /// Results in the order of [`METHODS`].
+    /// Results in the order of the methods.
     pub outcomes: Vec<Outcome>,
     /// Methods that failed, with the reason.
     pub failed: Vec<(Method, String)>,
-    /// Distortions by [`EDITOR`] with each of [`OTHER_SAMPLES`].
+    /// Distortions by [`EDITOR`] with other numbers of samples.
     pub with_other_samples: Vec<Distortion>,
 }
 
 impl Comparison {
-    /// Runs every method on a pose.
+    /// Runs methods on a pose, and the editor's method with other numbers of samples.
     ///
     /// # Errors
-    /// If the paper's method cannot solve the pose, because its samples are the common mesh.
-    pub fn of(pose: StandardPose) -> Result<Self, Error> {
-        let picture = pose.solver_picture();
-        let mesh = ComparisonMesh::of(&solve(&pose.project, &picture)?);
-        let constraints = Constraints::of(&pose.project);
+    /// If the scene cannot be solved.
+    pub fn of(scene: PosedScene, methods: &[Method], other_samples: &[u32]) -> Result<Self, Error> {
+        let mut meshed = scene.project.clone();
+        meshed.samples = scene.mesh_samples;
+        let mesh = ComparisonMesh::of(&solve(&meshed, &scene.solver_picture())?);
+        let constraints = Constraints::of(&scene.project);
         let mut comparison =
-            Self { pose, constraints, mesh, outcomes: Vec::new(), failed: Vec::new(), with_other_samples: Vec::new() };
-        for method in METHODS {
+            Self { scene, constraints, mesh, outcomes: Vec::new(), failed: Vec::new(), with_other_samples: Vec::new() };
+        for &method in methods {
             let outcome = match method {
                 Method::Paper => comparison.by_solver(method, PoseMode::Harmonic, Support::Paper, Blend::Linear, 0),
                 Method::Rigid { density, blend } => {
@@ -139,6 +154,13 @@ impl Comparison {
                 }
                 Method::Dense => Ok(comparison.by_dense()),
                 Method::LeastSquares => Ok(comparison.by_least_squares()),
+                Method::Optimum => match comparison.by_optimum() {
+                    Some(outcome) => Ok(outcome),
+                    None => {
+                        comparison.failed.push((method, "no way to the pose without a fold was found".into()));
+                        continue;
+                    }
+                },
             };
             match outcome {
                 Ok(outcome) => comparison.outcomes.push(outcome),
@@ -146,8 +168,15 @@ impl Comparison {
             }
         }
         comparison.with_other_samples =
-            OTHER_SAMPLES.into_iter().map(|count| comparison.with_samples(count)).collect::<Result<_, _>>()?;
+            other_samples.iter().map(|&count| comparison.with_samples(count)).collect::<Result<_, _>>()?;
         Ok(comparison)
+    }
+
+    /// Returns whether the pose is compared with the optimum, found or not.
+    #[must_use]
+    pub fn is_beside_optimum(&self) -> bool {
+        let tried = self.outcomes.iter().map(|outcome| outcome.method);
+        tried.chain(self.failed.iter().map(|&(method, _)| method)).any(|method| method == Method::Optimum)
     }
 
     /// Returns the result of a method, or `None` if it failed.
@@ -165,7 +194,7 @@ impl Comparison {
         density: u32,
     ) -> Result<Outcome, Error> {
         let project = self.with_settings(mode, support, blend, density);
-        let solution = solve(&project, &self.pose.solver_picture())?;
+        let solution = solve(&project, &self.scene.solver_picture())?;
         let pose = solution.poser().pose(&project.handles, project.pose.blend)?;
         // All modes have the same samples, except those that a solve adds.
         let same = solution.vertices().get(..self.mesh.vertices.len()) == Some(&self.mesh.vertices[..]);
@@ -196,7 +225,7 @@ impl Comparison {
         let Method::Rigid { density, blend } = EDITOR else { unreachable!("the editor is rigid") };
         let mut project = self.with_settings(PoseMode::Rigid, Support::Smooth, blend, density);
         project.samples = count;
-        let solution = solve(&project, &self.pose.solver_picture())?;
+        let solution = solve(&project, &self.scene.solver_picture())?;
         let pose = solution.poser().pose(&project.handles, blend)?;
         let mesh = ComparisonMesh::of(&solution);
         Ok(Distortion::of(&mesh, &solution.posed_vertices(&pose)[..mesh.vertices.len()]))
@@ -204,7 +233,7 @@ impl Comparison {
 
     /// Returns the project with other settings.
     fn with_settings(&self, mode: PoseMode, support: Support, blend: Blend, density: u32) -> Project {
-        let mut project = self.pose.project.clone();
+        let mut project = self.scene.project.clone();
         project.weighting.support = support;
         (project.pose.mode, project.pose.blend, project.pose.density) = (mode, blend, density);
         project
@@ -229,18 +258,18 @@ impl Comparison {
         }
         let near = by_harmonic.descent.iter().position(|&energy| energy <= 1.01 * by_harmonic.energy);
         let near = near.map_or(0.0, |iteration| frame_ms * (iteration + 1) as f64 / by_harmonic.iterations as f64);
-        let map = |p| self.mesh.interpolated(&best.posed, p).unwrap_or(p);
-        Outcome {
-            method: Method::Dense,
-            distortion: Distortion::of(&self.mesh, &best.posed),
-            handle_error: self.handle_error(&best.posed, map),
-            virtual_sites: None,
-            sites: Vec::new(),
-            pose_ms: None,
-            frame_ms,
-            iterations: Some((by_harmonic.iterations, near)),
-            posed: best.posed,
-        }
+        let iterations = Some((by_harmonic.iterations, near));
+        Outcome { iterations, ..self.outcome(Method::Dense, best.posed, frame_ms) }
+    }
+
+    /// The least minimum near the results so far, and at the end of a path from rest.
+    fn by_optimum(&self) -> Option<Outcome> {
+        let pins = pins(&self.mesh, &self.constraints);
+        let began = native_ms();
+        let starts: Vec<&[DVec2]> = self.outcomes.iter().map(|outcome| &outcome.posed[..]).collect();
+        let posed = Optimizer::new(&self.mesh, &pins).lowest(&starts)?.posed;
+        let frame_ms = native_ms() - began;
+        Some(self.outcome(Method::Optimum, posed, frame_ms))
     }
 
     fn by_least_squares(&self) -> Outcome {
@@ -252,14 +281,21 @@ impl Comparison {
         let map = |p| least_squares::posed_point(&constraints, spacing, p);
         let all = || self.mesh.vertices.iter().map(|&p| map(p)).collect::<Vec<_>>();
         let posed = all();
+        let handle_error = self.handle_error(&posed, map);
+        Outcome { handle_error, ..self.outcome(Method::LeastSquares, posed, ms_of(all)) }
+    }
+
+    /// The result of a method that has no sites: a map that is linear in each triangle.
+    fn outcome(&self, method: Method, posed: Vec<DVec2>, frame_ms: f64) -> Outcome {
+        let map = |p| self.mesh.interpolated(&posed, p).unwrap_or(p);
         Outcome {
-            method: Method::LeastSquares,
+            method,
             distortion: Distortion::of(&self.mesh, &posed),
             handle_error: self.handle_error(&posed, map),
             virtual_sites: None,
             sites: Vec::new(),
             pose_ms: None,
-            frame_ms: ms_of(all),
+            frame_ms,
             iterations: None,
             posed,
         }

@@ -10,23 +10,25 @@ use c2warp_tests::Scene;
 use glam::DVec2;
 use image::{Rgba, RgbaImage};
 
-/// The number of samples of the common mesh.
+/// The number of samples of the common mesh of a standard pose.
 pub const SAMPLES: u32 = 8_000;
 /// Side of the generated pictures in pixels.
 const SIZE: u32 = 800;
 
 /// A picture with posed handles.
 #[derive(Debug, Clone)]
-pub struct StandardPose {
+pub struct PosedScene {
     /// A short name, also used for the file of the sheet.
-    pub name: &'static str,
+    pub name: String,
     /// The project. Each method uses its own settings.
     pub project: Project,
+    /// The number of samples of the mesh on which methods are compared.
+    pub mesh_samples: u32,
     /// The picture.
     pub picture: RgbaImage,
 }
 
-impl StandardPose {
+impl PosedScene {
     /// Returns the picture for the solver.
     ///
     /// # Panics
@@ -37,7 +39,7 @@ impl StandardPose {
         Picture::new(width, height, self.picture.as_raw()).expect("a picture of fair size")
     }
 
-    fn on_rings(name: &'static str, rings: Vec<Vec<DVec2>>, moves: &[(DVec2, DVec2)]) -> Self {
+    fn on_rings(name: &str, rings: Vec<Vec<DVec2>>, moves: &[(DVec2, DVec2)]) -> Self {
         let image = ImageRef::new("drawn.png", SIZE, SIZE);
         let mut project = Project::new(image);
         project.domain = Some(DomainSpec::Polygon { rings });
@@ -45,9 +47,9 @@ impl StandardPose {
         Self::new(name, project, tiles())
     }
 
-    fn new(name: &'static str, mut project: Project, picture: RgbaImage) -> Self {
+    fn new(name: &str, mut project: Project, picture: RgbaImage) -> Self {
         project.samples = SAMPLES;
-        Self { name, project, picture }
+        Self { name: name.to_owned(), project, mesh_samples: SAMPLES, picture }
     }
 }
 
@@ -55,7 +57,7 @@ impl StandardPose {
 ///
 /// # Errors
 /// If the sample picture of the editor cannot be read.
-pub fn standard_poses() -> image::ImageResult<Vec<StandardPose>> {
+pub fn standard_poses() -> image::ImageResult<Vec<PosedScene>> {
     let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/public/samples/gingerbread.png");
     let gingerbread = image::open(sample)?.into_rgba8();
     Ok(vec![
@@ -79,33 +81,33 @@ fn handles(moves: &[(DVec2, DVec2)]) -> Vec<Handle> {
 }
 
 /// A strip of 640 by 160 px that three pins bend.
-fn strip() -> StandardPose {
+fn strip() -> PosedScene {
     let ring = [(80.0, 320.0), (720.0, 320.0), (720.0, 480.0), (80.0, 480.0)].map(DVec2::from).to_vec();
     let moves = [((120.0, 400.0), (180.0, 500.0)), ((400.0, 400.0), (400.0, 300.0)), ((680.0, 400.0), (620.0, 500.0))];
-    StandardPose::on_rings("1 strip", vec![ring], &moves.map(|(rest, posed)| (rest.into(), posed.into())))
+    PosedScene::on_rings("1 strip", vec![ring], &moves.map(|(rest, posed)| (rest.into(), posed.into())))
 }
 
 /// The handles of the editor's sample: head, hands, feet.
 const GINGERBREAD: [(f64, f64); 5] = [(512.0, 260.0), (124.0, 516.0), (900.0, 516.0), (312.0, 1126.0), (712.0, 1126.0)];
 
-fn gingerbread(name: &'static str, picture: RgbaImage, posed: [DVec2; 5]) -> StandardPose {
+fn gingerbread(name: &str, picture: RgbaImage, posed: [DVec2; 5]) -> PosedScene {
     let image = ImageRef::new("gingerbread.png", picture.width(), picture.height());
     let mut project = Project::new(image);
     project.domain = Some(DomainSpec::Alpha { threshold: 0.5 });
     let rest = GINGERBREAD.map(DVec2::from);
     project.handles = handles(&std::array::from_fn::<_, 5, _>(|i| (rest[i], posed[i])));
-    StandardPose::new(name, project, picture)
+    PosedScene::new(name, project, picture)
 }
 
 /// The gingerbread figure with a hand above its head.
-fn waving(picture: RgbaImage) -> StandardPose {
+fn waving(picture: RgbaImage) -> PosedScene {
     let mut posed = GINGERBREAD.map(DVec2::from);
     posed[1] = DVec2::new(190.0, 250.0);
     gingerbread("2 waving", picture, posed)
 }
 
 /// The gingerbread figure with head and hands rotated about its hips by 35°.
-fn bowing(picture: RgbaImage) -> StandardPose {
+fn bowing(picture: RgbaImage) -> PosedScene {
     let hips = DVec2::new(512.0, 850.0);
     let turn = |p: (f64, f64)| hips + DVec2::from_angle(35.0_f64.to_radians()).rotate(DVec2::from(p) - hips);
     let [head, left, right, ..] = GINGERBREAD;
@@ -115,7 +117,7 @@ fn bowing(picture: RgbaImage) -> StandardPose {
 }
 
 /// A cross with fixed ends, whose middle is rotated by 90° with four handles.
-fn cross() -> StandardPose {
+fn cross() -> PosedScene {
     let middle = DVec2::splat(f64::from(SIZE) / 2.0);
     let arm = [(-80.0, -80.0), (-80.0, -320.0), (80.0, -320.0)].map(DVec2::from);
     let quarter = |k: usize| DVec2::from_angle(std::f64::consts::FRAC_PI_2 * k as f64);
@@ -123,24 +125,24 @@ fn cross() -> StandardPose {
     let position = |k: usize, far: f64| middle + quarter(k).rotate(DVec2::new(0.0, -far)).round();
     let ends = (0..4).map(|k| (position(k, 290.0), position(k, 290.0)));
     let turned = (0..4).map(|k| (position(k, 60.0), position(k + 1, 60.0)));
-    StandardPose::on_rings("4 cross", vec![ring], &ends.chain(turned).collect::<Vec<_>>())
+    PosedScene::on_rings("4 cross", vec![ring], &ends.chain(turned).collect::<Vec<_>>())
 }
 
 /// A square with two handles that are pulled from 40 to 100 px apart.
-fn pulled() -> StandardPose {
+fn pulled() -> PosedScene {
     let ring = [(100.0, 100.0), (700.0, 100.0), (700.0, 700.0), (100.0, 700.0)].map(DVec2::from).to_vec();
     let moves = [((380.0, 400.0), (350.0, 400.0)), ((420.0, 400.0), (450.0, 400.0))];
-    StandardPose::on_rings("5 pulled", vec![ring], &moves.map(|(rest, posed)| (rest.into(), posed.into())))
+    PosedScene::on_rings("5 pulled", vec![ring], &moves.map(|(rest, posed)| (rest.into(), posed.into())))
 }
 
 /// A scene of `tests/scenes`, enlarged four times.
-fn of_scene(name: &'static str, scene: &str) -> StandardPose {
+fn of_scene(name: &str, scene: &str) -> PosedScene {
     let Scene { project, picture } = Scene::enlarged(scene, 4);
-    StandardPose::new(name, project, picture)
+    PosedScene::new(name, project, picture)
 }
 
 /// A spiral of one and a quarter turns, whose seven handles are moved to a straight line.
-fn spiral() -> StandardPose {
+fn spiral() -> PosedScene {
     const HALF_WIDTH: f64 = 36.0;
     let centre = DVec2::splat(f64::from(SIZE) / 2.0);
     let iterations = 1.25 * std::f64::consts::TAU;
@@ -163,11 +165,11 @@ fn spiral() -> StandardPose {
         .enumerate()
         .map(|(i, &p)| (p, rest[6] - tangent * length(iterations * (0.02 + 0.96 * i as f64 / 6.0), outer_end)))
         .collect();
-    StandardPose::on_rings("8 spiral", vec![outer.chain(inner).collect()], &moves)
+    PosedScene::on_rings("8 spiral", vec![outer.chain(inner).collect()], &moves)
 }
 
 /// Tiles in a gradient from corner to corner.
-fn tiles() -> RgbaImage {
+pub(crate) fn tiles() -> RgbaImage {
     RgbaImage::from_fn(SIZE, SIZE, |x, y| {
         let (across, down) = (f64::from(x) / f64::from(SIZE), f64::from(y) / f64::from(SIZE));
         let shade = if (x / 20 + y / 20) % 2 == 0 { 0.8 } else { 1.0 };

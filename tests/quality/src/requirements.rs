@@ -1,16 +1,18 @@
 //! Requirements on the rigid mode, on distances and on weights, and whether they are met.
 
+use c2warp::project::Blend;
+
 use crate::{
     distances::{Distances, greatest},
     maxima::{SceneMaxima, Weighting},
-    methods::{Comparison, EDITOR, Method},
+    methods::{Comparison, EDITOR, Method, Outcome},
 };
 
 /// A requirement on one pose, the distances in one domain, or the weights of one scene.
 #[derive(Debug, Clone)]
 pub struct Requirement {
-    /// The pose, the domain or the scene.
-    pub subject: &'static str,
+    /// The pose, the poses, the domain or the scene.
+    pub subject: String,
     /// The name of the measured value.
     pub name: &'static str,
     /// The measured value.
@@ -32,7 +34,8 @@ impl Requirement {
 pub fn distance_requirements(all: &[Distances]) -> Vec<Requirement> {
     let of = |same: &[Distances]| {
         let value = greatest(same.iter().map(|distances| distances.solver.greatest));
-        Requirement { subject: same[0].domain, name: "largest error of a distance", value, limit: 1e-6 }
+        let subject = same[0].domain.to_owned();
+        Requirement { subject, name: "largest error of a distance", value, limit: 1e-6 }
     };
     all.chunk_by(|a, b| a.domain == b.domain).map(of).collect()
 }
@@ -41,7 +44,12 @@ pub fn distance_requirements(all: &[Distances]) -> Vec<Requirement> {
 #[must_use]
 pub fn maxima_requirements(all: &[SceneMaxima]) -> Vec<Requirement> {
     let of = |SceneMaxima { scene, maxima, .. }: &SceneMaxima| {
-        let none = |name, found: &[f64]| Requirement { subject: scene, name, value: found.len() as f64, limit: 0.0 };
+        let none = |name, found: &[f64]| Requirement {
+            subject: (*scene).to_owned(),
+            name,
+            value: found.len() as f64,
+            limit: 0.0,
+        };
         [
             none("secondary maxima of the weights of sites", &maxima.of_sites),
             none("secondary maxima of the fields of handles", &maxima.of_handles),
@@ -56,7 +64,7 @@ pub fn pose_requirements(comparison: &Comparison) -> Vec<Requirement> {
     let (Some(rigid), Some(dense)) = (comparison.outcome_of(EDITOR), comparison.outcome_of(Method::Dense)) else {
         return Vec::new();
     };
-    let requirement = |name, value, limit| Requirement { subject: comparison.pose.name, name, value, limit };
+    let requirement = |name, value, limit| Requirement { subject: comparison.scene.name.clone(), name, value, limit };
     // A pin may flip the triangles around it, however fine the mesh is. So folds of the reference count only away from
     // pins.
     let folds = if comparison.folds_away_from_handles(dense) == 0 { 0.0 } else { f64::INFINITY };
@@ -65,5 +73,36 @@ pub fn pose_requirements(comparison: &Comparison) -> Vec<Requirement> {
         requirement("rigid 100: frame time ÷ that of dense", rigid.frame_ms / dense.frame_ms, 0.02),
         requirement("rigid 100: folds, if dense has none", rigid.distortion.folds as f64, folds),
         requirement("rigid 100: largest error at a handle, px", rigid.handle_error, 1e-6),
+    ]
+}
+
+/// Returns the requirements on all poses that are compared with the optimum.
+#[must_use]
+pub fn optimum_requirements(comparisons: &[&Comparison]) -> Vec<Requirement> {
+    let with = |method: Method, ratio: &dyn Fn(&Outcome, &Outcome) -> f64, to: Method| -> Vec<f64> {
+        let of = |comparison: &&Comparison| Some(ratio(comparison.outcome_of(method)?, comparison.outcome_of(to)?));
+        comparisons.iter().filter_map(of).collect()
+    };
+    let energy = |a: &Outcome, b: &Outcome| a.distortion.energy / b.distortion.energy;
+    let mut energies = with(EDITOR, &energy, Method::Optimum);
+    energies.sort_by(f64::total_cmp);
+    let Some(&median) = energies.get(energies.len() / 2) else { return Vec::new() };
+    let folds: f64 = with(EDITOR, &|editor, _| editor.distortion.folds as f64, Method::Optimum).iter().sum();
+    let times = with(EDITOR, &|editor, best| editor.pose_ms.unwrap_or(0.0) / best.frame_ms, Method::Optimum);
+    let pose_ms = with(EDITOR, &|editor, _| editor.pose_ms.unwrap_or(0.0), EDITOR);
+    let denser = |density| {
+        let method = Method::Rigid { density, blend: Blend::Linear };
+        greatest(with(method, &energy, EDITOR).into_iter())
+    };
+    let requirement =
+        |name, value, limit| Requirement { subject: "poses beside the optimum".to_owned(), name, value, limit };
+    vec![
+        requirement("rigid 100: median energy ÷ optimum", median, 1.25),
+        requirement("rigid 100: largest energy ÷ optimum", greatest(energies.iter().copied()), 1.8),
+        requirement("rigid 100: folds where the optimum has none", folds, 0.0),
+        requirement("rigid 100: largest time of a pose, ms", greatest(pose_ms.into_iter()), 2.0),
+        requirement("rigid 100: largest time ÷ that of the optimum", greatest(times.into_iter()), 0.02),
+        requirement("rigid 200: largest energy ÷ that of rigid 100", denser(200), 1.02),
+        requirement("rigid 400: largest energy ÷ that of rigid 100", denser(400), 1.02),
     ]
 }

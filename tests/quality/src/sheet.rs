@@ -58,7 +58,7 @@ pub fn sheet(comparison: &Comparison, methods: &[Method], rows: &[Row]) -> RgbaI
         for (row, contents) in (0_u32..).zip(rows) {
             let panel = match contents {
                 Row::Grid => view.warped(comparison, outcome, &grid, true),
-                Row::Picture => view.warped(comparison, outcome, &comparison.pose.picture, false),
+                Row::Picture => view.warped(comparison, outcome, &comparison.scene.picture, false),
                 Row::Energy => view.energies(comparison, outcome),
             };
             imageops::overlay(&mut sheet, &panel, x.into(), (LABEL + row * (height + 8)).into());
@@ -155,7 +155,7 @@ fn heat(energy: f64) -> Rgba<u8> {
 
 /// Draws lines over pale tiles, at the size of the picture.
 fn grid(comparison: &Comparison) -> RgbaImage {
-    let (width, height) = comparison.pose.picture.dimensions();
+    let (width, height) = comparison.scene.picture.dimensions();
     let step = width.max(height) / LINES;
     let thin = (step / 7).max(1);
     RgbaImage::from_fn(width, height, |x, y| {
