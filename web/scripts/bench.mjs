@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: times of the solver, natively and in Chromium's WebAssembly, in the form of the paper's tables, and
- * of exports.
+ * of exports and films.
  *
  * The crate `c2warp-bench` defines the cases of the solver and measures them. The run fails if a part does not build or
  * run, never because of a time.
@@ -9,6 +9,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { exportTable } from './bench_exports.mjs';
+import { animateTable } from './bench_films.mjs';
 import { launchChromium, prepareChromium } from './chromium.mjs';
 import { prepare } from './prepare.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
@@ -68,6 +69,8 @@ await main(async () => {
   await step('Tables', 'cargo', cargo('c2warp-bench', ['--tables', output]), failed);
   heading('Exports in Chromium');
   console.log(`\n${await exportTable()}`);
+  heading('Films by the command');
+  console.log(`\n${animateTable()}`);
   const [cpu] = cpus();
   console.log(
     `\n${cpus().length} × ${cpu?.model.trim() ?? 'unknown'}, load ${load.toFixed(1)} at the start.`,
