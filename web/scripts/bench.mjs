@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: times of the solver, natively and in Chromium's WebAssembly, in the form of the paper's tables, and
- * of exports and films.
+ * of exports, films and playing.
  *
  * The crate `c2warp-bench` defines the cases of the solver and measures them. The run fails if a part does not build or
  * run, never because of a time.
@@ -9,7 +9,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { exportTable } from './bench_exports.mjs';
-import { animateTable } from './bench_films.mjs';
+import { animateTable, playingTable } from './bench_films.mjs';
 import { launchChromium, prepareChromium } from './chromium.mjs';
 import { prepare } from './prepare.mjs';
 import { heading, main, ROOT, step } from './steps.mjs';
@@ -71,6 +71,8 @@ await main(async () => {
   console.log(`\n${await exportTable()}`);
   heading('Films by the command');
   console.log(`\n${animateTable()}`);
+  heading('Playing in Chromium');
+  console.log(`\n${await playingTable()}`);
   const [cpu] = cpus();
   console.log(
     `\n${cpus().length} × ${cpu?.model.trim() ?? 'unknown'}, load ${load.toFixed(1)} at the start.`,
