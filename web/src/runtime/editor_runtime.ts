@@ -31,8 +31,8 @@ import { CanvasView } from './canvas_view';
 import { Clipboard } from './clipboard';
 import { Clock } from './clock';
 import { carryOut, type Resources } from './effects';
+import { Exports } from './exports';
 import { Files } from './files';
-import { Films } from './films';
 import { Focus } from './focus';
 import { FocusKeeper } from './focus_keeper';
 import { type Frame, Frames } from './frames';
@@ -46,7 +46,6 @@ import { Storage } from './storage';
 import { Store } from './store';
 import { Study } from './study';
 import { Timers } from './timers';
-import { WebPages } from './web_pages';
 
 /** The element that the editor runs in, and its answers to the editor. */
 export interface EditorElement {
@@ -70,8 +69,7 @@ export class EditorRuntime {
   readonly #pictures = new Pictures();
   readonly #solver: Solver;
   readonly #files: Files;
-  readonly #films: Films;
-  readonly #webPages: WebPages;
+  readonly #exports: Exports;
   readonly #storage: Storage;
   readonly #timers: Timers;
   readonly #clock: Clock;
@@ -101,8 +99,7 @@ export class EditorRuntime {
     this.dispatch = dispatch;
     this.#solver = new Solver(dispatch);
     this.#files = new Files(dispatch, this.#pictures, this.#solver);
-    this.#films = new Films(dispatch, this.#solver);
-    this.#webPages = new WebPages(dispatch, this.#pictures);
+    this.#exports = new Exports(dispatch);
     this.#storage = new Storage(dispatch);
     this.#timers = new Timers((timer) => dispatch({ type: 'timer-elapsed', timer }));
     // Out of sight time stands still.
@@ -252,8 +249,7 @@ export class EditorRuntime {
     this.#frames?.dispose();
     this.#storage.dispose();
     this.#files.dispose();
-    this.#films.dispose();
-    this.#webPages.dispose();
+    this.#exports.cancel();
     this.#solver.dispose();
     this.#pictures.dispose();
     for (const { reject } of this.#loads.values())
@@ -364,9 +360,9 @@ export class EditorRuntime {
       },
       clipboard: this.#clipboard,
       clock: this.#clock,
+      dispatch: this.dispatch,
+      exports: this.#exports,
       files: this.#files,
-      films: this.#films,
-      webPages: this.#webPages,
       focus: this.#focus,
       menu: this.#menu,
       pictures: this.#pictures,

@@ -1,13 +1,15 @@
 /** Carries out the effects of the editor: one line per effect names who does it. */
 import type { EditorEffect, PageNotification } from '../editor/effects';
+import type { Dispatch } from '../editor/events';
 import type { EditorState } from '../editor/state';
 import { prepareEncoder } from '../io/encoder';
 import { focusExport, toggleExport } from '../ui/export/menu';
 import { showSelected } from '../ui/handle_list';
 import type { Clipboard } from './clipboard';
 import type { Clock } from './clock';
+import type { Exports } from './exports';
 import type { Files } from './files';
-import type { Films } from './films';
+import { exportFilm, findCodecs } from './films';
 import type { Focus } from './focus';
 import type { MenuPopover } from './menu_popover';
 import type { Pictures } from './pictures';
@@ -15,7 +17,7 @@ import type { Solver } from './solver';
 import type { Storage } from './storage';
 import type { Study } from './study';
 import type { Timers } from './timers';
-import type { WebPages } from './web_pages';
+import { copyCode, exportRig } from './web_pages';
 
 /** The resources that carry out effects. */
 export interface Resources {
@@ -23,8 +25,8 @@ export interface Resources {
   readonly state: EditorState;
   readonly clipboard: Clipboard;
   readonly clock: Clock;
+  readonly exports: Exports;
   readonly files: Files;
-  readonly films: Films;
   readonly focus: Focus;
   readonly menu: MenuPopover;
   readonly pictures: Pictures;
@@ -32,7 +34,7 @@ export interface Resources {
   readonly storage: Storage;
   readonly study: Study;
   readonly timers: Timers;
-  readonly webPages: WebPages;
+  readonly dispatch: Dispatch;
   /** Whether the picture is shown as pixel art. */
   readonly pixelated: boolean;
   /** Resolves once the page shows the state. */
@@ -65,16 +67,15 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'pick-file': (_, { files }) => files.pick(),
   'save-project': (effect, { files }) =>
     files.saveProject(effect.name, effect.project, effect.of, effect.picture),
-  export: (effect, { files, pixelated }) => files.export(effect, pixelated),
-  'export-film': (effect, { films, pixelated }) => films.export(effect, pixelated),
-  'find-codecs': (effect, { films }) => films.findCodecs(effect),
-  'export-rig': (effect, { webPages }) => webPages.export(effect),
-  'copy-code': (effect, { webPages }) => webPages.copyCode(effect.code),
-  'cancel-export': (_, { files, films, webPages }) => {
-    files.cancelExport();
-    films.cancel();
-    webPages.cancel();
-  },
+  export: (effect, { exports, files, pixelated }) =>
+    exports.run((following) => files.exportPicture(effect, pixelated, following)),
+  'export-film': (effect, { exports, solver, pixelated }) =>
+    exports.run((following) => exportFilm(effect, solver, pixelated, following)),
+  'export-rig': (effect, { exports, pictures }) =>
+    exports.run((following) => exportRig(effect, pictures, following)),
+  'cancel-export': (_, { exports }) => exports.cancel(),
+  'find-codecs': (effect, { dispatch }) => findCodecs(effect, dispatch),
+  'copy-code': (effect, { dispatch }) => copyCode(effect.code, dispatch),
   'prepare-export': () => prepareEncoder(),
   'copy-pose': (_, { clipboard }) => clipboard.copy(),
   'paste-pose': (_, { clipboard }) => clipboard.paste(),

@@ -13,6 +13,7 @@ import { textChunk, textOfFile } from '../io/png_text';
 import { readBytes } from '../io/read';
 import { joinedProject, KEYWORD, splitProject } from './carried';
 import { writtenFile } from './exporting';
+import type { ExportFollowing } from './exports';
 import { type Pictures, withFileName } from './pictures';
 import type { Solver } from './solver';
 
@@ -23,7 +24,6 @@ export class Files {
   readonly #pictures: Pictures;
   readonly #solver: Solver;
   readonly #reads = new Map<number, AbortController>();
-  #exporting: AbortController | null = null;
 
   constructor(dispatch: Dispatch, pictures: Pictures, solver: Solver) {
     this.#dispatch = dispatch;
@@ -143,28 +143,12 @@ export class Files {
   }
 
   /** Saves the warped picture. A PNG carries the project. */
-  async export(order: ExportOrder, pixelated: boolean): Promise<void> {
-    const controller = new AbortController();
-    this.#exporting = controller;
-    try {
-      const file = this.#written(order, pixelated, controller.signal);
-      const saved = await saveFile(file, order.name, order.choices.format);
-      this.#dispatch({ type: 'export-ended', saved, error: null });
-    } catch (error) {
-      this.#dispatch({ type: 'export-ended', saved: null, error: asError(error) });
-    } finally {
-      // Nobody takes the file if the person has not chosen a place for it.
-      controller.abort();
-    }
-  }
-
-  cancelExport(): void {
-    this.#exporting?.abort();
+  exportPicture(order: ExportOrder, pixelated: boolean, following: ExportFollowing): Promise<string | null> {
+    return saveFile(this.#written(order, pixelated, following), order.name, order.choices.format);
   }
 
   dispose(): void {
     for (const controller of this.#reads.values()) controller.abort();
-    this.#exporting?.abort();
   }
 
   async #text(project: Project, picture: NamedFile | null): Promise<string> {
@@ -174,16 +158,15 @@ export class Files {
   async #written(
     { project, moment, choices, carried }: ExportOrder,
     pixelated: boolean,
-    signal: AbortSignal,
+    following: ExportFollowing,
   ): Promise<Blob> {
     const { format, percent, area, quality, background } = choices;
     const chunks =
       format === 'png' ? [textChunk(KEYWORD, await this.#text(carried.project, carried.picture))] : [];
     const drawing = this.#solver.draw(project, { scale: percent / 100, area, pixelated }, moment);
     const { type } = EXPORT_FORMATS[format];
-    const onProgress = (fraction: number) => this.#dispatch({ type: 'export-progressed', fraction });
     const settings = { type, quality: quality / 100, background, chunks };
-    return writtenFile(drawing, settings, { signal, onProgress });
+    return writtenFile(drawing, settings, following);
   }
 
   async #project(given: ProjectSource, signal: AbortSignal): Promise<ReadProject> {

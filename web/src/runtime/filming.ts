@@ -11,13 +11,8 @@ import { FilmFile } from '../io/film_file';
 import type { FilmFormat } from '../io/filming';
 import { type CodecChoice, findCodec, type VideoShape } from '../io/video_codecs';
 import { unlessAborted } from './exporting';
+import type { ExportFollowing } from './exports';
 import type { Solver } from './solver';
-
-interface FilmFollowing {
-  readonly signal: AbortSignal;
-  /** Gets the fraction that is done, and the seconds that are left; null before that is known. */
-  onProgress(fraction: number, left: number | null): void;
-}
 
 const KINDS: Readonly<Record<FilmFormat, FilmKind>> = {
   webm: 'webm',
@@ -40,7 +35,7 @@ export async function exportedFilm(
   solver: Solver,
   { name, project, clip, film }: Order,
   pixelated: boolean,
-  following: FilmFollowing,
+  following: ExportFollowing,
 ): Promise<string | null> {
   const { format, rate, range, scale, area } = film;
   const kind = KINDS[format];
@@ -80,7 +75,7 @@ async function written(
   filming: Filming,
   film: Order['film'],
   target: FileSystemFileHandle | null,
-  { signal, onProgress }: FilmFollowing,
+  { signal, onProgress }: ExportFollowing,
 ): Promise<Blob | null> {
   const { width, height, frames, endlessly } = filming.size;
   const { format, rate, background, matte, bits, name } = film;
@@ -114,11 +109,11 @@ async function written(
 const GROWN = 0.1;
 
 /** Grows the frames to hold all that is drawn in any. Returns how to follow the rest. */
-async function grown(filming: Filming, { signal, onProgress }: FilmFollowing): Promise<FilmFollowing> {
+async function grown(filming: Filming, { signal, onProgress }: ExportFollowing): Promise<ExportFollowing> {
   const { frames } = filming.size;
   for (let frame = 0; frame < frames; frame++) {
     await unlessAborted(filming.include(frame), signal);
-    onProgress((GROWN * (frame + 1)) / frames, null);
+    onProgress((GROWN * (frame + 1)) / frames);
   }
   return { signal, onProgress: (fraction, left) => onProgress(GROWN + (1 - GROWN) * fraction, left) };
 }
@@ -131,8 +126,8 @@ async function restPicture(filming: Filming, signal: AbortSignal): Promise<Uint8
 /** Seconds after which the pace is known. */
 const KNOWN_AFTER = 1;
 
-const secondsLeft = (seconds: number, done: number, all: number): number | null =>
-  seconds < KNOWN_AFTER ? null : (seconds / done) * (all - done);
+const secondsLeft = (seconds: number, done: number, all: number): number | undefined =>
+  seconds < KNOWN_AFTER ? undefined : (seconds / done) * (all - done);
 
 /** This browser's codecs for films of a shape. */
 export async function videoCodecs(shape: VideoShape): Promise<VideoCodecs> {
