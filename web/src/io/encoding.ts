@@ -28,8 +28,12 @@ export interface BeginFile {
   readonly port: MessagePort;
 }
 
-/** Through the port: rows in straight alpha from top to bottom, the end of the picture, or of the whole file. */
-export type FileRequest = { readonly rgba: Uint8Array<ArrayBuffer> } | 'end' | 'abandon';
-
-/** Answers each request but the last: the rows before these are written; the file; or why it cannot be made. */
-export type FileReply = 'taken' | { readonly file: Blob } | { readonly refused: string };
+/** A PNG of all pixels, without further chunks. */
+export const plainPng = (width: number, height: number): FileSettings => ({
+  type: 'image/png',
+  width,
+  height,
+  quality: 1,
+  background: '#ffffff',
+  chunks: [],
+});

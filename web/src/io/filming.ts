@@ -38,19 +38,3 @@ export interface BeginFilm {
   readonly target: FilmTarget;
   readonly port: MessagePort;
 }
-
-/** Through the port: the next frame in straight alpha, the end of the film, or of all. */
-export type FilmRequest = { readonly rgba: Uint8Array<ArrayBuffer> } | 'end' | 'abandon';
-
-/** Who failed. */
-export type FilmFault = 'encoder' | 'storage';
-
-/**
- * Answers each request: the frames before this one are written; all is gone; the film, or null if it is in the picked
- * file; or why it cannot be made.
- */
-export type FilmReply =
-  | 'taken'
-  | 'gone'
-  | { readonly film: Blob | null }
-  | { readonly refused: string; readonly fault: FilmFault };

@@ -91,7 +91,7 @@ async function written(
       const drawing = await unlessAborted(filming.frame(frame), signal);
       const { rgba } = await unlessAborted(drawing.pixels(), signal);
       await unlessAborted(adding, signal);
-      adding = file.add(rgba);
+      adding = file.write(rgba);
       // Awaited with the next frame.
       adding.catch(() => {});
       const seconds = (performance.now() - began) / 1000;

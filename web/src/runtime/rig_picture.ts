@@ -1,5 +1,6 @@
 /** The picture of a rig: the original file if players decode it, or else a PNG of the same pixels. */
 import { PictureFile } from '../io/encoder';
+import { plainPng } from '../io/encoding';
 import type { PixelSource } from '../io/open_picture';
 import { readBytes } from '../io/read';
 
@@ -40,14 +41,7 @@ async function encoded(source: PixelSource, signal: AbortSignal): Promise<Uint8A
   const { width, height } = source;
   const pixels = await copyOf(source);
   signal.throwIfAborted();
-  const png = new PictureFile({
-    type: 'image/png',
-    width,
-    height,
-    quality: 1,
-    background: '#ffffff',
-    chunks: [],
-  });
+  const png = new PictureFile(plainPng(width, height));
   try {
     await png.write(pixels);
     return new Uint8Array(await (await png.finish()).arrayBuffer());

@@ -2,12 +2,12 @@
 import type { FileSettings } from '../encoding';
 import { opaqueOver } from './opaque_over';
 import { Refused } from './refused';
-import type { RowsFile } from './rows_file';
+import type { WrittenFile } from './written_file';
 
 const TOO_LARGE = 'this browser has no canvas of this size. Choose a smaller scale, or PNG.';
 const UNSUPPORTED = 'this browser cannot write this format. Choose PNG.';
 
-export class CanvasFile implements RowsFile {
+export class CanvasFile implements WrittenFile<Blob> {
   readonly #settings: FileSettings;
   readonly #canvas: OffscreenCanvas;
   readonly #context: OffscreenCanvasRenderingContext2D;

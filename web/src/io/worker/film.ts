@@ -1,9 +1,10 @@
 /** Worker: writes films from frames. The parts of a format are loaded when it is first used. */
-import type { BeginFilm, FilmReply, FilmRequest, FilmSettings } from '../filming';
+import type { BeginFilm, FilmSettings } from '../filming';
 import type { FilmEncoder } from './film_encoder';
-import { BlobOutput, type FilmOutput, PickedOutput, StorageRefused } from './film_output';
+import { BlobOutput, type FilmOutput, PickedOutput } from './film_output';
 import { opaqueOver } from './opaque_over';
-import { Broken, Refused } from './refused';
+import { serveFile } from './serve_file';
+import type { WrittenFile } from './written_file';
 
 declare const self: DedicatedWorkerGlobalScope;
 
@@ -17,7 +18,34 @@ const TYPES: Readonly<Record<FilmSettings['format'], string>> = {
   sheet: 'application/zip',
 };
 
-async function begun({ settings, picture }: BeginFilm, output: FilmOutput): Promise<FilmEncoder> {
+self.onmessage = ({ data: film }: MessageEvent<BeginFilm>) => serveFile(film.port, () => begun(film));
+
+/** A film with its output. */
+async function begun(film: BeginFilm): Promise<WrittenFile<Blob | null>> {
+  const { settings, target } = film;
+  const { background, format } = settings;
+  const output: FilmOutput = target ? new PickedOutput(target) : new BlobOutput(TYPES[format]);
+  const encoder = await encoderOf(film, output).catch(async (error: unknown) => {
+    await output.abandon();
+    throw error;
+  });
+  return {
+    write: (rgba) => {
+      if (background !== null) opaqueOver(background, rgba);
+      return encoder.add(rgba);
+    },
+    finish: async () => {
+      await encoder.finish();
+      return output.finish();
+    },
+    abandon: () => {
+      encoder.dispose();
+      return output.abandon();
+    },
+  };
+}
+
+async function encoderOf({ settings, picture }: BeginFilm, output: FilmOutput): Promise<FilmEncoder> {
   const { format, background } = settings;
   if (format === 'webm' || format === 'mp4') {
     const { VideoFilm } = await import('./video_film');
@@ -31,59 +59,3 @@ async function begun({ settings, picture }: BeginFilm, output: FilmOutput): Prom
   if (picture && background !== null) opaqueOver(background, picture);
   return ModuleFilm.begin(settings, format, picture, (position, bytes) => output.write(position, bytes));
 }
-
-self.onmessage = ({ data: film }: MessageEvent<BeginFilm>) => {
-  const { settings, target, port } = film;
-  const output: FilmOutput = target ? new PickedOutput(target) : new BlobOutput(TYPES[settings.format]);
-  let encoder: FilmEncoder | null = null;
-  let finished = false;
-  /** Answers all requests after a refusal. */
-  let refused: Refused | null = null;
-
-  async function handle(request: FilmRequest): Promise<void> {
-    if (request === 'abandon') {
-      encoder?.dispose();
-      if (!finished) await output.abandon();
-      port.postMessage('gone' satisfies FilmReply);
-      return;
-    }
-    let answered = false;
-    const reply = (message: FilmReply) => {
-      answered = true;
-      port.postMessage(message);
-    };
-    try {
-      if (refused) throw refused;
-      encoder ??= await begun(film, output);
-      if (request === 'end') {
-        await encoder.finish();
-        const film = await output.finish();
-        finished = true;
-        reply({ film });
-        return;
-      }
-      // The page sends the next frame while this one is written.
-      reply('taken');
-      const { rgba } = request;
-      if (settings.background !== null) opaqueOver(settings.background, rgba);
-      await encoder.add(rgba);
-    } catch (error) {
-      if (!(error instanceof Refused)) throw error;
-      refused = error;
-      const fault = error instanceof StorageRefused ? 'storage' : 'encoder';
-      if (!answered) reply({ refused: error.message, fault });
-      if (error instanceof Broken) throw error;
-    }
-  }
-
-  let writing: Promise<void> = Promise.resolve();
-  port.onmessage = ({ data }: MessageEvent<FilmRequest>) => {
-    writing = writing
-      .then(() => handle(data))
-      .catch((error: unknown) => {
-        // A fault: the page hears of it as an error of this worker, and replaces it.
-        port.close();
-        reportError(error);
-      });
-  };
-};

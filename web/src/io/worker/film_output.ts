@@ -8,12 +8,14 @@ export interface FilmOutput {
   write(position: number, bytes: Bytes): Promise<void>;
   /** The whole film; null if it is in a file. */
   finish(): Promise<Blob | null>;
-  /** Leaves nothing behind. */
+  /** Leaves nothing of an unfinished film behind. */
   abandon(): Promise<void>;
 }
 
 /** The storage of the film failed, not its encoder. */
-export class StorageRefused extends Refused {}
+export class StorageRefused extends Refused {
+  override readonly fault = 'storage';
+}
 
 const full = (error: unknown): boolean =>
   error instanceof DOMException && error.name === 'QuotaExceededError';

@@ -9,14 +9,14 @@ import { Zlib } from 'fflate';
 import type { FileSettings } from '../encoding';
 import { pngChunk, SIGNATURE } from '../png_chunk';
 import { RowFilter } from './png_filter';
-import type { RowsFile } from './rows_file';
+import type { WrittenFile } from './written_file';
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
 /** Bytes per chunk of pixels. */
 const IDAT_BYTES = 2 ** 20;
 
-export class PngFile implements RowsFile {
+export class PngFile implements WrittenFile<Blob> {
   readonly #filter: RowFilter;
   readonly #deflate = new Zlib({ level: 1 }, (bytes, isLast) => this.#take(bytes, isLast));
   readonly #chunks: Bytes[];

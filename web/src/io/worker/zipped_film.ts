@@ -1,4 +1,5 @@
 /** Films as zip archives: single frames as PNG files, and a sprite sheet with its JSON. */
+import { plainPng } from '../encoding';
 import type { FilmSettings } from '../filming';
 import type { FilmEncoder } from './film_encoder';
 import type { FilmOutput } from './film_output';
@@ -21,14 +22,7 @@ export class FramesFilm implements FilmEncoder {
 
   async add(rgba: Uint8Array<ArrayBuffer>): Promise<void> {
     const { width, height, name } = this.#settings;
-    const png = new PngFile({
-      type: 'image/png',
-      width,
-      height,
-      quality: 1,
-      background: '#ffffff',
-      chunks: [],
-    });
+    const png = new PngFile(plainPng(width, height));
     await png.write(rgba);
     const file = new Uint8Array(await (await png.finish()).arrayBuffer());
     const number = String(this.#frame++).padStart(this.#digits, '0');

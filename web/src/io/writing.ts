@@ -1,0 +1,15 @@
+/** The messages between the page and the workers that write files. */
+
+/** Through the port: the next pixels in straight alpha, the end of the file, or of all. */
+export type WriteRequest = { readonly rgba: Uint8Array<ArrayBuffer> } | 'end' | 'abandon';
+
+/** What failed. */
+export type WriteFault = 'encoder' | 'storage';
+
+export interface Refusal {
+  readonly refused: string;
+  readonly fault: WriteFault;
+}
+
+/** Answers each request: the pixels before these are written; the file; all is gone; or why it cannot be made. */
+export type WriteReply<File> = 'taken' | { readonly file: File } | 'gone' | Refusal;
