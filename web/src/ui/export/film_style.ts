@@ -12,18 +12,9 @@ export const filmStyle = css`
     gap: 6px;
     margin: 6px 0;
   }
-  .export .option select {
+  .export .option .choice {
     flex: 1;
     min-width: 0;
-    height: var(--_control);
-    padding: 0 6px;
-    border: 1px solid transparent;
-    border-bottom-color: var(--_bound);
-    border-radius: var(--_radius-control);
-    background: var(--_raised);
-    color: inherit;
-    font: inherit;
-    font-size: 13px;
   }
   .export .film-refusal {
     margin: 8px 2px;
@@ -32,11 +23,5 @@ export const filmStyle = css`
   }
   .export .formats .segment:disabled {
     opacity: 0.45;
-  }
-  @media (pointer: coarse) {
-    .export .option select {
-      height: var(--_finger);
-      font-size: 16px;
-    }
   }
 `;

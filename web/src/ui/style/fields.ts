@@ -1,4 +1,4 @@
-/** Number fields, with the buttons beside them. */
+/** Number fields with the buttons beside them, and lists to choose from. */
 import { css } from 'lit';
 import { phone } from './layouts';
 
@@ -8,6 +8,26 @@ export const fieldsStyle = css`
     grid-template-columns: 1fr 1fr;
     gap: 6px;
     margin: 10px 0 6px;
+  }
+  .choice {
+    height: var(--_control);
+    padding: 0 6px;
+    border: 1px solid transparent;
+    border-bottom-color: var(--_bound);
+    border-radius: var(--_radius-control);
+    background: var(--_raised);
+    color: inherit;
+    font: inherit;
+    font-size: 13px;
+  }
+  .choice:disabled {
+    opacity: 0.45;
+  }
+  @media (pointer: coarse) {
+    .choice {
+      height: var(--_finger);
+      font-size: 16px;
+    }
   }
   .field {
     position: relative;

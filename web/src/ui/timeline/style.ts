@@ -71,20 +71,6 @@ export const timelineStyle = css`
     background: var(--_danger);
     color: var(--_surface);
   }
-  .choice {
-    height: var(--_control);
-    padding: 0 6px;
-    border: 1px solid transparent;
-    border-bottom-color: var(--_bound);
-    border-radius: var(--_radius-control);
-    background: var(--_raised);
-    color: inherit;
-    font: inherit;
-    font-size: 13px;
-  }
-  .choice:disabled {
-    opacity: 0.45;
-  }
   .clip-name .choice {
     max-width: 160px;
     font-weight: 600;
@@ -307,10 +293,6 @@ export const timelineStyle = css`
     }
     .clip-bar {
       min-height: 52px;
-    }
-    .choice {
-      height: var(--_finger);
-      font-size: 16px;
     }
     .ruler,
     .now {
