@@ -1,15 +1,16 @@
 /** Films: each format by real clicks, read by other decoders, and the frames compared with those of the command. */
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { decode, encode } from 'fast-png';
 import { unzipSync } from 'fflate';
 import type { C2Warp } from '../../web/src/element';
+import { expectAccessible } from './axe';
 import { bytes, Editor } from './editor';
 import { png, project } from './files';
 import { apart, decodePicture, decodeVideo, drawnByCommand, type Pixels } from './films';
 import { expect, test } from './fixtures';
+import { wave } from './wave';
 
 const SAMPLE = fileURLToPath(new URL('../../web/public/samples/gingerbread.png', import.meta.url));
 
@@ -19,20 +20,7 @@ const FRAMES = 5;
 const PERCENT = 12;
 const ALL = [...Array(FRAMES).keys()];
 
-const WAVE = {
-  name: 'wave',
-  duration: FRAMES / RATE,
-  loop: 'repeat',
-  tracks: [
-    {
-      handle: 'right-hand',
-      keys: [
-        { time: 0, posed: [900, 516] },
-        { time: 0.25, posed: [860, 330] },
-      ],
-    },
-  ],
-};
+const WAVE = wave(FRAMES / RATE);
 
 const panel = (page: Page) => page.getByRole('dialog', { name: 'Export' });
 const choose = (page: Page, word: string) =>
@@ -381,11 +369,7 @@ test('the panel works by keyboard alone, and axe finds nothing', async ({ page }
   const editor = await opened(page);
   await choose(page, 'GIF');
   await choose(page, 'A part');
-  for (const theme of ['light', 'dark']) {
-    await page.locator('c2-warp').evaluate((element, theme) => element.setAttribute('theme', theme), theme);
-    const { violations } = await new AxeBuilder({ page }).include('c2-warp').analyze();
-    expect(violations).toEqual([]);
-  }
+  await expectAccessible(page);
   await page.keyboard.press('Escape');
   await expect(panel(page)).toBeHidden();
   await editor.handle('head').focus();

@@ -12,23 +12,11 @@ import type { C2WarpPlayer } from '../../web/src/player';
 import { builtCommand } from './command';
 import { bytes, Editor } from './editor';
 import { expect, test } from './fixtures';
+import { wave } from './wave';
 
 const SAMPLE = fileURLToPath(new URL('../../web/public/samples/gingerbread.png', import.meta.url));
 
-const WAVE = {
-  name: 'wave',
-  duration: 0.5,
-  loop: 'repeat',
-  tracks: [
-    {
-      handle: 'right-hand',
-      keys: [
-        { time: 0, posed: [900, 516] },
-        { time: 0.25, posed: [860, 330] },
-      ],
-    },
-  ],
-};
+const WAVE = wave(0.5);
 
 const panel = (page: Page) => page.getByRole('dialog', { name: 'Export' });
 const code = (page: Page) => panel(page).getByRole('textbox', { name: 'Code' });
