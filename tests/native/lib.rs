@@ -3,11 +3,14 @@
 //! - The scenes of `scenes/` and their generated pictures.
 //! - Outlines that are difficult for distances, and exact geodesics in them.
 //! - Secondary maxima of weights.
+//! - Pseudo-random numbers.
 
 pub mod outlines;
 pub mod pictures;
+mod random;
 mod scene;
 pub mod secondary_maxima;
 pub mod visibility;
 
+pub use random::Random;
 pub use scene::Scene;

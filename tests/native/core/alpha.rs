@@ -1,10 +1,10 @@
 //! Tests of outlines from alpha: their position, thin parts and narrow gaps.
 
 use c2warp::{Error, Picture, domain::Domain, project::DomainSpec};
+use c2warp_tests::Random;
 use glam::DVec2;
 
 use crate::alpha_shapes::{coverage, disc, stroke};
-use crate::random::Random;
 
 /// Side of the pictures in pixels, larger than a sprite. In a sprite, specks are islands.
 const SIZE: u32 = 136;

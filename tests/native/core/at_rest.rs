@@ -5,10 +5,10 @@ use c2warp::{
     project::{DomainSpec, Handle, LooseParts, Project, Rotation},
     solve,
 };
+use c2warp_tests::Random;
 use glam::DVec2;
 
 use crate::alpha_shapes::{disc, stroke};
-use crate::random::Random;
 
 /// Side of the pictures in pixels.
 const SIZE: u32 = 200;

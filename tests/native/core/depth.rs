@@ -5,10 +5,10 @@ use c2warp::{
     deform::Pose,
     project::{Handle, PoseMode, Project, Rotation, Support},
 };
+use c2warp_tests::Random;
 use glam::DVec2;
 
 use crate::handles::{bar, point_handle, polygon};
-use crate::random::Random;
 use crate::scenes::{SIZE, project, solved};
 
 const RED: [u8; 4] = [220, 30, 30, 255];

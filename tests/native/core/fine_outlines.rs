@@ -8,9 +8,8 @@ use c2warp::{
     site::SiteKind,
     solve,
 };
+use c2warp_tests::Random;
 use glam::DVec2;
-
-use crate::random::Random;
 
 /// A picture with this alpha at each pixel.
 fn pixels(side: u32, alpha: impl Fn(u32, u32) -> u8) -> Vec<u8> {

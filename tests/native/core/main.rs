@@ -17,7 +17,6 @@ mod loose_parts;
 mod noise;
 mod properties;
 mod quality;
-mod random;
 mod reuse;
 mod rig;
 mod rigid;

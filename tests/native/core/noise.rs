@@ -5,10 +5,10 @@ use c2warp::{
     project::{DomainSpec, ImageRef, Project, Support},
     solve,
 };
+use c2warp_tests::Random;
 use glam::DVec2;
 
 use crate::handles::point_handle;
-use crate::random::Random;
 use crate::scenes::{project, solved};
 
 #[test]

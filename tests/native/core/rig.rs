@@ -7,10 +7,8 @@ use c2warp::{
     rig::{BakeError, Rig, RigClip, RigPicture},
     solve,
 };
-use c2warp_tests::Scene;
+use c2warp_tests::{Random, Scene};
 use glam::DVec2;
-
-use crate::random::Random;
 
 /// Pixels.
 const CLOSE: f64 = 0.1;

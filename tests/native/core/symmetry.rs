@@ -8,13 +8,13 @@ use c2warp::{
     project::{DomainSpec, Handle, PoseMode, Project, Rotation, Shape, Support},
     solve,
 };
+use c2warp_tests::Random;
 use glam::DVec2;
 use proptest::prelude::*;
 
 use crate::{
     alpha_shapes::{coverage, stroke},
     handles::{bar, polygon},
-    random::Random,
     scenes::{SIZE, cases, is_inside, project, solved, spread},
 };
 

@@ -3,6 +3,7 @@
 use std::{f64::consts::TAU, path::Path};
 
 use c2warp::project::{DomainSpec, Handle, ImageRef, Project, Rotation};
+use c2warp_tests::Random;
 use glam::DVec2;
 use image::RgbaImage;
 
@@ -163,18 +164,4 @@ fn contains(ring: &[DVec2], p: DVec2) -> bool {
     let is_right =
         |(a, b): &(&DVec2, &DVec2)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
     ring.iter().zip(ring.iter().cycle().skip(1)).filter(is_right).count() % 2 == 1
-}
-
-/// Pseudo-random numbers (splitmix64).
-struct Random(u64);
-
-impl Random {
-    /// A number from 0 (included) to 1 (excluded).
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }

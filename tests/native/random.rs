@@ -1,7 +1,8 @@
-//! Pseudo-random numbers.
+//! Pseudo-random numbers, the same in every run.
 
 /// A generator of pseudo-random numbers (splitmix64).
-pub(crate) struct Random(pub(crate) u64);
+#[derive(Debug, Clone)]
+pub struct Random(pub u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -13,12 +14,12 @@ impl Random {
     }
 
     /// Returns an integer from 0 to `limit - 1`.
-    pub(crate) fn below(&mut self, limit: u64) -> u64 {
+    pub fn below(&mut self, limit: u64) -> u64 {
         self.next() % limit
     }
 
     /// Returns a number from 0 (included) to 1 (excluded).
-    pub(crate) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         self.below(1 << 32) as f64 / (1_u64 << 32) as f64
     }
 }
