@@ -19,7 +19,8 @@ export default defineConfig({
   use: {
     baseURL: origin,
     viewport: { width: 900, height: 700 },
-    trace: 'retain-on-failure',
+    // A trace of every step takes a quarter of a run. `--trace on` records it where it is wanted.
+    screenshot: 'only-on-failure',
     launchOptions: { args: CHROMIUM_ARGS, ...(chromium ? { executablePath: chromium } : {}) },
   },
   webServer: { command: 'node serve.mjs', url: `${origin}/harness/`, timeout: 120_000 },
