@@ -130,7 +130,7 @@ test('the download of a page stays small', async ({ request }) => {
   expect(await kilobytes('zipped_film.js')).toBeLessThan(8);
   // For the first rig: 2.9 and 437. The module has a solver of its own.
   expect((await kilobytes('rig_file.js')) + (await kilobytes('baker.js'))).toBeLessThan(4);
-  expect(await kilobytes('c2warp_rig_bg.wasm')).toBeLessThan(460);
+  expect(await kilobytes('c2warp_export_bg.wasm')).toBeLessThan(460);
 });
 
 test('the package’s entries exist, and servers of all kinds can import one', async ({ request }) => {

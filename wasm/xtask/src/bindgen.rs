@@ -22,12 +22,12 @@ pub(crate) struct Module<'a> {
 /// The name of a solver's files, also of its benchmark's.
 pub(crate) const SOLVER: &str = "c2warp";
 
-/// The modules that the editor loads: the solver, and the makers of films and of rigs when they are needed.
+/// The modules that the editor loads: the solver, and the makers of films and of other exports when they are needed.
 pub(crate) fn editor_modules() -> [Module<'static>; 3] {
     let solver = Module { package: "c2warp-bind", output: Path::new("web/src/compute/generated"), name: SOLVER };
     let film = Module { package: "c2warp-film-bind", output: Path::new("web/src/io/generated"), name: "film" };
-    let rig = Module { package: "c2warp-rig-bind", output: solver.output, name: "c2warp_rig" };
-    [solver, film, rig]
+    let export = Module { package: "c2warp-export-bind", output: solver.output, name: "c2warp_export" };
+    [solver, film, export]
 }
 
 /// The profile of cargo for the module.

@@ -27,9 +27,11 @@ export async function bakedRig(
   signal: AbortSignal,
   onProgress: (part: number) => void,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const module = await compiled(new URL('./generated/c2warp_rig_bg.wasm', import.meta.url)).catch((cause) => {
-    throw new WarpError(ENGINE, NOT_STARTED, { cause });
-  });
+  const module = await compiled(new URL('./generated/c2warp_export_bg.wasm', import.meta.url)).catch(
+    (cause) => {
+      throw new WarpError(ENGINE, NOT_STARTED, { cause });
+    },
+  );
   signal.throwIfAborted();
   const worker = startWorker(baker);
   try {

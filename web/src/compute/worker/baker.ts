@@ -1,6 +1,6 @@
 /** Worker: bakes one rig. The only other worker file that imports generated code. */
 import type { BakeReply, BakeRequest } from '../baking_messages';
-import init, { bake } from '../generated/c2warp_rig';
+import init, { bake } from '../generated/c2warp_export';
 
 declare const self: DedicatedWorkerGlobalScope;
 

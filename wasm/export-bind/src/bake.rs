@@ -1,6 +1,4 @@
-//! Rigs for JavaScript: a module of its own with a solver, which a page loads when somebody exports for the web.
-//!
-//! It lives in a worker that ends with the bake. So a cancel needs no pause in it.
+//! The rig of a web page.
 
 use std::fmt;
 
