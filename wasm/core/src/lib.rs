@@ -72,9 +72,13 @@ mod report;
 mod solution;
 mod solve;
 mod solve_input;
+mod solve_key;
 mod solved_sites;
 mod solver;
 mod stage;
+
+// The same rig on another picture.
+pub mod fit;
 
 // Leaving: solutions for other programs.
 pub mod rig;
@@ -96,6 +100,7 @@ pub use raster::{Drawing, extent::Extent, sources::Source, warped::Warped};
 pub use report::{Inspection, Report};
 pub use solution::Solution;
 pub use solve::{distances, solve, solve_cloud, solve_domain, solve_mesh};
+pub use solve_key::SolveKey;
 pub use solver::Solver;
 pub use sprite_mesh::{SpriteMesh, TooFewVertices};
 pub use stage::{Stage, StageTimes};

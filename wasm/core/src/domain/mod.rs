@@ -25,9 +25,7 @@ use crate::{
 
 pub use outline::OutlineDetail;
 pub use ring::Ring;
-#[cfg(test)]
-pub(crate) use ring::contains;
-pub(crate) use ring::{edges, signed_area};
+pub(crate) use ring::{contains, edges, signed_area};
 pub(crate) use visible::VisiblePixels;
 
 /// The region to warp, in image pixels. See the [module](self) for its invariants.

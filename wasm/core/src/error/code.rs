@@ -4,7 +4,7 @@ use super::Error;
 
 impl Error {
     /// All codes that [`code`](Self::code) returns.
-    pub const CODES: [&'static str; 25] = [
+    pub const CODES: [&'static str; 27] = [
         "project",
         "picture",
         "picture-mismatch",
@@ -12,8 +12,10 @@ impl Error {
         "canvas",
         "nothing-drawn",
         "nothing-opaque",
+        "no-outline",
         "domain",
         "handle-outside",
+        "handle-far-outside",
         "handles-too-close",
         "bar-too-short",
         "bars-overlap",
@@ -43,8 +45,10 @@ impl Error {
     /// | `canvas` | a warped picture that is too large to be drawn as a whole |
     /// | `nothing-drawn` | a covered part without a pixel |
     /// | `nothing-opaque` | a picture without an opaque region of sufficient size |
+    /// | `no-outline` | a picture without transparency, to be fitted by its outline |
     /// | `domain` | invalid rings, or rings with too many corners |
     /// | `handle-outside` | a handle outside the domain |
+    /// | `handle-far-outside` | a handle far outside the outline of the picture that a project is fitted to |
     /// | `handles-too-close` | two handles that coincide |
     /// | `bar-too-short` | two corners of a bar or polygon that coincide |
     /// | `bars-overlap` | bars or polygons that run along each other |
@@ -71,6 +75,7 @@ impl Error {
             Self::NothingDrawn => "nothing-drawn",
             Self::PictureMismatch { .. } => "picture-mismatch",
             Self::NothingOpaque { .. } | Self::OnlySpecks { .. } => "nothing-opaque",
+            Self::NoOutline => "no-outline",
             Self::RingOutsidePicture { .. }
             | Self::RingPoint { .. }
             | Self::RingDuplicate { .. }
@@ -78,6 +83,7 @@ impl Error {
             | Self::RingsCross { .. }
             | Self::RingsTooFine { .. } => "domain",
             Self::HandleOutside { .. } => "handle-outside",
+            Self::HandleFarOutside { .. } => "handle-far-outside",
             Self::HandlesTooClose { .. } => "handles-too-close",
             Self::BarTooShort { .. } => "bar-too-short",
             Self::BarsOverlap { .. } => "bars-overlap",
@@ -115,6 +121,7 @@ impl Error {
     pub fn handles(&self) -> Vec<&str> {
         match self {
             Self::HandleOutside { id, .. }
+            | Self::HandleFarOutside { id, .. }
             | Self::BarTooShort { id, .. }
             | Self::OnHeldBoundary { id }
             | Self::TooManyHandles { id, .. }

@@ -95,6 +95,9 @@ pub enum Error {
         /// Height of the picture.
         height: u32,
     },
+    /// A picture without transparency has no outline to line up.
+    #[error("the picture has no transparent part, and so no outline to line up with: fit its rectangle instead")]
+    NoOutline,
     /// No pixel reaches the threshold.
     #[error(
         "no pixel of the picture is opaque at the threshold {}: lower domain.threshold, or warp the whole image",
@@ -199,6 +202,21 @@ pub enum Error {
         x: f64,
         /// y of the handle at rest, in pixels.
         y: f64,
+    },
+    /// A handle lies too far outside the outline of another picture.
+    #[error(
+        "handle “{id}” would lie {:.0} px outside the outline of this picture, and is moved by {:.0} px at most: fit the \
+         project in another way, or move the handle first",
+        .distance,
+        .most
+    )]
+    HandleFarOutside {
+        /// Id of the handle.
+        id: String,
+        /// Distance of the handle from the domain, in pixels.
+        distance: f64,
+        /// Greatest distance that a handle is moved, in pixels.
+        most: f64,
     },
     /// Two handles coincide.
     #[error("handles “{first}” and “{second}” are less than {min} px apart: move or delete one of them",

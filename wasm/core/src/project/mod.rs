@@ -36,6 +36,7 @@ mod handle;
 mod image;
 mod layout;
 mod loose_parts;
+mod mapped;
 mod path;
 mod points;
 mod pose;

@@ -1,0 +1,78 @@
+//! A project with all of its positions mapped.
+
+use glam::{DAffine2, DVec2};
+
+use super::Project;
+use super::clip::{Clip, Key, Track};
+use super::domain::DomainSpec;
+use super::handle::Handle;
+use super::image::ImageRef;
+use super::shape::Shape;
+
+impl Project {
+    /// The same project for another picture, with each of its positions in pixels mapped, at rest and posed. The file
+    /// name of the picture is left empty.
+    ///
+    /// Everything else is relative: turns, scales, depths, times, the number of samples and the settings of weights.
+    pub(crate) fn mapped(&self, map: &DAffine2, (width, height): (u32, u32)) -> Self {
+        // Every field is named, so that a new one cannot be forgotten.
+        let Self {
+            format,
+            image: _,
+            domain,
+            samples,
+            weighting,
+            pose,
+            fix_boundary,
+            edges,
+            loose_parts,
+            handles,
+            clips,
+        } = self.clone();
+        let mut project = Self {
+            format,
+            image: ImageRef::new("", width, height),
+            domain,
+            samples,
+            weighting,
+            pose,
+            fix_boundary,
+            edges,
+            loose_parts,
+            handles,
+            clips,
+        };
+        let at = |p: &mut DVec2| *p = map.transform_point2(*p);
+        if let Some(DomainSpec::Polygon { rings }) = &mut project.domain {
+            rings.iter_mut().flatten().for_each(at);
+        }
+        project.handles.iter_mut().for_each(|handle| handle.shape.each_position(at));
+        project.clips.iter_mut().for_each(|clip| clip.each_posed(|_| true, at));
+        project
+    }
+
+    /// Moves a handle at rest, posed, and in all clips.
+    pub(crate) fn move_handle(&mut self, index: usize, by: DVec2) {
+        let Handle { id, shape, .. } = &mut self.handles[index];
+        shape.each_position(|p| *p += by);
+        self.clips.iter_mut().for_each(|clip| clip.each_posed(|handle| handle == id, |p| *p += by));
+    }
+}
+
+impl Shape {
+    fn each_position(&mut self, change: impl FnMut(&mut DVec2)) {
+        match self {
+            Self::Point { rest, posed } => [rest, posed].into_iter().for_each(change),
+            Self::Bar { rest, posed } | Self::Polygon { rest, posed } => rest.iter_mut().chain(posed).for_each(change),
+        }
+    }
+}
+
+impl Clip {
+    /// Changes the posed positions in the tracks of some handles.
+    fn each_posed(&mut self, of: impl Fn(&String) -> bool, change: impl FnMut(&mut DVec2)) {
+        let tracks = self.tracks.iter_mut().filter(|Track { handle, .. }| of(handle));
+        let keys = tracks.flat_map(|Track { keys, .. }| keys);
+        keys.filter_map(|Key { posed, .. }| posed.as_mut()).flatten().for_each(change);
+    }
+}
