@@ -8,6 +8,7 @@ mod carried;
 mod command;
 mod errors;
 mod export;
+mod fit;
 mod inspect;
 mod manual;
 mod scene_folder;

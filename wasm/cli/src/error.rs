@@ -1,6 +1,7 @@
 //! The errors of the command.
 
-use std::io;
+use std::fmt::Display;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use c2warp::project::ProjectError;
@@ -14,6 +15,23 @@ pub(crate) enum CliError {
     Read { path: PathBuf, reason: io::Error },
     #[error("{}: cannot write this file: {reason}", path.display())]
     Write { path: PathBuf, reason: io::Error },
+    #[error("{}: this is the picture itself: choose another folder for the results", path.display())]
+    OverPicture { path: PathBuf },
+    #[error("{}: its result has the same name as that of {}: rename one of them", path.display(), other.display())]
+    SameResult { path: PathBuf, other: PathBuf },
+    #[error("{}: this folder has no files", path.display())]
+    NoFiles { path: PathBuf },
+    #[error("give one project for many pictures, or one picture for many projects")]
+    ManyOfBoth,
+    #[error(
+        "{}: this picture has {}×{} px and other proportions than {}×{} px, for which the project is: add --fit box to \
+         stretch the project, or --fit alpha to line it up with the outline",
+        path.display(), found.0, found.1, project.0, project.1
+    )]
+    Proportions { path: PathBuf, project: (u32, u32), found: (u32, u32) },
+    /// The reasons stand on standard error already.
+    #[error("some inputs have no result")]
+    Told,
     #[error("{}: this is the project file: choose another output file", path.display())]
     OverProject { path: PathBuf },
     #[error(
@@ -87,6 +105,19 @@ fn listed(names: &[String]) -> String {
     if names.is_empty() { "it has none".to_owned() } else { format!("it has {names:?}") }
 }
 
+/// Tells people something on standard error, on one line.
+pub(crate) fn tell(message: impl Display) {
+    let line = format!("c2warp: {}\n", one_line(&message.to_string()));
+    // If standard error is closed, nobody reads it. Lines of threads do not mix.
+    let _ = io::stderr().write_all(line.as_bytes());
+}
+
+/// Returns the message on one line, with control characters replaced: they could affect the terminal.
+fn one_line(message: &str) -> String {
+    let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
+    words.collect::<Vec<_>>().join(" ")
+}
+
 /// Conversions for `map_err`.
 impl CliError {
     pub(crate) fn read(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
@@ -108,5 +139,15 @@ impl CliError {
     pub(crate) fn refused(path: impl Into<PathBuf>) -> impl FnOnce(c2warp::Error) -> Self {
         let path = path.into();
         |reason| Self::Refused { path, reason }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::one_line;
+
+    #[test]
+    fn messages_are_one_line_without_control_characters() {
+        assert_eq!(one_line("handle \"\u{1b}[31mred\n x\0\": gone"), "handle \"\u{fffd}[31mred x\u{fffd}\": gone");
     }
 }

@@ -9,6 +9,7 @@ mod carried;
 mod distance;
 mod error;
 mod export;
+mod fitting;
 mod input;
 mod inspect;
 mod map;
@@ -17,11 +18,13 @@ mod output;
 mod picture;
 mod points;
 mod project;
+mod shared;
 mod stmap;
 mod warp;
 mod weights;
+mod workers;
 
-use std::io::{self, Write};
+use std::io;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -64,31 +67,19 @@ fn main() -> ExitCode {
         Err(CliError::Print(reason) | CliError::Write { reason, .. }) if reason.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
+        Err(CliError::Told) => ExitCode::FAILURE,
         Err(error) => {
-            let line = one_line(&error.to_string());
-            // If standard error is closed as well, the error cannot be reported.
-            let _ = writeln!(io::stderr(), "c2warp: {line}");
+            error::tell(error);
             ExitCode::FAILURE
         }
     }
-}
-
-/// Returns the message on one line, with control characters replaced: they could affect the terminal.
-fn one_line(message: &str) -> String {
-    let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
-    words.collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
 
-    use super::{Arguments, one_line};
-
-    #[test]
-    fn messages_are_one_line_without_control_characters() {
-        assert_eq!(one_line("handle \"\u{1b}[31mred\n x\0\": gone"), "handle \"\u{fffd}[31mred x\u{fffd}\": gone");
-    }
+    use super::Arguments;
 
     #[test]
     fn command_line_definition_is_consistent() {

@@ -1,8 +1,8 @@
 //! A project with its picture: the input of every subcommand.
 
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use c2warp::Picture;
 use c2warp::Solution;
@@ -12,54 +12,112 @@ use c2warp::domain::{Domain, OutlineDetail};
 use c2warp::project::{Clip, Project};
 
 use crate::carried;
-use crate::error::CliError;
+use crate::error::{self, CliError};
+use crate::fitting::{Fit, FittingProject};
 use crate::input;
 use crate::output::Output;
 use crate::picture::{self, PictureFile};
 
-/// The input files of every subcommand.
+/// The input files of a subcommand.
 #[derive(Debug, clap::Args)]
 pub(crate) struct InputFiles {
     /// The project file *.c2warp.json, or a PNG that the editor exported. Use - to read this or any other input from
     /// standard input
     project: PathBuf,
-    /// Use this picture instead of the project's image.src
+    /// Use this picture instead of the project's image.src. If it has another size, the project is scaled
     #[arg(long, value_name = "FILE")]
     image: Option<PathBuf>,
+    /// Fit the project to a picture of other proportions, or with its outline in another place
+    #[arg(long, requires = "image")]
+    fit: Option<Fit>,
+}
+
+/// A project with its path.
+#[derive(Debug, Clone)]
+pub(crate) struct ProjectFile {
+    pub(crate) project: Project,
+    pub(crate) path: PathBuf,
 }
 
 /// A project and its decoded picture.
 #[derive(Debug)]
 pub(crate) struct LoadedProject {
     pub(crate) project: Project,
-    /// Path of the project, for errors about its contents.
+    /// Path of the project, which no output may replace.
     project_path: PathBuf,
-    image: PictureFile,
+    image: Arc<PictureFile>,
     /// Path of the picture, for errors about its pixels. If the project holds it, the project's path and the key.
     image_path: PathBuf,
+    /// Errors about the contents of the project name its picture: the project itself fits others.
+    names_picture: bool,
+}
+
+impl ProjectFile {
+    /// Reads a project, without its picture.
+    pub(crate) fn read(path: &Path) -> Result<Self, CliError> {
+        let bytes = input::read(path).map_err(CliError::read(path))?;
+        let text = carried::project_text(bytes, path)?;
+        let refused = |reason| CliError::Project { path: path.to_owned(), reason };
+        Ok(Self { project: Project::from_json(&text).map_err(refused)?, path: path.to_owned() })
+    }
+
+    /// Reads the picture that the project names or holds. Returns its path as well.
+    pub(crate) fn own_picture(&self) -> Result<(PictureFile, PathBuf), CliError> {
+        let (path, source) = (self.own_picture_path()?, self.project.image.src.as_str());
+        let image = if carried::is_data_url(source) {
+            picture::read_from(&*carried::data_url_bytes(source, &self.path)?, &path)?
+        } else {
+            picture::read(&path)?
+        };
+        Ok((image, path))
+    }
+
+    /// Returns the path of the project's picture. If the project holds it, the project's path and the key.
+    pub(crate) fn own_picture_path(&self) -> Result<PathBuf, CliError> {
+        let (path, source) = (&self.path, self.project.image.src.as_str());
+        if source.is_empty() {
+            return Err(CliError::NoPicture { path: path.clone() });
+        }
+        Ok(if carried::is_data_url(source) {
+            PathBuf::from(format!("{}: image.src", path.display()))
+        } else {
+            path.parent().unwrap_or(Path::new("")).join(source)
+        })
+    }
+
+    /// The project with a picture of its size.
+    ///
+    /// `names_picture` is for errors about the contents of the project: they name the picture in place of the project.
+    pub(crate) fn with_picture(
+        &self,
+        image: Arc<PictureFile>,
+        image_path: PathBuf,
+        names_picture: bool,
+    ) -> LoadedProject {
+        let Self { project, path } = self.clone();
+        LoadedProject { project, project_path: path, image, image_path, names_picture }
+    }
 }
 
 impl LoadedProject {
-    /// Reads the project and its picture.
+    /// Reads a project and its picture.
     pub(crate) fn open(files: &InputFiles) -> Result<Self, CliError> {
-        let path = &files.project;
-        let bytes = input::read(path).map_err(CliError::read(path))?;
-        let text = carried::project_text(bytes, path)?;
-        let project = Project::from_json(&text).map_err(|reason| CliError::Project { path: path.clone(), reason })?;
-        let source = project.image.src.as_str();
-        let (image, image_path) = match &files.image {
-            Some(image_path) => (picture::read(image_path)?, image_path.clone()),
-            None if source.is_empty() => return Err(CliError::NoPicture { path: path.clone() }),
-            None if carried::is_data_url(source) => {
-                let key = PathBuf::from(format!("{}: image.src", path.display()));
-                (picture::read_from(&*carried::data_url_bytes(source, path)?, &key)?, key)
+        Self::read(&files.project, files.image.as_deref(), files.fit)
+    }
+
+    /// Reads a project with its own picture, or with another one that it is fitted to.
+    pub(crate) fn read(project: &Path, image: Option<&Path>, fit: Option<Fit>) -> Result<Self, CliError> {
+        let file = ProjectFile::read(project)?;
+        match image {
+            Some(path) => {
+                let image = picture::read(path)?;
+                FittingProject::new(file, fit, false)?.with_picture(Arc::new(image), path.to_owned())
             }
             None => {
-                let image_path = path.parent().unwrap_or(Path::new("")).join(source);
-                (picture::read(&image_path)?, image_path)
+                let (image, path) = file.own_picture()?;
+                Ok(file.with_picture(Arc::new(image), path, false))
             }
-        };
-        Ok(Self { project, project_path: path.clone(), image, image_path })
+        }
     }
 
     /// Returns the path of the project, for errors about its contents.
@@ -91,8 +149,7 @@ impl LoadedProject {
 
     /// Returns the pixels for the solver.
     pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {
-        let pixels = &self.image.pixels;
-        Picture::new(pixels.width(), pixels.height(), pixels.as_raw()).map_err(CliError::refused(&self.image_path))
+        self.image.picture(&self.image_path)
     }
 
     /// Returns the ICC profile of the picture's colours, or `None` for sRGB.
@@ -109,8 +166,7 @@ impl LoadedProject {
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
         let solution = c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))?;
         if let Some(remark) = remark(solution.domain()) {
-            // If standard error is closed, nobody reads it.
-            let _ = writeln!(io::stderr(), "c2warp: {}: {remark}", self.image_path.display());
+            error::tell(format_args!("{}: {remark}", self.image_path.display()));
         }
         Ok(solution)
     }
@@ -133,7 +189,8 @@ impl LoadedProject {
 
     /// Returns an error about the contents of the project.
     pub(crate) fn refused(&self, reason: c2warp::Error) -> CliError {
-        CliError::Refused { path: self.project_path.clone(), reason }
+        let path = if self.names_picture { &self.image_path } else { &self.project_path };
+        CliError::Refused { path: path.clone(), reason }
     }
 }
 

@@ -34,6 +34,14 @@ pub(crate) struct PictureFile {
     pub(crate) bytes: Vec<u8>,
 }
 
+impl PictureFile {
+    /// The pixels for the solver. Errors begin with `path`.
+    pub(crate) fn picture(&self, path: &Path) -> Result<Picture<'_>, CliError> {
+        let pixels = &self.pixels;
+        Picture::new(pixels.width(), pixels.height(), pixels.as_raw()).map_err(CliError::refused(path))
+    }
+}
+
 /// Reads a picture file.
 pub(crate) fn read(path: &Path) -> Result<PictureFile, CliError> {
     read_from(input::open(path).map_err(CliError::read(path))?, path)

@@ -1,95 +1,68 @@
-//! `c2warp warp`: the warped picture as a PNG at full quality, and its ST map.
+//! `c2warp warp`: the warped picture as a PNG at full quality, and its ST map. Many pictures or projects are warped in
+//! parallel.
+
+mod many;
+mod order;
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::num::NonZero;
+use std::path::PathBuf;
 
-use c2warp::{Canvas, Filter, ResampleOptions, Warped, raster};
+use c2warp::Warped;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageResult};
+use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
 
+use self::order::{Order, Targets};
 use crate::error::CliError;
-use crate::output::{self, Output};
-use crate::project::{InputFiles, LoadedProject};
-use crate::stmap;
+use crate::fitting::Fit;
+use crate::output;
+use crate::project::LoadedProject;
 
-/// Warps the picture at full quality and writes a PNG
+/// Warps pictures at full quality and writes a PNG for each
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    #[command(flatten)]
-    files: InputFiles,
-    /// The output file, or - for standard output
-    #[arg(short, long, value_name = "OUT.png")]
+    /// The project file *.c2warp.json, or a PNG that the editor exported. Use - to read this or any other input from
+    /// standard input. Of several projects, each has its own result
+    #[arg(required = true)]
+    projects: Vec<PathBuf>,
+    /// Use this picture instead of the project's image.src. If it has another size, the project is scaled. Of several
+    /// pictures, or those in a folder, each has its own result
+    #[arg(long = "image", value_name = "FILE|FOLDER")]
+    images: Vec<PathBuf>,
+    /// Fit the project to pictures of other proportions, or with their outline in another place
+    #[arg(long, requires = "images")]
+    fit: Option<Fit>,
+    /// The output file, or - for standard output. For several inputs a folder: results have the names of the pictures,
+    /// or of the projects if there are several
+    #[arg(short, long, value_name = "OUT.png|FOLDER")]
     output: PathBuf,
-    /// Pixels of the result per pixel of the picture
-    #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
-    scale: f64,
-    /// Grow the result to hold everything that is bent beyond the picture's rectangle. Prints X,Y: the position of the
-    /// picture's upper left corner in the result. Prints it to standard error if standard output takes a file
-    #[arg(long)]
-    grow: bool,
+    /// Work on up to this many inputs at a time. The default is the number of cores
+    #[arg(short, long, value_name = "N")]
+    jobs: Option<NonZero<usize>>,
     #[command(flatten)]
-    moment: Moment,
-    /// Draw pixel art: take the nearest pixel of the picture, mix no colours and smooth no edges
-    #[arg(long)]
-    pixelated: bool,
+    order: Order,
     /// Also write an ST map for compositors: an OpenEXR picture of the size of the result. Red and green hold the
-    /// source u,v of each pixel, from 0 to 1 with v upwards. Blue is the Jacobian determinant. Alpha is the coverage
-    #[arg(long, value_name = "OUT.exr")]
+    /// source u,v of each pixel, from 0 to 1 with v upwards. Blue is the Jacobian determinant. Alpha is the coverage.
+    /// For several inputs a folder
+    #[arg(long, value_name = "OUT.exr|FOLDER")]
     stmap: Option<PathBuf>,
 }
 
-/// A time in a clip.
-#[derive(Debug, clap::Args)]
-struct Moment {
-    /// Pose the handles as this clip of the project does
-    #[arg(long, value_name = "NAME", requires = "at")]
-    clip: Option<String>,
-    /// The time in the clip, in seconds
-    #[arg(long, value_name = "SECONDS", requires = "clip", allow_negative_numbers = true, value_parser = finite)]
-    at: Option<f64>,
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(|| "expected a finite number".to_owned())
-}
-
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let loaded = LoadedProject::open(&arguments.files)?;
-    let moment = match (&arguments.moment.clip, arguments.moment.at) {
-        (Some(clip), Some(time)) => Some((loaded.clip(clip)?, time)),
-        _ => None,
-    };
-    let picture = loaded.picture()?;
-    // Reject invalid scales before solving.
-    raster::warped_size(picture.width(), picture.height(), arguments.scale).map_err(CliError::Scale)?;
-    let path = &arguments.output;
-    check_extension(path, ImageFormat::Png)?;
-    let output = loaded.output(path)?;
-    let stmap = arguments.stmap.as_deref().map(|path| stmap_output(&loaded, path, &output)).transpose()?;
-
-    let solution = loaded.solve()?;
-    let pose = match moment {
-        Some((clip, time)) => loaded.pose_at(&solution, clip, time)?,
-        None => loaded.pose(&solution)?,
-    };
-    let options = ResampleOptions {
-        scale: arguments.scale,
-        canvas: if arguments.grow { Canvas::Grown } else { Canvas::Picture },
-        filter: if arguments.pixelated { Filter::Nearest } else { Filter::Cubic },
-        edges: loaded.project.edges,
-    };
-    let warped = solution.warped(&picture, &pose, options).map_err(|reason| loaded.refused(reason))?;
-    output.write(|writer| writer.write_all(&encode_png(&warped, loaded.profile()).map_err(io::Error::other)?))?;
-    if let Some(stmap) = stmap {
-        let sources = solution.sources(&picture, &pose, options, &warped).map_err(|reason| loaded.refused(reason))?;
-        let file = stmap::encode_exr(&picture, &warped, &sources);
-        stmap.write(|writer| writer.write_all(&file.map_err(io::Error::other)?))?;
+    let is_folder = |path: &PathBuf| path.is_dir();
+    if arguments.projects.len() > 1 || arguments.images.len() > 1 || arguments.images.iter().any(is_folder) {
+        return many::run(arguments);
     }
-    if arguments.grow {
-        let [left, top] = warped.origin;
+    let image = arguments.images.first().map(PathBuf::as_path);
+    let loaded = LoadedProject::read(&arguments.projects[0], image, arguments.fit)?;
+    arguments.order.check(&loaded)?;
+    let targets = Targets::open(&loaded, &arguments.output, arguments.stmap.as_deref())?;
+    let solution = loaded.solve()?;
+    let [left, top] = arguments.order.draw(&loaded, &solution, targets)?;
+    if arguments.order.grow {
         let origin = format!("{left},{top}\n");
-        let stdout_is_taken =
-            [Some(path), arguments.stmap.as_ref()].into_iter().flatten().any(|path| output::is_standard_output(path));
+        let outputs = [Some(&arguments.output), arguments.stmap.as_ref()];
+        let stdout_is_taken = outputs.into_iter().flatten().any(|path| output::is_standard_output(path));
         let printed = if stdout_is_taken {
             io::stderr().write_all(origin.as_bytes())
         } else {
@@ -98,24 +71,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         printed.map_err(CliError::Print)?;
     }
     Ok(())
-}
-
-/// Prepares the output of the ST map. It must differ from the output of the picture.
-fn stmap_output(loaded: &LoadedProject, path: &Path, picture: &Output) -> Result<Output, CliError> {
-    check_extension(path, ImageFormat::OpenExr)?;
-    let output = loaded.output(path)?;
-    if output.is_same(picture) {
-        return Err(CliError::SameOutput { path: path.to_owned() });
-    }
-    Ok(output)
-}
-
-/// Returns an error if the extension belongs to another type than `written`.
-fn check_extension(path: &Path, written: ImageFormat) -> Result<(), CliError> {
-    match ImageFormat::from_path(path) {
-        Ok(format) if format != written => Err(CliError::OutputType { path: path.to_owned(), format, written }),
-        _ => Ok(()),
-    }
 }
 
 pub(crate) fn encode_png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
