@@ -2,6 +2,7 @@
 
 use c2warp::{
     Error, Filter, Inspection, Picture, ResampleOptions, Solver, Stage, StageTimes,
+    fit::{Fitted, Fitter},
     project::{Project, clip_from_json},
     raster,
 };
@@ -35,6 +36,13 @@ pub struct Session {
 struct Solve {
     project: Project,
     ms: StageTimes,
+}
+
+/// A project for the present picture, and the ids of handles that were moved into its outline.
+#[derive(Debug, Serialize)]
+struct FittedProject<'a> {
+    project: &'a Project,
+    moved: Vec<String>,
 }
 
 #[wasm_bindgen]
@@ -168,6 +176,18 @@ impl Session {
         drawing.map(Drawing::from).map_err(|error| to_js(&error))
     }
 
+    /// A project that was made for another picture, fitted to this one: the JSON of `FittedProject`.
+    ///
+    /// With the project's own picture in straight RGBA, the outlines of both are lined up, if both have transparency.
+    /// Otherwise the rectangle of its picture is stretched onto this one.
+    ///
+    /// # Errors
+    /// Those of `c2warp::fit`.
+    #[allow(clippy::needless_pass_by_value, reason = "wasm-bindgen takes no optional slices")]
+    pub fn fit(&self, project_json: &str, own_rgba: Option<Vec<u8>>) -> Result<String, JsValue> {
+        self.try_fit(project_json, own_rgba.as_deref()).map_err(|error| to_js(&error))
+    }
+
     /// The borders between the cells of a project's solution. Solves first if necessary.
     ///
     /// # Errors
@@ -198,6 +218,19 @@ impl Session {
     fn solved_as(&mut self, project_json: &str) -> Result<&c2warp::Solution, JsValue> {
         let solved = Project::from_json(project_json).map_err(Error::from).and_then(|project| self.try_solve(&project));
         solved.map_err(|error| to_js(&error))
+    }
+
+    fn try_fit(&self, project_json: &str, own_rgba: Option<&[u8]>) -> Result<String, Error> {
+        let project = Project::from_json(project_json)?;
+        let picture = Picture::new(self.width, self.height, &self.rgba)?;
+        let own = own_rgba.map(|rgba| Picture::new(project.image.width, project.image.height, rgba)).transpose()?;
+        let fitter = match own {
+            Some(own) if own.has_transparency() && picture.has_transparency() => Fitter::by_alpha(project, &own)?,
+            _ => Fitter::by_box(project),
+        };
+        let Fitted { project, moved, .. } = fitter.fit(&picture)?;
+        let moved = moved.into_iter().map(|handle| handle.id).collect();
+        Ok(json(&FittedProject { project: &project, moved }))
     }
 
     fn try_begin(&mut self, project: Project) -> Result<(), Error> {

@@ -29,6 +29,13 @@ export interface ClipMoment {
   readonly time: number;
 }
 
+/** A project for the present picture. */
+export interface FittedProject {
+  readonly project: Project;
+  /** Ids of handles that were moved into the outline. */
+  readonly moved: readonly string[];
+}
+
 export class Engine {
   readonly #link: Link;
   /** Rejects where the solver refuses the picture; every request awaits it. */
@@ -68,6 +75,15 @@ export class Engine {
     await this.#picture;
     if (turn !== this.#newestSolve) throw superseded();
     return this.#link.send('solve', { project: problemText(project) }, onProgress);
+  }
+
+  /**
+   * Fits a project that was made for another picture to the present one.
+   * @param own the project's own picture, if its outline is to be lined up with that of the present one.
+   * @throws as {@link cells}; WarpError if the project does not fit.
+   */
+  async fit(project: Project, own: PixelSource | null): Promise<FittedProject> {
+    return JSON.parse(await this.#ask('fit', { project: JSON.stringify(project), own }));
   }
 
   /**
@@ -133,7 +149,7 @@ export class Engine {
   }
 
   /** Asks about the present picture, once the worker has it. */
-  async #ask<N extends 'draw' | 'film' | 'cells' | 'study' | 'lens'>(
+  async #ask<N extends 'fit' | 'draw' | 'film' | 'cells' | 'study' | 'lens'>(
     name: N,
     body: Messages[N][0],
   ): Promise<Messages[N][1]> {

@@ -7,7 +7,15 @@
  */
 import { ENGINE, TOO_MUCH, TOO_MUCH_TO_SOLVE, WarpError } from '../error';
 import { failureError, superseded } from './errors';
-import { type Boot, type Messages, type Name, type Reply, type Request, SUPERSEDED } from './messages';
+import {
+  type Boot,
+  type Messages,
+  type Name,
+  type Reply,
+  type Request,
+  type SentPicture,
+  SUPERSEDED,
+} from './messages';
 import type { PixelSource, Stage } from './solution';
 
 /** The part of a Worker that is used here. */
@@ -45,6 +53,7 @@ const TOO_MUCH_TO_FILM = 'The film needs more memory to be drawn than this brows
 /** Why a request broke the solver: nearly always for want of memory. */
 const BROKE: Readonly<Record<Name, string>> = {
   picture: 'The picture needs more memory than this browser gives: scale it down.',
+  fit: 'The pictures need more memory than this browser gives: scale them down.',
   solve: TOO_MUCH_TO_SOLVE,
   draw: TOO_MUCH_TO_DRAW,
   rows: TOO_MUCH_TO_DRAW,
@@ -177,13 +186,19 @@ export class Link {
 
 /** Sends a request. The pixels of a picture come from another worker, so that the page never copies them. */
 function post(port: Port, { id, name, body }: Asked): void {
-  if (name !== 'picture') {
-    port.postMessage({ id, name, body } as Request);
-    return;
-  }
-  const source = body as PixelSource;
+  if (name === 'picture') {
+    sendWith(port, body as PixelSource, (picture) => ({ id, name, body: picture }));
+  } else if (name === 'fit') {
+    const { project, own } = body as Messages['fit'][0];
+    if (own) sendWith(port, own, (picture) => ({ id, name, body: { project, own: picture } }));
+    else port.postMessage({ id, name, body: { project, own } });
+  } else port.postMessage({ id, name, body } as Request);
+}
+
+/** Sends a request with a picture, whose pixels follow at a port of their own. */
+function sendWith(port: Port, source: PixelSource, request: (picture: SentPicture) => Request): void {
   const { width, height } = source;
   const { port1, port2 } = new MessageChannel();
-  port.postMessage({ id, name, body: { width, height, pixels: port2 } }, [port2]);
+  port.postMessage(request({ width, height, pixels: port2 }), [port2]);
   source.sendTo(port1);
 }

@@ -51,6 +51,8 @@ export interface DrawingSize {
 export interface Messages {
   /** The picture of all later requests. */
   picture: [request: PixelSource, response: null];
+  /** Fits a project to the picture. Answers with JSON. `own`: the project's picture, if outlines count. */
+  fit: [request: { readonly project: string; readonly own: PixelSource | null }, response: string];
   /** Stopped, and answered as superseded, when a newer solve or another picture arrives. */
   solve: [request: { readonly project: string }, response: SolutionData];
   /** Prepares the warped picture at full quality. It is drawn by `rows` until `release`. */
@@ -94,7 +96,11 @@ export interface SentPicture {
 }
 
 /** The body of a request as it is sent. */
-type Sent<N extends Name> = N extends 'picture' ? SentPicture : Messages[N][0];
+type Sent<N extends Name> = N extends 'picture'
+  ? SentPicture
+  : N extends 'fit'
+    ? { readonly project: string; readonly own: SentPicture | null }
+    : Messages[N][0];
 
 /** A request as it is sent; every reply to it repeats `id`. */
 export type Request = {

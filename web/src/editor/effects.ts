@@ -5,6 +5,7 @@ import type { EditorEvent } from './events';
 import type { ExportChoices } from './export_choices';
 import type { FilmArea, FilmFormat, Range } from './film_choices';
 import type { NamedFile, Picture } from './picture';
+import type { RigSource } from './rig_source';
 import type { Solution } from './solution';
 import type { Title } from './state';
 import type { FigureName } from './study_state';
@@ -74,6 +75,8 @@ export type EditorEffect =
   /** Sets the solver's picture; null when none is open. */
   | { readonly type: 'use-picture'; readonly picture: Picture | null }
   | { readonly type: 'solve'; readonly key: string; readonly project: Project }
+  /** Fits a rig to the open picture. Answered by `rig-fitted` or `error-reported`. */
+  | { readonly type: 'fit-rig'; readonly rig: RigSource; readonly picture: Picture }
   | { readonly type: 'find-borders'; readonly solution: Solution }
   | { readonly type: 'find-study'; readonly solution: Solution }
   /** Saves a figure of the study card as SVG. */

@@ -5,6 +5,7 @@ import { codeOf, handlesOf, TOO_MUCH, WarpError } from '../error';
 /** By the codes of errors whose messages are in words of the solver and of project files. */
 const REFUSALS: Readonly<Record<string, (name: string, other: string) => string>> = {
   'handle-outside': (name) => `“${name}” lies outside the shape: place it on the picture.`,
+  'handle-far-outside': (name) => `“${name}” would lie far outside this picture: the rig does not fit it.`,
   'on-held-boundary': (name) =>
     `“${name}” stands on the boundary, which is held: move it further inside, or free the boundary.`,
   'bars-overlap': (name, other) =>

@@ -27,6 +27,7 @@ import type { OverlayName } from './overlays';
 import type { Media, PageAttributes, Sample } from './page';
 import type { NamedFile, Picture, SourceFile } from './picture';
 import type { Popover } from './popover';
+import type { RigSource } from './rig_source';
 import type { Solution, SolveStage } from './solution';
 import type { StagePointer } from './stage_pointer';
 import type { FigureName, StudyPage } from './study_state';
@@ -225,6 +226,16 @@ type FileEvent =
       readonly carried: Project | Error | null;
     }
   | { readonly type: 'read-failed'; readonly id: number; readonly error: Error }
+  /** The person uses a rig of another picture on the open one. */
+  | { readonly type: 'rig-asked'; readonly rig: RigSource }
+  /** `moved`: names of handles that were moved into the outline. */
+  | {
+      readonly type: 'rig-fitted';
+      readonly rig: RigSource;
+      readonly picture: Picture;
+      readonly project: Project;
+      readonly moved: readonly string[];
+    }
   | { readonly type: 'back-asked'; readonly work: WorkSnapshot }
   /** The person keeps the open version of a work of two tabs. */
   | { readonly type: 'version-kept' }

@@ -13,6 +13,7 @@ import { exportFilm, findCodecs } from './films';
 import type { Focus } from './focus';
 import type { MenuPopover } from './menu_popover';
 import type { Pictures } from './pictures';
+import { fitRig } from './rig_fitting';
 import type { Solver } from './solver';
 import type { Storage } from './storage';
 import type { Study } from './study';
@@ -55,6 +56,7 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
   'use-picture': (effect, { pictures, solver }) =>
     solver.usePicture(effect.picture && pictures.opened(effect.picture).pixels),
   solve: (effect, { solver }) => solver.solve(effect.key, effect.project),
+  'fit-rig': (effect, { dispatch, pictures, solver }) => fitRig(effect, pictures, solver, dispatch),
   'find-borders': (effect, { solver }) => solver.findBorders(effect.solution),
   'find-study': (effect, { solver }) => solver.findStudy(effect.solution),
   'save-figure': (effect, { files, state, study }) =>

@@ -4,7 +4,7 @@
  * Solutions hold memory of the WebAssembly module. Those that the state no longer names are freed.
  */
 import type { Drawing } from '../compute/drawing';
-import { type ClipMoment, Engine } from '../compute/engine';
+import { type ClipMoment, Engine, type FittedProject } from '../compute/engine';
 import type { Filming } from '../compute/filming';
 import type { DrawingOptions, FilmOptions } from '../compute/messages';
 import { checkedProject } from '../compute/module';
@@ -84,6 +84,11 @@ export class Solver {
   async findLens(solution: Solution, at: Vec): Promise<void> {
     const lens = await this.#asked((engine) => engine.lens(solution.project, at));
     this.#dispatch({ type: 'lens-found', solution, at, lens });
+  }
+
+  /** A project for another picture, fitted to the present one: see `Engine.fit`. */
+  async fit(project: Project, own: PixelSource | null): Promise<FittedProject> {
+    return (await this.#started()).fit(project, own);
   }
 
   async #asked<T>(ask: (engine: Engine) => Promise<T>): Promise<T | null> {

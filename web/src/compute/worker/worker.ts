@@ -77,6 +77,11 @@ async function handle(session: Session, request: Request): Promise<void> {
       films.clear();
       return done(null);
     }
+    case 'fit': {
+      const { project, own } = request.body;
+      const rgba = own ? await received(own.pixels) : undefined;
+      return done(session.fit(project, rgba));
+    }
     case 'solve': {
       if (!(await advanced(session, request.body.project, id))) {
         return post({ id, kind: 'failed', failure: { code: SUPERSEDED, message: 'superseded' } });

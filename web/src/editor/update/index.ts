@@ -35,6 +35,7 @@ import { renamingHandlers } from './renaming';
 import { playOn, replayHandlers } from './replay';
 import { requestEndHandlers } from './request_end';
 import { requestHandlers } from './requests';
+import { rigHandlers } from './rig';
 import { showStage } from './solve_request';
 import { solveHandlers } from './solve_results';
 import { endMerging } from './steps';
@@ -87,6 +88,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...replayHandlers,
   ...requestEndHandlers,
   ...requestHandlers,
+  ...rigHandlers,
   ...solveHandlers,
   ...studyHandlers,
   ...timerHandlers,

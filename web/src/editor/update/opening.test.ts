@@ -155,8 +155,9 @@ describe('edited work', () => {
     drop(runtime);
     runtime.read(dog);
     runtime.solve();
-    expect(shownNotice(runtime.state)?.action?.label).toBe('Back to cat.png');
-    runtime.dispatch({ type: 'notice-answered' });
+    expect(shownNotice(runtime.state)?.action?.label).toBe('Use this rig');
+    expect(shownNotice(runtime.state)?.other?.label).toBe('Back to cat.png');
+    runtime.dispatch({ type: 'notice-answered', other: true });
     runtime.read(testPicture('cat.png'));
     runtime.solve();
     expect(projectOf(runtime.state).handles).toHaveLength(1);

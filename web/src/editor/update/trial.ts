@@ -4,10 +4,12 @@ import type { Project } from '../../document/project';
 import type { Emit } from '../effects';
 import { inEditorWords } from '../error_texts';
 import type { EventOf } from '../events';
+import type { NoticeAction } from '../notice';
 import { notCarriedText, twoVersionsText } from '../notice_texts';
 import type { OpeningState, OpenRequest, ProjectRead, Purpose, Trial } from '../opening_state';
 import { belongs, fits, misfit, type Picture, type SourceFile } from '../picture';
 import { otherVersion, withReplaced } from '../recent';
+import { awaitingText, offeredText } from '../rig_texts';
 import { type EditorState, projectOf } from '../state';
 import type { Work, WorkSnapshot } from '../work';
 import { saveOpened, snapshotOf, workOf } from './autosave';
@@ -17,6 +19,7 @@ import { inform, notify } from './notices';
 import { endPressKeepingChanges } from './press';
 import { closePicture, freshWork, putPicture } from './put_picture';
 import { abandonReading, restore, withOpening } from './requests';
+import { rigOfProject, rigOfWork } from './rig';
 import { select } from './selection';
 import { step } from './steps';
 import { choose, chooseByHandles } from './tool_choice';
@@ -38,9 +41,14 @@ function tryRequested(
   // A picture of the page is never one that a person was asked for.
   const isAwaited = awaiting && request.purpose.by === 'person' && belongs(picture, awaiting.project);
   const awaited = isAwaited ? awaiting.project : null;
-  const project = request.work ? null : (given ?? awaited);
-  const error = project && misfit(picture, project);
-  if (error) {
+  const asked = request.work ? null : (given ?? awaited);
+  const error = asked && misfit(picture, asked);
+  // A person may use the project's rig on this picture, or open its own.
+  const isTakable = error && request.purpose.by === 'person' && asked.handles.length > 0;
+  const waiting = isTakable ? asked : null;
+  const project = waiting ? null : asked;
+  if (waiting) state = withOpening(state, { awaiting: { name: 'The project', project: waiting } });
+  else if (error) {
     emit({ type: 'follow-up', event: { type: 'request-ended', request, outcome: error } });
     return state;
   }
@@ -48,7 +56,8 @@ function tryRequested(
   const present = project && { project, selection: [] };
   const work = request.work ?? (present && { record: { past: [], present, future: [] } });
   const recent = recentAfter(state, request.purpose.by === 'back' ? request.work : null, request.purpose.by);
-  const trial = { request, withProject: given !== null, carried, fresh: work === null, recent };
+  const withProject = given !== null && !waiting;
+  const trial = { request, withProject, carried, fresh: work === null, recent };
   const tried = startTrial(state, trial, picture, work ?? freshWork(picture), emit);
   // Not once it is solved: by then the person may have chosen another tool.
   return isOfPerson(request.purpose) ? chooseByHandles(tried, emit) : tried;
@@ -123,7 +132,9 @@ export function endTrialOpened(before: EditorState, trial: Trial, emit: Emit): E
   const waits = !(trial.withProject && trial.request?.purpose.by === 'person');
   const awaiting = waits ? awaitingAfter(before, trial) : null;
   let state = withOpening(before, { trial: null, restoring: null, recent: trial.recent, awaiting });
-  state = offerNext(saveOpened(applyPageSettings(state, trial.withProject, emit), emit), emit);
+  const isBrought = trial.fresh && trial.request?.purpose.by === 'person';
+  const rig = isBrought && trial.before ? rigOfWork(trial.before.picture, trial.before.work) : null;
+  state = offerNext(saveOpened(applyPageSettings(state, trial.withProject, emit), emit), emit, rig);
   if (trial.carried instanceof Error && state.picture) {
     state = inform(state, notCarriedText(state.picture.name, trial.carried.message), emit);
   }
@@ -179,8 +190,12 @@ function applyPageSettings(state: EditorState, withProject: boolean, emit: Emit)
   return next;
 }
 
-/** Asks for the picture of a waiting project, or offers the other version of a work, or the way back. */
-function offerNext(state: EditorState, emit: Emit): EditorState {
+/**
+ * Asks for the picture of a waiting project, or offers the other version of a work, or the way back.
+ *
+ * @param rig offers the rig of the picture before.
+ */
+function offerNext(state: EditorState, emit: Emit, rig: NoticeAction | null = null): EditorState {
   const { picture, opening, page } = state;
   if (opening.awaiting) return askForPicture(state, emit);
   if (!picture) return state;
@@ -191,21 +206,25 @@ function offerNext(state: EditorState, emit: Emit): EditorState {
     return notify(state, { kind: 'info', text: twoVersionsText(picture.name), action, other }, emit);
   }
   const last = opening.recent.at(-1);
-  if (!last || page.posable) return state;
-  const action = { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } } as const;
-  const text = `${picture.name} is open.`;
-  return notify(state, { kind: 'info', text, action, ofStep: true, passes: true }, emit);
+  if (page.posable || !(last || rig)) return state;
+  const back: NoticeAction | null = last
+    ? { label: `Back to ${last.name}`, event: { type: 'back-asked', work: last } }
+    : null;
+  const [action, other] = rig ? [rig, back] : [back, null];
+  const from = rig?.event.type === 'rig-asked' ? rig.event.rig.name : null;
+  const text = from === null ? `${picture.name} is open.` : offeredText(picture.name, from);
+  const actions = { ...(action && { action }), ...(other && { other }) };
+  return notify(state, { kind: 'info', text, ...actions, ofStep: true, passes: true }, emit);
 }
 
-/** Asks for the picture of the waiting project. */
+/** Asks for the picture of the waiting project. An open picture can take its rig. */
 function askForPicture(state: EditorState, emit: Emit): EditorState {
   const { awaiting } = state.opening;
   if (!awaiting) return state;
-  const { src, width, height } = awaiting.project.image;
-  const size = `(${width} × ${height} px)`;
-  const text = `${awaiting.name} belongs to the picture ${src || 'it was made for'} ${size}. Open that picture to go on.`;
+  const rig = state.picture ? rigOfProject(awaiting.name, awaiting.project) : null;
+  const text = awaitingText(awaiting.name, awaiting.project.image, rig && (state.picture?.name ?? null));
   const action = { label: 'Open picture', event: { type: 'picture-asked' } } as const;
-  return notify(state, { kind: 'info', text, action }, emit);
+  return notify(state, { kind: 'info', text, action, ...(rig && { other: rig }) }, emit);
 }
 
 /** Applies a project file without a picture to the open picture if the size fits. Otherwise asks for its picture. */

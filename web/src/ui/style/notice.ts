@@ -1,5 +1,6 @@
 /** Notices, on a card. */
 import { css } from 'lit';
+import { phone } from './layouts';
 
 export const noticeStyle = css`
   .notices {
@@ -32,5 +33,19 @@ export const noticeStyle = css`
     min-width: 0;
     white-space: normal;
     text-align: left;
+  }
+  /* Two answers have a row of their own. */
+  @container ${phone} {
+    .notice:has(.link ~ .link) {
+      flex-wrap: wrap;
+      row-gap: 4px;
+    }
+    .notice:has(.link ~ .link) p {
+      flex: 1 0 calc(100% - 60px);
+    }
+    .notice:has(.link ~ .link) .link {
+      order: 1;
+      margin-right: 8px;
+    }
   }
 `;

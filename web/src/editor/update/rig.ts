@@ -1,0 +1,56 @@
+/** The rig of one picture on another: offered when a picture or a project is opened, and one step of the history. */
+import { openDocument } from '../../document/document';
+import type { Project } from '../../document/project';
+import type { Emit } from '../effects';
+import type { NoticeAction } from '../notice';
+import type { Picture } from '../picture';
+import { movedInsideText, rigStepText, USE_RIG } from '../rig_texts';
+import type { EditorState } from '../state';
+import type { Work } from '../work';
+import type { Handlers } from './handlers';
+import { informOfStep } from './notices';
+import { withOpening } from './requests';
+import { step } from './steps';
+import { chooseByHandles } from './tool_choice';
+
+/** Offers the rig of work on another picture; null if it has no handles. */
+export function rigOfWork(picture: Picture, { record }: Work): NoticeAction | null {
+  const { project } = record.present;
+  if (project.handles.length === 0) return null;
+  const { name, file, alphaThreshold } = picture;
+  // Without transparency there is no outline to line up.
+  const own = alphaThreshold === null ? null : { name, file };
+  return { label: USE_RIG, event: { type: 'rig-asked', rig: { name, project, own } } };
+}
+
+/** Offers the rig of a project whose picture is not there; null if it has no handles. */
+export const rigOfProject = (name: string, project: Project): NoticeAction | null =>
+  project.handles.length === 0
+    ? null
+    : {
+        label: USE_RIG,
+        event: { type: 'rig-asked', rig: { name: project.image.src || name, project, own: null } },
+      };
+
+export const rigHandlers: Handlers<'rig-asked' | 'rig-fitted'> = {
+  'rig-asked': (state, { rig }, emit) => {
+    if (state.picture) emit({ type: 'fit-rig', rig, picture: state.picture });
+    return state;
+  },
+  'rig-fitted': (state, { rig, picture, project, moved }, emit) =>
+    // Another picture may be open by now.
+    state.picture === picture ? useRig(state, rig.name, project, moved, emit) : state,
+};
+
+function useRig(
+  before: EditorState,
+  name: string,
+  fitted: Project,
+  moved: readonly string[],
+  emit: Emit,
+): EditorState {
+  const project = { ...fitted, image: { ...fitted.image, src: before.picture?.name ?? '' } };
+  const used = step(withOpening(before, { awaiting: null }), rigStepText(name), openDocument(project), emit);
+  const state = chooseByHandles(used, emit);
+  return moved.length > 0 ? informOfStep(state, movedInsideText(moved), emit) : state;
+}
