@@ -60,7 +60,7 @@ fn manual_shows_the_output_of_its_commands() {
         }
         compared += 1;
     }
-    assert_eq!(compared, 5);
+    assert_eq!(compared, 6);
 }
 
 #[test]

@@ -102,7 +102,7 @@ fn stmap_at_rest_is_the_identity() {
 }
 
 /// Reads the width, height and pixels of a map.
-fn stmap(path: &Path) -> (usize, usize, Vec<[f32; 4]>) {
+pub(crate) fn stmap(path: &Path) -> (usize, usize, Vec<[f32; 4]>) {
     let image = exr::image::read::read_first_rgba_layer_from_file(
         path,
         |size, _| (size.width(), vec![[0.0; 4]; size.area()]),

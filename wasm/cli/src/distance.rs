@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use c2warp_maps::decimal;
 use glam::DVec2;
 
 use crate::error::CliError;
-use crate::number::decimal;
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};
 

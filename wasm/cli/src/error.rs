@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use c2warp::project::ProjectError;
 use c2warp_export::ExportError;
+use c2warp_maps::WeightsError;
 use image::{ImageError, ImageFormat};
 
 /// The reason for which a command failed. Most messages begin with the file concerned.
@@ -44,6 +45,22 @@ pub(crate) enum CliError {
     OutputNoRig { path: PathBuf, format: ImageFormat },
     #[error("{}: the picture is written to this file: choose another file for the map", path.display())]
     SameOutput { path: PathBuf },
+    #[error("{}: another map is written to this file: choose another file", path.display())]
+    SameMap { path: PathBuf },
+    #[error("{}: a map ends with .exr or .png", path.display())]
+    MapType { path: PathBuf },
+    #[error("{}: {reason}", path.display())]
+    Weights { path: PathBuf, reason: WeightsError },
+    #[error("{}: a heat map shows one handle: name it with --handle", path.display())]
+    HeatHandle { path: PathBuf },
+    #[error("{}: a heat map shows the whole picture: leave out --at and --every, or write .csv or .npy", path.display())]
+    HeatPoints { path: PathBuf },
+    #[error("{}: --at or --every tells the points of a table", path.display())]
+    PointsNeeded { path: PathBuf },
+    #[error("--every: expected a whole number from 1 on, found {found}")]
+    Every { found: f64 },
+    #[error("{}: the weights are written to this file: choose another file for the sites", path.display())]
+    SitesOverWeights { path: PathBuf },
     #[error("cannot write to standard output: {0}")]
     Print(io::Error),
     #[error("{}: this is not a project: the file is not UTF-8 text", path.display())]

@@ -13,13 +13,13 @@ mod fitting;
 mod input;
 mod inspect;
 mod map;
-mod number;
+mod maps;
 mod output;
 mod picture;
 mod points;
+mod posed_drawing;
 mod project;
 mod shared;
-mod stmap;
 mod warp;
 mod weights;
 mod workers;
@@ -45,6 +45,7 @@ enum Command {
     Inspect(inspect::Arguments),
     Weights(weights::Arguments),
     Map(map::Arguments),
+    Maps(maps::Arguments),
     Distance(distance::Arguments),
     Bake(bake::Arguments),
     Export(export::Arguments),
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Weights(arguments) => weights::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
+        Command::Maps(arguments) => maps::run(&arguments),
         Command::Distance(arguments) => distance::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use c2warp::Solution;
 use c2warp::deform::Pose;
+use c2warp_maps::decimal;
 use glam::DVec2;
 
 use crate::error::CliError;
-use crate::number::decimal;
 use crate::output::Table;
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};

@@ -147,6 +147,11 @@ impl LoadedProject {
         matches!([fs::canonicalize(path), fs::canonicalize(&self.image_path)], [Ok(path), Ok(image)] if path == image)
     }
 
+    /// Returns the name of the picture's file, without its folder.
+    pub(crate) fn picture_name(&self) -> String {
+        self.image_path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+    }
+
     /// Returns the pixels for the solver.
     pub(crate) fn picture(&self) -> Result<Picture<'_>, CliError> {
         self.image.picture(&self.image_path)

@@ -17,10 +17,9 @@ use crate::{
     prepared_domain::PreparedDomain,
     project::{Project, Weighting},
     raster::{
-        self, Drawing,
+        Drawing,
         extent::Extent,
         options::{Filter, ResampleOptions},
-        sources::Source,
         warped::Warped,
     },
     render_mesh::RenderMesh,
@@ -319,10 +318,51 @@ impl Solution {
         moved.into_iter().zip(still).map(|(moved, still)| moved.or(still)).collect()
     }
 
-    /// The warped picture: [`raster::warp`] of the [static background](Self::static_background) and the mesh. Without
-    /// handles, the whole picture at rest.
+    /// The posed places of points of the picture: that of [`map`](Self::map) in the domain. Around it, the place that
+    /// the drawn mesh has for a point at rest; `None` where the picture has no mesh.
     ///
-    /// It has the size that [`raster::warped_size`] returns, unless the canvas grows.
+    /// Cost: that of [`map`](Self::map) for each point, and of [`posed_vertices`](Self::posed_vertices).
+    ///
+    /// # Panics
+    /// If the pose is of another solution.
+    #[must_use]
+    pub fn posed_points(&self, pose: &Pose, points: &[DVec2]) -> Vec<Option<DVec2>> {
+        if self.handle_counts == [0; 3] {
+            return points.iter().copied().map(Some).collect();
+        }
+        let mut posed: Vec<_> = points.iter().map(|&p| self.map(pose, p).map(|at| at.posed)).collect();
+        let around: Vec<usize> = (0..points.len()).filter(|&i| posed[i].is_none()).collect();
+        if !around.is_empty() {
+            let outside: Vec<DVec2> = around.iter().map(|&i| points[i]).collect();
+            let RenderMesh { vertices, triangles } = &self.mesh;
+            // The inverse of the inverse: the mesh at rest is the one that is looked at.
+            let moved = rest_points(&self.posed_vertices(pose), vertices, triangles, &outside);
+            let still = self.background.vertices();
+            let still = rest_points(still, still, self.background.triangles(), &outside);
+            for ((i, moved), still) in around.into_iter().zip(moved).zip(still) {
+                posed[i] = moved.or(still);
+            }
+        }
+        posed
+    }
+
+    /// Values at the vertices of the mesh, interpolated at points of the picture at rest; `None` where the picture has
+    /// no mesh.
+    ///
+    /// # Panics
+    /// If there is not one value per vertex.
+    #[must_use]
+    pub fn interpolated(&self, values: &[f64], points: &[DVec2]) -> Vec<Option<f64>> {
+        let RenderMesh { vertices, triangles } = &self.mesh;
+        let values: Vec<DVec2> = values.iter().map(|&value| DVec2::new(value, 0.0)).collect();
+        assert_eq!(values.len(), vertices.len(), "each vertex has a value");
+        rest_points(&values, vertices, triangles, points).into_iter().map(|found| found.map(|value| value.x)).collect()
+    }
+
+    /// The warped picture: [`warp`](crate::raster::warp) of the [static background](Self::static_background) and the
+    /// mesh. Without handles, the whole picture at rest.
+    ///
+    /// It has the size that [`warped_size`](crate::raster::warped_size) returns, unless the canvas grows.
     ///
     /// # Errors
     /// - [`Error::Scale`];
@@ -356,22 +396,6 @@ impl Solution {
     /// Those of [`warped`](Self::warped).
     pub fn extent(&self, picture: &Picture<'_>, pose: &Pose, options: ResampleOptions) -> Result<Extent, Error> {
         Ok(self.drawing(picture, pose, ResampleOptions { edges: false, ..options })?.extent())
-    }
-
-    /// The [sources](raster::sources()) of the pixels of a warped picture, in rows from top to bottom. `warped` is the
-    /// result of [`warped`](Self::warped) for the same picture, pose and options.
-    ///
-    /// # Errors
-    /// [`Error::PictureMismatch`] and [`Error::PoseOfAnotherSolution`], as for [`warped`](Self::warped).
-    pub fn sources(
-        &self,
-        picture: &Picture<'_>,
-        pose: &Pose,
-        options: ResampleOptions,
-        warped: &Warped,
-    ) -> Result<Vec<Source>, Error> {
-        let Drawn { rest, posed, triangles, .. } = self.drawn(picture, pose)?;
-        Ok(raster::sources(picture, &rest, &posed, &triangles, options, warped))
     }
 
     /// The static background and the mesh, or the whole picture at rest without handles.

@@ -13,6 +13,7 @@ use c2warp::{
     Error, Inspection, Lens, Stage, Study, limits,
     project::{Handle, ImageRef, Project},
 };
+use c2warp_maps::HEAT_RAMP;
 use schemars::{JsonSchema, generate::SchemaSettings};
 use serde_json::Value;
 
@@ -42,6 +43,7 @@ pub(crate) fn write(root: &Path, check: bool) -> Result<(), SchemaError> {
         ("web/src/document/generated/study.ts", typescript::declarations(&output_schema::<Study>())?),
         ("web/src/document/generated/lens.ts", typescript::declarations(&output_schema::<Lens>())?),
         ("web/src/io/generated/limits.ts", picture_limits()),
+        ("web/src/geometry/generated/heat_ramp.ts", heat_ramp()),
     ];
     for (path, text) in files {
         let path = Path::new(path);
@@ -90,6 +92,13 @@ fn picture_limits() -> String {
     constants.into_iter().fold(HEADER.to_owned(), |text, (comment, name, value)| {
         text + &format!("\n/** {comment} */\nexport const {name} = {value};\n")
     })
+}
+
+/// The colours of heat maps, which maps of the command have too.
+fn heat_ramp() -> String {
+    let comment = "The colours of 0, 0.2, … 1: sRGB, 0 to 255, and an opacity, 0 to 1.";
+    let lines = HEAT_RAMP.map(|[red, green, blue, alpha]| format!("  [{red}, {green}, {blue}, {alpha}],\n")).concat();
+    format!("{HEADER}\n/** {comment} */\nexport const HEAT_RAMP = [\n{lines}] as const;\n")
 }
 
 /// The settings of the editor, and the defaults of the format. These are the paper's.

@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use c2warp::{Solution, SolveKey};
 
 use super::Arguments;
-use super::order::Targets;
+use super::targets::Targets;
 use crate::error::{self, CliError};
 use crate::fitting::{FittingProject, stem};
 use crate::picture::{self, PictureFile};
@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), CliError> {
         Ok(origin) => origins.lock().unwrap_or_else(PoisonError::into_inner)[index] = Some(origin),
         Err(reason) => tell(reason),
     });
-    if arguments.order.grow {
+    if arguments.drawing.grow {
         let origins = origins.into_inner().unwrap_or_else(PoisonError::into_inner);
         print_origins(&jobs, &origins).map_err(CliError::Print)?;
     }
@@ -149,14 +149,14 @@ impl Batch<'_> {
 
     fn work(&self, job: &Job) -> Result<[i32; 2], CliError> {
         let loaded = self.open(job)?;
-        self.arguments.order.check(&loaded)?;
+        self.arguments.drawing.check(&loaded)?;
         if loaded.is_picture(&job.output) {
             return Err(CliError::OverPicture { path: job.output.clone() });
         }
         let targets = Targets::open(&loaded, &job.output, job.stmap.as_deref())?;
         let key = SolveKey::new(&loaded.project, &loaded.picture()?).map_err(|reason| loaded.refused(reason))?;
         let solution = self.solutions.get(key, || loaded.solve())?;
-        self.arguments.order.draw(&loaded, &solution, targets)
+        Ok(targets.write(&loaded, &solution, &self.arguments.drawing)?.origin)
     }
 
     fn open(&self, job: &Job) -> Result<LoadedProject, CliError> {

@@ -2,9 +2,8 @@
 //! parallel.
 
 mod many;
-mod order;
+mod targets;
 
-use std::io::{self, Write};
 use std::num::NonZero;
 use std::path::PathBuf;
 
@@ -12,10 +11,10 @@ use c2warp::Warped;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
 
-use self::order::{Order, Targets};
+use self::targets::Targets;
 use crate::error::CliError;
 use crate::fitting::Fit;
-use crate::output;
+use crate::posed_drawing::PosedDrawing;
 use crate::project::LoadedProject;
 
 /// Warps pictures at full quality and writes a PNG for each
@@ -40,10 +39,9 @@ pub(crate) struct Arguments {
     #[arg(short, long, value_name = "N")]
     jobs: Option<NonZero<usize>>,
     #[command(flatten)]
-    order: Order,
-    /// Also write an ST map for compositors: an OpenEXR picture of the size of the result. Red and green hold the
-    /// source u,v of each pixel, from 0 to 1 with v upwards. Blue is the Jacobian determinant. Alpha is the coverage.
-    /// For several inputs a folder
+    drawing: PosedDrawing,
+    /// Also write an ST map for compositors: the OpenEXR picture that `c2warp maps --inverse` writes. Red and green
+    /// hold the source u,v of each pixel, from 0 to 1 with v upwards. For several inputs a folder
     #[arg(long, value_name = "OUT.exr|FOLDER")]
     stmap: Option<PathBuf>,
 }
@@ -55,22 +53,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     }
     let image = arguments.images.first().map(PathBuf::as_path);
     let loaded = LoadedProject::read(&arguments.projects[0], image, arguments.fit)?;
-    arguments.order.check(&loaded)?;
+    arguments.drawing.check(&loaded)?;
     let targets = Targets::open(&loaded, &arguments.output, arguments.stmap.as_deref())?;
     let solution = loaded.solve()?;
-    let [left, top] = arguments.order.draw(&loaded, &solution, targets)?;
-    if arguments.order.grow {
-        let origin = format!("{left},{top}\n");
-        let outputs = [Some(&arguments.output), arguments.stmap.as_ref()];
-        let stdout_is_taken = outputs.into_iter().flatten().any(|path| output::is_standard_output(path));
-        let printed = if stdout_is_taken {
-            io::stderr().write_all(origin.as_bytes())
-        } else {
-            io::stdout().write_all(origin.as_bytes())
-        };
-        printed.map_err(CliError::Print)?;
-    }
-    Ok(())
+    let extent = targets.write(&loaded, &solution, &arguments.drawing)?;
+    let written = [Some(&arguments.output), arguments.stmap.as_ref()];
+    arguments.drawing.print_origin(extent, written.into_iter().flatten().map(PathBuf::as_path))
 }
 
 pub(crate) fn encode_png(warped: &Warped, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {

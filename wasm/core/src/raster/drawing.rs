@@ -11,6 +11,7 @@ use super::extent::Extent;
 use super::facet::{Facet, mesh_facets};
 use super::frame::{Area, Frame};
 use super::options::{Canvas, Filter, ResampleOptions};
+use super::sources::{Source, SourceRows};
 use super::texture::{MipLevel, Texture, mip_levels};
 use super::warped::Warped;
 use super::{BAND_ROWS, check_range, facets_by_band, warped_size};
@@ -36,6 +37,7 @@ use crate::{deform::Bounds, error::Error, picture::Picture};
 #[derive(Debug)]
 pub struct Drawing {
     frame: Frame,
+    scale: f64,
     filter: Filter,
     /// In drawing order, relative to the frame.
     facets: Vec<Facet>,
@@ -77,7 +79,7 @@ impl Drawing {
         if let Some(frame) = known {
             move_by(&mut facets, frame.origin);
             let bins = facets_by_band(&facets, frame.size[1]);
-            return Ok(Self { frame, filter, facets, bins, mip_levels, edges: None });
+            return Ok(Self { frame, scale, filter, facets, bins, mip_levels, edges: None });
         }
         check_range(posed, triangles, scale)?;
         let around = own.around(&facets)?;
@@ -92,7 +94,7 @@ impl Drawing {
         let frame = around.of_area(&area);
         move_by(&mut facets, [0, 1].map(|axis| frame.origin[axis] - around.origin[axis]));
         let bins = facets_by_band(&facets, frame.size[1]);
-        Ok(Self { frame, filter, facets, bins, mip_levels, edges: None })
+        Ok(Self { frame, scale, filter, facets, bins, mip_levels, edges: None })
     }
 
     /// Prepares to draw all of a picture as it is, at a scale. The canvas is that of the picture.
@@ -123,6 +125,12 @@ impl Drawing {
     #[must_use]
     pub fn height(&self) -> u32 {
         self.frame.size[1] as u32
+    }
+
+    /// Pixels of the result per pixel of the picture.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
     }
 
     /// The rectangle of the result.
@@ -158,6 +166,32 @@ impl Drawing {
             edges.darken(picture, &mut rgba, start);
         }
         rgba
+    }
+
+    /// The source of each pixel of some rows. `picture` is the one of [`new`](Self::new).
+    ///
+    /// # Panics
+    /// As [`rows`](Self::rows).
+    #[must_use]
+    pub fn sources(&self, picture: &Picture<'_>, rows: Range<u32>) -> Vec<Source> {
+        let [width, height] = self.frame.size;
+        let (start, end) = (rows.start as usize, rows.end as usize);
+        assert!(start % BAND_ROWS == 0 && start <= end && end <= height, "rows {rows:?} of {height}");
+        let texture = Texture::new(*picture, self.filter, &self.mip_levels);
+        let mut sources = vec![Source::default(); (end - start) * width];
+        let bins = self.bins.iter().enumerate().skip(start / BAND_ROWS);
+        for (sources, (index, bin)) in sources.chunks_mut(width * BAND_ROWS).zip(bins) {
+            let first = index * BAND_ROWS;
+            let band = SourceRows {
+                rows: first..first + sources.len() / width,
+                width,
+                origin: DVec2::from(self.frame.origin.map(|side| side as f64)),
+                scale: self.scale,
+                picture: DVec2::new(picture.width().into(), picture.height().into()),
+            };
+            band.fill(bin.iter().map(|&facet| &self.facets[facet as usize]), &texture, sources);
+        }
+        sources
     }
 
     /// Draws the whole result.

@@ -112,6 +112,20 @@ impl Facet {
         if source_area.abs() < MIN_SOURCE_AREA { 0.0 } else { 1.0 / source_area }
     }
 
+    /// Returns the singular values of the map from the picture to the result, the greater one first.
+    ///
+    /// The second one is negative if the triangle is flipped. Both are 0 if [`det`](Self::det) is.
+    pub(super) fn stretch(&self) -> [f64; 2] {
+        let [[a, b], [c, d]] = self.inverse.to_cols_array_2d();
+        if self.det() == 0.0 {
+            return [0.0; 2];
+        }
+        // Of the inverse map: the greater singular value, and the product of both.
+        let greatest = (DVec2::new(a + d, b - c).length() + DVec2::new(a - d, b + c).length()) / 2.0;
+        let product = self.inverse.determinant();
+        [greatest / product.abs(), product.signum() / greatest]
+    }
+
     /// Returns the rows of pixels that the triangle may touch.
     pub(super) fn rows(&self, height: usize) -> Range<usize> {
         self.touched(1, height)

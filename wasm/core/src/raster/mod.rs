@@ -40,7 +40,6 @@ mod texture;
 pub(crate) mod warped;
 
 pub use self::drawing::Drawing;
-pub use self::sources::sources;
 
 use glam::DVec2;
 

@@ -4,15 +4,14 @@
 //! is more than half opaque there. So a soft edge does not hide the picture below it. Coverage is that of
 //! [`warp`](super::warp) for an opaque picture.
 //!
-//! Cost: linear in the pixels drawn, with about 20 bytes per pixel of the result.
+//! Cost: linear in the pixels drawn, with about 30 bytes per pixel of the rows.
+
+use std::ops::Range;
 
 use glam::DVec2;
 
-use super::facet::{Mask, mesh_facets};
-use super::options::ResampleOptions;
-use super::texture::{OPAQUE, Texture, mip_levels};
-use super::warped::Warped;
-use crate::picture::Picture;
+use super::facet::{Facet, Mask};
+use super::texture::{OPAQUE, Texture};
 
 /// The source of one pixel of a warped picture. All fields are 0 if nothing is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -24,6 +23,9 @@ pub struct Source {
     ///
     /// It is negative where the picture is flipped, and 0 where its border is stretched over an area.
     pub det: f32,
+    /// The greatest and the least stretch there: the singular values of the Jacobian. Their product is `det`, so the
+    /// second one is negative where the picture is flipped.
+    pub stretch: [f32; 2],
     /// The fraction of the pixel that triangles cover.
     pub coverage: f32,
 }
@@ -36,61 +38,65 @@ struct Pixel {
     is_opaque: bool,
 }
 
-/// Returns the source of each pixel of `warped`, in rows from top to bottom.
-///
-/// `warped` must be the result of [`warp`](super::warp) with the same arguments.
-///
-/// # Panics
-/// If `rest` and `posed` differ in length, or a triangle refers to a vertex that does not exist.
-#[must_use]
-pub fn sources(
-    picture: &Picture<'_>,
-    rest: &[DVec2],
-    posed: &[DVec2],
-    triangles: &[[u32; 3]],
-    ResampleOptions { scale, filter, .. }: ResampleOptions,
-    warped: &Warped,
-) -> Vec<Source> {
-    let [width, height] = [warped.width, warped.height].map(|side| side as usize);
-    let origin = warped.origin.map(i64::from);
-    let mut facets = mesh_facets(rest, posed, triangles, scale);
-    facets.iter_mut().for_each(|facet| facet.move_by(origin));
-    let mip_levels = mip_levels(*picture, filter, &facets);
-    let texture = Texture::new(*picture, filter, &mip_levels);
-    let origin = DVec2::from(origin.map(|side| side as f64));
-    let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
-    let mut sources = vec![Source::default(); width * height];
-    let mut pixels = vec![Pixel::default(); width * height];
-    for facet in &facets {
-        let det = (facet.det() / (scale * scale)) as f32;
-        for row in facet.rows(height) {
-            let centres = facet.covered_centres(row, width);
-            facet.for_each_covered(row..row + 1, width, filter, |x, _, mask| {
-                let (pixel, source) = (&mut pixels[row * width + x], &mut sources[row * width + x]);
-                let rest = facet.source(DVec2::new(x as f64 + 0.5, row as f64 + 0.5) - origin).clamp(DVec2::ZERO, size);
-                let covers_centre = centres.contains(&x);
-                let is_opaque = covers_centre && texture.sample(rest, facet.footprint()).w > OPAQUE / 2.0;
-                if is_opaque || covers_centre && !pixel.is_opaque || pixel.covered == 0 {
-                    (source.rest, source.det) = (rest.as_vec2().to_array(), det);
-                }
-                pixel.is_opaque |= is_opaque;
-                pixel.covered |= mask;
-            });
+/// Rows of a result, and the place of the picture in it.
+pub(super) struct SourceRows {
+    pub(super) rows: Range<usize>,
+    pub(super) width: usize,
+    /// The picture's upper left corner in the result.
+    pub(super) origin: DVec2,
+    /// Pixels of the result per pixel of the picture.
+    pub(super) scale: f64,
+    /// Width and height of the picture.
+    pub(super) picture: DVec2,
+}
+
+impl SourceRows {
+    /// Adds the sources of the pixels that facets draw, in drawing order.
+    pub(super) fn fill<'a>(
+        &self,
+        facets: impl Iterator<Item = &'a Facet>,
+        texture: &Texture<'_>,
+        sources: &mut [Source],
+    ) {
+        let Self { rows, width, origin, scale, picture } = self;
+        let width = *width;
+        let mut pixels = vec![Pixel::default(); sources.len()];
+        for facet in facets {
+            let det = (facet.det() / (scale * scale)) as f32;
+            let stretch = facet.stretch().map(|stretch| (stretch / scale) as f32);
+            let touched = facet.rows(rows.end);
+            for row in touched.start.max(rows.start)..touched.end {
+                let centres = facet.covered_centres(row, width);
+                facet.for_each_covered(row..row + 1, width, texture.filter(), |x, _, mask| {
+                    let at = (row - rows.start) * width + x;
+                    let (pixel, source) = (&mut pixels[at], &mut sources[at]);
+                    let centre = DVec2::new(x as f64 + 0.5, row as f64 + 0.5);
+                    let rest = facet.source(centre - *origin).clamp(DVec2::ZERO, *picture);
+                    let covers_centre = centres.contains(&x);
+                    let is_opaque = covers_centre && texture.sample(rest, facet.footprint()).w > OPAQUE / 2.0;
+                    if is_opaque || covers_centre && !pixel.is_opaque || pixel.covered == 0 {
+                        (source.rest, source.det, source.stretch) = (rest.as_vec2().to_array(), det, stretch);
+                    }
+                    pixel.is_opaque |= is_opaque;
+                    pixel.covered |= mask;
+                });
+            }
+        }
+        for (source, pixel) in sources.iter_mut().zip(pixels) {
+            source.coverage = pixel.covered.count_ones() as f32 / Mask::BITS as f32;
         }
     }
-    for (source, pixel) in sources.iter_mut().zip(pixels) {
-        source.coverage = pixel.covered.count_ones() as f32 / Mask::BITS as f32;
-    }
-    sources
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::{
-        options::{Canvas, Filter},
-        warp,
+        drawing::Drawing,
+        options::{Canvas, Filter, ResampleOptions},
+        warped::Warped,
     };
     use super::*;
+    use crate::picture::Picture;
 
     const SQUARE: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
     const GROWN: ResampleOptions =
@@ -110,9 +116,9 @@ mod tests {
         options: ResampleOptions,
     ) -> (Warped, Vec<Source>) {
         let picture = Picture::new(8, 4, rgba).unwrap();
-        let warped = warp(&picture, rest, posed, triangles, options).unwrap();
-        let sources = sources(&picture, rest, posed, triangles, options, &warped);
-        (warped, sources)
+        let drawing = Drawing::new(&picture, rest, posed, triangles, options).unwrap();
+        let sources = drawing.sources(&picture, 0..drawing.height());
+        (drawing.warped(&picture), sources)
     }
 
     #[test]
@@ -129,6 +135,7 @@ mod tests {
             let expected = DVec2::new(((at.x + 0.5) / 2.0).clamp(0.0, 8.0), at.y).as_vec2();
             assert!((expected - glam::Vec2::from(source.rest)).length() < 1e-6, "{pixel}: {source:?}");
             assert!((source.det - 2.0).abs() < 1e-6 && source.coverage > 0.0, "{pixel}: {source:?}");
+            assert!(source.stretch.iter().zip([2.0, 1.0]).all(|(a, b)| (a - b).abs() < 1e-6), "{source:?}");
         }
         // The mesh covers x from 0.25 to 24.25.
         assert_eq!([sources[0].coverage, sources[1].coverage, sources[24].coverage], [0.75, 1.0, 0.25]);

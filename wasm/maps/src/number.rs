@@ -1,7 +1,8 @@
 //! Numbers as text that parses back to the same bits.
 
 /// Returns the shortest such text. Only very large and very small numbers have an exponent.
-pub(crate) fn decimal(number: f64) -> String {
+#[must_use]
+pub fn decimal(number: f64) -> String {
     if number == 0.0 || (1e-5..1e16).contains(&number.abs()) { number.to_string() } else { format!("{number:e}") }
 }
 

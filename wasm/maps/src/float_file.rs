@@ -1,0 +1,56 @@
+//! OpenEXR files with 32-bit floats.
+//!
+//! The channels are R, G, B and A, in blocks of 16 rows that are packed without loss. The attribute `comments` has the
+//! convention of the map.
+
+use std::io::Cursor;
+use std::ops::Range;
+use std::sync::Mutex;
+
+use c2warp::Drawing;
+use exr::image::write::WritableImage;
+use exr::image::{Encoding, Image, SpecificChannels};
+use exr::math::Vec2;
+use exr::prelude::Text;
+
+use crate::error::MapError;
+
+/// The rows that were made last.
+struct Band {
+    rows: Range<u32>,
+    values: Vec<[f32; 4]>,
+}
+
+/// Encodes a picture whose rows are made in bands, from top to bottom.
+pub(crate) fn encode(
+    [width, height]: [u32; 2],
+    about: &str,
+    rows: impl Fn(Range<u32>) -> Vec<[f32; 4]> + Sync,
+    tell: &mut dyn FnMut(f64),
+) -> Result<Vec<u8>, MapError> {
+    let band = Mutex::new(Band { rows: 0..0, values: Vec::new() });
+    let channels = SpecificChannels::rgba(|Vec2(x, y): Vec2<usize>| {
+        let (x, y) = (x as u32, y as u32);
+        let mut band = band.lock().expect("making rows does not panic");
+        if !band.rows.contains(&y) {
+            let start = y / Drawing::BAND_ROWS * Drawing::BAND_ROWS;
+            band.rows = start..height.min(start + Drawing::BAND_ROWS);
+            band.values = rows(band.rows.clone());
+        }
+        let [r, g, b, a] = band.values[((y - band.rows.start) * width + x) as usize];
+        (r, g, b, a)
+    });
+    let mut image = Image::from_channels((width as usize, height as usize), channels);
+    image.layer_data.encoding = Encoding::SMALL_LOSSLESS;
+    image.layer_data.attributes.comments = Text::new_or_none(latin(about));
+    image.layer_data.attributes.software_name = Text::new_or_none("c2warp");
+    let mut file = Cursor::new(Vec::new());
+    image.write().on_progress(tell).to_buffered(&mut file)?;
+    Ok(file.into_inner())
+}
+
+/// The text of a header has one byte for each character. Others are named by their code.
+fn latin(text: &str) -> String {
+    let character = |c: char| if c.is_ascii() { c.to_string() } else { c.escape_unicode().to_string() };
+    text.chars().map(character).collect()
+}
