@@ -3,12 +3,12 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Options};
+use c2warp::Picture;
+use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Options, texture};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
 
 use crate::error::CliError;
-use crate::picture::PictureFile;
 use crate::project::{InputFiles, LoadedProject};
 
 /// Writes the picture and its clips as a rig for a game engine, and prints the loss of the rig
@@ -57,7 +57,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let refused =
         |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
     let rig = EngineRig::new(stem, &loaded.project, &solution, &picture, options).map_err(refused)?;
-    let png = encode_png(loaded.picture_file()).map_err(|reason| CliError::write(path)(io::Error::other(reason)))?;
+    let profile = loaded.picture_file().profile.as_deref();
+    let png = encode_png(&picture, profile).map_err(|reason| CliError::write(path)(io::Error::other(reason)))?;
     let files = rig.files(format, &png).map_err(refused)?;
     for (output, file) in outputs.into_iter().zip(files) {
         output.write(|writer| writer.write_all(&file.bytes))?;
@@ -77,14 +78,14 @@ fn whole(option: &'static str, number: f64) -> Result<usize, CliError> {
     }
 }
 
-/// The picture as decoded: upright, with 8 bits a channel.
-fn encode_png(PictureFile { pixels, profile, .. }: &PictureFile) -> ImageResult<Vec<u8>> {
+/// The texture of a picture, with its colour profile.
+fn encode_png(picture: &Picture, profile: Option<&[u8]>) -> ImageResult<Vec<u8>> {
     let mut png = Vec::new();
     let mut encoder = PngEncoder::new(&mut png);
     if let Some(profile) = profile {
-        encoder.set_icc_profile(profile.clone()).map_err(ImageError::Unsupported)?;
+        encoder.set_icc_profile(profile.to_vec()).map_err(ImageError::Unsupported)?;
     }
-    encoder.write_image(pixels, pixels.width(), pixels.height(), ExtendedColorType::Rgba8)?;
+    encoder.write_image(&texture(picture), picture.width(), picture.height(), ExtendedColorType::Rgba8)?;
     Ok(png)
 }
 
@@ -108,5 +109,6 @@ fn print_report(rig: &EngineRig, to: &mut impl Write) -> io::Result<()> {
     for (name, errors) in &loss.clips {
         line(&format!("vertices, clip {name:?}"), errors)?;
     }
+    line("bones by hand, 20 random poses", &loss.unfitted)?;
     line("between vertices", &loss.between)
 }

@@ -20,7 +20,7 @@
 //!
 //! - `rig`: the rig. `bones`, `weights`, `motions`: its fit. `poses`: the poses for it. `loss`: its errors.
 //! - `chart`, `keys`: how a format poses bones, and the keys of clips.
-//! - `spine`, `dragonbones`, `gltf`, `godot`: one file a format.
+//! - `spine`, `dragonbones`, `gltf`, `godot`: one file a format. `texture`: the picture beside it.
 
 mod bones;
 mod chart;
@@ -39,6 +39,7 @@ mod options;
 mod poses;
 mod rig;
 mod spine;
+mod texture;
 mod weights;
 
 pub use error::ExportError;
@@ -47,3 +48,4 @@ pub use keys::KEY_TOLERANCE_PX;
 pub use loss::{Errors, Loss};
 pub use options::{MOST_BONES, Options};
 pub use rig::{EngineRig, FRAMES_PER_SECOND};
+pub use texture::texture;

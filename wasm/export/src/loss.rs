@@ -31,6 +31,9 @@ pub struct Loss {
     pub pose: Errors,
     /// Vertices in 20 random poses.
     pub random: Errors,
+    /// Vertices in the random poses, with bones that move as their sites do, without a fit to the pose. So an animator
+    /// moves them.
+    pub unfitted: Errors,
     /// The names of clips, and vertices at 12 times of each.
     pub clips: Vec<(String, Errors)>,
     /// The picture between exact vertices, in the project's pose and in the random ones: flat triangles against the

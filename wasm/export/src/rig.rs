@@ -46,6 +46,9 @@ const MEASURED_SEED: u64 = 1000;
 const TIMES: u32 = 12;
 /// How often weights and motions are fitted in turn.
 const ROUNDS: usize = 4;
+/// The parts of the work that are done once poses are made, and once bones are fitted.
+const POSED: f64 = 0.15;
+const FITTED: f64 = 0.6;
 /// Frames a second that clips are baked at.
 pub const FRAMES_PER_SECOND: u32 = 60;
 /// The longest clip: all frames of all bones are in memory while keys are chosen.
@@ -114,6 +117,21 @@ impl EngineRig {
         picture: &Picture,
         options: Options,
     ) -> Result<Self, ExportError> {
+        Self::new_telling(name, project, solution, picture, options, &mut |_| {})
+    }
+
+    /// The same as [`new`](Self::new). Tells the part that is done, from 0 to 1.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn new_telling(
+        name: &str,
+        project: &Project,
+        solution: &Solution,
+        picture: &Picture,
+        options: Options,
+        tell: &mut dyn FnMut(f64),
+    ) -> Result<Self, ExportError> {
         let mesh = SpriteMesh::new(solution, picture, options.vertices)?;
         let blend = project.pose.blend;
         let pose = solution.pose(project)?;
@@ -127,12 +145,14 @@ impl EngineRig {
         // Random handles may have no pose, such as bars that a rigid mode cannot follow.
         let random = |seed| solution.poser().pose(&random_handles(project, seed), blend).ok();
         poses.extend((1..=FITTED_POSES).filter_map(random));
-        let skeleton = Skeleton::new(project, solution, &mesh, options, &poses);
+        tell(POSED);
+        let mut fitted = |part: f64| tell(POSED + (FITTED - POSED) * part);
+        let skeleton = Skeleton::new(project, solution, &mesh, options, &poses, &mut fitted);
 
         let measured: Vec<Pose> = (MEASURED_SEED..MEASURED_SEED + MEASURED_POSES).filter_map(random).collect();
         let mut of_clips = Vec::new();
         for clip in &mut clips {
-            of_clips.push((clip.clip.name.clone(), skeleton.errors(&mesh, &clip.some(blend)?)));
+            of_clips.push((clip.clip.name.clone(), skeleton.errors(&mesh, &clip.some(blend)?, Skeleton::maps)));
         }
         let samples = &solution.vertices()[..solution.samples()];
         let places = Places::new(samples, mesh.vertices(), mesh.triangles());
@@ -141,14 +161,19 @@ impl EngineRig {
             places.distances(&mesh.posed_vertices(pose), &exact).collect::<Vec<f64>>()
         });
         let loss = Loss {
-            pose: skeleton.errors(&mesh, std::slice::from_ref(&pose)),
-            random: skeleton.errors(&mesh, &measured),
+            pose: skeleton.errors(&mesh, std::slice::from_ref(&pose), Skeleton::maps),
+            random: skeleton.errors(&mesh, &measured, Skeleton::maps),
+            unfitted: skeleton.errors(&mesh, &measured, |skeleton, _, pose| skeleton.site_maps(pose)),
             clips: of_clips,
             between: Errors::of(between.collect()),
         };
         let mut names = Names::default();
+        let all: f64 = project.clips.iter().map(|clip| clip.duration).sum();
+        let mut baked = 0.0;
         let clips = clips.iter_mut().map(|clip| {
             let Clip { name, duration, looping, .. } = clip.clip;
+            tell(FITTED + (1.0 - FITTED) * baked / all);
+            baked += duration;
             let poses = clip.all(blend)?;
             let frames = poses.iter().map(|pose| skeleton.maps(&mesh, pose)).collect();
             Ok(BakedClip { name: names.unique(name), duration: *duration, looping: *looping, frames })
@@ -320,7 +345,14 @@ struct Skeleton {
 }
 
 impl Skeleton {
-    fn new(project: &Project, solution: &Solution, mesh: &SpriteMesh, options: Options, poses: &[Pose]) -> Self {
+    fn new(
+        project: &Project,
+        solution: &Solution,
+        mesh: &SpriteMesh,
+        options: Options,
+        poses: &[Pose],
+        tell: &mut dyn FnMut(f64),
+    ) -> Self {
         let all = solution.sites().len();
         let site_maps: Vec<Vec<DAffine2>> =
             poses.iter().map(|pose| (0..all).map(|site| map_of(pose, site)).collect()).collect();
@@ -333,7 +365,8 @@ impl Skeleton {
         let mut skeleton = Self { bones: named(project, solution, &kept), sites: kept, weights, fit: None };
         if !is_exact {
             let targets: Vec<Vec<DVec2>> = poses.iter().map(|pose| mesh.posed_vertices(pose)).collect();
-            for _ in 0..ROUNDS {
+            for round in 0..ROUNDS {
+                tell(round as f64 / ROUNDS as f64);
                 let maps: Vec<Vec<DAffine2>> = poses.iter().map(|pose| skeleton.maps(mesh, pose)).collect();
                 let fit = WeightFit { vertices: mesh.vertices(), targets: &targets, maps: &maps };
                 skeleton.weights = fit.fitted(&skeleton.weights, options.influences);
@@ -370,20 +403,30 @@ impl Skeleton {
         }
     }
 
+    /// The maps of the sites that the bones stand for.
+    fn site_maps(&self, pose: &Pose) -> Vec<DAffine2> {
+        let moving = self.sites.iter().map(|&site| map_of(pose, site));
+        [DAffine2::IDENTITY].into_iter().chain(moving).collect()
+    }
+
     /// The maps of the bones in a pose.
     fn maps(&self, mesh: &SpriteMesh, pose: &Pose) -> Vec<DAffine2> {
-        let moving = self.sites.iter().map(|&site| map_of(pose, site));
-        let sites: Vec<DAffine2> = [DAffine2::IDENTITY].into_iter().chain(moving).collect();
+        let sites = self.site_maps(pose);
         match &self.fit {
             Some(fit) => fit.fitted(&sites, mesh.vertices(), &self.weights, &mesh.posed_vertices(pose)),
             None => sites,
         }
     }
 
-    /// How far the bones take the vertices from their exact places in some poses.
-    fn errors(&self, mesh: &SpriteMesh, poses: &[Pose]) -> Errors {
+    /// How far bones with such maps take the vertices from their exact places in some poses.
+    fn errors(
+        &self,
+        mesh: &SpriteMesh,
+        poses: &[Pose],
+        maps: impl Fn(&Self, &SpriteMesh, &Pose) -> Vec<DAffine2>,
+    ) -> Errors {
         let of_pose = |pose: &Pose| {
-            let (maps, exact) = (self.maps(mesh, pose), mesh.posed_vertices(pose));
+            let (maps, exact) = (maps(self, mesh, pose), mesh.posed_vertices(pose));
             let distance =
                 |(vertex, &p): (usize, &DVec2)| blended(&maps, p, self.weights.row(vertex)).distance(exact[vertex]);
             mesh.vertices().iter().enumerate().map(distance).collect::<Vec<f64>>()
