@@ -553,7 +553,8 @@ export class C2Warp extends TypedElement {
     const { theme } = this;
     const dark = theme === 'dark' || theme === 'light' ? theme === 'dark' : this.#darkScheme.matches;
     const [coarse, still] = [this.#coarsePointer.matches, this.#reducedMotion.matches];
-    return { dark, coarse, still, platform: navigator.platform };
+    const folders = 'showDirectoryPicker' in globalThis;
+    return { dark, coarse, still, platform: navigator.platform, folders };
   }
 
   #setPageProject(project: ProjectFile | null): void {

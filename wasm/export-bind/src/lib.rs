@@ -3,3 +3,4 @@
 //! It lives in a worker that ends with the export. So a cancel needs no pause in it. One file an export.
 
 pub mod bake;
+pub mod engine;

@@ -1,6 +1,7 @@
 /** What the runtime does for the editor: everything that takes time or touches the page. */
 import type { Clip, Project, ProjectFile } from '../document/project';
 import type { Vec } from '../geometry/vec';
+import type { EngineChoices } from './engine_choices';
 import type { EditorEvent } from './events';
 import type { ExportChoices } from './export_choices';
 import type { FilmArea, FilmFormat, Range } from './film_choices';
@@ -135,6 +136,18 @@ export type EditorEffect =
       readonly name: string;
       readonly project: Project;
       readonly picture: Picture;
+    }
+  /** Answered by `engine-rig-measured` and `export-ended`. */
+  | {
+      readonly type: 'export-engine-rig';
+      /** Of the only file. */
+      readonly name: string;
+      readonly project: Project;
+      readonly choices: EngineChoices;
+      readonly picture: Picture;
+      readonly order: Omit<EngineChoices, 'into'> & { readonly stem: string };
+      /** Several files go into a zip or a folder. */
+      readonly target: 'file' | 'zip' | 'folder';
     }
   /** Answered by `code-copied`. */
   | { readonly type: 'copy-code'; readonly code: string }

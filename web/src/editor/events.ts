@@ -19,6 +19,7 @@ import type { ToolName } from '../tools/machine';
 import type { CommandName, PreviewCommand } from './commands';
 import type { Corner } from './corner';
 import type { CellBorders } from './deformation';
+import type { EngineChoices, EngineLoss } from './engine_choices';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices, VideoCodecs } from './film_choices';
 import type { MenuState } from './menu_state';
@@ -260,6 +261,14 @@ type FileEvent =
   | { readonly type: 'film-choice-made'; readonly choice: Partial<FilmChoices> }
   /** The browser's codecs for films of the last asked size. */
   | { readonly type: 'codecs-found'; readonly codecs: VideoCodecs }
+  | { readonly type: 'engine-choice-made'; readonly choice: Partial<EngineChoices> }
+  /** A rig for an engine was made of these, with a loss. It is still to be saved. */
+  | {
+      readonly type: 'engine-rig-measured';
+      readonly project: Project;
+      readonly choices: EngineChoices;
+      readonly loss: EngineLoss;
+    }
   /** The code that shows the exported rig is asked for. */
   | { readonly type: 'code-asked' }
   /** `copied`: whether the browser took it to the clipboard. */

@@ -44,7 +44,7 @@ export const PAGE: PageAttributes = {
   samples: [],
 };
 
-export const MEDIA: Media = { dark: false, coarse: false, still: false, platform: 'Linux' };
+export const MEDIA: Media = { dark: false, coarse: false, still: false, platform: 'Linux', folders: false };
 
 const files = new Map<string, SourceFile>();
 

@@ -3,6 +3,7 @@ import { type Document, newProject, openDocument } from '../document/document';
 import { historyOf } from '../document/history';
 import { initialTools } from '../tools/machine';
 import { NO_CROSSING } from './crossing';
+import { DEFAULT_ENGINE } from './engine_choices';
 import { DEFAULT_CHOICES } from './export_choices';
 import { DEFAULT_FILM } from './film_choices';
 import type { OpeningState } from './opening_state';
@@ -78,6 +79,8 @@ export function initialState(page: PageAttributes, media: Media, opening: Openin
       codecs: null,
       awaitsCodecs: false,
       code: null,
+      engine: DEFAULT_ENGINE,
+      measured: null,
       running: null,
     },
     autosave: {

@@ -48,4 +48,6 @@ export interface Media {
   readonly still: boolean;
   /** The browser's name of the platform, for the names of keys. */
   readonly platform: string;
+  /** The browser can ask for a folder to write into. */
+  readonly folders: boolean;
 }

@@ -18,6 +18,7 @@ import type { Draft } from '../tools/state';
 import type { AutosaveState } from './autosave_state';
 import type { PreviewCommand } from './commands';
 import type { Crossing } from './crossing';
+import type { EngineChoices, EngineLoss } from './engine_choices';
 import type { EditorEvent } from './events';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices, VideoCodecs } from './film_choices';
@@ -144,6 +145,13 @@ export interface ExportState {
   readonly awaitsCodecs: boolean;
   /** Whether the browser took the code of a web page to the clipboard; null before it was asked for. */
   readonly code: 'copied' | 'blocked' | null;
+  readonly engine: EngineChoices;
+  /** The loss of the last rig for an engine, with its project and choices. */
+  readonly measured: {
+    readonly project: Project;
+    readonly choices: EngineChoices;
+    readonly loss: EngineLoss;
+  } | null;
   /** The export under way, and whether it cuts off a part of the posed picture. */
   readonly running: { readonly cut: boolean } | null;
 }

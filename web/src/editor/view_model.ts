@@ -17,6 +17,7 @@ import { canRun, reasonAgainst } from './can_run';
 import type { CommandName, PreviewCommand } from './commands';
 import { type Cursor, cursorOf } from './cursor';
 import type { CreasedMesh, SiteGraph } from './deformation';
+import { type EngineModel, engineModel } from './engine_model';
 import type { ExportChoices, ExportKind } from './export_choices';
 import { type FilmModel, filmModel } from './film_model';
 import { gripsOf, hiddenOf, hitAt, isLassoing, turnsOf } from './hit_areas';
@@ -169,8 +170,9 @@ export interface ExportModel {
   readonly size: Size | null;
   /** Null while the panel shows another kind, or is closed. */
   readonly film: FilmModel | null;
-  /** The same for a web page. */
+  /** The same for a web page, and for an engine. */
   readonly page: WebPageModel | null;
+  readonly engine: EngineModel | null;
 }
 
 /** The page's hint, and the place of the picture that it points to. */
@@ -281,7 +283,8 @@ export function viewModel(state: EditorState): EditorModel {
       const size = open && kind === 'picture' ? exportSize(state) : null;
       const film = open && kind === 'film' ? filmModel(state) : null;
       const page = open && kind === 'page' ? webPageModel(state) : null;
-      return { kind, choices, running: running !== null, size, film, page };
+      const engine = open && kind === 'engine' ? engineModel(state) : null;
+      return { kind, choices, running: running !== null, size, film, page, engine };
     },
     posedLines: (lines, step) => shown?.deformation.posedLines(project, lines, step) ?? lines,
     canRun: (command) => canRun(state, command),

@@ -3,6 +3,7 @@ import type { Document } from '../document/document';
 import type { HistoryRecord } from '../document/history';
 import type { Project } from '../document/project';
 import type { Drawings } from '../tools/machine';
+import type { EngineChoices } from './engine_choices';
 import type { ExportChoices, ExportKind } from './export_choices';
 import type { FilmChoices } from './film_choices';
 import type { SourceFile } from './picture';
@@ -36,6 +37,7 @@ export interface WorkSnapshot extends Work {
   /** The choices for exports. Without them, those of the editor stay. */
   readonly exports?: ExportChoices;
   readonly films?: FilmChoices;
+  readonly engines?: EngineChoices;
   readonly exportKind?: ExportKind;
 }
 

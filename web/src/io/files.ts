@@ -16,6 +16,7 @@ const KINDS = {
   webm: { description: 'WebM films', mimeTypes: ['video/webm'], extensions: ['.webm'] },
   mp4: { description: 'MP4 films', mimeTypes: ['video/mp4'], extensions: ['.mp4'] },
   rig: { description: 'c2warp rigs', mimeTypes: ['application/octet-stream'], extensions: ['.c2rig'] },
+  glb: { description: 'glTF files', mimeTypes: ['model/gltf-binary'], extensions: ['.glb'] },
   zip: { description: 'Zip archives', mimeTypes: ['application/zip'], extensions: ['.zip'] },
 };
 
@@ -75,6 +76,27 @@ export async function pickTarget(
   const asking = globalThis as unknown as Asking;
   const picked = asking.showSaveFilePicker({ suggestedName: fileName, id: kind, types });
   return (await unlessCancelled(picked)) ?? 'cancelled';
+}
+
+/** Asks for a folder to write into. Returns null if the user cancels. */
+export async function pickFolder(id: string): Promise<FileSystemDirectoryHandle | null> {
+  const asking = globalThis as unknown as {
+    showDirectoryPicker(options: { id: string; mode: 'readwrite' }): Promise<FileSystemDirectoryHandle>;
+  };
+  return (await unlessCancelled(asking.showDirectoryPicker({ id, mode: 'readwrite' }))) ?? null;
+}
+
+/** Writes files into a folder, over older ones of the same names. Returns the name of the folder. */
+export async function writeFiles(
+  folder: FileSystemDirectoryHandle,
+  files: readonly { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> }[],
+): Promise<string> {
+  for (const { name, bytes } of files) {
+    const writing = await (await folder.getFileHandle(name, { create: true })).createWritable();
+    await writing.write(bytes);
+    await writing.close();
+  }
+  return folder.name;
 }
 
 /** Removes the empty file that browsers create when the user names a new one, if nothing was written to it. */

@@ -7,6 +7,7 @@ import { focusExport, toggleExport } from '../ui/export/menu';
 import { showSelected } from '../ui/handle_list';
 import type { Clipboard } from './clipboard';
 import type { Clock } from './clock';
+import { exportEngineRig } from './engines';
 import type { Exports } from './exports';
 import type { Files } from './files';
 import { exportFilm, findCodecs } from './films';
@@ -75,6 +76,8 @@ const CARRY_OUT: { readonly [T in Carried]: (effect: EffectOf<T>, resources: Res
     exports.run((following) => exportFilm(effect, solver, pixelated, following)),
   'export-rig': (effect, { exports, pictures }) =>
     exports.run((following) => exportRig(effect, pictures, following)),
+  'export-engine-rig': (effect, { exports, pictures, dispatch }) =>
+    exports.run((following) => exportEngineRig(effect, pictures, following, dispatch)),
   'cancel-export': (_, { exports }) => exports.cancel(),
   'find-codecs': (effect, { dispatch }) => findCodecs(effect, dispatch),
   'copy-code': (effect, { dispatch }) => copyCode(effect.code, dispatch),

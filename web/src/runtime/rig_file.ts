@@ -1,5 +1,5 @@
 /** Makes the file of a rig. Loaded at first use. */
-import { bakedRig } from '../compute/baking';
+import { solvedExport } from '../compute/exporting';
 import type { Project } from '../document/project';
 import type { PixelSource } from '../io/open_picture';
 import { rigPicture } from './rig_picture';
@@ -12,5 +12,7 @@ export async function rigFile(
   onProgress: (fraction: number) => void,
 ): Promise<Blob> {
   const file = await rigPicture(picture.file, picture.pixels, signal);
-  return new Blob([await bakedRig(project, picture.pixels, file, signal, onProgress)]);
+  return new Blob([
+    await solvedExport({ kind: 'web-rig', file }, project, picture.pixels, signal, onProgress),
+  ]);
 }

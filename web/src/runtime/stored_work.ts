@@ -17,7 +17,16 @@ type StoredPicture = Pick<WorkSnapshot, 'id' | 'file' | 'name' | 'thumbnail'> & 
 
 type StoredDocument = Pick<
   WorkSnapshot,
-  'record' | 'drawings' | 'pixelated' | 'guarded' | 'snapping' | 'saved' | 'exports' | 'films' | 'exportKind'
+  | 'record'
+  | 'drawings'
+  | 'pixelated'
+  | 'guarded'
+  | 'snapping'
+  | 'saved'
+  | 'exports'
+  | 'films'
+  | 'engines'
+  | 'exportKind'
 > & {
   readonly mark: string;
   /** The tab that wrote it, and a name for this version. */
@@ -125,7 +134,7 @@ export class StoredWork {
     // An earlier version of this tab is part of this one.
     values.delete(this.#nameOf(this.#writer));
     const { id, file, name, thumbnail, record, drawings = [], guarded, ...more } = work;
-    const { snapping, pixelated, saved, exports, films, exportKind } = more;
+    const { snapping, pixelated, saved, exports, films, engines, exportKind } = more;
     if (file !== this.#file) [this.#file, this.#mark] = [file, unique()];
     const mark = this.#mark;
     if (picture?.mark !== mark) values.put(`${this.#key}/picture`, { id, file, name, thumbnail, mark });
@@ -139,6 +148,7 @@ export class StoredWork {
       ...(saved && { saved }),
       ...(exports && { exports }),
       ...(films && { films }),
+      ...(engines && { engines }),
       ...(exportKind && { exportKind }),
     };
     const writer = this.#writer;

@@ -1,5 +1,6 @@
 /** The pages of the export panel that are loaded when they are first shown. */
 import type { CSSResult, TemplateResult } from 'lit';
+import type { EngineModel } from '../editor/engine_model';
 import type { Dispatch } from '../editor/events';
 import type { FilmModel } from '../editor/film_model';
 import type { EditorModel } from '../editor/view_model';
@@ -8,5 +9,6 @@ import type { WebPageModel } from '../editor/web_page_model';
 export interface ExportPages {
   readonly styles: readonly CSSResult[];
   page(page: WebPageModel, model: EditorModel, dispatch: Dispatch): TemplateResult;
+  engine(engine: EngineModel, model: EditorModel, dispatch: Dispatch): TemplateResult;
   film(film: FilmModel, model: EditorModel, dispatch: Dispatch): TemplateResult;
 }

@@ -2,6 +2,7 @@ import { clipNamed } from '../../document/clips';
 import { isAlong } from '../../document/moment';
 import type { Project } from '../../document/project';
 import type { ClipMoment, Emit } from '../effects';
+import { lossText } from '../engine_texts';
 import { EXPORT_FORMATS, type ExportChoices } from '../export_choices';
 import { timeLeftText } from '../film_texts';
 import { EXPORT_CANCELLED, savedText } from '../notice_texts';
@@ -9,6 +10,7 @@ import { stem } from '../picture';
 import { documentOf, type EditorState, filedProject } from '../state';
 import { reachesBeyondFrame } from '../view';
 import { saveWork } from './autosave';
+import { exportEngineRig, lossOf } from './engines';
 import { withExport } from './export_slice';
 import { exportFilm } from './filming';
 import type { Handlers } from './handlers';
@@ -40,6 +42,8 @@ export function exportChosen(state: EditorState, emit: Emit): EditorState {
       return exportFilm(state, emit);
     case 'page':
       return exportRig(state, emit);
+    case 'engine':
+      return exportEngineRig(state, emit);
   }
 }
 
@@ -92,7 +96,8 @@ function ended(before: EditorState, saved: string | null, error: Error | null, e
   const state = withExport(endTask(before, 'export', emit), { running: null });
   if (error) return report(state, error, emit);
   if (saved === null) return announce(state, EXPORT_CANCELLED);
-  const text = savedText(saved, cut);
+  const loss = lossOf(before);
+  const text = [savedText(saved, cut), ...(loss ? [lossText(loss)] : [])].join(' ');
   if (!cut) return inform(state, text, emit);
   const event = { type: 'command-run', command: 'export-all' } as const;
   const action = { label: 'Export all', readsOnly: true, event } as const;

@@ -15,6 +15,7 @@ import { clipHandlers } from './clips';
 import { commandHandlers } from './command';
 import { controlHandlers } from './controls';
 import { requestBorders } from './display';
+import { engineHandlers } from './engines';
 import { exportHandlers } from './exporting';
 import { filmHandlers } from './filming';
 import { focusHandlers } from './focus';
@@ -94,6 +95,7 @@ const HANDLERS: Handlers<EditorEvent['type']> = {
   ...timerHandlers,
   ...trialHandlers,
   ...waitingHandlers,
+  ...engineHandlers,
   ...webPageHandlers,
 };
 

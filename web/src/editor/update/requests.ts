@@ -66,9 +66,10 @@ export function restore(
   emit({ type: 'read', id, pictures: [{ name: work.name, file: work.file }], project: null, inside: false });
   const restoring: Restoring = { id, work, from, phase: 'reading' };
   const guard = { ...state.guard, on: work.guarded, holding: false };
-  const { choices, film, kind } = state.exporting;
-  const { exports = choices, films = film, exportKind = kind } = work;
-  const exporting = { ...state.exporting, choices: exports, film: films, kind: exportKind };
+  const { choices, film, engine, kind } = state.exporting;
+  const { exports = choices, films = film, engines = engine, exportKind = kind } = work;
+  const chosen = { choices: exports, film: films, engine: engines, kind: exportKind };
+  const exporting = { ...state.exporting, ...chosen };
   const display = { ...state.display, snapping: work.snapping ?? state.display.snapping };
   return withOpening({ ...state, guard, display, exporting }, { restoring, nextId: id + 1 });
 }

@@ -11,7 +11,12 @@ import { icon } from '../icons';
 import { choice } from './controls';
 import { picturePage } from './picture';
 
-const KINDS: Readonly<Record<ExportKind, string>> = { picture: 'Picture', film: 'Film', page: 'Web page' };
+const KINDS: Readonly<Record<ExportKind, string>> = {
+  picture: 'Picture',
+  film: 'Film',
+  page: 'Web page',
+  engine: 'Engine',
+};
 
 /** @param pages those that are loaded later; null until then. */
 export function exportMenu(
@@ -68,8 +73,9 @@ function page(
   dispatch: Dispatch,
   pages: ExportPages | null,
 ): TemplateResult | typeof nothing {
-  const { kind, film, page } = model.exporting;
+  const { kind, film, page, engine } = model.exporting;
   if (kind === 'picture') return picturePage(model, dispatch);
+  if (engine) return pages?.engine(engine, model, dispatch) ?? nothing;
   if (film) return pages?.film(film, model, dispatch) ?? nothing;
   return (page && pages?.page(page, model, dispatch)) ?? nothing;
 }

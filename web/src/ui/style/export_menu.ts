@@ -4,7 +4,7 @@ import { phone } from './layouts';
 
 export const exportMenuStyle = css`
   .export {
-    --_width: 304px;
+    --_width: 320px;
     width: var(--_width);
     max-width: calc(100vw - 16px);
     max-height: calc(100dvh - 16px);
@@ -17,6 +17,12 @@ export const exportMenuStyle = css`
   .top .export .segment {
     flex: 1 1 0;
     width: auto;
+  }
+  /* The kinds of exports differ in length. */
+  .top .export > .segments:first-child .segment {
+    flex: 1 1 auto;
+    padding-inline: 4px;
+    white-space: nowrap;
   }
   .export:focus {
     outline: none;

@@ -1,52 +1,51 @@
 /**
- * Bakes rigs in a worker and a WebAssembly module of their own. Both end with the bake: solves go on meanwhile, and a
- * cancel stops it at once.
+ * Makes exports with a solver, in a worker and a WebAssembly module of their own. Both end with the export: solves go
+ * on meanwhile, and a cancel stops it at once.
  */
 import type { Project } from '../document/project';
 import { ENGINE, TOO_MUCH, WarpError } from '../error';
 import { startWorker } from '../start_worker';
-import type { BakeReply, BakeRequest } from './baking_messages';
+import type { ExportReply, ExportRequest, Exports } from './exporting_messages';
 import { compiled } from './module';
 import type { PixelSource } from './solution';
-import baker from './worker/baker?worker&url';
+import exporter from './worker/exporter?worker&url';
 
 const NOT_STARTED = 'The export could not be started: are its files there, and does the page allow workers?';
 const BROKE = 'The clips are more than a rig can hold in this browser: shorten them.';
 
 /**
- * The rig of a project's clips.
+ * Carries out an order for a project and its picture.
  *
- * @param file A PNG, WebP or JPEG file of the picture.
  * @param onProgress Called with the part that is done, from 0 to 1.
- * @throws The reason of the signal; WarpError for clips that no rig can hold.
+ * @throws The reason of the signal; WarpError for a project that the export cannot hold.
  */
-export async function bakedRig(
+export async function solvedExport<K extends keyof Exports>(
+  order: Exports[K]['order'] & { readonly kind: K },
   project: Project,
   source: PixelSource,
-  file: Uint8Array<ArrayBuffer>,
   signal: AbortSignal,
   onProgress: (part: number) => void,
-): Promise<Uint8Array<ArrayBuffer>> {
-  const module = await compiled(new URL('./generated/c2warp_export_bg.wasm', import.meta.url)).catch(
-    (cause) => {
-      throw new WarpError(ENGINE, NOT_STARTED, { cause });
-    },
-  );
+): Promise<Exports[K]['made']> {
+  const address = new URL('./generated/c2warp_export_bg.wasm', import.meta.url);
+  const module = await compiled(address).catch((cause) => {
+    throw new WarpError(ENGINE, NOT_STARTED, { cause });
+  });
   signal.throwIfAborted();
-  const worker = startWorker(baker);
+  const worker = startWorker(exporter);
   try {
     return await new Promise((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.onerror = (cause) => reject(new WarpError(ENGINE, NOT_STARTED, { cause }));
-      worker.onmessage = ({ data }: MessageEvent<BakeReply>) => {
+      worker.onmessage = ({ data }: MessageEvent<ExportReply>) => {
         if ('part' in data) onProgress(data.part);
-        else if ('rig' in data) resolve(data.rig);
+        // The worker answers an order of this kind.
+        else if ('made' in data) resolve(data.made as Exports[K]['made']);
         else reject(new WarpError(data.refused === null ? TOO_MUCH : 'rig', sentence(data.refused ?? BROKE)));
       };
       const { port1, port2: pixels } = new MessageChannel();
       const { width, height } = source;
-      const request = { module, project: JSON.stringify(project), width, height, pixels, file };
-      worker.postMessage(request satisfies BakeRequest, [pixels]);
+      const request = { module, project: JSON.stringify(project), width, height, pixels, order };
+      worker.postMessage(request satisfies ExportRequest, [pixels]);
       source.sendTo(port1);
     });
   } finally {

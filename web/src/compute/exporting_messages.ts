@@ -1,0 +1,78 @@
+/** The messages between the page and the worker that makes an export with a solver. */
+
+type Bytes = Uint8Array<ArrayBuffer>;
+
+/** A rig for web pages. */
+export interface WebRigOrder {
+  readonly kind: 'web-rig';
+  /** A PNG, WebP or JPEG file of the picture. */
+  readonly file: Bytes;
+}
+
+/** A rig for a game engine. */
+export interface EngineRigOrder {
+  readonly kind: 'engine-rig';
+  readonly format: 'spine' | 'dragonbones' | 'gltf' | 'godot';
+  /** The most bones besides the root, the most that move a vertex, and the most vertices. */
+  readonly bones: number;
+  readonly influences: number;
+  readonly vertices: number;
+  /** Names the files. */
+  readonly stem: string;
+  /** The name of the zip that all files come in; null for files by themselves. */
+  readonly zip: string | null;
+}
+
+export interface ExportedFile {
+  readonly name: string;
+  readonly bytes: Bytes;
+}
+
+/** Distances from exact places, in pixels: the largest, and that of 99 of 100 places. */
+export type Errors = readonly [largest: number, percentile99: number];
+
+/** The size of a rig, and its loss. */
+export interface EngineLoss {
+  readonly bones: number;
+  readonly sites: number;
+  readonly vertices: number;
+  /** Vertices in the project's pose, in random poses, and in each clip. */
+  readonly pose: Errors;
+  readonly random: Errors;
+  readonly clips: readonly Errors[];
+  /** The picture between vertices. */
+  readonly between: Errors;
+}
+
+export interface EngineRig {
+  readonly files: readonly ExportedFile[];
+  readonly loss: EngineLoss;
+}
+
+/** All orders by their kinds, each with its result. */
+export interface Exports {
+  readonly 'web-rig': { readonly order: WebRigOrder; readonly made: Bytes };
+  readonly 'engine-rig': { readonly order: EngineRigOrder; readonly made: EngineRig };
+}
+
+export type ExportOrder = Exports[keyof Exports]['order'];
+
+/** The only message to the worker. */
+export interface ExportRequest {
+  /** Compiled by the page. */
+  readonly module: WebAssembly.Module;
+  /** JSON text. */
+  readonly project: string;
+  readonly width: number;
+  readonly height: number;
+  /** The pixels arrive here, or null if the picture was released. */
+  readonly pixels: MessagePort;
+  readonly order: ExportOrder;
+}
+
+export type ExportReply =
+  /** The part that is done, from 0 to 1. */
+  | { readonly part: number }
+  | { readonly made: Exports[keyof Exports]['made'] }
+  /** A sentence for people, or null if the module broke. */
+  | { readonly refused: string | null };

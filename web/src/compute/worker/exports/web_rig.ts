@@ -1,0 +1,11 @@
+/** A rig for web pages. */
+import type { ExportRequest, WebRigOrder } from '../../exporting_messages';
+import { bake } from '../../generated/c2warp_export';
+
+/** @throws Error for clips that no rig can hold. */
+export const webRig = (
+  { project, width, height }: ExportRequest,
+  { file }: WebRigOrder,
+  rgba: Uint8Array,
+  tell: (part: number) => void,
+): Uint8Array<ArrayBuffer> => bake(project, width, height, rgba, file, tell) as Uint8Array<ArrayBuffer>;

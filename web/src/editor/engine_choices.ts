@@ -1,0 +1,64 @@
+/** How a person exports rigs for game engines: kept for the next one, and stored with the work. */
+
+import { stem } from './picture';
+
+export type EngineFormat = 'spine' | 'dragonbones' | 'gltf' | 'godot';
+
+export interface EngineChoices {
+  readonly format: EngineFormat;
+  /** The most bones besides the root. */
+  readonly bones: number;
+  /** The most bones that move a vertex. */
+  readonly influences: number;
+  readonly vertices: number;
+  /** Several files go into a zip, or into a folder that the person picks. */
+  readonly into: 'zip' | 'folder';
+}
+
+/** Those of the command. */
+export const DEFAULT_ENGINE: EngineChoices = {
+  format: 'spine',
+  bones: 64,
+  influences: 4,
+  vertices: 300,
+  into: 'zip',
+};
+
+/** The module refuses other numbers. */
+export const BONES = { least: 1, most: 255 } as const;
+export const INFLUENCES = { least: 1, most: 32, mostOfGodot: 4 } as const;
+export const VERTICES = { least: 3, most: 65_535 } as const;
+
+/** `extension`: of the only file; null for formats of several files. */
+export const ENGINE_FORMATS = {
+  spine: { name: 'Spine', extension: null },
+  dragonbones: { name: 'DragonBones', extension: null },
+  gltf: { name: 'glTF', extension: 'glb' },
+  godot: { name: 'Godot', extension: null },
+} as const satisfies Record<EngineFormat, object>;
+
+/** The name of the only file. @param picture The name of the picture's file. */
+export const engineFile = (picture: string, format: EngineFormat): string => {
+  const { extension } = ENGINE_FORMATS[format];
+  return extension ? `${stem(picture)}.${extension}` : `${stem(picture)}-${format}.zip`;
+};
+
+/** The most bones that move a vertex, in a format. */
+export const influencesOf = ({ format, influences }: EngineChoices): number =>
+  format === 'godot' ? Math.min(influences, INFLUENCES.mostOfGodot) : influences;
+
+/** Distances from exact places, in pixels: the largest, and that of 99 of 100 places. */
+export type Errors = readonly [largest: number, percentile99: number];
+
+/** The size of a rig, and its loss. */
+export interface EngineLoss {
+  readonly bones: number;
+  readonly sites: number;
+  readonly vertices: number;
+  /** Vertices in the project's pose, in random poses, and in each clip. */
+  readonly pose: Errors;
+  readonly random: Errors;
+  readonly clips: readonly Errors[];
+  /** The picture between vertices. */
+  readonly between: Errors;
+}

@@ -1,0 +1,44 @@
+/** Exports of rigs for game engines. */
+import type { Emit } from '../effects';
+import {
+  ENGINE_FORMATS,
+  type EngineChoices,
+  type EngineLoss,
+  engineFile,
+  influencesOf,
+} from '../engine_choices';
+import { stem } from '../picture';
+import { type EditorState, filedProject } from '../state';
+import { saveWork } from './autosave';
+import { withExport } from './export_slice';
+import type { Handlers } from './handlers';
+import { beginTask } from './notices';
+
+export function exportEngineRig(state: EditorState, emit: Emit): EditorState {
+  const { picture, exporting, media } = state;
+  if (!picture || exporting.running) return state;
+  const { engine: choices } = exporting;
+  const { format, bones, vertices, into } = choices;
+  const { extension } = ENGINE_FORMATS[format];
+  const target = extension ? 'file' : into === 'folder' && media.folders ? 'folder' : 'zip';
+  const influences = influencesOf(choices);
+  const project = filedProject(state);
+  const order = { format, bones, influences, vertices, stem: stem(picture.name) };
+  const name = engineFile(picture.name, format);
+  emit({ type: 'export-engine-rig', name, project, choices, picture, order, target });
+  const task = { name: 'export', label: 'Exporting', cancellable: true, fraction: 0 } as const;
+  return beginTask(withExport(state, { running: { cut: false }, measured: null }), task, emit);
+}
+
+const choose = (state: EditorState, choice: Partial<EngineChoices>, emit: Emit): EditorState =>
+  saveWork(withExport(state, { engine: { ...state.exporting.engine, ...choice } }), emit);
+
+export const engineHandlers: Handlers<'engine-choice-made' | 'engine-rig-measured'> = {
+  'engine-choice-made': (state, { choice }, emit) => choose(state, choice, emit),
+  'engine-rig-measured': (state, { project, choices, loss }) =>
+    withExport(state, { measured: { project, choices, loss } }),
+};
+
+/** The loss of the rig that was just saved; null after other exports. */
+export const lossOf = ({ exporting }: EditorState): EngineLoss | null =>
+  exporting.kind === 'engine' ? (exporting.measured?.loss ?? null) : null;
