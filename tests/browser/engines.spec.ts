@@ -1,4 +1,7 @@
-/** Rigs for engines: glTF files by the validator of Khronos and by three.js, with the vertices of `c2warp map`. */
+/**
+ * Rigs for engines by readers of others, with the vertices of `c2warp map`: the validator of Khronos, three.js, and the
+ * runtime of DragonBones.
+ */
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -6,9 +9,10 @@ import { join } from 'node:path';
 import { encode } from 'fast-png';
 import { validateBytes } from 'gltf-validator';
 import * as three from 'three';
-import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { builtCommand } from './command';
+import { dragonBonesRig } from './dragonbones_rig.mjs';
 import { expect, test } from './fixtures';
+import { loadedGltf, skinned } from './gltf_rig.mjs';
 
 const [WIDTH, HEIGHT] = [240, 160] as const;
 const FILE = 'card.c2warp.json';
@@ -83,48 +87,6 @@ function mapped(points: three.Vector2[], time?: number): three.Vector2[] {
   return rows.map((row) => new three.Vector2(...row.split(',').slice(2, 4).map(Number)));
 }
 
-/** Loads the bones and the mesh of a file. Pictures need a page, and do not matter here. */
-async function loaded(glb: Uint8Array): Promise<GLTF> {
-  const view = new DataView(glb.buffer, glb.byteOffset);
-  const length = view.getUint32(12, true);
-  const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)));
-  for (const key of ['images', 'textures', 'samplers', 'materials', 'extensionsUsed']) delete json[key];
-  for (const mesh of json.meshes) for (const primitive of mesh.primitives) delete primitive.material;
-  const text = new TextEncoder().encode(JSON.stringify(json));
-  const words = Math.ceil(text.length / 4);
-  const stripped = new Uint8Array(20 + 4 * words + glb.length - 20 - length).fill(0x20);
-  stripped.set(glb.subarray(0, 20));
-  stripped.set(text, 20);
-  stripped.set(glb.subarray(20 + length), 20 + 4 * words);
-  const header = new DataView(stripped.buffer);
-  header.setUint32(8, stripped.length, true);
-  header.setUint32(12, 4 * words, true);
-  return new GLTFLoader().parseAsync(stripped.buffer, '');
-}
-
-/** The mesh of a file with its vertices at rest, by texture coordinates, and posed, both in places of the picture. */
-function skinned(gltf: GLTF) {
-  const meshes: three.SkinnedMesh[] = [];
-  gltf.scene.traverse((node) => {
-    if (node instanceof three.SkinnedMesh) meshes.push(node);
-  });
-  const [mesh] = meshes;
-  if (!mesh) throw new Error('The file has no mesh with a skin.');
-  const { geometry } = mesh;
-  const uv = geometry.getAttribute('uv');
-  const vertices = Array.from({ length: uv.count }, (_, v) => v);
-  const rest = vertices.map((v) => new three.Vector2(uv.getX(v) * WIDTH, uv.getY(v) * HEIGHT));
-  const posed = () => {
-    gltf.scene.updateMatrixWorld(true);
-    return vertices.map((v) => {
-      const { x, y, z } = mesh.getVertexPosition(v, new three.Vector3());
-      expect(Math.abs(z)).toBeLessThan(1e-9);
-      return new three.Vector2(x, -y);
-    });
-  };
-  return { rest, posed };
-}
-
 function greatest(a: three.Vector2[], b: three.Vector2[]): number {
   expect(a.length).toBe(b.length);
   return Math.max(...a.map((p, k) => p.distanceTo(b[k] as three.Vector2)));
@@ -140,8 +102,8 @@ test('the validator of Khronos finds nothing to complain about', async () => {
 
 test('three.js takes vertices to the places of the map in the pose and along the clip', async () => {
   const glb = exported('--bones', '255');
-  const gltf = await loaded(glb);
-  const { rest, posed } = skinned(gltf);
+  const gltf = await loadedGltf(glb);
+  const { rest, posed } = skinned(gltf, WIDTH, HEIGHT);
   // 32 bits have a step of 2⁻¹⁶ px at the far side.
   expect(greatest(posed(), mapped(rest))).toBeLessThan(0.02);
   const mixer = new three.AnimationMixer(gltf.scene);
@@ -165,4 +127,26 @@ test('materials are unlit and blended, and the picture is inside', () => {
   const start = 28 + length + byteOffset;
   expect([...glb.subarray(start, start + 4)]).toEqual([0x89, 0x50, 0x4e, 0x47]);
   expect(byteLength).toBeGreaterThan(50);
+});
+
+test('the runtime of DragonBones takes vertices to the places of the map', () => {
+  run('export', FILE, '-o', 'card_ske.json', '--bones', '255');
+  const [skeleton, texture] = ['card_ske.json', 'card_tex.json'].map((name) =>
+    readFileSync(join(folder, name), 'utf8'),
+  ) as [string, string];
+  const rig = dragonBonesRig(skeleton, texture);
+  expect(rig.durations).toEqual({ nod: DURATION });
+  const { uvs } = JSON.parse(skeleton).armature[0].skin[0].slot[0].display[0];
+  const points = (numbers: readonly number[], width = 1, height = 1) =>
+    Array.from(
+      { length: numbers.length / 2 },
+      (_, v) => new three.Vector2((numbers[2 * v] ?? 0) * width, (numbers[2 * v + 1] ?? 0) * height),
+    );
+  const rest = points(uvs, WIDTH, HEIGHT);
+  // Numbers of the file are rounded to hundredths.
+  expect(greatest(points(rig.vertices()), mapped(rest))).toBeLessThan(0.03);
+  for (const time of TIMES) {
+    const posed = points(rig.vertices('nod', time * DURATION));
+    expect(greatest(posed, mapped(rest, time * DURATION)), `${time} s`).toBeLessThan(0.12);
+  }
 });
