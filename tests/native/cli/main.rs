@@ -13,6 +13,7 @@ mod inspect;
 mod manual;
 mod maps;
 mod scene_folder;
+mod shapes;
 mod stmap;
 mod streams;
 mod tables;

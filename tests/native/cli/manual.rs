@@ -30,6 +30,8 @@ fn folder() -> TempDir {
     let raised = project.replace(r#""posed": [124, 516]"#, r#""posed": [160, 420]"#);
     fs::write(folder.path().join("wave.c2warp.json"), raised).unwrap();
     fs::write(folder.path().join("points.csv"), "x,y\n330,560\n512,700\n312,1126\n20,20\n").unwrap();
+    let marks = r#"{"points": {"elbow": [330, 560], "beside": [100, 480]}}"#;
+    fs::write(folder.path().join("marks.json"), marks).unwrap();
     folder
 }
 
@@ -60,7 +62,7 @@ fn manual_shows_the_output_of_its_commands() {
         }
         compared += 1;
     }
-    assert_eq!(compared, 6);
+    assert_eq!(compared, 7);
 }
 
 #[test]

@@ -113,6 +113,12 @@ pub(crate) enum CliError {
     Point { path: PathBuf, line: u64, found: String },
     #[error("{}: this is not a list of points: the file is not UTF-8 text", path.display())]
     PointsText { path: PathBuf },
+    #[error("{}: this is not JSON: {reason}", path.display())]
+    ShapesJson { path: PathBuf, reason: serde_json::Error },
+    #[error("{}: expected GeoJSON, {{\"points\": …}}, or a file of labelme or COCO", path.display())]
+    ShapesForm { path: PathBuf },
+    #[error("{}: {reason}", path.display())]
+    Shapes { path: PathBuf, reason: String },
     #[error("--scale: {0}")]
     Scale(c2warp::Error),
 }

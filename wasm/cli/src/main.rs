@@ -19,6 +19,7 @@ mod picture;
 mod points;
 mod posed_drawing;
 mod project;
+mod shapes;
 mod shared;
 mod warp;
 mod weights;

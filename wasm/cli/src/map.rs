@@ -1,4 +1,5 @@
-//! `c2warp map`: the posed positions of points with the Jacobian determinant there, or the inverse map.
+//! `c2warp map`: the posed positions of points with the Jacobian determinant there, or the inverse map. Shapes and
+//! landmarks in JSON come out in the form that they came in.
 
 use std::path::PathBuf;
 
@@ -8,20 +9,22 @@ use c2warp_maps::decimal;
 use glam::DVec2;
 
 use crate::error::CliError;
+use crate::input;
 use crate::output::Table;
 use crate::points;
 use crate::project::{InputFiles, LoadedProject};
+use crate::shapes::Shapes;
 
-/// Writes the posed positions of points, as rows x,y,posed_x,posed_y,det
+/// Writes the posed positions of points, as rows x,y,posed_x,posed_y,det, or in the JSON that they came in
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: InputFiles,
-    /// The points: CSV with a header x,y
-    #[arg(long, value_name = "POINTS.csv")]
+    /// The points: CSV with a header x,y, GeoJSON, or landmarks in JSON
+    #[arg(long, value_name = "POINTS.csv|SHAPES.json")]
     at: PathBuf,
     /// The output file, or - for standard output. det is the Jacobian determinant. Cells are empty outside the domain
-    #[arg(short, long, value_name = "OUT.csv")]
+    #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Invert the map: the points are points of the warped picture. The rows are x,y,rest_x,rest_y with the point of
     /// the picture drawn there. Cells are empty where nothing is drawn
@@ -30,7 +33,12 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
-    let points = points::read(&arguments.at)?;
+    let path = &arguments.at;
+    let bytes = input::read(path).map_err(CliError::read(path))?;
+    if Shapes::is_json(&bytes) {
+        return map_shapes(arguments, Shapes::parse(&bytes, path)?);
+    }
+    let points = points::parse_csv(&bytes, path)?;
     let loaded = LoadedProject::open(&arguments.files)?;
     let output = loaded.output(&arguments.output)?;
     let solution = loaded.solve()?;
@@ -39,6 +47,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         false => write_posed(table, &solution, &pose, &points),
         true => write_rest_positions(table, &solution, &pose, &points),
     })
+}
+
+/// Maps the points of a JSON file. Around the domain they move with its outline.
+fn map_shapes(arguments: &Arguments, shapes: Shapes) -> Result<(), CliError> {
+    let refused = |reason| CliError::Shapes { path: arguments.at.clone(), reason };
+    let points = shapes.points().map_err(refused)?;
+    let loaded = LoadedProject::open(&arguments.files)?;
+    let output = loaded.output(&arguments.output)?;
+    let solution = loaded.solve()?;
+    let pose = loaded.pose(&solution)?;
+    let places = if arguments.inverse {
+        solution.rest_points(&pose, &points)
+    } else {
+        let map = solution.continued(&pose);
+        points.iter().map(|&p| Some(map.place(p))).collect()
+    };
+    let file = shapes.placed(places).map_err(refused)?;
+    output.write(|writer| writeln!(writer, "{file}"))
 }
 
 fn write_posed(table: &mut Table<'_>, solution: &Solution, pose: &Pose, points: &[DVec2]) -> csv::Result<()> {

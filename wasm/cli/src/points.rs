@@ -9,12 +9,16 @@ use crate::input;
 
 /// Reads a CSV file: the header, then exactly two finite numbers on every line.
 pub(crate) fn read(path: &Path) -> Result<Vec<DVec2>, CliError> {
+    parse_csv(&input::read(path).map_err(CliError::read(path))?, path)
+}
+
+/// Reads the contents of a CSV file.
+pub(crate) fn parse_csv(bytes: &[u8], path: &Path) -> Result<Vec<DVec2>, CliError> {
     let to_error = |reason: csv::Error| match reason.into_kind() {
         csv::ErrorKind::Io(reason) => CliError::Read { path: path.to_owned(), reason },
         _ => CliError::PointsText { path: path.to_owned() },
     };
-    let file = input::open(path).map_err(CliError::read(path))?;
-    let mut lines = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(file);
+    let mut lines = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(bytes);
     // Spreadsheets write a byte order mark before the header.
     let header = lines.headers().map_err(to_error)?;
     if header.iter().map(|name| name.trim_start_matches('\u{feff}')).ne(["x", "y"]) {

@@ -81,6 +81,7 @@ mod stage;
 pub mod fit;
 
 // Leaving: solutions for other programs.
+mod continued;
 pub mod rig;
 mod sprite_mesh;
 
@@ -90,6 +91,7 @@ mod study;
 
 pub use bone::OutsidePart;
 pub use cell_borders::BorderPiece;
+pub use continued::ContinuedMap;
 pub use error::Error;
 pub use glam;
 pub use input_mesh::InputMesh;
