@@ -85,6 +85,9 @@ mod continued;
 pub mod rig;
 mod sprite_mesh;
 
+// Where handles may go.
+pub mod suggest;
+
 // Explaining a solution.
 mod lens;
 mod study;

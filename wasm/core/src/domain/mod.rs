@@ -48,6 +48,13 @@ impl Domain {
         Self::bounded(spec, picture, false)
     }
 
+    /// The domain of a project that names none: the opaque part of a picture with transparency, or all of another one.
+    #[must_use]
+    pub fn default_spec(picture: &Picture<'_>) -> DomainSpec {
+        let threshold = DomainSpec::THRESHOLD;
+        if picture.has_transparency() { DomainSpec::Alpha { threshold } } else { DomainSpec::Image }
+    }
+
     /// The same domain. If its boundary is `held`, it has fewer corners where the picture's alpha bounds it.
     ///
     /// # Errors

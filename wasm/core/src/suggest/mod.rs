@@ -1,0 +1,101 @@
+//! Handles that suit a shape: where an animator would begin.
+//!
+//! One handle lies in the middle of each part of the domain, and one at the end of each limb. Joints follow at necks
+//! and bends, and where a limb would have no handle for a long way. A picture without an outline, such as a
+//! photograph, has handles in even rows.
+//!
+//! - Limbs come from the medial axis, by TEASAR: see `skeleton`.
+//! - Long ways are filled by farthest points (Gonzalez, "Clustering to minimize the maximum intercluster distance",
+//!   1985), with intrinsic distances.
+//!
+//! The same domain has the same handles on every platform. A mirrored domain has mirrored handles, within a few cells.
+//!
+//! Cost: linear in about 120,000 cells for each handle, whatever the size of the picture.
+
+mod cells;
+mod joints;
+mod names;
+mod placing;
+mod skeleton;
+mod spread;
+#[cfg(test)]
+mod tests;
+
+use glam::DVec2;
+
+use crate::domain::Domain;
+
+/// A suggested point handle.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SuggestedHandle {
+    /// Where it lies, in words: `top-left-end`. Unique, and not empty.
+    pub id: String,
+    /// Its position, in pixels. It is in the domain.
+    pub rest: DVec2,
+    /// Why it is there.
+    pub role: SuggestedRole,
+}
+
+/// Why a handle is suggested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SuggestedRole {
+    /// In the middle of a part.
+    Middle,
+    /// At the end of a limb.
+    End,
+    /// At a neck or bend, or on a long way.
+    Joint,
+    /// In a wide part without limbs, or in a picture without an outline.
+    Spread,
+}
+
+impl SuggestedRole {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Middle => "middle",
+            Self::End => "end",
+            Self::Joint => "joint",
+            Self::Spread => "",
+        }
+    }
+}
+
+/// Suggests point handles for a domain, from top to bottom.
+///
+/// Without a `count`, their number follows from the shape: 5 to 12, and fewer only if the domain has no room. With a
+/// `count`, there are as many as have room, and at least one.
+///
+/// ```
+/// use c2warp::{domain::Domain, suggest::{SuggestedRole, suggest}};
+///
+/// let cross = [(40, 0), (60, 0), (60, 40), (100, 40), (100, 60), (60, 60), (60, 100), (40, 100), (40, 60), (0, 60)];
+/// let ring = cross.into_iter().chain([(0, 40), (40, 40)]).map(|(x, y)| [f64::from(x), f64::from(y)].into()).collect();
+/// let handles = suggest(&Domain::from_rings(&[ring])?, None);
+/// let ends: Vec<&str> = handles.iter().filter(|h| h.role == SuggestedRole::End).map(|h| h.id.as_str()).collect();
+/// assert_eq!(ends, ["top-end", "left-end", "right-end", "bottom-end"]);
+/// # Ok::<(), c2warp::Error>(())
+/// ```
+#[must_use]
+pub fn suggest(domain: &Domain, count: Option<usize>) -> Vec<SuggestedHandle> {
+    let (low, high) = domain.bounds();
+    let count = count.map(|count| count.max(1));
+    let mut places: Vec<(DVec2, SuggestedRole)> = if is_rectangle(domain) {
+        spread::spread(low, high, count).into_iter().map(|p| (p, SuggestedRole::Spread)).collect()
+    } else {
+        placing::places(domain, count)
+    };
+    places.sort_by(|(a, _), (b, _)| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)));
+    let words: Vec<(DVec2, &str)> = places.iter().map(|&(p, role)| (p, role.word())).collect();
+    let ids = names::ids(&words, low, high);
+    places.into_iter().zip(ids).map(|((rest, role), id)| SuggestedHandle { id, rest, role }).collect()
+}
+
+/// Whether a domain is an upright rectangle, such as a whole picture.
+fn is_rectangle(domain: &Domain) -> bool {
+    let [ring] = domain.rings() else { return false };
+    let (low, high) = domain.bounds();
+    let is_corner = |p: &DVec2| (p.x == low.x || p.x == high.x) && (p.y == low.y || p.y == high.y);
+    ring.len() == 4 && ring.iter().all(is_corner)
+}

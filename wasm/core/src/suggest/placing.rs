@@ -1,0 +1,152 @@
+//! Chooses handles by importance, each with room around it.
+
+use glam::DVec2;
+
+use super::{
+    SuggestedRole,
+    cells::{Cells, FAR},
+    joints::MeasuredLimb,
+    skeleton::Skeleton,
+};
+use crate::domain::Domain;
+
+const FEWEST: usize = 5;
+const MOST: usize = 12;
+/// Smaller parts, as a share of the largest, have no handle of their own.
+const LEAST_PART: f64 = 0.02;
+/// Room around the ends of limbs and around joints, as shares of the longest way in a part.
+const END_ROOM: f64 = 0.13;
+const JOINT_ROOM: f64 = 0.13;
+/// Ways longer than this share of the longest one get a joint.
+const LONG_WAY: f64 = 0.21;
+/// Places in wide parts that are farther than this share from all handles get one.
+const WIDE: f64 = 0.26;
+/// Room around all handles, as a share of their mean distance in a square.
+const ROOM: f64 = 0.3;
+/// Handles are at least this far apart, in pixels.
+const LEAST_ROOM_PX: f64 = 1.5;
+/// Points of a cell that are looked at, on each side of its centre.
+const PROBES: i32 = 4;
+/// A handle in a wide part is this many times nearer to other handles than to the outline, or less.
+const FROM_OUTLINE: u32 = 3;
+
+/// Positions of handles with their roles, the most important first.
+pub(super) fn places(domain: &Domain, count: Option<usize>) -> Vec<(DVec2, SuggestedRole)> {
+    let cells = Cells::new(domain);
+    let clearance = cells.clearance();
+    let most = count.unwrap_or(MOST);
+    let mut parts = cells.parts();
+    let least = parts.first().map_or(0.0, |part| part.len() as f64 * LEAST_PART);
+    parts.retain(|part| part.len() as f64 >= least);
+    parts.truncate(most);
+    let skeletons: Vec<Skeleton> = parts.iter().map(|part| Skeleton::new(&cells, &clearance, part)).collect();
+    let measured = |skeleton| MeasuredLimb::of(skeleton, &cells, &clearance);
+    let limbs: Vec<MeasuredLimb<'_>> = skeletons.iter().flat_map(measured).collect();
+    let longest = f64::from(skeletons.iter().map(|skeleton| skeleton.diameter).max().unwrap_or_default());
+    let nearest = vec![FAR; cells.len()];
+    let mut placing = Placing { cells: &cells, clearance: &clearance, most, nearest, chosen: Vec::new() };
+    skeletons.iter().for_each(|skeleton| placing.choose(skeleton.root, SuggestedRole::Middle, 0));
+    placing.choose_ends(&limbs);
+    placing.choose_joints(&limbs);
+    let lines: Vec<usize> = limbs.iter().flat_map(MeasuredLimb::line).copied().collect();
+    placing.fill(&lines, SuggestedRole::Joint, most, (longest * LONG_WAY) as u32, u32::MAX);
+    let all = parts.concat();
+    if count.is_none() {
+        placing.fill(&all, SuggestedRole::Spread, most, (longest * WIDE) as u32, FROM_OUTLINE);
+    }
+    let wanted = count.unwrap_or(FEWEST);
+    placing.fill(&lines, SuggestedRole::Joint, wanted, (longest * JOINT_ROOM) as u32, u32::MAX);
+    let area = all.len() as f64 * cells.side * cells.side;
+    let room = cells.units((area / wanted as f64).sqrt() * ROOM);
+    placing.fill(&all, SuggestedRole::Spread, wanted, room, FROM_OUTLINE);
+    let chosen = placing.chosen.iter();
+    chosen.map(|&(cell, role)| (position(&cells, domain, cell, clearance[cell]), role)).collect()
+}
+
+struct Placing<'a> {
+    cells: &'a Cells,
+    clearance: &'a [u32],
+    most: usize,
+    /// Cells: the way to the nearest chosen one.
+    nearest: Vec<u32>,
+    chosen: Vec<(usize, SuggestedRole)>,
+}
+
+impl Placing<'_> {
+    /// Chooses a cell if another handle is wanted and it has room.
+    fn choose(&mut self, cell: usize, role: SuggestedRole, room: u32) {
+        if self.chosen.len() < self.most && self.nearest[cell] > room.max(self.cells.units(LEAST_ROOM_PX)) {
+            self.chosen.push((cell, role));
+            self.cells.shorten(&mut self.nearest, [(cell, 0)], FAR - 16);
+        }
+    }
+
+    /// Chooses ends, those of the longest limbs first.
+    fn choose_ends(&mut self, limbs: &[MeasuredLimb<'_>]) {
+        let mut ends: Vec<&MeasuredLimb<'_>> = limbs.iter().collect();
+        ends.sort_by_key(|limb| std::cmp::Reverse(limb.length()));
+        for limb in ends {
+            self.choose(limb.end(), SuggestedRole::End, limb.share(END_ROOM));
+        }
+    }
+
+    /// Chooses necks and bends, the strongest first.
+    fn choose_joints(&mut self, limbs: &[MeasuredLimb<'_>]) {
+        let joints_of = |limb: &MeasuredLimb<'_>| {
+            let room = limb.share(JOINT_ROOM);
+            limb.bends().into_iter().chain(limb.neck()).map(move |(strength, cell)| (strength, cell, room))
+        };
+        let mut joints: Vec<(f64, usize, u32)> = limbs.iter().flat_map(joints_of).collect();
+        joints.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+        joints.into_iter().for_each(|(_, joint, room)| self.choose(joint, SuggestedRole::Joint, room));
+    }
+
+    /// Chooses the cell with the greatest score, again and again, up to a number of handles: the distance to the
+    /// nearest handle, but at most some multiple of the distance to the outline. Lower scores than `least` have no
+    /// room.
+    fn fill(&mut self, of: &[usize], role: SuggestedRole, wanted: usize, least: u32, from_outline: u32) {
+        while self.chosen.len() < wanted {
+            let score = |cell: usize| self.nearest[cell].min(self.clearance[cell].saturating_mul(from_outline));
+            let Some(best) = of.iter().copied().max_by_key(|&cell| (score(cell), std::cmp::Reverse(cell))) else {
+                return;
+            };
+            let before = self.chosen.len();
+            if score(best) >= least {
+                self.choose(best, role, 0);
+            }
+            if self.chosen.len() == before {
+                return;
+            }
+        }
+    }
+}
+
+/// The position of a cell, in whole pixels where the domain has room for it.
+fn position(cells: &Cells, domain: &Domain, cell: usize, clearance: u32) -> DVec2 {
+    let centre = cells.centre(cell);
+    if cells.px(clearance) > cells.side + 1.0 {
+        return centre.round();
+    }
+    // A cell of a line may have its centre beside it: take the point that is farthest from the outline.
+    let offset = |at: i32| f64::from(at) / f64::from(PROBES) * cells.side;
+    let probes = (-PROBES..=PROBES).flat_map(|y| (-PROBES..=PROBES).map(move |x| DVec2::new(offset(x), offset(y))));
+    let inside = probes.map(|offset| centre + offset).filter(|&p| is_inside(domain, p));
+    let deep =
+        inside.map(|p| (domain.distance_to_outline(p), p)).reduce(|best, one| if one.0 > best.0 { one } else { best });
+    deep.map_or_else(|| nearest_corner(domain, centre), |(_, p)| p)
+}
+
+/// Whether a point is in a domain, by the even-odd rule.
+fn is_inside(domain: &Domain, p: DVec2) -> bool {
+    let crosses = |(a, b): &(DVec2, DVec2)| {
+        (a.y <= p.y) != (b.y <= p.y) && a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)) <= p.x
+    };
+    domain.edges().filter(crosses).count() % 2 == 1
+}
+
+/// The corner of the outline nearest to a point.
+fn nearest_corner(domain: &Domain, p: DVec2) -> DVec2 {
+    let corners = domain.rings().iter().flatten().copied();
+    let nearer = |one: DVec2, other: DVec2| if other.distance(p) < one.distance(p) { other } else { one };
+    corners.reduce(nearer).unwrap_or(p)
+}

@@ -1,0 +1,156 @@
+//! The middle of a part, and its limbs: a tree of lines along the medial axis.
+//!
+//! After Sato et al., "TEASAR: tree-structure extraction algorithm for accurate and robust skeletons" (2000): the
+//! farthest point from the root that no line covers begins the next line. The line follows the way to the root that
+//! keeps away from the outline. It covers all within a multiple of its distance from the outline. So ears, fingers and
+//! a rough outline make no limbs of their own.
+//!
+//! Cost: O(n log n) for the cells of a part, and a search in the covered cells of each limb.
+
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+use glam::DVec2;
+
+use super::cells::{Cells, FAR, UNITS};
+
+/// A line covers this many times its distance from the outline, in tenths.
+const COVER_TENTHS: u32 = 12;
+/// Limbs shorter than this share of the longest way in the part are bumps of the outline.
+const LEAST_LIMB: f64 = 0.06;
+/// A hair or whisker has an outer third that many times thinner than the widest place of the part.
+const HAIR: u64 = 14;
+/// A rough outline has many ends. The longest limbs come first.
+const MOST_LIMBS: usize = 24;
+/// Ends from which the middle is measured.
+const MOST_EXTREMES: usize = 8;
+/// How much a cell near the outline costs more than one in the middle of the widest place.
+const CENTRING: u64 = 16;
+
+/// The tree of a part.
+pub(super) struct Skeleton {
+    /// The cell in the middle.
+    pub(super) root: usize,
+    /// The longest way between two ends, in units.
+    pub(super) diameter: u32,
+    /// The limbs, from the one with the farthest end on.
+    pub(super) limbs: Vec<Limb>,
+}
+
+/// A line from an end to the root.
+pub(super) struct Limb {
+    /// Cells from the end to the root.
+    pub(super) path: Vec<usize>,
+    /// Number of the first cells that no limb before it has.
+    pub(super) own: usize,
+}
+
+impl Skeleton {
+    pub(super) fn new(cells: &Cells, clearance: &[u32], part: &[usize]) -> Self {
+        let (root, diameter) = middle(cells, clearance, part);
+        let before = centred_ways(cells, clearance, part, root);
+        let from_root = cells.distances([(root, 0)], FAR);
+        let least = (f64::from(diameter) * LEAST_LIMB) as u32;
+        let radius = |cell: usize| clearance[cell] * COVER_TENTHS / 10 + least;
+        let mut is_covered = vec![false; cells.len()];
+        let mut is_line = vec![false; cells.len()];
+        is_line[root] = true;
+        cover(cells, &[root], radius, &mut is_covered);
+        let widest = part.iter().map(|&cell| clearance[cell]).max().unwrap_or_default();
+        let mut limbs = Vec::new();
+        let mut farthest: Vec<usize> = part.to_vec();
+        farthest.sort_by_key(|&cell| Reverse(from_root[cell]));
+        for end in farthest {
+            if is_covered[end] || limbs.len() == MOST_LIMBS {
+                continue;
+            }
+            let path: Vec<usize> =
+                std::iter::successors(Some(end), |&cell| Some(before[cell]).filter(|_| cell != root)).collect();
+            let own = path.iter().take_while(|&&cell| !is_line[cell]).count();
+            path[..own].iter().for_each(|&cell| is_line[cell] = true);
+            cover(cells, &path[..own], radius, &mut is_covered);
+            let outer = &path[..own.div_ceil(3)];
+            let width = outer.iter().map(|&cell| u64::from(clearance[cell])).sum::<u64>();
+            if width * HAIR >= outer.len() as u64 * u64::from(widest) {
+                limbs.push(Limb { path, own });
+            }
+        }
+        Self { root, diameter, limbs }
+    }
+}
+
+/// Marks all cells within the radius of any of some cells.
+fn cover(cells: &Cells, line: &[usize], radius: impl Fn(usize) -> u32, is_covered: &mut [bool]) {
+    let greatest = line.iter().map(|&cell| radius(cell)).max().unwrap_or_default();
+    let sources = line.iter().map(|&cell| (cell, greatest - radius(cell)));
+    let distances = cells.distances(sources, greatest);
+    is_covered.iter_mut().zip(distances).for_each(|(covered, distance)| *covered |= distance != FAR);
+}
+
+/// The cell from which no end is far, and that is far from the outline; and the longest way between two ends.
+fn middle(cells: &Cells, clearance: &[u32], part: &[usize]) -> (usize, u32) {
+    let widest = part.iter().map(|&cell| clearance[cell]).max().unwrap_or_default();
+    let start = part.iter().filter(|&&cell| clearance[cell] == widest).map(|&cell| (cell, 0));
+    let mut nearest = cells.distances(start, FAR);
+    let mut greatest = vec![0; cells.len()];
+    let mut extremes: Vec<usize> = Vec::new();
+    while extremes.len() < MOST_EXTREMES {
+        let most = part.iter().map(|&cell| nearest[cell]).max().unwrap_or_default();
+        // A round part has two ends, too.
+        if most == 0 || most < widest && extremes.len() > 1 {
+            break;
+        }
+        // Equally far ends count alike, so that a symmetric part has its middle on the axis.
+        let mut ends: Vec<usize> = part.iter().copied().filter(|&cell| nearest[cell] == most).collect();
+        while let Some(&first) = ends.first() {
+            let around = cells.distances([(first, 0)], widest.max(4 * UNITS));
+            let (near, rest): (Vec<usize>, Vec<usize>) = ends.iter().partition(|&&cell| around[cell] != FAR);
+            let end = central(cells, &near);
+            let distances = cells.distances([(end, 0)], FAR);
+            for &cell in part {
+                greatest[cell] = distances[cell].max(greatest[cell]);
+                // The start is no end.
+                nearest[cell] = if extremes.is_empty() { distances[cell] } else { nearest[cell].min(distances[cell]) };
+            }
+            extremes.push(end);
+            ends = if extremes.len() < MOST_EXTREMES { rest } else { Vec::new() };
+        }
+    }
+    let diameter = extremes.iter().map(|&end| greatest[end]).max().unwrap_or_default();
+    let score = |cell: usize| i64::from(greatest[cell]) - 2 * i64::from(clearance[cell]);
+    let best = part.iter().map(|&cell| score(cell)).min().unwrap_or_default();
+    let ties: Vec<usize> = part.iter().copied().filter(|&cell| score(cell) == best).collect();
+    (central(cells, &ties), diameter)
+}
+
+/// The cell nearest to the mean of some cells.
+fn central(cells: &Cells, of: &[usize]) -> usize {
+    let mean = of.iter().map(|&cell| cells.centre(cell)).sum::<DVec2>() / of.len() as f64;
+    let from_mean = |&cell: &usize| cells.centre(cell).distance_squared(mean);
+    of.iter().copied().min_by(|a, b| from_mean(a).total_cmp(&from_mean(b))).expect("there is a cell")
+}
+
+/// For each cell of a part the next one on the way to the root that keeps away from the outline.
+fn centred_ways(cells: &Cells, clearance: &[u32], part: &[usize], root: usize) -> Vec<usize> {
+    let widest = u64::from(part.iter().map(|&cell| clearance[cell]).max().unwrap_or(1));
+    let weight = |cell: usize| {
+        let clearance = u64::from(clearance[cell].max(1));
+        1 + CENTRING * widest * widest / (clearance * clearance)
+    };
+    let mut before = vec![root; cells.len()];
+    let mut cost = vec![u64::MAX; cells.len()];
+    cost[root] = 0;
+    let mut open = BinaryHeap::from([Reverse((0, root))]);
+    while let Some(Reverse((known, cell))) = open.pop() {
+        if known > cost[cell] {
+            continue;
+        }
+        cells.visit_neighbours(cell, |next, step| {
+            let total = known + u64::from(step) * weight(next);
+            if total < cost[next] {
+                (cost[next], before[next]) = (total, cell);
+                open.push(Reverse((total, next)));
+            }
+        });
+    }
+    before
+}

@@ -1,0 +1,167 @@
+use std::collections::BTreeSet;
+
+use glam::DVec2;
+
+use super::{SuggestedHandle, SuggestedRole, suggest};
+use crate::{
+    distance::Navigation,
+    domain::{Domain, Ring},
+};
+
+fn domain(rings: &[Ring]) -> Domain {
+    Domain::from_rings(rings).unwrap()
+}
+
+/// A star with its tips.
+fn star(tips: usize) -> (Domain, Vec<DVec2>) {
+    let corner = |at: usize| {
+        let (sin, cos) = libm::sincos(std::f64::consts::PI * at as f64 / tips as f64);
+        DVec2::new(200.0, 200.0) + DVec2::new(sin, -cos) * if at.is_multiple_of(2) { 190.0 } else { 70.0 }
+    };
+    let ring: Ring = (0..2 * tips).map(corner).collect();
+    (domain(std::slice::from_ref(&ring)), ring.into_iter().step_by(2).collect())
+}
+
+/// A head with a neck on a body with a long tail.
+fn animal() -> Ring {
+    let corners = [
+        (60, 20),
+        (130, 20),
+        (150, 60),
+        (130, 95),
+        (110, 100),
+        (110, 130),
+        (180, 150),
+        (240, 150),
+        (330, 60),
+        (350, 70),
+        (260, 180),
+        (230, 240),
+        (220, 330),
+        (190, 330),
+        (180, 250),
+        (110, 250),
+        (100, 330),
+        (70, 330),
+        (60, 200),
+        (85, 130),
+        (85, 100),
+        (50, 90),
+        (40, 50),
+    ];
+    corners.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))).to_vec()
+}
+
+fn of_role(handles: &[SuggestedHandle], role: SuggestedRole) -> Vec<DVec2> {
+    handles.iter().filter(|handle| handle.role == role).map(|handle| handle.rest).collect()
+}
+
+/// Handles lie in the domain, apart from each other, and have different ids.
+fn assert_usable(domain: &Domain, handles: &[SuggestedHandle]) {
+    let navigation = Navigation::new(domain);
+    for (at, handle) in handles.iter().enumerate() {
+        assert!(navigation.located(handle.rest).is_some(), "{handle:?}");
+        assert!(handles[..at].iter().all(|other| other.rest.distance(handle.rest) > 1.0), "{handle:?}");
+    }
+    let ids: BTreeSet<&str> = handles.iter().map(|handle| handle.id.as_str()).collect();
+    assert_eq!(ids.len(), handles.len());
+}
+
+#[test]
+fn ends_of_a_star_are_its_tips() {
+    for tips in [4, 5, 7] {
+        let (star, tips) = star(tips);
+        let handles = suggest(&star, None);
+        assert_usable(&star, &handles);
+        let ends = of_role(&handles, SuggestedRole::End);
+        assert_eq!(ends.len(), tips.len());
+        for tip in tips {
+            assert!(ends.iter().any(|end| end.distance(tip) < 30.0), "{tip}: {handles:?}");
+        }
+        let [middle] = of_role(&handles, SuggestedRole::Middle)[..] else { panic!("{handles:?}") };
+        assert!(middle.distance(DVec2::splat(200.0)) < 4.0, "{middle}");
+    }
+}
+
+#[test]
+fn ends_of_an_animal_are_its_head_feet_and_tail() {
+    let animal = domain(&[animal()]);
+    let handles = suggest(&animal, None);
+    assert_usable(&animal, &handles);
+    assert!((5..=12).contains(&handles.len()), "{handles:?}");
+    let ends = of_role(&handles, SuggestedRole::End);
+    // The middle of the head, but the tips of the others.
+    for end in [(95.0, 58.0), (85.0, 310.0), (205.0, 310.0), (335.0, 72.0)] {
+        assert!(ends.iter().any(|p| p.distance(end.into()) < 18.0), "{end:?}: {handles:?}");
+    }
+}
+
+#[test]
+fn mirrored_domains_have_mirrored_handles() {
+    let ring = animal();
+    let mirrored: Ring = ring.iter().map(|p| DVec2::new(391.0 - p.x, p.y)).rev().collect();
+    let (one, other) = (suggest(&domain(&[ring]), None), suggest(&domain(&[mirrored]), None));
+    assert_eq!(one.len(), other.len());
+    for handle in &one {
+        let at = DVec2::new(391.0 - handle.rest.x, handle.rest.y);
+        let twin = other.iter().find(|twin| twin.rest.distance(at) < 4.0 && twin.role == handle.role);
+        let side = |id: &str| (id.contains("left"), id.contains("right"));
+        let (twin, (left, right)) = (twin.unwrap_or_else(|| panic!("{handle:?} / {other:?}")), side(&handle.id));
+        assert_eq!(side(&twin.id), (right, left), "{handle:?} {twin:?}");
+    }
+}
+
+#[test]
+fn large_islands_come_first_and_crumbs_have_no_handle() {
+    let square = |x: f64, y: f64, side: f64| {
+        // Not upright, so not a picture.
+        [(0.0, 0.1), (0.9, 0.0), (1.0, 0.9), (0.1, 1.0)].map(|(u, v)| DVec2::new(x + u * side, y + v * side)).to_vec()
+    };
+    let at = |i: usize| DVec2::new((i % 10) as f64, (i / 10) as f64) * 40.0;
+    let many: Vec<Ring> = (0..60).map(|i| square(at(i).x, at(i).y, 20.0 + (i % 7) as f64)).collect();
+    let many = domain(&many);
+    let handles = suggest(&many, None);
+    assert_usable(&many, &handles);
+    assert_eq!(of_role(&handles, SuggestedRole::Middle).len(), 12);
+    let few = domain(&[square(0.0, 0.0, 100.0), square(150.0, 0.0, 60.0), square(120.0, 120.0, 4.0)]);
+    let handles = suggest(&few, None);
+    assert_usable(&few, &handles);
+    assert_eq!(of_role(&handles, SuggestedRole::Middle).len(), 2);
+    assert!(handles.iter().all(|handle| handle.rest.y < 110.0 || handle.rest.x < 110.0));
+}
+
+#[test]
+fn tiny_and_thin_domains_have_handles() {
+    let point = domain(&[vec![DVec2::new(7.0, 7.5), DVec2::new(7.5, 7.0), DVec2::new(8.0, 7.5), DVec2::new(7.5, 8.0)]]);
+    assert_eq!(suggest(&point, None).len(), 1);
+    let pixel = domain(&[[(3.0, 3.0), (4.0, 3.0), (4.0, 4.0), (3.0, 4.0)].map(DVec2::from).to_vec()]);
+    assert_eq!(suggest(&pixel, None).len(), 1);
+    // A line as thin as a pixel across a large picture.
+    let line = domain(&[[(10.0, 10.0), (3900.0, 2900.0), (3899.4, 2900.8), (9.4, 10.8)].map(DVec2::from).to_vec()]);
+    let handles = suggest(&line, None);
+    assert_usable(&line, &handles);
+    assert_eq!(of_role(&handles, SuggestedRole::End).len(), 2);
+    assert!(handles.len() >= 5, "{handles:?}");
+}
+
+#[test]
+fn as_many_handles_as_asked_for() {
+    let (star, _) = star(5);
+    let picture = Domain::rectangle(640, 480);
+    for count in [1, 2, 3, 8, 20, 60] {
+        for domain in [&star, &picture] {
+            let handles = suggest(domain, Some(count));
+            assert_usable(domain, &handles);
+            assert_eq!(handles.len(), count);
+        }
+    }
+}
+
+#[test]
+fn pictures_without_an_outline_have_even_rows() {
+    let handles = suggest(&Domain::rectangle(640, 480), None);
+    let ids: Vec<&str> = handles.iter().map(|handle| handle.id.as_str()).collect();
+    let rows = ["top-left", "top", "top-right", "left", "middle", "right", "bottom-left", "bottom", "bottom-right"];
+    assert_eq!(ids, rows);
+    assert!(handles.iter().all(|handle| handle.role == SuggestedRole::Spread));
+}
