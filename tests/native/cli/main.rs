@@ -5,13 +5,16 @@
 mod animate;
 mod bake;
 mod carried;
+mod check;
 mod command;
 mod errors;
 mod export;
 mod fit;
+mod help;
 mod inspect;
 mod manual;
 mod maps;
+mod new;
 mod scene_folder;
 mod shapes;
 mod stmap;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use crate::command::{fail, succeed};
+use crate::command::{command, fail, succeed};
 
 /// Stands for the end of a line in the page.
 const CUT: char = '…';
@@ -73,6 +73,10 @@ fn manual_shows_the_message_of_a_rejection() {
     let beside = project.replace(r#""handles": ["#, &format!(r#""handles": [ {hat},"#));
     fs::write(folder.path().join("beside.c2warp.json"), beside).unwrap();
     let line = fail(folder.path(), "inspect beside.c2warp.json");
-    let last = blocks("console").pop().unwrap();
+    let blocks = blocks("console");
+    let checked = command(folder.path(), "check beside.c2warp.json").output().unwrap();
+    let printed = format!("$ c2warp check beside.c2warp.json\n{}", String::from_utf8(checked.stdout).unwrap());
+    assert!(blocks.contains(&printed), "{printed}");
+    let last = blocks.last().unwrap();
     assert_eq!(last.lines().nth(1).unwrap(), format!("c2warp: {line}"));
 }

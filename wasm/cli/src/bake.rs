@@ -8,10 +8,13 @@ use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
 use crate::error::CliError;
 use crate::picture::PictureFile;
+use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
 
 /// Writes the picture and its clips as a rig, one small file that <c2-warp-player> plays in a web page
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: a rig for <c2-warp-player src=\"cat.c2rig\">\n  \
+                        c2warp bake cat.c2warp.json -o cat.c2rig")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: InputFiles,
@@ -28,7 +31,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let output = loaded.output(&arguments.output)?;
     let solution = loaded.solve()?;
     let picture = RigPicture { width, height, file: smaller(loaded.picture_file()) };
-    let rig = Rig::bake(&loaded.project, &solution, picture).map_err(|reason| loaded.not_baked(reason))?;
+    let mut tell = |part: f64| progress::show(&format!("baking {:.0} %", 100.0 * part));
+    let rig =
+        Rig::bake_telling(&loaded.project, &solution, picture, &mut tell).map_err(|reason| loaded.not_baked(reason))?;
     let file = rig.to_bytes().map_err(|reason| loaded.not_baked(reason))?;
     output.write(|writer| writer.write_all(&file))
 }

@@ -9,6 +9,8 @@ use c2warp_export::ExportError;
 use c2warp_maps::WeightsError;
 use image::{ImageError, ImageFormat};
 
+use crate::progress;
+
 /// The reason for which a command failed. Most messages begin with the file concerned.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CliError {
@@ -119,6 +121,14 @@ pub(crate) enum CliError {
     ShapesForm { path: PathBuf },
     #[error("{}: {reason}", path.display())]
     Shapes { path: PathBuf, reason: String },
+    #[error("there is no command {name:?}: the commands are {}", names.join(", "))]
+    NoCommand { name: String, names: Vec<String> },
+    #[error("{}: this file exists: choose another output with -o, or replace it with --force", path.display())]
+    Exists { path: PathBuf },
+    #[error("{}: this is the picture: choose another output file", path.display())]
+    NewOverPicture { path: PathBuf },
+    #[error("{}: {errors} {}", path.display(), if *errors == 1 { "error" } else { "errors" })]
+    Faulty { path: PathBuf, errors: usize },
     #[error("--scale: {0}")]
     Scale(c2warp::Error),
 }
@@ -131,12 +141,13 @@ fn listed(names: &[String]) -> String {
 /// Tells people something on standard error, on one line.
 pub(crate) fn tell(message: impl Display) {
     let line = format!("c2warp: {}\n", one_line(&message.to_string()));
+    progress::clear();
     // If standard error is closed, nobody reads it. Lines of threads do not mix.
     let _ = io::stderr().write_all(line.as_bytes());
 }
 
 /// Returns the message on one line, with control characters replaced: they could affect the terminal.
-fn one_line(message: &str) -> String {
+pub(crate) fn one_line(message: &str) -> String {
     let words = message.split_whitespace().map(|word| word.replace(char::is_control, "\u{fffd}"));
     words.collect::<Vec<_>>().join(" ")
 }

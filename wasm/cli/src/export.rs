@@ -1,14 +1,17 @@
 //! `c2warp export`: the picture as a rig for a game engine, with bones, weights and baked clips.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::PathBuf;
 
 use c2warp::Picture;
 use c2warp_export::{EngineRig, Errors, ExportError, Format, KEY_TOLERANCE_PX, Options, texture};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError, ImageResult};
+use serde_json::{Value, json};
 
 use crate::error::CliError;
+use crate::output;
+use crate::progress;
 use crate::project::{InputFiles, LoadedProject};
 
 /// Writes the picture and its clips as a rig for a game engine, and prints the loss of the rig
@@ -31,6 +34,9 @@ pub(crate) struct Arguments {
     /// The most vertices
     #[arg(long, value_name = "N", default_value_t = Options::default().vertices as f64, allow_negative_numbers = true)]
     vertices: f64,
+    /// Print the loss as one JSON object instead of a table
+    #[arg(long)]
+    json: bool,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
@@ -54,6 +60,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let picture_output = picture_path.map(|path| loaded.output(&path)).transpose()?;
 
     let solution = loaded.solve()?;
+    progress::show("fitting bones and weights");
     let refused =
         |reason: ExportError| CliError::NotExported { path: loaded.path().to_owned(), reason: Box::new(reason) };
     let rig = EngineRig::new(stem, &loaded.project, &solution, &picture, options).map_err(refused)?;
@@ -66,7 +73,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     if let Some(output) = picture_output {
         output.write(|writer| writer.write_all(&png))?;
     }
-    print_report(&rig, &mut io::stdout().lock()).map_err(CliError::Print)
+    let report = if arguments.json { format!("{:#}\n", report(&rig)) } else { table(&rig) };
+    output::print(report.as_bytes())
 }
 
 fn whole(option: &'static str, number: f64) -> Result<usize, CliError> {
@@ -89,26 +97,52 @@ fn encode_png(picture: &Picture, profile: Option<&[u8]>) -> ImageResult<Vec<u8>>
     Ok(png)
 }
 
-fn print_report(rig: &EngineRig, to: &mut impl Write) -> io::Result<()> {
-    let ((bones, sites), (vertices, triangles)) = (rig.bones(), rig.size());
-    writeln!(to, "bones        {bones} of {sites} sites")?;
-    writeln!(to, "influences   {}", rig.influences())?;
-    writeln!(to, "vertices     {vertices}, in {triangles} triangles")?;
-    writeln!(to, "outline      within {:.1} px", rig.outline_tolerance())?;
-    let loss = rig.loss();
-    if !loss.clips.is_empty() {
-        writeln!(to, "keys         within {KEY_TOLERANCE_PX} px more, at 60 frames a second")?;
-    }
-    writeln!(to, "{:<34}{:>9}{:>9}{:>9}", "error in pixels", "largest", "99 %", "mean")?;
-    let mut line = |name: &str, errors: &Errors| {
-        let Errors { largest, percentile_99, mean } = errors;
-        writeln!(to, "{name:<34}{largest:>9.3}{percentile_99:>9.3}{mean:>9.3}")
+/// The loss of a rig for other programs.
+fn report(rig: &EngineRig) -> Value {
+    let ((bones, sites), (vertices, triangles), loss) = (rig.bones(), rig.size(), rig.loss());
+    let errors = |Errors { largest, percentile_99, mean }: &Errors| json!({ "largest": largest, "percentile_99": percentile_99, "mean": mean });
+    let clips: Vec<Value> =
+        loss.clips.iter().map(|(name, of_clip)| json!({ "name": name, "vertices": errors(of_clip) })).collect();
+    json!({
+        "bones": bones,
+        "sites": sites,
+        "influences": rig.influences(),
+        "vertices": vertices,
+        "triangles": triangles,
+        "outline_px": rig.outline_tolerance(),
+        "keys_px": KEY_TOLERANCE_PX,
+        "errors_px": {
+            "pose": errors(&loss.pose),
+            "random_poses": errors(&loss.random),
+            "clips": clips,
+            "bones_by_hand": errors(&loss.unfitted),
+            "between_vertices": errors(&loss.between),
+        },
+    })
+}
+
+/// The loss of a rig for people.
+fn table(rig: &EngineRig) -> String {
+    let ((bones, sites), (vertices, triangles), loss) = (rig.bones(), rig.size(), rig.loss());
+    let line = |name: &str, Errors { largest, percentile_99, mean }: &Errors| {
+        format!("{name:<34}{largest:>9.3}{percentile_99:>9.3}{mean:>9.3}\n")
     };
-    line("vertices, project's pose", &loss.pose)?;
-    line("vertices, 20 random poses", &loss.random)?;
-    for (name, errors) in &loss.clips {
-        line(&format!("vertices, clip {name:?}"), errors)?;
+    let mut text = [
+        format!("bones        {bones} of {sites} sites\n"),
+        format!("influences   {}\n", rig.influences()),
+        format!("vertices     {vertices}, in {triangles} triangles\n"),
+        format!("outline      within {:.1} px\n", rig.outline_tolerance()),
+    ]
+    .concat();
+    if !loss.clips.is_empty() {
+        text += &format!("keys         within {KEY_TOLERANCE_PX} px more, at 60 frames a second\n");
     }
-    line("bones by hand, 20 random poses", &loss.unfitted)?;
-    line("between vertices", &loss.between)
+    text += &format!("{:<34}{:>9}{:>9}{:>9}\n", "error in pixels", "largest", "99 %", "mean");
+    text += &line("vertices, project's pose", &loss.pose);
+    text += &line("vertices, 20 random poses", &loss.random);
+    for (name, errors) in &loss.clips {
+        text += &line(&format!("vertices, clip {name:?}"), errors);
+    }
+    text += &line("bones by hand, 20 random poses", &loss.unfitted);
+    text + &line("between vertices", &loss.between)
 }

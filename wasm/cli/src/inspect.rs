@@ -1,16 +1,18 @@
 //! `c2warp inspect`: a report of the solution, with the time of each stage.
 
-use std::io::{self, Write};
 use std::time::Instant;
 
 use c2warp::{Inspection, Solver, StageTimes};
 use serde_json::Value;
 
 use crate::error::CliError;
+use crate::output;
 use crate::project::{InputFiles, LoadedProject};
 
 /// Reports the solution of a project and the time of each stage
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: the report for another program\n  \
+                        c2warp inspect cat.c2warp.json --json")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: InputFiles,
@@ -24,8 +26,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
     let inspection = inspect(&loaded)?;
     let json = serde_json::to_value(&inspection).expect("a map of numbers is valid JSON");
     let text = if arguments.json { format!("{json:#}\n") } else { lines("", &json) };
-    let mut stdout = io::stdout().lock();
-    stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(CliError::Print)
+    output::print(text.as_bytes())
 }
 
 fn inspect(loaded: &LoadedProject) -> Result<Inspection, CliError> {

@@ -6,19 +6,25 @@
 mod animate;
 mod bake;
 mod carried;
+mod check;
+mod completions;
 mod distance;
 mod error;
 mod export;
 mod fitting;
 mod input;
 mod inspect;
+mod man;
 mod map;
 mod maps;
+mod new;
 mod output;
 mod picture;
 mod points;
 mod posed_drawing;
+mod progress;
 mod project;
+mod schema;
 mod shapes;
 mod shared;
 mod warp;
@@ -28,7 +34,7 @@ mod workers;
 use std::io;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use error::CliError;
 
@@ -41,6 +47,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    New(new::Arguments),
+    Check(check::Arguments),
     Warp(warp::Arguments),
     Animate(animate::Arguments),
     Inspect(inspect::Arguments),
@@ -50,10 +58,22 @@ enum Command {
     Distance(distance::Arguments),
     Bake(bake::Arguments),
     Export(export::Arguments),
+    Schema(schema::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
+}
+
+/// The definition of the command line, for whoever describes it.
+fn definition() -> clap::Command {
+    Arguments::command()
 }
 
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
+    let command = Arguments::parse().command;
+    progress::begin();
+    let result = match command {
+        Command::New(arguments) => new::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Warp(arguments) => warp::run(&arguments),
         Command::Animate(arguments) => animate::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
@@ -63,7 +83,11 @@ fn main() -> ExitCode {
         Command::Distance(arguments) => distance::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
+        Command::Schema(_) => schema::run(),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
     };
+    progress::clear();
     match result {
         Ok(()) => ExitCode::SUCCESS,
         // A reader such as `head` has closed the output.
@@ -80,12 +104,10 @@ fn main() -> ExitCode {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
-    use super::Arguments;
+    use super::definition;
 
     #[test]
     fn command_line_definition_is_consistent() {
-        Arguments::command().debug_assert();
+        definition().debug_assert();
     }
 }

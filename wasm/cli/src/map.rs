@@ -17,6 +17,8 @@ use crate::shapes::Shapes;
 
 /// Writes the posed positions of points, as rows x,y,posed_x,posed_y,det, or in the JSON that they came in
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: the places that points of a table move to\n  \
+                        c2warp map cat.c2warp.json --at points.csv -o moved.csv")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: InputFiles,

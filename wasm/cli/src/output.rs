@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use tempfile::TempPath;
 
 use crate::error::CliError;
+use crate::progress;
 
 /// The names of standard output. It is never replaced by a new file, because other programs may write to it as well.
 const STANDARD_OUTPUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
@@ -42,6 +43,10 @@ impl Output {
 
     /// Writes the output by calling `write`. If that fails, an existing file keeps its contents.
     pub(crate) fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
+        if let Target::Stream(_) = &self.target {
+            // The stream may be the terminal that shows progress.
+            progress::clear();
+        }
         match self.target {
             Target::Stream(stream) => write_buffered(stream, write),
             Target::File(file) => file.write(write),
@@ -131,6 +136,13 @@ fn write_buffered(to: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Resu
     let mut writer = BufWriter::new(to);
     write(&mut writer)?;
     writer.flush()
+}
+
+/// Prints to standard output.
+pub(crate) fn print(bytes: &[u8]) -> Result<(), CliError> {
+    progress::clear();
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(CliError::Print)
 }
 
 /// Returns whether the path is a name of standard output.

@@ -8,6 +8,7 @@ use c2warp::{Canvas, Extent, Filter, ResampleOptions, Solution, raster};
 
 use crate::error::CliError;
 use crate::output;
+use crate::progress;
 use crate::project::LoadedProject;
 
 /// A pose, and the rectangle and scale in which it is drawn.
@@ -80,6 +81,7 @@ impl PosedDrawing {
             return Ok(());
         }
         let origin = format!("{left},{top}\n");
+        progress::clear();
         let printed = if written.any(output::is_standard_output) {
             io::stderr().write_all(origin.as_bytes())
         } else {

@@ -4,12 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use c2warp::Picture;
-use c2warp::Solution;
 use c2warp::clip::Playback;
 use c2warp::deform::Pose;
 use c2warp::domain::{Domain, OutlineDetail};
 use c2warp::project::{Clip, Project};
+use c2warp::{Picture, Solution, Solver, Stage};
 
 use crate::carried;
 use crate::error::{self, CliError};
@@ -17,6 +16,7 @@ use crate::fitting::{Fit, FittingProject};
 use crate::input;
 use crate::output::Output;
 use crate::picture::{self, PictureFile};
+use crate::progress;
 
 /// The input files of a subcommand.
 #[derive(Debug, clap::Args)]
@@ -39,6 +39,13 @@ pub(crate) struct ProjectFile {
     pub(crate) path: PathBuf,
 }
 
+impl InputFiles {
+    /// Path of the project, for errors.
+    pub(crate) fn project(&self) -> &Path {
+        &self.project
+    }
+}
+
 /// A project and its decoded picture.
 #[derive(Debug)]
 pub(crate) struct LoadedProject {
@@ -55,10 +62,14 @@ pub(crate) struct LoadedProject {
 impl ProjectFile {
     /// Reads a project, without its picture.
     pub(crate) fn read(path: &Path) -> Result<Self, CliError> {
-        let bytes = input::read(path).map_err(CliError::read(path))?;
-        let text = carried::project_text(bytes, path)?;
+        let text = Self::text(path)?;
         let refused = |reason| CliError::Project { path: path.to_owned(), reason };
         Ok(Self { project: Project::from_json(&text).map_err(refused)?, path: path.to_owned() })
+    }
+
+    /// Reads the text of a project.
+    pub(crate) fn text(path: &Path) -> Result<String, CliError> {
+        carried::project_text(input::read(path).map_err(CliError::read(path))?, path)
     }
 
     /// Reads the picture that the project names or holds. Returns its path as well.
@@ -107,7 +118,16 @@ impl LoadedProject {
 
     /// Reads a project with its own picture, or with another one that it is fitted to.
     pub(crate) fn read(project: &Path, image: Option<&Path>, fit: Option<Fit>) -> Result<Self, CliError> {
-        let file = ProjectFile::read(project)?;
+        Self::of(ProjectFile::read(project)?, image, fit)
+    }
+
+    /// Reads the picture of a project.
+    pub(crate) fn with_picture(project: Project, files: &InputFiles) -> Result<Self, CliError> {
+        let file = ProjectFile { project, path: files.project.clone() };
+        Self::of(file, files.image.as_deref(), files.fit)
+    }
+
+    fn of(file: ProjectFile, image: Option<&Path>, fit: Option<Fit>) -> Result<Self, CliError> {
         match image {
             Some(path) => {
                 let image = picture::read(path)?;
@@ -169,11 +189,28 @@ impl LoadedProject {
 
     /// Solves the project. Tells on standard error if the outline could not be followed closely.
     pub(crate) fn solve(&self) -> Result<Solution, CliError> {
-        let solution = c2warp::solve(&self.project, &self.picture()?).map_err(|reason| self.refused(reason))?;
+        let mut solver = Solver::new();
+        self.solve_stages(&mut solver, &self.picture()?).map_err(|reason| self.refused(reason))?;
+        let solution = solver.into_solution().expect("every stage has run");
         if let Some(remark) = remark(solution.domain()) {
             error::tell(format_args!("{}: {remark}", self.image_path.display()));
         }
+        progress::show("drawing");
         Ok(solution)
+    }
+
+    /// Solves the project stage by stage, and shows the stages.
+    pub(crate) fn solve_stages(&self, solver: &mut Solver, picture: &Picture<'_>) -> Result<(), c2warp::Error> {
+        progress::show("finding the outline");
+        solver.begin(&self.project, picture)?;
+        while let Some(stage) = solver.advance()? {
+            progress::show(match stage {
+                Stage::Domain => "solving: samples",
+                Stage::Sampling => "solving: distances and regions",
+                _ => "solving: weights",
+            });
+        }
+        Ok(())
     }
 
     /// Poses the handles as the project asks.
@@ -200,7 +237,7 @@ impl LoadedProject {
 }
 
 /// A remark on an outline that does not follow the picture closely.
-fn remark(domain: &Domain) -> Option<String> {
+pub(crate) fn remark(domain: &Domain) -> Option<String> {
     match domain.detail() {
         OutlineDetail::Simplified => Some("the outline is very fine, so it is followed less closely".into()),
         OutlineDetail::Bridged => {

@@ -15,8 +15,8 @@ const MOST_BYTES: u64 = 4 << 30;
 
 /// Writes the weights of sites, or of a handle: as CSV, as an array for NumPy, or as a heat map over the picture
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example: the weight of a handle at every eighth pixel, for NumPy\n  \
-                        c2warp weights cat.c2warp.json --handle tail --every 8 -o tail.npy")]
+#[command(after_help = "Example: the weights of all sites at every eighth pixel, for NumPy\n  \
+                        c2warp weights cat.c2warp.json --every 8 -o weights.npy")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: InputFiles,

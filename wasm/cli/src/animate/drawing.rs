@@ -13,6 +13,7 @@ use c2warp::project::Clip;
 use c2warp::{Canvas, Extent, Picture, ResampleOptions, Solution, Warped};
 
 use crate::error::CliError;
+use crate::progress;
 use crate::project::LoadedProject;
 
 /// Frames of a batch per core: enough that no core waits long for the others.
@@ -86,7 +87,7 @@ impl<'a> Drawing<'a> {
         let blend = loaded.project.pose.blend;
         let refused = |reason| refused(loaded.refused(reason));
         let mut made: Vec<T> = Vec::new();
-        let mut taken = 0;
+        let (mut taken, all) = (0, times.len());
         for times in times.chunks(cores * FRAMES_PER_CORE) {
             let poses: Result<Vec<Pose>, _> = times.iter().map(|&time| playback.pose(time, blend)).collect();
             let poses = poses.map_err(refused)?;
@@ -105,6 +106,7 @@ impl<'a> Drawing<'a> {
                 for result in made.drain(..) {
                     take(taken, result)?;
                     taken += 1;
+                    progress::count("frame", taken, all);
                 }
                 let mut batch: Vec<_> =
                     workers.into_iter().flat_map(|worker| worker.join().expect("drawing does not panic")).collect();
@@ -115,6 +117,7 @@ impl<'a> Drawing<'a> {
         for result in made {
             take(taken, result)?;
             taken += 1;
+            progress::count("frame", taken, all);
         }
         Ok(())
     }

@@ -15,12 +15,14 @@ use c2warp_film::{Apng, Encoder, Film, Gif, GifColours, MOST_GIF_RATE, Plays, Sh
 use self::drawing::Drawing;
 use self::sequence::Sequence;
 use crate::error::CliError;
-use crate::output::Output;
+use crate::output::{self, Output};
 use crate::project::{InputFiles, LoadedProject};
 use crate::warp::encode_png;
 
 /// Draws a clip at full quality as a film, as single frames or as a sprite sheet
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Example: an animated WebP of one clip, at half the size\n  \
+                        c2warp animate cat.c2warp.json --clip wave --fps 12 --scale 0.5 -o wave.webp")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     files: InputFiles,
@@ -127,9 +129,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), CliError> {
         }
     })?;
     match grown {
-        Some(Extent { origin: [left, top], .. }) => {
-            io::stdout().write_all(format!("{left},{top}\n").as_bytes()).map_err(CliError::Print)
-        }
+        Some(Extent { origin: [left, top], .. }) => output::print(format!("{left},{top}\n").as_bytes()),
         None => Ok(()),
     }
 }
